@@ -265,10 +265,6 @@ def _read_alt_digits() -> None:
 
 def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the start page; gives the exit code."""
-    import gc
-
-    # a screen is many small objects that stay; they need not be looked through so often
-    gc.set_threshold(50_000, 20, 50)
     # between two of the twenty turns that a key takes, the thread that solves has no more than that
     sys.setswitchinterval(0.0002)
     _read_alt_digits()

@@ -5,7 +5,6 @@ runs.
 Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found
 · 70 a fault of the program itself · 130 ended by Ctrl-C · 141 nobody reads the output any more."""
 
-import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -16,8 +15,6 @@ from .usage import COMMANDS, parser
 # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
 THREADS = ("OPENBLAS_NUM_THREADS", "1")
 CLOSED = 141  # as the system itself would end it: no verdict
-# new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
-SELDOM = (200_000, 20, 100)
 
 
 def _meant(word: str | None) -> str | None:
@@ -71,8 +68,6 @@ def command(given: list[str], own: bool) -> int:
             asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
         if own:
             os.environ.setdefault(*THREADS)
-            if asked.command not in ("session", "serve"):
-                gc.set_threshold(*SELDOM)
         module = import_module(f"assistant.commands.{COMMANDS[asked.command].module}")
         return int(getattr(module, f"run_{asked.command}")(asked))
     except SystemExit as usage:
@@ -86,6 +81,3 @@ def command(given: list[str], own: bool) -> int:
             print(error, file=sys.stderr)
             return 2
         raise
-    finally:
-        if own:
-            gc.freeze()  # the process ends: looking through all that it holds for garbage takes a tenth of a report

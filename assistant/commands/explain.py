@@ -45,7 +45,7 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
 
 
 def _explain(asked: Namespace, document: Document, design: Design) -> int:
-    results = solve(design, traced=True)
+    results = solve(design)
     values = results.values()
     if asked.value not in values and (given := _given(document.data, asked.value)) is not None:
         print(f"{asked.value} = {given}   an input of the design file")

@@ -242,7 +242,7 @@ class WorkbenchResults(WorkbenchPanes):
         try:
             if not self._is_written(results, step):
                 try:
-                    whole = said(results.traced(stop).outcomes[step.key].whole, say)
+                    whole = said(results.outcomes[step.key].whole, say)
                     calculation = sheet(whole, STEPS.index(step) + 1, say, stop)
                     values = () if whole.result is None else (values_table(whole, say),)
                     page = Page(outcome, say, whole, calculation, (*whole.curves, *whole.tables, *values))

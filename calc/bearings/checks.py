@@ -24,7 +24,6 @@ from ..library.journal_rules import (
 )
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import clearance_limits, parse
-from ..sheet.arrays import element, has_lanes
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
@@ -48,7 +47,7 @@ LOST_BY_SHEAR = 0.3  # of its viscosity, at the most, by a multigrade oil at 150
 def least_film(d: float, u: float) -> float | None:
     """h_lim of a journal from 24 to 160 mm; None outside."""
     column = sum(u > limit for limit in SPEEDS)
-    return next((element(row, column) for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
+    return next((row[column] for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
 
 
 def oil_check(inputs: BearingsInputs, oil: Oil) -> Check | None:
@@ -415,7 +414,7 @@ def edge_when_thinned(r: BearingResult) -> Metre:
 
 def told_when_thinned(r: BearingResult) -> Amount | Text:
     edge = edge_when_thinned(r)
-    return Text("nothing") if not has_lanes(edge) and math.isnan(edge) else Amount(edge * 1e6, "µm")
+    return Text("nothing") if math.isnan(edge) else Amount(edge * 1e6, "µm")
 
 
 def _outside(r: BearingResult) -> Text:

@@ -3,6 +3,7 @@
 in solve.py."""
 
 from collections.abc import Collection, Iterable, Mapping
+from difflib import get_close_matches
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
@@ -402,8 +403,6 @@ def _no_key(key: str) -> Text | None:
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:
-    from difflib import get_close_matches
-
     near = get_close_matches(name, list(known), 1)
     return Text('"{name}" is not known', name=name) + (
         Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)

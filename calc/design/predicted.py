@@ -3,7 +3,10 @@
 
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
+from difflib import get_close_matches
 from functools import partial
+
+import numpy as np
 
 from ..bearings.inputs import BearingInputs
 from ..sheet.deferred import Later
@@ -122,8 +125,6 @@ def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | N
     value = values.get(row.value)
     given = (value.shown, value.unit) if value is not None else _input(design, row.value)
     if given is None:
-        from difflib import get_close_matches
-
         near = get_close_matches(row.value, list(values), 1)
         return None, Text("this design has no such value; did you mean {near}?", near=near[0]) if near else NO_VALUE
     if given[1] != row.unit:
@@ -164,8 +165,6 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
     front, rear = (values.get(f"bearings.{place}.clearance") for place in ("front", "rear"))
     bearings = replace(bearings, front=_as_made(bearings.front, front), rear=_as_made(bearings.rear, rear))
     if design.engine.bench:
-        import numpy as np
-
         run = sorted(design.engine.bench, key=lambda row: row.speed)
         if run[0].speed <= speed <= run[-1].speed:
             speeds = [row.speed for row in run]

@@ -17,10 +17,9 @@ from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..library.tolerances import grade_number, permitted_unbalance
-from ..sheet.arrays import Array, ComplexArray, distinct, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant, total
-from ..sheet.lanes import together_or_singly
 from ..sheet.linked_array import column, elements, gathered
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Table
@@ -344,7 +343,6 @@ class WebsResult:
     )
 
 
-@together_or_singly
 def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> WebsResult | None:
     """The balance of the crank's own bodies; None where the design says nothing of them.  Speed and masses may be
     arrays."""
@@ -360,7 +358,7 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     if bob is not None:
         crank = e.crank
         pin = pin_of_cylinder(engine, crank)
-        first = distinct(pin)[1]
+        first = np.unique(pin, return_index=True)[1]
         with about(Text("pulley and flywheel")):
             M_eq = crank_masses(imbalance, e)
             of, r = (crank.theta_0, M_eq), u.radius(engine, e)
@@ -449,7 +447,7 @@ def _bodies(
     throw = based_on(
         crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc
     )
-    first = distinct(pin_of_cylinder(engine, crank))[1]
+    first = np.unique(pin_of_cylinder(engine, crank), return_index=True)[1]
     deviation = pin_deviation(p=each(machine.p[machine.pins]), phi=each(throw[first]))
     bobs = {
         str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}", short=True), bob)

@@ -9,6 +9,7 @@ neighbours, and what is printed for other oils."""
 from collections.abc import Iterator
 from dataclasses import replace
 
+from ..sheet.expression import symbol
 from ..sheet.quantity import Quantity, keys
 from ..sheet.record import record
 from ..sheet.step import Erratum, Table
@@ -106,8 +107,6 @@ def _of_base(oil: Oil) -> Iterator[JudgedValue]:
 
 def _judged(key: str, about: Quantity, value: float | str, claim: Claim) -> JudgedValue:
     shown = about.units.shown(value) if isinstance(value, float) else value
-    from ..sheet.expression import symbol  # for what is shown only
-
     name = symbol(about.symbol) if about.symbol else "base"
     return JudgedValue(key, Text(about.label), name, shown, about.unit, claim.confidence, claim.source)
 

@@ -5,6 +5,7 @@ In order: the inertia tensor, mounts and frame, points and operations, the input
 
 import math
 from collections.abc import Iterable, Iterator
+from difflib import get_close_matches
 
 from ..sheet.arrays import Array
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
@@ -663,8 +664,6 @@ class MountingInputs:
 
 
 def _no_place(name: str, places: Iterable[str]) -> Text:
-    from difflib import get_close_matches
-
     near = get_close_matches(name, list(places), 1)
     unknown = Text("is no mount, point or support")
     return unknown + (

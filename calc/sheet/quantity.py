@@ -7,11 +7,11 @@ out: None (no tables: ()) means "choose for me"; the type checker reads the same
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
+from difflib import get_close_matches
 from functools import cache
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
-from .arrays import has_lanes
-from .record import record
+from .record import frozen, record
 from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
 
@@ -294,8 +294,6 @@ def dotted(*parts: object) -> str:
 
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
-    from difflib import get_close_matches
-
     near = get_close_matches(key, known, 1, 0.5)
     return Text("is not known") + (
         Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
@@ -422,7 +420,7 @@ def group(
 @dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
 def result(cls: type[T]) -> type[T]:
     """A class of results: frozen, made by keywords, told apart by identity, since results hold arrays."""
-    kind: type = record(cls)
+    kind: type = frozen(cls, kw_only=True)
     for f in fields(kind):
         if (about := f.metadata.get("value")) is not None:
             setattr(kind, f.name, ValueKey(f.name.rstrip("_"), about))
@@ -437,7 +435,7 @@ def result(cls: type[T]) -> type[T]:
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are."""
     cls.__eq__ = lambda self, other: type(self) is type(other) and vars(self) == vars(other)  # type: ignore[method-assign]
-    kind: type = record(cls)
+    kind: type = frozen(cls, kw_only=True)
     for key in keys(kind).values():
         setattr(kind, key.attribute, key)
     return cls
@@ -532,8 +530,7 @@ def _lets(which: bool | tuple[str, ...], name: str) -> bool:
 
 def _published(id: str, about: Described, inside: float, former: str, short: bool, leads: bool) -> Published:
     unit = UNITS[about.unit]
-    several = has_lanes(inside) or bool(getattr(inside, "ndim", 0))  # many designs at once
-    shown = unit.all_shown(inside) if several else unit.shown(float(inside))
+    shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))
     leads = leads and short
     return Published(
         id,

@@ -9,8 +9,10 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
+from ..design.toml_file import design, parse
 from ..library.table_file import parsed, text_of_table
 from ..sheet.text import Text
+from .starter.build import begun
 
 if TYPE_CHECKING:
     from ..design.addresses import Table
@@ -51,8 +53,6 @@ def engines() -> dict[str, ShippedEngine]:
 
 def engine_inputs(name: str) -> "EngineInputs":
     """The inputs of a shipped engine, without a design around them."""
-    from ..design.toml_file import design, parse
-
     row = _rows()[name]
     if "design" in row:
         text = (DESIGNS / row["design"]).read_text(encoding="utf-8")
@@ -72,9 +72,6 @@ def engine_design(name: str) -> str:
     engine, title = row["engine"], str(row["engine"]["name"])
     imbalance = {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
-    from ..design.toml_file import parse
-    from .starter.build import begun  # numpy, which a list of the engines does not need
-
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"])

@@ -24,7 +24,6 @@ from ...library.catalogue import Material
 from ...library.journal_rules import SLOPE
 from ...sheet.arrays import Array, BoolArray, ComplexArray, each, many
 from ...sheet.errors import NoSolution
-from ...sheet.lanes import design_by_design
 from ...sheet.linked_array import column, gathered, item, where
 from ...sheet.quantity import result, value
 from ...sheet.record import record
@@ -289,7 +288,6 @@ class _Shaft:
         )
 
 
-@design_by_design
 def bending(
     outline: Outline,
     material: Material,

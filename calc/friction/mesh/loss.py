@@ -21,7 +21,7 @@ from ...library.contact import (
     mean_pressure,
 )
 from ...library.lubricant import Lubricant
-from ...sheet.arrays import Array, anywhere, each, many, most, one
+from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import along, sqrt
@@ -122,7 +122,7 @@ def no_rolling_loss() -> Watt:
 def extreme(which: Callable[..., Array], x: float) -> float:
     """The smallest or largest along the path."""
     values = which(x, axis=-1)
-    return each(values) if values.ndim else one(each(values))
+    return each(values) if values.ndim else values.item()
 
 
 @formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
@@ -354,7 +354,7 @@ def _steadied(
     before: tuple[Celsius, Kelvin] | None = None
     for _ in range(PASSES):
         gap = gap_at(T)
-        if most(np.abs(gap)) <= SKIN:
+        if np.all(np.abs(gap) <= SKIN):
             return
         slope = 0.0
         if before is not None:
@@ -366,7 +366,7 @@ def _steadied(
             raise fail(
                 gap, Text("above {hottest} °C, where the laws of the oil end", hottest=Amount(HOTTEST, form="g"))
             )
-        T = T if np.ndim(T) else one(T)
+        T = T if np.ndim(T) else float(T)
     raise fail(
         gap,
         Text("off by {max} K after {passes} passes", max=Amount(float(np.max(np.abs(gap))), form=".3g"), passes=PASSES),
@@ -445,7 +445,7 @@ def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     oil = _skins(c, rubbing)
     f, t = rubbing(oil)
     P_s = sliding_loss(s=s, mu=t.mu, w=w, V_s=m.V_s)
-    if not anywhere(many(f.rigid) > 0):
+    if not np.any(many(f.rigid) > 0):
         P_R = no_rolling_loss()
     else:
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
