@@ -14,6 +14,7 @@ from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, cos, pi, resultant, sin
 from ..sheet.linked_array import column, gathered, where
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
@@ -402,7 +403,7 @@ def _sector_check(mass: EccentricMass, most: Metre) -> Check:
             "Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is "
             "judged."
         ),
-        missing=("countershaft.sections",),
+        missing=(dotted("countershaft", CountershaftInputs.sections),),
     )
 
 

@@ -14,7 +14,7 @@ from ...sheet.arrays import Array, each
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
-from ...sheet.quantity import result, value
+from ...sheet.quantity import dotted, result, value
 from ...sheet.remedy import by_key, down
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
@@ -31,7 +31,7 @@ from ...sheet.units import (
     RadPerSecond,
 )
 from ...sheet.value import about, based_on, untraced
-from ..inputs import Holes
+from ..inputs import CountershaftInputs, Holes
 
 HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
@@ -151,7 +151,12 @@ def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
         "mm",
         Text("geometry: height of the sectors over the core"),
         Text("More or wider holes take the rest."),
-        remedies=by_key(Holes, "countershaft.holes.depth_mm", down(R_outer - core_radius), bound="<="),
+        remedies=by_key(
+            Holes,
+            dotted("countershaft", CountershaftInputs.holes, Holes.depth),
+            down(R_outer - core_radius),
+            bound="<=",
+        ),
     )
 
 
@@ -181,7 +186,9 @@ def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
         "mm",
         Text("geometry: width of the sector at the bottom of the hole"),
         Text("Shorter holes have more room as well."),
-        remedies=by_key(Holes, "countershaft.holes.diameter_mm", down(chord), bound="<="),
+        remedies=by_key(
+            Holes, dotted("countershaft", CountershaftInputs.holes, Holes.diameter), down(chord), bound="<="
+        ),
     )
 
 
