@@ -424,7 +424,10 @@ def known(shaft: CountershaftInputs, R: Metre | None, journals: tuple[tuple[Metr
     """Outer and core radius of the sectors.  Raises NoOutline where these or the journals are not known."""
     r_0 = shaft.core_radius
     if R is None or r_0 is None or not journals:
-        there = (("core_radius_mm", r_0 is not None), ("outer_radius_mm", R is not None))
+        there = (
+            (dotted(CountershaftInputs.core_radius), r_0 is not None),
+            (dotted(CountershaftInputs.outer_radius), R is not None),
+        )
         missing = [
             name
             for name, given in (*there, (Text("[bearings] or [[countershaft.journals]]"), bool(journals)))

@@ -180,9 +180,9 @@ def _wider(m: BacklashCase, reach: Metre) -> tuple[Remedy, ...]:
 
 def _tolerance(mesh: Mesh, index: int, tolerance: float, bound: str = "") -> list[Change]:
     """Another tolerance of the centre distance, in µm; it takes the place of contributors that are summed."""
-    place, here = mesh.title, f"gears.meshes.{index}"
-    instead = [change(Mesh, f"{here}.contributors_mm", None, place=place)] if mesh.contributors else []
-    return [change(Mesh, f"{here}.tolerance_um", tolerance, place=place, bound=bound), *instead]
+    place, here = mesh.title, dotted("gears", GearsInputs.meshes, index)
+    instead = [change(Mesh, dotted(here, Mesh.contributors), None, place=place)] if mesh.contributors else []
+    return [change(Mesh, dotted(here, Mesh.tolerance), tolerance, place=place, bound=bound), *instead]
 
 
 # --- what is assumed where the play does not follow from what is given
