@@ -5,8 +5,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from calc.design.model import Design
+from calc.engine.inputs import EngineInputs
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress, part
+from calc.sheet.quantity import dotted
 from calc.sheet.remedy import Changes, assignments
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Amount, Text
@@ -61,7 +63,10 @@ def _engine(design: Design, file: str, progress: Progress | None = None) -> Offe
     return Offer(
         count=len(orders),
         table=lambda top: orders_table(orders, top, as_designed(crank, inputs, e), inputs),
-        keys=lambda number: {"engine.firing_order": list(orders[number - 1].order), "engine.crank_angles_deg": None},
+        keys=lambda number: {
+            dotted(Design.engine, EngineInputs.firing_order): list(orders[number - 1].order),
+            dotted(Design.engine, EngineInputs.crank_angles): None,
+        },
         said=said,
         hint=Text(
             "`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."

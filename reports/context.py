@@ -19,11 +19,12 @@ from calc.design.key_results import judged, outside
 from calc.design.limits import LOGO_BYTES, LOGO_SIDE
 from calc.design.model import STEPS, Design
 from calc.design.names import belongs
+from calc.design.other_tables import DocumentControl
 from calc.design.toml_file import Document
 from calc.locale import Language
 from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.quantity import Published
+from calc.sheet.quantity import Published, dotted
 from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
 from calc.sheet.value import Line, Link, leaves, link_of
@@ -36,7 +37,7 @@ from .typesetting.boxes import Symbol
 
 # --- the logo of a title block: a PNG file beside the design, in which a stranger may have put anything
 
-KEY = "document.logo"
+KEY = dotted(Design.document, DocumentControl.logo)
 HEAD = b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR"
 # what a damaged PNG raises
 BROKEN = (OSError, SyntaxError, ValueError, EOFError, TypeError, IndexError, KeyError, struct.error, zlib.error)

@@ -14,8 +14,9 @@ from textual.widget import Widget
 
 from calc.design.addresses import Table
 from calc.design.model import Design
+from calc.engine.inputs import EngineInputs
 from calc.locale import Language
-from calc.sheet.quantity import Quantity, keys
+from calc.sheet.quantity import Quantity, dotted, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
@@ -25,7 +26,7 @@ from ..session.places import Place
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
-RADIUS: Place = ("engine", "crank_radius_mm")
+RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
 TWICE = Quantity(
     "number", Text("Stroke"), "mm", above=0, decides=2, help=Text("Twice the crank radius, which the design file has.")
 )  # in no file

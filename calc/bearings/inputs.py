@@ -17,7 +17,7 @@ from ..library.journal_rules import (
     USUAL_LENGTH,
 )
 from ..library.tolerances import ASSUMED_FIT, Assumed
-from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from .materials import DEFAULT_APPLICATION
 
@@ -136,9 +136,9 @@ class BearingInputs:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.clearance is not None and self.clearance_factor is not None:
-            yield "clearance_um", Text("give either clearance_um or clearance_factor, one of the two")
+            yield dotted(BearingInputs.clearance), Text("give either clearance_um or clearance_factor, one of the two")
         if self.clearance is not None and self.clearance >= 0.1 * self.diameter:
-            yield "clearance_um", Text("must stay below a tenth of the diameter")
+            yield dotted(BearingInputs.clearance), Text("must stay below a tenth of the diameter")
 
 
 @inputs
@@ -507,20 +507,22 @@ class BearingsInputs:
         return not (isinstance(self.journal_fit, Assumed) and isinstance(self.seat_fit, Assumed))
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        needs = {
-            "hole": ("hole_diameter",),
-            "shaft": ("hole_diameter",),
-            "groove": ("groove_width",),
-            "pocket": ("pocket_width",),
-            "axial_groove": ("axial_groove_angles", "axial_groove_width", "axial_groove_length"),
-        }
-        for name in needs[self.supply]:
-            if getattr(self, name) is None:
-                unit = "deg" if name.endswith("angles") else "mm"
-                yield f"{name}_{unit}", Text('needed with supply = "{supply}"', supply=self.supply)
+        hole = dotted(BearingsInputs.hole_diameter), self.hole_diameter
+        groove = dotted(BearingsInputs.groove_width), self.groove_width
+        pocket = dotted(BearingsInputs.pocket_width), self.pocket_width
+        axial_length = dotted(BearingsInputs.axial_groove_length), self.axial_groove_length
+        axial: tuple[tuple[str, object], ...] = (
+            (dotted(BearingsInputs.axial_groove_angles), self.axial_groove_angles),
+            (dotted(BearingsInputs.axial_groove_width), self.axial_groove_width),
+            axial_length,
+        )
+        needs = {"hole": (hole,), "shaft": (hole,), "groove": (groove,), "pocket": (pocket,), "axial_groove": axial}
+        for key, given in needs[self.supply]:
+            if given is None:
+                yield key, Text('needed with supply = "{supply}"', supply=self.supply)
         if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
             yield (
-                "load_speed_ratio",
+                dotted(BearingsInputs.load_speed_ratio),
                 Text(
                     "the load would turn at half the speed of the surfaces, where no film is built up; must be away "
                     "from "
@@ -531,12 +533,12 @@ class BearingsInputs:
             )
         if self.bush_speed_ratio == 1:
             yield (
-                "bush_speed_ratio",
+                dotted(BearingsInputs.bush_speed_ratio),
                 Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed"),
             )
         if self.supply == "axial_groove" and self.load_speed_ratio != self.bush_speed_ratio:
             yield (
-                "supply",
+                dotted(BearingsInputs.supply),
                 Text(
                     "a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = "
                     "bush_speed_ratio"
@@ -547,36 +549,38 @@ class BearingsInputs:
             and self.axial_groove_angles is not None
             and self.axial_groove_width is not None
         ):
-            for place, bearing in (("front", self.front), ("rear", self.rear)):
+            for place, bearing in (
+                (dotted(BearingsInputs.front), self.front),
+                (dotted(BearingsInputs.rear), self.rear),
+            ):
                 angles = sorted(angle % (2 * pi) for angle in self.axial_groove_angles)
                 apart = min(b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * pi]))
                 if apart <= 2 * self.axial_groove_width / bearing.diameter:
                     yield (
-                        "axial_groove_angles_deg",
+                        dotted(BearingsInputs.axial_groove_angles),
                         Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place]),
                     )
         if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
-            yield "groove_arc_deg", Text("must rise: from, to")
+            yield dotted(BearingsInputs.groove_arc), Text("must rise: from, to")
         if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
-            yield "speed_range_rpm", Text("must rise: from, to")
+            yield dotted(BearingsInputs.speed_range), Text("must rise: from, to")
         placed = True
         for name, of in (("journal_fit", "shaft"), ("seat_fit", "hole")):
             if (wrong := fits.problem(getattr(self, name), of)) is not None:
                 yield name, wrong
             placed = placed and wrong is None and fits.parse(getattr(self, name)).letter is not None
-        for place, bearing in (("front", self.front), ("rear", self.rear)):
+        for place, bearing in ((dotted(BearingsInputs.front), self.front), (dotted(BearingsInputs.rear), self.rear)):
             if bearing.clearance is None and bearing.clearance_factor is None and not placed:
                 letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
                 yield (
-                    f"{place}.clearance_um",
+                    dotted(place, BearingInputs.clearance),
                     Text("give clearance_um or clearance_factor, or {letters}", letters=letters),
                 )
-            for name in ("hole_diameter", "groove_width", "pocket_width", "axial_groove_length"):
-                width = getattr(self, name)
+            for key, width in (hole, groove, pocket, axial_length):
                 if width is not None and width >= bearing.length:
                     length = Amount(bearing.length * 1e3, "mm")
                     yield (
-                        f"{name}_mm",
+                        key,
                         Text(
                             "must be smaller than the length of the {place} bearing, {length}",
                             place=IN_WORDS[place],

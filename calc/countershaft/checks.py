@@ -279,7 +279,7 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
             ),
             Text("Give the strength of {name} as a [[material]] of the design.", name=material.name),
             kind="caution",
-            missing=() if bent.bending_stress <= WEAKEST else ("material.proof_stress_MPa",),
+            missing=() if bent.bending_stress <= WEAKEST else (dotted("material", Material.proof_stress),),
         )
     if proof is not None and bent.notch_stress is not None:
         yield check(

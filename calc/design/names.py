@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any, get_args, get_origin
 
 from ..bearings.inputs import BearingsInputs
 from ..countershaft.inputs import CountershaftInputs
+from ..engine.inputs import EngineInputs
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.quantity import Published, Quantity, dotted
 from ..sheet.remedy import Changes
 from ..sheet.text import COMMA, Amount, Name, Small, Text
 from .addresses import quantity_of, value_at
-from .model import STEP_KEYS
+from .model import STEP_KEYS, Design
 from .toml_file import Document
 
 if TYPE_CHECKING:
@@ -134,11 +135,11 @@ NUMBERED_ID = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the o
 CHECKED = {  # parts that only checks have, and tables of inputs
     "engine.crank": Text("crank"),
     "engine.firing": Text("firing"),
-    "engine.gas": Text("gas"),
-    "imbalance.unbalances": Text("unbalances"),
-    "countershaft.bolts": Text("bolts"),
+    dotted(Design.engine, EngineInputs.gas): Text("gas"),
+    dotted(Design.imbalance, ImbalanceInputs.unbalances): Text("unbalances"),
+    dotted(Design.countershaft, CountershaftInputs.bolts): Text("bolts"),
     "countershaft.drain": Text("drain"),
-    "countershaft.holes": Text("holes"),
+    dotted(Design.countershaft, CountershaftInputs.holes): Text("holes"),
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),

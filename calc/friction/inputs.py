@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
 # Types of rolling bearings whose factors are known (`losses/bearings.py`).
@@ -133,7 +133,7 @@ class RollingBearing:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.outside_diameter <= self.bore:
-            yield "outside_diameter_mm", Text("must be larger than the bore")
+            yield dotted(RollingBearing.outside_diameter), Text("must be larger than the bore")
         if self.method == "skf" and self.series not in (known := SKF_SERIES.get(self.kind, ())):
             rows = ", ".join(f'"{series}"' for series in known)
             hint = (
@@ -144,7 +144,7 @@ class RollingBearing:
                 )
             )
             yield (
-                "series",
+                dotted(RollingBearing.series),
                 Text('method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"', told=hint),
             )
 
@@ -491,7 +491,7 @@ class FrictionInputs:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.bulk == "estimated" and self.bulk_temperature is not None:
             yield (
-                "bulk_temperature_C",
+                dotted(FrictionInputs.bulk_temperature),
                 Text('leave it out where bulk = "estimated": it is measured or estimated, not both'),
             )
 
