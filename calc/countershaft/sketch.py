@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bearings.inputs import BearingInputs
 from ..draw.drawing import (
     AXIS,
     CONTEXT,
@@ -57,12 +56,9 @@ POSITIONS = dotted(STEP, CountershaftInputs.bearing_positions)
 HOLES = dotted(STEP, CountershaftInputs.holes)
 GEAR = dotted(STEP, CountershaftInputs.gear_z)
 SECTIONS = dotted(STEP, CountershaftInputs.sections)
-SIZES: tuple[object, ...] = (BearingInputs.diameter, BearingInputs.length)
-JOURNALS = " ".join(
-    (
-        dotted(STEP, CountershaftInputs.journals),
-        *(dotted("bearings", place, size) for place in ("front", "rear") for size in SIZES),
-    )
+JOURNALS = (  # of the bearings, whose inputs stand above this step
+    f"{dotted(STEP, CountershaftInputs.journals)} bearings.front.diameter_mm bearings.front.length_mm "
+    "bearings.rear.diameter_mm bearings.rear.length_mm"
 )
 SHADES = {"sector": 0.5, "journal": 0.25, "gear": 0.25, "full": 0.25, "core": 0.12}
 EXAGGERATED: Number = 1000.0  # of the bending line, or a power of ten beside it

@@ -14,7 +14,7 @@ from ..design.key_results import is_least, judged, key_results
 from ..design.model import STEPS, Design
 from ..design.unusual import told, unusual
 from ..sheet.check import ORDER, Check, step_verdict, worst
-from ..sheet.quantity import Published, Quantity, keys
+from ..sheet.quantity import Published, Quantity, dotted, keys
 from ..sheet.text import EMPTY, Name, Text
 
 if TYPE_CHECKING:
@@ -23,21 +23,22 @@ if TYPE_CHECKING:
 
 # --- the inputs that differ between two design files, key by key
 
-LAST = (  # stand behind what is calculated with
-    "accepted",
-    "without",
-    "locked",
-    "oil",
-    "material",
-    "schema",
-    "name",
-    "note",
-    "author",
-    "checker",
-    "revision",
-    "date",
-    "document",
+BEHIND: tuple[object, ...] = (  # stand behind what is calculated with
+    Design.accepted,
+    Design.without,
+    Design.locked,
+    Design.oil,
+    Design.material,
+    Design.schema,
+    Design.name,
+    Design.note,
+    Design.author,
+    Design.checker,
+    Design.revision,
+    Design.date,
+    Design.document,
 )
+LAST = tuple(map(dotted, BEHIND))
 T = TypeVar("T")
 
 

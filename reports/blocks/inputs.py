@@ -300,27 +300,29 @@ def _called(context: Context, key: str) -> str:
 def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
     """The oils and materials that the design names, in the order of their first naming."""
     design = context.design
-    named: dict[str, str] = {}
+    named: dict[str, str] = {}  # each with its catalogue
 
-    def look(here: Any, key: str) -> None:
-        if isinstance(here, dict):
-            for k, value in here.items():
-                look(value, k)
-        elif isinstance(here, (list, tuple)):
-            for value in here:
-                look(value, key)
-        elif isinstance(here, str) and (key == "oil" or key.endswith("material")):
-            named.setdefault(here, key)
+    def look(kind: type, here: Any) -> None:
+        for part in here if isinstance(here, list) else [here]:
+            for key, content in part.items():
+                if (known := keys(kind).get(key)) is None:
+                    continue
+                if known.about.table is not None:
+                    look(known.about.table, content)
+                elif known.about.catalogue:
+                    named.setdefault(content, known.about.catalogue)
 
     for _, step, _ in context.steps():
-        look(context.document.data.get(step.key), "")
+        if (data := context.document.data.get(step.key)) is None:
+            continue
+        look(step.inputs, data)
         for key in keys(step.inputs).values():  # a default counts as named
-            if context.document.data.get(step.key) is not None and isinstance(key.field.default, str):
-                look(key.field.default, key.key)
+            if key.about.catalogue and isinstance(key.field.default, str):
+                named.setdefault(key.field.default, key.about.catalogue)
     oils, materials = design.oils, design.materials
     return (
-        [oils[n] for n, key in named.items() if key == "oil" and n in oils],
-        [materials[n] for n, key in named.items() if key != "oil" and n in materials],
+        [oils[n] for n, catalogue in named.items() if catalogue == "oils" and n in oils],
+        [materials[n] for n, catalogue in named.items() if catalogue != "oils" and n in materials],
     )
 
 
