@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, TypedDict
 from ..design.toml_file import design, parse
 from ..library.table_file import parsed, text_of_table
 from ..sheet.text import Text
-from .starter.build import begun
 
 if TYPE_CHECKING:
     from ..design.addresses import Table
@@ -72,6 +71,8 @@ def engine_design(name: str) -> str:
     engine, title = row["engine"], str(row["engine"]["name"])
     imbalance = {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
+    from .starter.build import begun  # numpy, which a list of the engines does not need
+
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"])
