@@ -11,6 +11,7 @@ from calc.countershaft.sizing import choices as sizing
 from calc.design.model import Design
 from calc.design.step_inputs import bearings_case, shaft_axis
 from calc.engine import solve as engine
+from calc.engine.inputs import EngineInputs
 from calc.gears.selection import idler
 from calc.gears.selection import search as gear_search
 from calc.gears.selection import tables as gear_tables
@@ -20,6 +21,7 @@ from calc.mounting import selection as mounts
 from calc.mounting.result import MountingResult
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress, part
+from calc.sheet.quantity import dotted
 from calc.sheet.remedy import Changes, assignments
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Amount, Text
@@ -64,7 +66,10 @@ def _engine(design: Design, file: str, progress: Progress | None = None) -> Offe
     return Offer(
         count=len(orders),
         table=lambda top: orders_table(orders, top, as_designed(crank, inputs, e), inputs),
-        keys=lambda number: {"engine.firing_order": list(orders[number - 1].order), "engine.crank_angles_deg": None},
+        keys=lambda number: {
+            dotted(Design.engine, EngineInputs.firing_order): list(orders[number - 1].order),
+            dotted(Design.engine, EngineInputs.crank_angles): None,
+        },
         said=said,
         hint=Text(
             "`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."

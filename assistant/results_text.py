@@ -274,7 +274,7 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     for key, outcome in shown.items():
         if key in OPTIONAL and outcome.state == "not_asked":
             continue
-        values = {value.id: value for value in outcome.values(frozenset(HEADS[key].headlines))}
+        values = {value.id: value for value in outcome.values()}
         heads = HEADS[key].heads(values)[:2]
         words = str(outcome.reason) or " · ".join(
             f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads

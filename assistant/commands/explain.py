@@ -12,16 +12,20 @@ from calc.design.key_results import outside
 from calc.design.model import Design
 from calc.design.toml_file import Document, load
 from calc.design.toml_file import design as design_of
+from calc.friction.inputs import FrictionInputs
 from calc.friction.studies.scenarios import as_design
 from calc.library.publications import resolved
 from calc.sheet.check import named
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.expression import line_json, line_text
 from calc.sheet.number import short
+from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
 from calc.sheet.value import Line
 from calc.solve import Results, solve
 from calc.studies.explain import Chains, Link, chain, origin, shortened
+
+SCENARIOS = dotted(Design.friction, FrictionInputs.scenarios)
 
 
 def run_explain(asked: Namespace) -> int:
@@ -33,8 +37,8 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     """A scenario is the design with its keys set: that one is explained."""
     friction = design.friction
     assert friction is not None
-    scenario = next(s for s in friction.scenarios if asked.value.startswith(f"friction.scenarios.{s.name}."))
-    name, rest = scenario.name, asked.value.removeprefix(f"friction.scenarios.{scenario.name}.")
+    scenario = next(s for s in friction.scenarios if asked.value.startswith(f"{SCENARIOS}.{s.name}."))
+    name, rest = scenario.name, asked.value.removeprefix(f"{SCENARIOS}.{scenario.name}.")
     changes = as_design(friction, scenario, design.bearings is not None)
     for key, value in changes.items():
         document = document.with_value(key, value)
@@ -43,7 +47,7 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
             f"{key} left out" if value is None else f"{key} = {value}" for key, value in changes.items()
         )
         print(f"scenario {name}: the design with {assignments or 'nothing changed'}\n")
-    return _explain(Namespace(**{**vars(asked), "value": f"friction.{rest}"}), document, design_of(document))
+    return _explain(Namespace(**{**vars(asked), "value": dotted(Design.friction, rest)}), document, design_of(document))
 
 
 def _explain(asked: Namespace, document: Document, design: Design) -> int:
@@ -83,7 +87,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         raise BadInput(
             document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))]
         )
-    if asked.value.startswith("friction.scenarios."):
+    if asked.value.startswith(f"{SCENARIOS}."):
         return _scenario(asked, document, design)
     value = values[asked.value]
     head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}{_beyond(results, value.id)}"

@@ -20,10 +20,13 @@ from assistant.session.saving import asked_for, spare, write_asked
 from calc.design import replay
 from calc.design.disk import read_file, write_file
 from calc.design.limits import PDF_BYTES
+from calc.design.model import Design
 from calc.design.toml_file import Document, design, read
+from calc.friction.inputs import FrictionInputs
 from calc.friction.result import FrictionResult
 from calc.friction.studies.scenarios import ALONG, MODELS, tables
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.quantity import dotted
 from calc.sheet.step import Outcome, Table
 from calc.sheet.text import Text
 from calc.sheet.version import VERSION
@@ -77,7 +80,8 @@ def _solved(path: Path) -> tuple[Document, Results]:
     document = read(path)
     parsed = design(document)
     if parsed.friction is None or not parsed.friction.scenarios:
-        raise BadInput(str(path), [InputError(0, "friction.scenarios", "", Text("there are none; {how}", how=HOW))])
+        key = dotted(Design.friction, FrictionInputs.scenarios)
+        raise BadInput(str(path), [InputError(0, key, "", Text("there are none; {how}", how=HOW))])
     return document, solve(parsed)
 
 

@@ -19,7 +19,8 @@ from calc.design.unusual import unusual
 from calc.engine import sketch as engine
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
-from calc.studies.ready import OPEN, StepState, headline, main_numbers, ready
+from calc.studies.headlines import headline, main_numbers
+from calc.studies.ready import OPEN, StepState, ready
 
 from ..base_app import BaseApp
 from ..session.places import label_of

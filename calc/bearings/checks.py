@@ -25,6 +25,7 @@ from ..library.journal_rules import (
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import clearance_limits, parse
 from ..sheet.check import Check, check
+from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import Metre
@@ -372,7 +373,7 @@ def _bearing_check(
 
 def _longer(place: str, bearing: BearingInputs, times: float, bare: float = 0.0) -> Callable[[], tuple[Remedy, ...]]:
     """A bearing so many times as long, but for what of its length is `bare` and stays."""
-    key = f"bearings.{place}.length_mm"
+    key = dotted("bearings", place, BearingInputs.length)
 
     def ways() -> tuple[Remedy, ...]:
         length = up(bare + (bearing.length - bare) * times) if math.isfinite(times) else None
@@ -389,7 +390,7 @@ def _within(
     def ways() -> tuple[Remedy, ...]:
         low, high = (lands * ratio * bearing.diameter + groove for ratio in ratios)
         short_ = bearing.length < low
-        key, length = f"bearings.{place}.length_mm", up(low) if short_ else down(high)
+        key, length = dotted("bearings", place, BearingInputs.length), up(low) if short_ else down(high)
         return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if short_ else "<=")()
 
     return ways

@@ -18,6 +18,7 @@ from ..sheet.check import Check, check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import gathered, item
+from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
@@ -193,7 +194,7 @@ def _slope_checks(
             Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
             remedies=by_key(
                 BearingsInputs,
-                "bearings.slope_mrad",
+                dotted("bearings", BearingsInputs.slope),
                 None,
                 effect=Text(
                     "then that of the bending: film at the edge {edge}, needs {least}",

@@ -313,8 +313,12 @@ class CrankState:
 class WebsResult:
     """The crank's own balance, and what it leaves to pulley and flywheel."""
 
-    bob_mass: dict[str, Stated] | None = group(default=None)
-    crank: dict[str, CrankState] | None = group(default=None)
+    bob_mass: dict[str, Stated] | None = group(default=None, words="bob mass")
+    crank: dict[str, CrankState] | None = group(
+        default=None,
+        words="crank",
+        key_words={"bare": Text("bare"), "stated": Text("stated"), "balanced": Text("balanced")},
+    )
     drill: dict[str, WebDrilling] | None = group(default=None)
     drilled_mass: Kilogram | None = value("Mass to drill out of the crank in all", "g", default=None)
     permitted_unbalance: KilogramMetre | None = value(
@@ -323,11 +327,13 @@ class WebsResult:
     pin_deviation: Radian | None = value("Largest angle between a pin of the bodies and its throw", "°", default=None)
     equivalent_mass: Kilogram | None = value("Equivalent mass of a cylinder", "g", "M_eq", default=None)
     missing_forward_couple: NewtonMetre | None = value(
-        "Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None
+        "Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None, short=True, page_one=5
     )
-    missing_forward_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
+    missing_forward_couple_phase: Radian | None = value(
+        "its direction, cylinder 1 at TDC", "°", default=None, short=True
+    )
     missing_forward_force: Newton | None = value(
-        "Force that pulley and flywheel must supply", "N", "F_pf", default=None
+        "Force that pulley and flywheel must supply", "N", "F_pf", default=None, short=True, page_one=6
     )
     unbalances_couple: NewtonMetre | None = value("Couple of the given unbalances", "N·m", "C_U", default=None)
     unbalances_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
@@ -444,7 +450,7 @@ def _bodies(
     first = np.unique(pin_of_cylinder(engine, crank), return_index=True)[1]
     deviation = pin_deviation(p=each(machine.p[machine.pins]), phi=each(throw[first]))
     bobs = {
-        str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}"), bob)
+        str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}", short=True), bob)
         for j, bob in enumerate(elements(masses))
     }
     drill, drilled = drilling(imbalance, *turned_with, machine.p, machine.z)

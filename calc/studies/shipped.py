@@ -10,7 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
 from ..design.toml_file import design, parse
+from ..imbalance.inputs import ImbalanceInputs
 from ..library.table_file import parsed, text_of_table
+from ..sheet.quantity import dotted
 from ..sheet.text import Text
 
 if TYPE_CHECKING:
@@ -69,7 +71,10 @@ def engine_design(name: str) -> str:
     if "design" in row:
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
     engine, title = row["engine"], str(row["engine"]["name"])
-    imbalance = {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
+    imbalance = {
+        dotted(ImbalanceInputs.crank_balance_fraction): 0.5,
+        dotted(ImbalanceInputs.kinematics): "exact",
+    } | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
     from .starter.build import begun  # numpy, which a list of the engines does not need
 

@@ -15,6 +15,7 @@ from ...library.catalogue import Material
 from ...sheet.check import Check, check
 from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
+from ...sheet.quantity import dotted
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre, NewtonMetre
@@ -330,7 +331,11 @@ def load_stress_check(support: Support, material: Material) -> Check | None:
     if limit is None:
         limit = material.proof_stress or material.tensile_strength or math.nan
         source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
-        missing = () if support.load_stress >= limit else ("countershaft.support.load_stress_limit_MPa",)
+        missing = (
+            ()
+            if support.load_stress >= limit
+            else (dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit),)
+        )
     return check(
         "countershaft.support.load_stress",
         Text("Stress of the support from the bearing loads"),

@@ -291,16 +291,16 @@ class Local:
 class MeshLoss:
     """The loss of one mesh by one model of the film."""
 
-    loss: Watt = value("Power lost in the mesh", "W", "P_VZ")
+    loss: Watt = value("Power lost in the mesh", "W", "P_VZ", short=True)
     sliding_loss: Watt = value("by sliding", "W", "P_s")
     rolling_loss: Watt = value("by rolling", "W", "P_R")
     rolling_estimate: Watt | None = value("Rolling of an EHL film, an estimate that is not added", "W", "P_RE")
-    efficiency: Number = value("Efficiency of the mesh", "", "η_Z")
-    loss_factor: Number = value("Loss factor", "", "H_VL")
-    friction_mean: Number = value("Mean coefficient of friction", "", "μ_m")
-    film_min: Metre = value("Thinnest film", "µm", "h_min")
-    lambda_min: Number = value("Smallest film over roughness", "", "λ_min")
-    pressure_max: Pascal = value("Largest Hertzian pressure", "MPa", "p_H")
+    efficiency: Number = value("Efficiency of the mesh", "", "η_Z", short=True)
+    loss_factor: Number = value("Loss factor", "", "H_VL", short=True)
+    friction_mean: Number = value("Mean coefficient of friction", "", "μ_m", short=True)
+    film_min: Metre = value("Thinnest film", "µm", "h_min", short=True)
+    lambda_min: Number = value("Smallest film over roughness", "", "λ_min", short=True)
+    pressure_max: Pascal = value("Largest Hertzian pressure", "MPa", "p_H", short=True)
     pressure_pitch: Pascal | None = value("Hertzian pressure at the pitch point", "MPa", "p_C")
     temperature_max: Celsius = value("Hottest film", "°C", "T_f")
     bulk_temperature: Celsius | None = value("Temperature of the teeth, estimated", "°C", "Θ_M")
