@@ -25,6 +25,7 @@ from calc.sheet.text import EMPTY, Text
 
 from .actions import BY_ID
 from .base_app import BaseApp
+from .output import told
 from .screens.workbench import Workbench
 from .session.recovery import Memory, Settings
 from .session.session import Session
@@ -287,8 +288,6 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     result = app.run()
     # textual would show its trace with the values of all variables, and end as a failed check does
     if app._exception is not None:
-        from .output import told
-
         return told(app._exception)
     return app.return_code or result or 0
 

@@ -8,8 +8,12 @@ Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 
 import os
 import sys
 from collections.abc import Sequence
+from difflib import get_close_matches
 from importlib import import_module
 
+from calc.sheet.errors import Mistakes
+
+from .output import Unwritable, outlets, told
 from .usage import COMMANDS, parser
 
 # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
@@ -21,15 +25,11 @@ def _meant(word: str | None) -> str | None:
     """The command that a word comes close to, which is none, and no file either."""
     if word is None or os.path.exists(word):
         return None
-    from difflib import get_close_matches
-
     return next(iter(get_close_matches(word, COMMANDS, 1)), None)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; gives the exit code.  Without arguments it is that of this process, which ends with it."""
-    from .output import Unwritable, outlets
-
     with outlets():
         try:
             code = command(list(sys.argv[1:] if arguments is None else arguments), own=arguments is None)
@@ -45,8 +45,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 raise error.__cause__ from None
             if arguments is not None:
                 raise
-            from .output import told
-
             return told(error)
 
 
@@ -75,8 +73,6 @@ def command(given: list[str], own: bool) -> int:
     except KeyboardInterrupt:
         return 130
     except Exception as error:
-        from calc.sheet.errors import Mistakes
-
         if isinstance(error, Mistakes):
             print(error, file=sys.stderr)
             return 2

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero explain`: the chain of formulas that leads to one value, back to the inputs."""
 
+import json
 from argparse import Namespace
+from difflib import get_close_matches
 from typing import Any
 
 from assistant.commands.published import reference_lines
@@ -11,9 +13,11 @@ from calc.design.model import Design
 from calc.design.toml_file import Document, load
 from calc.design.toml_file import design as design_of
 from calc.friction.inputs import FrictionInputs
+from calc.friction.studies.scenarios import as_design
 from calc.library.publications import resolved
 from calc.sheet.check import named
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.expression import line_json, line_text
 from calc.sheet.number import short
 from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
@@ -31,8 +35,6 @@ def run_explain(asked: Namespace) -> int:
 
 def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     """A scenario is the design with its keys set: that one is explained."""
-    from calc.friction.studies.scenarios import as_design
-
     friction = design.friction
     assert friction is not None
     scenario = next(s for s in friction.scenarios if asked.value.startswith(f"{SCENARIOS}.{s.name}."))
@@ -55,8 +57,6 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         print(f"{asked.value} = {given}   an input of the design file")
         return 0
     if asked.value not in values:
-        from difflib import get_close_matches
-
         for check in results.checks():
             if check.id == asked.value:
                 chains = Chains(results)
@@ -106,11 +106,7 @@ def _print_chain(
     asked: Namespace, design: Design, head: str, lines: list[Link], taken: str | None, moved: str = ""
 ) -> int:
     """`taken`: the inputs of a number that no line gave; `moved`: those that move it."""
-    from calc.sheet.expression import line_json, line_text
-
     if asked.json:
-        import json
-
         print(
             json.dumps(
                 [line_json(link.line) | {"inputs": list(link.inputs)} | _provenance(link.line) for link in lines],

@@ -21,6 +21,7 @@ from calc.sheet.text import COMMA, Amount, Text
 from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
 from calc.solve import Results, solve
+from calc.studies.drive.front import NAME, Broken, picked
 from reports.verify.verify import Verdict, verify
 
 ENDINGS = ("pdf", "docx")
@@ -65,8 +66,6 @@ def run_report(asked: Namespace) -> int:
 def _front(source: Path, document: Document) -> bytes | None:
     """The front beside a design that is one of its drives.  One that can not be read is said, and the report is written
     without it."""
-    from calc.studies.drive.front import NAME, Broken, picked
-
     beside = source.with_name(NAME)
     if not beside.is_file():
         return None

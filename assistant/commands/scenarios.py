@@ -6,11 +6,14 @@ three scenarios of the gear friction thesis.  With -o, the curves of each design
 runs scripted designs and compares with what they expect."""
 
 import csv
+import json
 import sys
 from argparse import Namespace
 from io import StringIO
 from pathlib import Path
 from typing import Any
+
+import tomli_w
 
 from assistant.results_text import table_json, table_lines
 from assistant.session.saving import asked_for, spare, write_asked
@@ -48,8 +51,6 @@ def run_scenarios(asked: Namespace) -> int:
     shown = [(path, results.design.name, _tables(f, results.outcomes["friction"])) for path, _, results, f in cases]
     written = _write(Path(asked.output), cases) if asked.output else []
     if asked.json:
-        import json
-
         designs = [
             {"file": path.name, "name": name, "tables": {t.id: table_json(t) for t in shown_tables}}
             for path, name, shown_tables in shown
@@ -157,8 +158,6 @@ def run_replay(asked: Namespace) -> int:
 
 
 def _report(document: Document, results: Results, path: Path) -> None:
-    import tomli_w
-
     from reports.report import render
 
     print(Text("writes {path}", path=str(path)), flush=True)

@@ -19,6 +19,7 @@ from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
+from calc.studies.repair.options import search
 from calc.studies.repair.trials import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked
 
 from ..session.saving import SaveError, free_name, write_atomic
@@ -211,8 +212,6 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[RepairOption]:
-        from calc.studies.repair.options import search
-
         yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 
     def show_found(self, result: RepairOption) -> None:

@@ -5,20 +5,14 @@ over.
 The few inputs that decide a step come first, the rest in folds; the inputs themselves say which, and what they do not
 say, the table that they stand in does.  What is in no fold of its own is in the first one."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from calc.bearings.inputs import BearingsInputs
-from calc.bearings.result import BearingResult
-from calc.countershaft.result import CountershaftResult
-from calc.design.addresses import Table
-from calc.design.model import STEPS, Design
-from calc.engine.inputs import EngineInputs
-from calc.engine.result import EngineResult
-from calc.imbalance.result import ImbalanceResult
+from calc.design.addresses import Table, quantities
+from calc.design.model import STEP_KEYS, STEPS
 from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
-from calc.sheet.quantity import Quantity, dotted, keys
+from calc.sheet.quantity import Published, Quantity, keys
 from calc.sheet.text import Amount, Text
 
 from .places import Place, content_at, described
@@ -192,41 +186,18 @@ GUIDES: dict[str, Guide] = {
 
 
 # --- what a step takes over from the steps before it
-# Names that a design does not have are passed over.
+def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Iterator[str]:
+    """The inputs and values of earlier steps that it uses, by key or id."""
+    for owner in STEP_KEYS[: STEP_KEYS.index(step)]:
+        yield from (key for key, about in quantities(data) if step in about.taken_by and key.startswith(f"{owner}."))
+        yield from (id for id, v in values.items() if step in v.about.taken_by and id.startswith(f"{owner}."))
 
-RATED_SPEED = dotted(Design.engine, EngineInputs.rated_speed)
-COUPLE = dotted(Design.imbalance, ImbalanceResult.required_couple)
-FORCE = dotted(Design.imbalance, ImbalanceResult.required_force)
-# step → values (or inputs) of earlier steps that it uses
-TAKEN: dict[str, tuple[str, ...]] = {
-    "imbalance": (
-        RATED_SPEED,
-        dotted(Design.engine, EngineResult.reciprocating_mass),
-        dotted(Design.engine, EngineResult.lambda_),
-    ),
-    "countershaft": (
-        RATED_SPEED,
-        COUPLE,
-        dotted(Design.imbalance, ImbalanceResult.required_couple_phase),
-        FORCE,
-        dotted(Design.imbalance, ImbalanceResult.required_force_phase),
-    ),
-    "bearings": (
-        RATED_SPEED,
-        dotted(Design.countershaft, CountershaftResult.reaction_front),
-        dotted(Design.countershaft, CountershaftResult.reaction_rear),
-    ),
-    "gears": (
-        RATED_SPEED,
-        COUPLE,
-        FORCE,
-        dotted(Design.countershaft, CountershaftResult.moment_of_inertia),
-        dotted(Design.bearings, BearingsInputs.housing_material),
-    ),
-    "friction": (
-        dotted(Design.bearings, BearingsInputs.oil),
-        dotted(Design.bearings, BearingsInputs.supply_temperature),
-        dotted(Design.bearings, BearingsInputs.front, BearingResult.friction_power),
-        dotted(Design.bearings, BearingsInputs.rear, BearingResult.friction_power),
-    ),
+
+# what can be chosen from a table, by step (`offers.py` searches for it)
+CHOICES = {
+    "engine": Text("firing orders, the one that leaves least first"),
+    "countershaft": Text("shafts in the envelope, the lightest first"),
+    "bearings": Text("plain bearings that pass at every corner, the nearest and the least power first"),
+    "gears": Text("profile shifts and tip cuts, the least specific sliding first; teeth of an idler between walls"),
+    "mounting": Text("mounts that decouple the modes between the road's frequency and idle, the purest first"),
 }

@@ -27,7 +27,7 @@ from calc.sheet.text import COMMA, EMPTY, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.guide import GUIDES, TAKEN, fold_at
+from ..session.guide import GUIDES, fold_at, taken_over
 from ..session.places import Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
@@ -90,7 +90,7 @@ class Taken(ItemList):
         items = []
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
-        for id in TAKEN.get(self.step, ()):
+        for id in taken_over(self.step, self.session.data, values):
             owner = id.partition(".")[0]
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear

@@ -170,8 +170,6 @@ class ArrayHeading(Widget, can_focus=True):
         return self._clicked(Content.styled(text, "bold" if self.has_focus else "dim"), action)
 
     def _clicked(self, content: Content, action: str) -> Content:
-        from textual.style import Style
-
         return content.stylize(Style.from_meta({"@click": action}))
 
     def action_leaf(self, by: int) -> None:

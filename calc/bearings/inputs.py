@@ -151,6 +151,7 @@ class BearingsInputs:
         change=("thinner oil", "thicker oil", "another oil"),
         catalogue="oils",
         decides=1,
+        taken_by=("friction",),
     )
     supply_temperature: float = quantity(
         "Supply temperature",
@@ -164,6 +165,7 @@ class BearingsInputs:
         help="Of the oil in the gallery before the bearing.",
         repair="asked",
         decides=2,
+        taken_by=("friction",),
     )
     supply_pressure: float = quantity(
         "Supply pressure",
@@ -211,6 +213,7 @@ class BearingsInputs:
         change=("another housing",),
         catalogue="materials",
         fold=MATERIALS,
+        taken_by=("gears",),
     )
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)

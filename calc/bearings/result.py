@@ -102,7 +102,7 @@ class BearingResult:
     attitude_angle: Radian = value("Attitude angle", "°", "φ", short=True)
     sommerfeld: Number = value("Sommerfeld number", "", "S", short=True)
     friction_coefficient: Number = value("Coefficient of friction", "", "f", short=True)
-    friction_power: Watt = value("Friction power", "W", "P_f", short=True)
+    friction_power: Watt = value("Friction power", "W", "P_f", short=True, taken_by=("friction",))
     oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q", short=True)
     side_flow: CubicMetrePerSecond | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)
     supply_flow: CubicMetrePerSecond | None = value("of it driven by the supply pressure", "L/min", "Q_2", default=None)

@@ -84,8 +84,8 @@ class CountershaftResult:
     )
     static_unbalance: KilogramMetre = value("Static unbalance of the shaft", "g·mm", "ΣU")
     force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True, headline=3)
-    reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f", short=True)
-    reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r", short=True)
+    reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f", short=True, taken_by=("bearings",))
+    reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r", short=True, taken_by=("bearings",))
     support: dict[str, SupportResult] = group(words="support")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
     sector_half_angle: Radian | None = value(
@@ -100,7 +100,12 @@ class CountershaftResult:
     )
     centre_of_gravity: Metre | None = value("its centre of gravity from mid-shaft", "mm", "z_S", default=None)
     moment_of_inertia: KilogramMetre2 | None = value(
-        "Moment of inertia about its axis", "kg·mm²", "J_S", default=None, short=True
+        "Moment of inertia about its axis",
+        "kg·mm²",
+        "J_S",
+        default=None,
+        short=True,
+        taken_by=("gears",),
     )
     outline_force_deviation: Newton | None = value(
         "Force of the given sections, off the masses'", "N", "ΔF_O", default=None

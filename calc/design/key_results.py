@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What of a design an engineer looks at first: the results of the first page, and what is proven in a short report even
-if it holds.
+"""What of a design an engineer looks at first: the results of the first page, and which of its verdicts
+stand on a formula outside its validity.
 
 Which results, curves and tables stand in a short report, they say themselves (`short=`, `page_one=`).  Checks stand
 here by the ids of their rows in `calc/library/tables/checks.md`, where `*` stands for anything."""
@@ -10,33 +10,9 @@ from collections.abc import Iterable, Mapping
 from fnmatch import translate
 from functools import cache
 
-from ..imbalance.result import ImbalanceResult
 from ..sheet.check import Check, pattern_of
 from ..sheet.quantity import Published, dotted
 from .model import STEP_KEYS, Design
-
-# Checks that are proven whatever their margin, each with the symbols that its proof must show however far back they
-# stand
-PROVEN: dict[str, tuple[str, ...]] = {
-    "gears.M.safety_contact": ("σ_H0", "K_H", "K_V", "K_Hβ", "K_Hα"),
-    "gears.W.safety_bending": ("σ_F0", "K_F", "K_V", "K_Fβ", "K_Fα"),
-    "countershaft.bolts.strength": (),
-    "countershaft.bolts.pressure": (),
-    "countershaft.balance_grade": (),
-    "countershaft.bending_stress": (),
-    "countershaft.notch_stress": (),
-    "countershaft.fatigue": (),
-    "countershaft.residual": (),
-    "countershaft.residual_force": (),
-    "engine.throw.fatigue": (),
-    "engine.throw.stress_pin": (),
-}
-
-# Of these only where this result is not 0: what a shaft has none of to balance, it needs no proof of
-PROVEN_WHERE: dict[str, object] = {
-    "countershaft.residual": ImbalanceResult.required_couple,
-    "countershaft.residual_force": ImbalanceResult.required_force,
-}
 
 # A check of a method that is passed over → the checks whose numbers are then outside of what their formula is made for
 VALIDITY: dict[str, tuple[str, ...]] = {

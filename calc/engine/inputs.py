@@ -462,6 +462,7 @@ class EngineInputs:
         help="The speed at which forces and bearings are judged.",
         repair="asked",
         decides=5,
+        taken_by=("imbalance", "countershaft", "bearings", "gears"),
     )
     rated_power: float | None = quantity(
         "Rated power",

@@ -121,9 +121,11 @@ class Cylinder:
 class EngineResult:
     """Masses, kinematics and harmonics of an engine."""
 
-    reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt", short=True)
+    reciprocating_mass: Kilogram = value(
+        "Reciprocating mass per cylinder", "g", "M_alt", short=True, taken_by=("imbalance",)
+    )
     rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot", short=True)
-    lambda_: Number = value("Crank ratio", "", "λ", short=True, headline=2)
+    lambda_: Number = value("Crank ratio", "", "λ", short=True, headline=2, taken_by=("imbalance",))
     delta: Number = value("Offset ratio", "", "δ")
     angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω", short=True)
     tdc_angle: Radian = value("Crank angle at TDC", "°", "φ_0")

@@ -17,16 +17,31 @@ class ImbalanceResult:
 
     orders: dict[str, Order] = group(spread=True, short=("order_1", "order_2"), leads=("order_2",))
     required_couple: NewtonMetre = value(
-        "Couple that the counter-shaft must supply", "N·m", "C_S", short=True, page_one=1, headline=1
+        "Couple that the counter-shaft must supply",
+        "N·m",
+        "C_S",
+        short=True,
+        page_one=1,
+        headline=1,
+        taken_by=("countershaft", "gears"),
     )
-    required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True)
+    required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True, taken_by=("countershaft",))
     required_unbalance_product: KilogramMetre2 = value(
         "Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz", short=True
     )
     required_force: Newton | None = value(
-        "Force that the counter-shaft must supply", "N", "F_S", default=None, short=True, page_one=2, headline=2
+        "Force that the counter-shaft must supply",
+        "N",
+        "F_S",
+        default=None,
+        short=True,
+        page_one=2,
+        headline=2,
+        taken_by=("countershaft", "gears"),
     )
-    required_force_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None, short=True)
+    required_force_phase: Radian | None = value(
+        "its phase, cylinder 1 at TDC", "°", default=None, short=True, taken_by=("countershaft",)
+    )
     required_unbalance: KilogramMetre | None = value(
         "Unbalance of the counter-shaft", "kg·mm", "U", default=None, short=True
     )

@@ -313,6 +313,13 @@ class Check:
         over, under = (self.value, self.limit) if self.sense in ("<=", "<") else (self.limit, self.value)
         return over / under if under else None
 
+    @property
+    def share(self) -> float | None:
+        """The value over its nearest limit, 1 at it; None where that says nothing."""
+        limit = self.nearest[1]
+        ratio = self.value / limit if limit else -1.0
+        return ratio if ratio >= 0 else None
+
     @cached_property
     def finding(self) -> str:
         """The verdict, before anybody accepts it."""

@@ -83,6 +83,7 @@ class Quantity:
     repair: Repair = ""
     change: ChangeWords = NO_WORDS
     where: Where | None = None  # where it says something; None: everywhere
+    taken_by: tuple[str, ...] = ()  # later steps in whose form it stands too
 
     @property
     def units(self) -> Unit:
@@ -149,6 +150,7 @@ class _AsTheyStand(TypedDict, total=False):
     fold: Text
     catalogue: str
     repair: Repair
+    taken_by: tuple[str, ...]
 
 
 class Said(_AsTheyStand, total=False):
@@ -311,6 +313,7 @@ class Stands(TypedDict, total=False):
     worst: Literal["largest", "least"]  # of several results on one line of the first page, which one stands for all
     each: bool  # with a line of the first page for each part that has one
     headline: int  # for its whole step: which one it is of those that do, from 1
+    taken_by: tuple[str, ...]  # in the forms of later steps, which take it over
 
 
 @record
@@ -327,6 +330,7 @@ class Described:
     worst: Literal["largest", "least"] = "largest"
     each: bool = False
     headline: int = 0
+    taken_by: tuple[str, ...] = ()
 
 
 @record

@@ -14,7 +14,6 @@ from ..imbalance.inputs import ImbalanceInputs
 from ..library.table_file import parsed, text_of_table
 from ..sheet.quantity import dotted
 from ..sheet.text import Text
-from .starter.build import begun
 
 if TYPE_CHECKING:
     from ..design.addresses import Table
@@ -77,6 +76,8 @@ def engine_design(name: str) -> str:
         dotted(ImbalanceInputs.kinematics): "exact",
     } | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
+    from .starter.build import begun  # numpy, which a list of the engines does not need
+
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"])
