@@ -381,6 +381,10 @@ def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
         )
 
 
+def _or_nothing(P: Watt | None) -> Watt:
+    return 0.0 if P is None else P
+
+
 def total_losses(d: TrainDrive, power: Watt | None = None) -> Watt:
     return losses_of(d, power).total
 
@@ -428,8 +432,16 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         P_D = _total(sums.seals, [wheel.seal_loss for wheel in wheels.values()])
         P_L = _total(sums.bearings, [wheel.bearing_loss for wheel in wheels.values()])
         P_X = _total(sums.other_losses, [wheel.other_loss for wheel in wheels.values()])
-        parts = dict(P_B=P_B, P_VZ=P_VZ, P_W=P_W, P_C=P_C, P_J=P_J, P_D=P_D, P_L=P_L, P_X=P_X)
-        P = sums.total_loss(**{name: 0.0 if part is None else part for name, part in parts.items()})
+        P = sums.total_loss(
+            P_B=_or_nothing(P_B),
+            P_VZ=_or_nothing(P_VZ),
+            P_W=_or_nothing(P_W),
+            P_C=_or_nothing(P_C),
+            P_J=_or_nothing(P_J),
+            P_D=_or_nothing(P_D),
+            P_L=_or_nothing(P_L),
+            P_X=_or_nothing(P_X),
+        )
         T_1 = torque(P=P_1, n=wheels[d.first].speed)
         b_e = d.friction.specific_fuel_consumption
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)

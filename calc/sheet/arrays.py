@@ -11,8 +11,10 @@ if TYPE_CHECKING:
     ComplexArray = NDArray[np.complex128]
     BoolArray = NDArray[np.bool_]
     IndexArray = NDArray[np.intp]
+    Num = float | Array  # a number, or as many as an array has
+    AnyNumbers = complex | Array | ComplexArray | IndexArray
 else:
-    Array = ComplexArray = BoolArray = IndexArray = object
+    Array = ComplexArray = BoolArray = IndexArray = Num = AnyNumbers = object
 
 
 @overload

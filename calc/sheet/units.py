@@ -6,7 +6,7 @@ a number is shown and which ending its key has in a design file: `mm` → `bore_
 
 from typing import Annotated, TypeVar
 
-from .arrays import Array
+from .arrays import Array, ComplexArray, IndexArray
 
 A = TypeVar("A", float, Array)
 
@@ -63,6 +63,37 @@ CubicMetrePerSecond = Annotated[float, "m³/s"]
 JoulePerKilogramKelvin = Annotated[float, "J/(kg·K)"]
 WattPerMetreKelvin = Annotated[float, "W/(m·K)"]
 NewtonPerMetreSecond = Annotated[float, "N/(m·s)"]  # heat index: load per length times speed
+
+# arrays and tuples, where a formula takes or gives nothing else
+
+MetreTuple = Annotated[tuple[float, ...], "m"]
+Numbers = Annotated[Array, ""]
+Places = Annotated[IndexArray, ""]
+Metres = Annotated[Array, "m"]
+SquareMetres = Annotated[Array, "m²"]
+Metres4 = Annotated[Array, "m⁴"]
+Kilograms = Annotated[Array, "kg"]
+KilogramsPerMetre = Annotated[Array, "kg/m"]
+KilogramMetres2 = Annotated[Array, "kg·m²"]
+Radians = Annotated[Array, "rad"]
+RadiansPerSecond = Annotated[Array, "rad/s"]
+Newtons = Annotated[Array, "N"]
+NewtonsPerMetre = Annotated[Array, "N/m"]
+NewtonMetres2 = Annotated[Array, "N·m²"]
+NewtonMetres = Annotated[Array, "N·m"]
+Hertzes = Annotated[Array, "1/s"]
+PerSeconds2 = Annotated[Array, "1/s²"]
+MetresPerSecond2 = Annotated[Array, "m/s²"]
+Pascals = Annotated[Array, "Pa"]
+PhasorMetres = Annotated[ComplexArray, "m"]
+PhasorCubicMetres = Annotated[ComplexArray, "m³"]
+PhasorNewtons = Annotated[ComplexArray, "N"]
+KilogramMetres = Annotated[Array, "kg·m"]
+PhasorKilogramMetres = Annotated[ComplexArray, "kg·m"]
+PhasorSquareMetres = Annotated[ComplexArray, "m²"]
+PhasorNumbers = Annotated[ComplexArray, ""]
+PhasorNewtonMetres = Annotated[ComplexArray, "N·m"]
+PhasorNewtonsPerMetre = Annotated[ComplexArray, "N/m"]
 
 
 class Unit:

@@ -410,16 +410,18 @@ def dynamics(
     omega = f.angular_speed(n=duty.effective_speed)
     n_F, sense = _load_speed(duty, seat)
     whirl = heaviest = threshold = None
-    film = dict(k_xx=k.k_xx, k_xy=k.k_xy, k_yx=k.k_yx, k_yy=k.k_yy, c_xx=k.c_xx, c_xy=k.c_xy, c_yy=k.c_yy)
     if n_F == 0.0:
-        k_eq = equivalent_stiffness(**film)
-        square = whirl_ratio_squared(k_eq=k_eq, **film)
+        k_eq = equivalent_stiffness(k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy)
+        square = whirl_ratio_squared(k_eq, k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy)
         if square > 0:
             whirl = whirl_ratio(square=square)
             heaviest = critical_mass(k_eq=k_eq, square=square, F=F, g=g, omega=omega)
             threshold = None if mass is None else threshold_speed(n_h=duty.effective_speed, m_c=heaviest, m=mass)
     else:
-        heaviest = critical_mass_turning(**film, F=F, g=g, omega=omega, Omega=relative_speed(sense=sense, n_F=n_F))
+        Omega = relative_speed(sense=sense, n_F=n_F)
+        heaviest = critical_mass_turning(
+            k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy, F=F, g=g, omega=omega, Omega=Omega
+        )
         heaviest = None if heaviest == float("inf") else heaviest
     across = damping_xy(c_xy=k.c_xy, F=F, g=g, omega=omega)
     return Dynamics(
