@@ -14,7 +14,7 @@ from math import sqrt
 
 import numpy as np
 
-from ...sheet.arrays import Array, each
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column, gathered
 from ...sheet.record import record
@@ -65,7 +65,7 @@ def centre_tolerance(mesh: Mesh) -> Metre:
     if mesh.tolerance is not None:
         return mesh.tolerance
     stack = stack_of(mesh)
-    return 0.0 if stack is None else b.tolerance_of_contributors(each(stack.fields))
+    return 0.0 if stack is None else b.tolerance_of_contributors(stack.fields)
 
 
 @record
