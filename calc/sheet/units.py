@@ -4,12 +4,9 @@
 Inside the program every number is in SI (temperatures in °C, speeds in revolutions per second).  A `Unit` says how such
 a number is shown and which ending its key has in a design file: `mm` → `bore_mm`."""
 
-from typing import Annotated, TypeVar
+from typing import Annotated
 
-from .arrays import Array, ComplexArray, IndexArray
-
-A = TypeVar("A", float, Array)
-
+from .arrays import Array, ComplexArray, IndexArray, Value
 
 # --- units as types: a float to the type checker, a unit to the formula
 
@@ -72,6 +69,7 @@ Places = Annotated[IndexArray, ""]
 Metres = Annotated[Array, "m"]
 SquareMetres = Annotated[Array, "m²"]
 Metres4 = Annotated[Array, "m⁴"]
+Kelvins = Annotated[Array, "K"]
 Kilograms = Annotated[Array, "kg"]
 KilogramsPerMetre = Annotated[Array, "kg/m"]
 KilogramMetres2 = Annotated[Array, "kg·m²"]
@@ -108,7 +106,7 @@ class Unit:
         """The number as the user sees it, without the last digits that the conversion itself makes."""
         return float(f"{inside / self.factor:.14g}")
 
-    def all_shown(self, inside: A) -> A:
+    def all_shown(self, inside: Value) -> Value:
         """The same for an array, with all its digits."""
         return inside / self.factor
 

@@ -135,8 +135,8 @@ def too_narrow(gap: Metre | Array, fillet: Metre) -> BoolArray:
 
 
 def pair_masses(C: Num, omega: RadPerSecond, rho: Num, R: Num, r_0: Num, z_max: Num) -> Array:
-    """The mass of both sectors [kg] for a couple C [N·m] at ω, density, radii and half-length in SI, any of them arrays;
-    NaN where the envelope is too small."""
+    """The mass of both sectors [kg] for a couple C [N·m] at ω; density, radii and half-length in SI, any of them an
+    array.  NaN where the envelope is too small."""
     with untraced(), np.errstate(invalid="ignore", divide="ignore"):
         rho, R, r_0, z_max = (np.asarray(x, dtype=float) for x in (rho, R, r_0, z_max))
         K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
