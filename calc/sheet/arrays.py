@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The types of arrays, for the type checker only: importing numpy.typing costs a start-up 30 ms."""
 
-from typing import TYPE_CHECKING, cast, overload
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,23 +20,3 @@ else:
 
     Array = ComplexArray = BoolArray = IndexArray = Num = AnyNumbers = object
     Value = TypeVar("Value", float, object)
-
-
-@overload
-def each(x: "Array | IndexArray | tuple[float, ...]") -> float: ...
-@overload
-def each(x: ComplexArray) -> complex: ...
-def each(x: object) -> object:
-    """An array where a formula takes one number: the door by which arrays enter formulas, which are written and typed
-    for numbers."""
-    return x
-
-
-def many(x: float) -> Array:
-    """What a formula returns that was given arrays: an array."""
-    return cast(Array, x)
-
-
-def phasors(x: complex) -> ComplexArray:
-    """As `many`, of phasors."""
-    return cast(ComplexArray, x)

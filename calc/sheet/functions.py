@@ -129,9 +129,9 @@ def single_or_many(x: Array) -> float:
     return number
 
 
-def along(x: float) -> float:
+def along(x: Num) -> float:
     """Sum over the last axis, the positions of a path: a float of one operating point, an array of many."""
-    return single_or_many(np.sum(x, -1))
+    return single_or_many(np.asarray(np.sum(x, -1)))
 
 
 @overload
