@@ -206,7 +206,7 @@ class Wheel:
         help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two "
         "neighbours, if it can be.",
         change=("wheel elsewhere", "wheel elsewhere"),
-        repair="free",
+        repair="asked",
     )
     bore_diameter: float | None = quantity(
         "Bore",

@@ -80,7 +80,7 @@ class Mount:
 
     name: str = text("Name", help="Letters, digits and -.", decides=True)
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="free", decides=True
+        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="asked", decides=True
     )
     stiffness: tuple[float, ...] = series(
         "Static stiffness",
