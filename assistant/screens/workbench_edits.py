@@ -31,7 +31,7 @@ from ..widgets.form import Form
 from .workbench_moves import WorkbenchMoves
 
 if TYPE_CHECKING:
-    from calc.studies.repair.trials import RepairOption
+    from calc.studies.repair.options import RepairOption
 
 BUILDING = Text("It is being built by the rules …")
 
