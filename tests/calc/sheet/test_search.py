@@ -165,7 +165,9 @@ def test_the_smallest_change_lies_between_its_two_ends(kind):
 def test_where_no_change_is_enough_the_nearest_one_is_told():
     assert crossing(lambda x: x - 0.37, -0.37, 0.02, 0.3, 0.01) == 0.3, "no farther than that"
     assert crossing(lambda x: -abs(x - 0.1) - 1, -1.1, 0.02, 2.0, 0.01) == pytest.approx(0.1, abs=0.09)
-    assert crossing(lambda x: x - 0.37 if x < 0.2 else math.nan, -0.37, 0.02, 2.0, 0.01) == pytest.approx(0.19, abs=0.01)
+    assert crossing(lambda x: x - 0.37 if x < 0.2 else math.nan, -0.37, 0.02, 2.0, 0.01) == pytest.approx(
+        0.19, abs=0.01
+    )
     assert crossing(lambda x: math.nan, math.nan, 0.02, 2.0, 0.01) == 0.0
 
 
