@@ -25,6 +25,7 @@ from calc.sheet.text import EMPTY, Text
 
 from .actions import BY_ID
 from .base_app import BaseApp
+from .output import told
 from .screens.workbench import Workbench
 from .session.recovery import Memory, Settings
 from .session.session import Session
@@ -265,10 +266,6 @@ def _read_alt_digits() -> None:
 
 def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the start page; gives the exit code."""
-    import gc
-
-    # a screen is many small objects that stay; they need not be looked through so often
-    gc.set_threshold(50_000, 20, 50)
     # between two of the twenty turns that a key takes, the thread that solves has no more than that
     sys.setswitchinterval(0.0002)
     _read_alt_digits()
@@ -291,8 +288,6 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     result = app.run()
     # textual would show its trace with the values of all variables, and end as a failed check does
     if app._exception is not None:
-        from .output import told
-
         return told(app._exception)
     return app.return_code or result or 0
 

@@ -5,34 +5,31 @@ runs.
 Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found
 · 70 a fault of the program itself · 130 ended by Ctrl-C · 141 nobody reads the output any more."""
 
-import gc
 import os
 import sys
 from collections.abc import Sequence
+from difflib import get_close_matches
 from importlib import import_module
 
+from calc.sheet.errors import Mistakes
+
+from .output import Unwritable, outlets, told
 from .usage import COMMANDS, parser
 
 # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
 THREADS = ("OPENBLAS_NUM_THREADS", "1")
 CLOSED = 141  # as the system itself would end it: no verdict
-# new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
-SELDOM = (200_000, 20, 100)
 
 
 def _meant(word: str | None) -> str | None:
     """The command that a word comes close to, which is none, and no file either."""
     if word is None or os.path.exists(word):
         return None
-    from difflib import get_close_matches
-
     return next(iter(get_close_matches(word, COMMANDS, 1)), None)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; gives the exit code.  Without arguments it is that of this process, which ends with it."""
-    from .output import Unwritable, outlets
-
     with outlets():
         try:
             code = command(list(sys.argv[1:] if arguments is None else arguments), own=arguments is None)
@@ -48,8 +45,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 raise error.__cause__ from None
             if arguments is not None:
                 raise
-            from .output import told
-
             return told(error)
 
 
@@ -71,8 +66,6 @@ def command(given: list[str], own: bool) -> int:
             asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
         if own:
             os.environ.setdefault(*THREADS)
-            if asked.command not in ("session", "serve"):
-                gc.set_threshold(*SELDOM)
         module = import_module(f"assistant.commands.{COMMANDS[asked.command].module}")
         return int(getattr(module, f"run_{asked.command}")(asked))
     except SystemExit as usage:
@@ -80,12 +73,7 @@ def command(given: list[str], own: bool) -> int:
     except KeyboardInterrupt:
         return 130
     except Exception as error:
-        from calc.sheet.errors import Mistakes
-
         if isinstance(error, Mistakes):
             print(error, file=sys.stderr)
             return 2
         raise
-    finally:
-        if own:
-            gc.freeze()  # the process ends: looking through all that it holds for garbage takes a tenth of a report

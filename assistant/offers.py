@@ -4,20 +4,28 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from calc.bearings.selection import search as bearing_search
+from calc.bearings.selection import tables as bearing_tables
+from calc.bearings.selection.variants import SUPPLY
+from calc.countershaft.sizing import choices as sizing
 from calc.design.model import Design
+from calc.design.step_inputs import bearings_case, shaft_axis
+from calc.engine import solve as engine
+from calc.engine.inputs import EngineInputs
+from calc.gears.selection import idler
+from calc.gears.selection import search as gear_search
+from calc.gears.selection import tables as gear_tables
+from calc.imbalance import solve as imbalance
+from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
+from calc.mounting import selection as mounts
+from calc.mounting.result import MountingResult
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress, part
+from calc.sheet.quantity import dotted
 from calc.sheet.remedy import Changes, assignments
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Amount, Text
-
-CHOICES = {
-    "engine": Text("firing orders, the one that leaves least first"),
-    "countershaft": Text("shafts in the envelope, the lightest first"),
-    "bearings": Text("plain bearings that pass at every corner, the nearest and the least power first"),
-    "gears": Text("profile shifts and tip cuts, the least specific sliding first; teeth of an idler between walls"),
-    "mounting": Text("mounts that decouple the modes between the road's frequency and idle, the purest first"),
-}
+from calc.solve import solve
 
 
 @dataclass(frozen=True)
@@ -45,9 +53,6 @@ class Offer:
 
 def _engine(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Firing orders to choose from, ranked by what they leave."""
-    from calc.engine import solve as engine
-    from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
-
     assert design.engine is not None and design.imbalance is not None
     inputs, crank = design.engine, design.imbalance
     e = engine.values(inputs)
@@ -61,7 +66,10 @@ def _engine(design: Design, file: str, progress: Progress | None = None) -> Offe
     return Offer(
         count=len(orders),
         table=lambda top: orders_table(orders, top, as_designed(crank, inputs, e), inputs),
-        keys=lambda number: {"engine.firing_order": list(orders[number - 1].order), "engine.crank_angles_deg": None},
+        keys=lambda number: {
+            dotted(Design.engine, EngineInputs.firing_order): list(orders[number - 1].order),
+            dotted(Design.engine, EngineInputs.crank_angles): None,
+        },
         said=said,
         hint=Text(
             "`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."
@@ -71,16 +79,12 @@ def _engine(design: Design, file: str, progress: Progress | None = None) -> Offe
 
 def _countershaft(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
-    from calc.countershaft.sizing.choices import candidates, changes, choices, choices_table, envelope
-    from calc.engine import solve as engine
-    from calc.imbalance import solve as imbalance
-
     assert design.engine is not None and design.imbalance is not None and design.countershaft is not None
     shaft = design.countershaft
-    room = envelope(shaft, design.bearings, file)
-    materials = candidates(shaft, design.materials, file)
+    room = sizing.envelope(shaft, design.bearings, file)
+    materials = sizing.candidates(shaft, design.materials, file)
     e = engine.values(design.engine)
-    selection = choices(
+    selection = sizing.choices(
         shaft, imbalance.values(design.imbalance, design.engine, e), e.angular_speed, room, materials, progress
     )
 
@@ -95,8 +99,8 @@ def _countershaft(design: Design, file: str, progress: Progress | None = None) -
 
     return Offer(
         count=len(selection.shafts),
-        table=lambda top: choices_table(selection, top, room),
-        keys=lambda number: changes(selection.shafts[number - 1], room),
+        table=lambda top: sizing.choices_table(selection, top, room),
+        keys=lambda number: sizing.changes(selection.shafts[number - 1], room),
         said=said,
         hint=Text(
             "`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more."
@@ -107,34 +111,19 @@ def _countershaft(design: Design, file: str, progress: Progress | None = None) -
 def _bearings(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the
     worst corner."""
-    from calc.bearings.selection.search import bearing_changes, confirmed, search
-    from calc.bearings.selection.tables import (
-        beyond_table,
-        changed,
-        choices_table,
-        hidden,
-        neighbours_table,
-        notes,
-        pareto_table,
-        summary,
-    )
-    from calc.bearings.selection.variants import SUPPLY
-    from calc.design.step_inputs import bearings_case
-    from calc.solve import solve
-
     assert design.bearings is not None
     bearings = design.bearings
     case = bearings_case(design, solve)
-    selection = search(case, progress=progress)
+    selection = bearing_search.search(case, progress=progress)
 
     def taken(number: int) -> Changes:
         """Rows that were not solved as whole designs are so now."""
         row = selection.all[number - 1]
         if number > selection.verified:
-            settled = confirmed(case, row, selection.slopes[0])
+            settled = bearing_search.confirmed(case, row, selection.slopes[0])
             if settled.row is None:
                 raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
-        return bearing_changes(row, bearings)
+        return bearing_search.bearing_changes(row, bearings)
 
     def written(number: int) -> Text:
         row = selection.all[number - 1]
@@ -142,108 +131,95 @@ def _bearings(design: Design, file: str, progress: Progress | None = None) -> Of
             "now has the bearings of row {row} ({change}; {oil}, {supply}): {power}",
             row=number,
             oil=row.variant.oil,
-            change=changed(row) or Text("lengths and clearances as they were"),
+            change=bearing_tables.changed(row) or Text("lengths and clearances as they were"),
             supply=SUPPLY[row.variant.supply],
             power=Amount(row.power, "W"),
         )
         return Text("{row}; its journals are too long for their room", row=words) if any(row.too_long) else words
 
     def beside(top: int) -> tuple[Table, ...]:
-        too_long = beyond_table(selection, top)
-        return (*((too_long,) if too_long else ()), neighbours_table(selection), pareto_table(selection))
+        too_long = bearing_tables.beyond_table(selection, top)
+        return (
+            *((too_long,) if too_long else ()),
+            bearing_tables.neighbours_table(selection),
+            bearing_tables.pareto_table(selection),
+        )
 
     return Offer(
         count=len(selection.all),
-        table=lambda top: choices_table(selection, top),
+        table=lambda top: bearing_tables.choices_table(selection, top),
         keys=taken,
         said=written,
         hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
         beside=beside,
-        summary=summary(selection),
-        notes=notes(selection),
-        hidden=lambda top: hidden(selection, top),
+        summary=bearing_tables.summary(selection),
+        notes=bearing_tables.notes(selection),
+        hidden=lambda top: bearing_tables.hidden(selection, top),
     )
 
 
 def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Profile shifts, tip cuts and the teeth of an idler to choose from, every rule of the teeth kept."""
-    from calc.design.step_inputs import shaft_axis
-    from calc.gears.selection.idler import idler_table, idlers, passed, written
-    from calc.gears.selection.search import search
-    from calc.gears.selection.tables import (
-        around_table,
-        changed,
-        changes,
-        choices_table,
-        cuts_best_table,
-        cuts_now_table,
-        limits_table,
-        notes,
-        sliding_table,
-        summary,
-        wants_table,
-    )
-
     assert design.gears is not None
     axis = shaft_axis(design)
-    selection = search(design.gears, part(progress, 0.0, 0.9), axis)
-    teeth = idlers(design.gears, axis, part(progress, 0.9, 1.0))
-    shifts, others = selection.all, [row for rows in teeth for row in passed(rows)]
+    selection = gear_search.search(design.gears, part(progress, 0.0, 0.9), axis)
+    teeth = idler.idlers(design.gears, axis, part(progress, 0.9, 1.0))
+    shifts, others = selection.all, [row for rows in teeth for row in idler.passed(rows)]
 
     def keys(number: int) -> Changes:
-        return changes(shifts[number - 1]) if number <= len(shifts) else others[number - 1 - len(shifts)].changes
+        return (
+            gear_tables.changes(shifts[number - 1])
+            if number <= len(shifts)
+            else others[number - 1 - len(shifts)].changes
+        )
 
     def said(number: int) -> Text:
         if number > len(shifts):
-            return written(others[number - 1 - len(shifts)])
+            return idler.written(others[number - 1 - len(shifts)])
         row = shifts[number - 1]
         return Text(
             "now has the gears of row {row} ({change}): largest specific sliding {sliding}",
             row=number,
-            change=changed(row),
+            change=gear_tables.changed(row),
             sliding=Amount(row.largest, form=".3f"),
         )
 
     def beside(top: int) -> tuple[Table, ...]:
         first, idler_tables = len(shifts) + 1, []
         for rows in teeth:
-            idler_tables.append(idler_table(rows, first, top))
-            first += len(passed(rows))
+            idler_tables.append(idler.idler_table(rows, first, top))
+            first += len(idler.passed(rows))
         tables = (
             *idler_tables,
-            sliding_table(selection, top),
-            wants_table(selection),
-            around_table(selection),
-            limits_table(selection),
-            cuts_now_table(selection),
-            cuts_best_table(selection, top),
+            gear_tables.sliding_table(selection, top),
+            gear_tables.wants_table(selection),
+            gear_tables.around_table(selection),
+            gear_tables.limits_table(selection),
+            gear_tables.cuts_now_table(selection),
+            gear_tables.cuts_best_table(selection, top),
         )
         return tuple(table for table in tables if table is not None)
 
     return Offer(
         count=len(shifts) + len(others),
-        table=lambda top: choices_table(selection, top),
+        table=lambda top: gear_tables.choices_table(selection, top),
         keys=keys,
         said=said,
         hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
         beside=beside,
-        summary=summary(selection),
-        notes=notes(selection),
+        summary=gear_tables.summary(selection),
+        notes=gear_tables.notes(selection),
     )
 
 
 def _mounting(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Mounts to choose from: stiffness, shear ratio and inclination of front and rear, the purest modes first."""
-    from calc.mounting.result import MountingResult
-    from calc.mounting.selection import changes, choices, table
-    from calc.solve import solve
-
     assert design.mounting is not None
     mounting, results = design.mounting, solve(design)
     result = results.result(MountingResult)
     if result is None:
         raise NoSolution(Text("mounts can be chosen once the step is solved"), results.outcomes["mounting"].reason)
-    room, ranked = choices(mounting, result, progress)
+    room, ranked = mounts.choices(mounting, result, progress)
 
     def said(number: int) -> Text:
         choice = ranked[number - 1]
@@ -255,8 +231,8 @@ def _mounting(design: Design, file: str, progress: Progress | None = None) -> Of
 
     return Offer(
         count=len(ranked),
-        table=lambda top: table(ranked, room, top),
-        keys=lambda number: changes(ranked[number - 1], mounting, room),
+        table=lambda top: mounts.table(ranked, room, top),
+        keys=lambda number: mounts.changes(ranked[number - 1], mounting, room),
         said=said,
         hint=Text("`--apply N` writes stiffness and inclination of every mount into the design; `--top N` shows more."),
     )

@@ -8,12 +8,16 @@ import codecs
 import contextlib
 import os
 import sys
+import tempfile
+import traceback
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
+from datetime import datetime
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, TextIO
 
+from calc.sheet.errors import BadTable
 from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
 
@@ -117,8 +121,6 @@ KEPT = 20  # traces; older ones go
 
 def told(error: BaseException) -> int:
     """Say it on stderr; gives the exit code."""
-    from calc.sheet.errors import BadTable
-
     if isinstance(error, BadTable):  # the table that the user has changed
         print(error, file=sys.stderr)
         return 2
@@ -134,9 +136,6 @@ def told(error: BaseException) -> int:
 
 def _kept(error: BaseException) -> Path | None:
     """The file with the trace: in the user's state folder, else in the one for temporary files."""
-    import traceback  # here and below: the help is printed without them
-    from datetime import datetime
-
     now = datetime.now()
     words = (
         f"contralbero {VERSION}, Python {sys.version}, {now.isoformat(timespec='seconds')}\n{' '.join(sys.argv)}\n\n"
@@ -154,8 +153,6 @@ def _kept(error: BaseException) -> Path | None:
 
 
 def _folders() -> list[Path]:
-    import tempfile
-
     folders = []
     with suppress(Exception):  # it may be that which is at fault
         from .session.recovery import state_dir

@@ -6,10 +6,12 @@ import os
 import sys
 import textwrap
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from difflib import get_close_matches
+from typing import Any
 
 from calc.design.key_results import judged, outside, stretched
 from calc.design.model import OPTIONAL, STEPS
+from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
 from calc.sheet.check import SIGNS, URGENT, Check, grouped, named, pattern_of, severity, with_it
@@ -18,10 +20,7 @@ from calc.sheet.step import Outcome, Table, no_such_check
 from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
 from calc.sheet.version import VERSION
 from calc.solve import TITLES, Results
-
-if TYPE_CHECKING:
-    from calc.studies.explain import Effect
-
+from calc.studies.explain import Effect, effects
 
 # --- findings, as plain text that fits a screen
 # Limits first, then cautions, each group of one cause by its worst check; advice and what concerns the method by
@@ -133,8 +132,6 @@ def lost_acceptances(results: Results) -> Iterator[str]:
     waits = {key for key, outcome in results.outcomes.items() if outcome.state != "solved"}
     for id, _ in results.design.accepted:
         if id not in known and id.partition(".")[0] not in waits:
-            from difflib import get_close_matches
-
             near = get_close_matches(id, known, 1)
             meant = Text("; did you mean {near}?", near=near[0]) if near else EMPTY
             yield from _wrapped_finding(no_such_check(id) + meant, f"{sign('note')}  ")
@@ -181,8 +178,6 @@ def print_results(
             _print_step(outcome.whole, everything)
     print_summary(results, step, findings)
     if results.design.measured and step is None and not findings:
-        from calc.design.predicted import measured_table
-
         print("", *table_lines(measured_table(list(results.design.measured), results.predicted)), sep="\n")
 
 
@@ -248,8 +243,6 @@ def _wrapped(words: str, width: int, **how: bool) -> list[str]:
     """The words in lines of a width; most fit into one, which textwrap takes long to find."""
     if words and len(words) <= width and words == words.strip() and "\n" not in words:
         return [words]
-    import textwrap
-
     return textwrap.wrap(words, width, break_long_words=False, **how)  # type: ignore[arg-type]
 
 
@@ -281,7 +274,7 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     for key, outcome in shown.items():
         if key in OPTIONAL and outcome.state == "not_asked":
             continue
-        values = {value.id: value for value in outcome.values(frozenset(HEADS[key].headlines))}
+        values = {value.id: value for value in outcome.values()}
         heads = HEADS[key].heads(values)[:2]
         words = str(outcome.reason) or " · ".join(
             f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads
@@ -300,8 +293,6 @@ def results_json(
     """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that
     move a check."""
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
-    from calc.studies.explain import effects
-
     moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
         "schema": 1,
@@ -342,8 +333,6 @@ def results_json(
 def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
     """A check with everything that it knows.  `beyond`: the checks of the method that put it outside the validity of
     its formula; `moved`: what the inputs do that move it, where it was measured."""
-    from calc.studies.explain import Effect
-
     measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
     return {
         "id": check.id,

@@ -72,7 +72,7 @@ def compared(name: str, every: int = 1) -> tuple[Results, dict[str, set[str]], d
     of so many one."""
     document = read(DESIGNS / f"{name}.toml")
     start = design(document)
-    results = solve(start, traced=True)
+    results = solve(start)
     chains, values = Chains(results), results.values()
     moves: dict[str, set[str]] = defaultdict(set)
     stuck = []

@@ -4,22 +4,24 @@
 `solve.py` calls them in that order.  Below them `sheet`, `locale`, `library`, `draw`; above them `design` and
 `studies`. It draws on no screen and no page, and prints nothing."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import Any
 
-from .sheet.lazy import lazy
+# what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
+OFFERED = {
+    "Design": ".design.model",
+    "load_design": ".design.toml_file",
+    "solve_design": ".solve:solve",
+}
+__all__ = [*OFFERED]
 
-__all__ = ["Design", "load_design", "solve_design"]
 
-if TYPE_CHECKING:
-    from .design.model import Design
-    from .design.toml_file import load_design
-    from .solve import solve as solve_design
-else:
-    __getattr__ = lazy(
-        __name__,
-        {
-            "Design": ".design.model",
-            "load_design": ".design.toml_file",
-            "solve_design": ".solve:solve",
-        },
-    )
+def __getattr__(name: str) -> Any:
+    if name not in OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module, _, called = OFFERED[name].partition(":")
+    return getattr(import_module(module, __name__), called or name)
+
+
+def __dir__() -> list[str]:
+    return __all__

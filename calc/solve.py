@@ -19,6 +19,7 @@ from .bearings.result import BearingsResult
 from .countershaft import solve as countershaft
 from .countershaft.inputs import CountershaftInputs
 from .countershaft.result import CountershaftResult
+from .countershaft.solve import with_oil
 from .countershaft.supports import with_standing
 from .design import step_inputs as h
 from .design.model import STEPS, Design
@@ -28,19 +29,21 @@ from .engine.result import EngineResult
 from .friction import solve as friction
 from .friction.result import FrictionResult
 from .gears import solve as gears
+from .gears.curves import curves
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .gears.wheel import with_masses
 from .imbalance import solve as imbalance
 from .imbalance.result import ImbalanceResult
+from .mounting import solve as mounting
 from .sheet.check import Check, worst
-from .sheet.deferred import Later, Many
+from .sheet.deferred import Later
 from .sheet.number import aligned, short
 from .sheet.quantity import Published, ValueKey
 from .sheet.record import record
-from .sheet.reuse import Enough, Kept, Parts, seldom_collected
+from .sheet.reuse import Enough, Kept, Parts
 from .sheet.step import Curve, Outcome, accepted
-from .sheet.value import Line, recorded
+from .sheet.value import recorded, recording
 
 R = TypeVar("R")
 TITLES = {step.key: step.title for step in STEPS}
@@ -53,8 +56,7 @@ class Results:
     design: Design
     outcomes: dict[str, Outcome[object]]  # by the key of the step, each with a result of its own class
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # arguments and outcomes, for the next solve
-    recorded: bool = False  # whether the lines were recorded with the numbers
-    _with_lines: list["Results"] = field(default_factory=list, repr=False)  # the same recorded, or an earlier version
+    recorded: bool = True  # whether the lines were recorded with the numbers
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
 
     def __str__(self) -> str:
@@ -101,15 +103,10 @@ class Results:
         for outcome in self.outcomes.values():
             yield from outcome.checks
 
-    def traced(self, stop: Callable[[], bool] = bool) -> "Results":
-        """The same with its lines, and with its numbers linked to them: solved once more, when somebody looks for the
-        first time."""
-        return self if self.recorded else _traced(self.design, self._with_lines, stop)
-
     @property
     def predicted(self) -> Predicted:
         """What this design gives at the speeds of measurements."""
-        return Predicted(self.design, self.values(), lambda other: solve(other).values())
+        return Predicted(self.design, self.values(), _values_of)
 
     def whole(self) -> "Results":
         """The same with all curves, tables and notes, those too that take longer than a keystroke may."""
@@ -120,56 +117,38 @@ class Results:
         return worst([outcome.verdict for outcome in self.outcomes.values()])
 
 
+def _values_of(design: Design) -> dict[str, Published]:
+    """Of a design that nobody looks at itself."""
+    with recorded(False):
+        return solve(design).values()
+
+
 def solve(
     design: Design,
     before: Results | None = None,
     stop: Callable[[], bool] = bool,
     enough: Callable[[Outcome[object]], bool] | None = None,
     *,
-    traced: bool = False,
     compared: bool = True,
 ) -> Results:
-    """All steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
+    """All steps of a design, with the lines of the calculation; a loop over designs, whose lines nobody reads, runs
+    inside `recorded(False)`.
 
-    `traced`: with the lines of the calculation.  Else they are made when somebody looks at an outcome's `lines`, or
-    asks for `traced()`. `compared`: with what other methods give beside those that judge; every verdict is the same
-    without.
-
-    `stop` is asked between the parts whether nobody waits for the results any more; then Cancelled is raised.
-    `enough` is asked after each part: where what it gave decides all that is asked, the outcomes so far are returned.
-    """
-    kept = before.parts if before is not None and before.recorded >= traced else {}
+    `before`: the results of an earlier version, of which unchanged parts are taken over.  `compared`: with what other
+    methods give beside those that judge; every verdict is the same without.  `stop` is asked between the parts whether
+    nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what it
+    gave decides all that is asked, the outcomes so far are returned."""
+    kept = before.parts if before is not None and before.recorded >= recording.get() else {}
     part = Parts(TITLES, kept, stop=stop, enough=enough)
-    # only what is recorded is kept of before, so that there is no chain
-    earlier = [] if before is None or traced else [before] if before.recorded else list(before._with_lines)
-    with seldom_collected(), recorded(traced):
-        try:
-            outcomes = steps(part, design, compared)
-        except Enough:
-            outcomes = part.last
-    results = Results(design, outcomes, part.kept, traced, earlier)
-    if not traced:
-        outcomes |= {
-            key: replace(outcome, lines=Later(partial(_lines, design, earlier, key)))
-            for key, outcome in outcomes.items()
-        }
+    try:
+        outcomes = steps(part, design, compared)
+    except Enough:
+        outcomes = part.last
+    results = Results(design, outcomes, part.kept, recording.get())
     if design.measured:
         bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
         outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
     return results
-
-
-def _traced(design: Design, earlier: list[Results], stop: Callable[[], bool] = bool) -> Results:
-    """The design with its lines.  `earlier`: the same from before, or an earlier version of it, whose place this
-    takes."""
-    if not earlier or earlier[0].design is not design:
-        earlier[:] = [solve(design, earlier[0] if earlier else None, stop, traced=True)]
-    return earlier[0]
-
-
-def _lines(design: Design, earlier: list[Results], key: str) -> Many[Line]:
-    """Of a step, for its outcome: which does not know the results, so that these go as soon as nobody needs them."""
-    return _traced(design, earlier).outcomes[key].lines
 
 
 def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
@@ -278,8 +257,6 @@ def _drained(
     """A shaft whose drains, if it has any, take the bearings' oil."""
     if inputs.oil_drain is None and not inputs.further_drains:
         return c
-    from .countershaft.solve import with_oil  # which most designs do not need
-
     return with_oil(c, b.result)
 
 
@@ -305,16 +282,12 @@ def _mounted(
     late = h.unsolved((e, i, c))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))
-    from .mounting import solve as mounting
-
     return part(
         "mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g)
     )
 
 
 def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:
-    from .gears.curves import curves  # which a check does not draw
-
     return curves(train)
 
 

@@ -15,15 +15,16 @@ from typing import Any
 import numpy as np
 from reportlab.lib.utils import ImageReader
 
-from calc.design.key_results import CURVES, judged, like, outside
+from calc.design.key_results import judged, outside
 from calc.design.limits import LOGO_BYTES, LOGO_SIDE
 from calc.design.model import STEPS, Design
 from calc.design.names import belongs
+from calc.design.other_tables import DocumentControl
 from calc.design.toml_file import Document
 from calc.locale import Language
 from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.quantity import Published
+from calc.sheet.quantity import Published, dotted
 from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
 from calc.sheet.value import Line, Link, leaves, link_of
@@ -36,7 +37,7 @@ from .typesetting.boxes import Symbol
 
 # --- the logo of a title block: a PNG file beside the design, in which a stranger may have put anything
 
-KEY = "document.logo"
+KEY = dotted(Design.document, DocumentControl.logo)
 HEAD = b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR"
 # what a damaged PNG raises
 BROKEN = (OSError, SyntaxError, ValueError, EOFError, TypeError, IndexError, KeyError, struct.error, zlib.error)
@@ -291,21 +292,13 @@ class Context:
 
 
 def _main_curves(outcome: Outcome[object]) -> list[Curve]:
-    """The curves of a step that a short report has.  All of them are made only where one of these is not a key curve:
-    some take long."""
-    chosen: list[Curve] = []
-    for pattern in CURVES.get(outcome.key, ()):
-        first = next(
-            (
-                curve
-                for curves in (outcome.key_curves, outcome.curves)
-                for curve in curves
-                if like(curve.id, (pattern,))
-            ),
-            None,
-        )
-        chosen += [first] if first is not None else []
-    return chosen
+    """The curves of a step that a short report has, in its order.  Where the step makes them apart, the others are not
+    made: some take long."""
+    first: dict[int, Curve] = {}
+    for curve in tuple(outcome.key_curves) or outcome.curves:
+        if curve.short:
+            first.setdefault(curve.short, curve)
+    return [first[place] for place in sorted(first)]
 
 
 def near(check: Check) -> bool:

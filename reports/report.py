@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +14,6 @@ from calc.design.disk import write_file
 from calc.design.toml_file import Document
 from calc.locale import LANGUAGES, language
 from calc.locale.language import said
-from calc.sheet.deferred import Later, aside
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
@@ -25,6 +23,7 @@ from .blocks.chapter import Parts, chapter_parts, derivation
 from .blocks.checks import check_blocks, errata_blocks
 from .blocks.contents import ContentsEntry, contents_blocks, index_blocks, source_blocks
 from .blocks.drawing import drawing_blocks, wheel_blocks
+from .blocks.drive import drive_blocks, front_figure
 from .blocks.inputs import input_blocks, material_blocks
 from .blocks.nomenclature import nomenclature_blocks
 from .blocks.summary import closing_blocks, mended, step_anchor, summary_blocks
@@ -32,9 +31,8 @@ from .blocks.title_block import NOTE_LINES
 from .blocks.values import table_blocks, value_blocks
 from .blocks.words import verdict
 from .context import DEPTHS, Context, logo, stands
-from .figures.draughtsman import draughtsman
 from .figures.figures import figure_blocks
-from .figures.plots import Draughtsman, Plots
+from .figures.plots import Plots
 from .figures.sketches import sketch_figure
 from .pdf import attach
 from .pdf.binding import bind
@@ -52,7 +50,6 @@ if TYPE_CHECKING:
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
 CHAPTERS = ("verdicts_of", "proofs", "kept_checks", "key_values", "figures", "inputs")
 NEED = 0.15 * PAGE[1]  # a step begins on a new page unless so much is left
-Pictures = tuple[list[Block], list[Block]]  # of a step: its sketch, and its figures
 
 # How far the report is when its steps are solved whole, and when all that it holds is there and only the pages are to
 # be written
@@ -69,15 +66,13 @@ def write(
     lang: str = "en",
     front: bytes | None = None,
     progress: Progress | None = None,
-    draws: Draughtsman | None = None,
 ) -> Path:
     """Write the report of a solved design to `path`; `raw`, the bytes of its file, is attached to it.
 
     `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for
     a depth or a language that there is not.  `progress` is told every section and every page; what it raises ends the
-    writing, and no file is left. `draws`: who draws its figures, and may have begun to get ready before the design was
-    solved."""
-    report = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress, draws=draws)
+    writing, and no file is left."""
+    report = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress)
     path = write_file(path, report, inputs=inputs_of(document, results))
     tell(progress, 1.0, path.name)
     return path
@@ -99,7 +94,6 @@ def render(
     logo_file: bytes | None = None,
     front: bytes | None = None,
     progress: Progress | None = None,
-    draws: Draughtsman | None = None,
 ) -> bytes:
     """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design.
 
@@ -109,7 +103,7 @@ def render(
     context.drive = picked(front, document.data) if front is not None else None
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
-    pages = composed(blocks(context, part(progress, WHOLE, MADE), draws))
+    pages = composed(blocks(context, part(progress, WHOLE, MADE)))
     solved = attach.results_bytes(results)
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
     files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
@@ -150,31 +144,20 @@ def context_of(
     return Context(document, spoken, hashlib.sha256(raw).hexdigest(), depth, say, whole, picture)
 
 
-def blocks(context: Context, progress: Progress | None = None, draws: Draughtsman | None = None) -> list[Block]:
+def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
-    if context.depth == "engineer" and context.original is not None:
-        for key, original in context.original.outcomes.items():
-            curves = context.results.outcomes[key].key_curves
-            if isinstance(original.key_curves, Later) and isinstance(curves, Later):
-                curves.meanwhile()
-    nearest = aside(partial(mended, context))
     if context.depth == "summary":
-        summary = summary_blocks(context)
-        return closing_blocks(context, nearest(), summary)
+        return closing_blocks(context, mended(context), summary_blocks(context))
     entries: list[ContentsEntry] = []
     body: list[Block] = []
-    draws, plots = draws or draughtsman(), Plots(context.say)
+    plots = Plots(context.say)
     steps = [numbered for numbered in context.steps() if context.audit or numbered[2].state != "not_asked"]
-    pictures = [_pictures(context, step, outcome, plots) for _, step, outcome in steps]
     if context.drive is not None:
-        from .blocks.drive import drive_blocks, front_figure  # of one design in a hundred
-
         front = front_figure(context, context.drive, plots)
-    plots.begin(draws)
     summary = summary_blocks(context)
     for n, (number, step, outcome) in enumerate(steps):
         done = part(progress, n / len(steps), (n + 1) / len(steps))
-        body += _step(context, number, step, outcome, entries, pictures[n], done)
+        body += _step(context, number, step, outcome, entries, plots, done)
     w = context.words
     number = 1 + max((number for number, _, _ in steps), default=0)
     if context.drive is not None:
@@ -213,7 +196,7 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
     if context.audit and (index := index_blocks(body)):
         body += _section(f"{number}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
         body += index
-    summary = closing_blocks(context, nearest(), summary)
+    summary = closing_blocks(context, mended(context), summary)
     return (
         summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
     )
@@ -224,19 +207,13 @@ def _section(title: str, anchor: str, entries: list[ContentsEntry], *, need: flo
     return heading(title, HEADING, gap=18.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
-def _pictures(context: Context, step: Step, outcome: Outcome[object], plots: Plots) -> Pictures:
-    """The sketch of a step, and its figures: made before all else, so that they are drawn meanwhile."""
-    sketch = sketch_figure(context, step, outcome)
-    return sketch, figure_blocks(context.number(outcome), context.words["figure"], plots, wide=not context.audit)
-
-
 def _step(
     context: Context,
     number: int,
     step: Step,
     outcome: Outcome[object],
     entries: list[ContentsEntry],
-    pictures: Pictures,
+    plots: Plots,
     progress: Progress | None,
 ) -> list[Block]:
     """One step with its parts; or why there is nothing to show."""
@@ -260,7 +237,8 @@ def _step(
         context.cite(source, step)
     for erratum in original.errata:
         context.cite(erratum.source, step)
-    sketch, figures = pictures
+    sketch = sketch_figure(context, step, outcome)
+    figures = figure_blocks(context.number(outcome), context.words["figure"], plots, wide=not context.audit)
     if context.audit:
         parts = _everything(context, step, outcome, sketch + figures)
     else:

@@ -11,7 +11,6 @@ from hypothesis import settings
 
 from calc.design.toml_file import Document, read
 from calc.design.toml_file import design as checked
-from calc.sheet.reuse import SELDOM
 from calc.solve import Results, solve
 from calc.studies.published import Unmet, ValidationRow, rows, unmet
 
@@ -22,8 +21,8 @@ settings.load_profile("untimed")
 # programs that a test starts keep what they have compiled, as a user's do: it is a second for each
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
-# as the command line does: looking for garbage took a tenth of all tests, of those of the reports a quarter
-gc.set_threshold(*SELDOM)
+# looking for garbage took a tenth of all tests, of those of the reports a quarter
+gc.set_threshold(200_000, 20, 100)
 
 BEGUN = time.monotonic()
 ROOT = Path(__file__).parent.parent

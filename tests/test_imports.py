@@ -38,10 +38,15 @@ def test_headless_commands_load_numpy_and_no_more(arguments):
     assert not names & set(HEAVY)
 
 
-def test_help_loads_nothing_but_argparse():
+def test_help_loads_no_package():
     names = loaded("from assistant.cli import main; main(['--help'])")
     assert "argparse" in names
-    assert not names & {*HEAVY, "numpy", "tomllib", "json.decoder", "dataclasses"}
+    assert not names & {*HEAVY, "numpy"}
+
+
+def test_the_session_begins_without_numpy():
+    """It is loaded by the thread that solves first."""
+    assert "numpy" not in loaded("import assistant.app, assistant.screens.start")
 
 
 def test_inputs_can_be_read_without_numpy():

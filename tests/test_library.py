@@ -1,9 +1,7 @@
 """The program as a library: what the table of docs/python.md says of it, and what its packages offer."""
 
-import ast
 import re
 from importlib import import_module
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -61,20 +59,6 @@ def test_a_package_offers_what_it_lists(name):
     assert package.__all__ == sorted(package.__all__)
     for offered in package.__all__:
         assert getattr(package, offered).__doc__
-
-
-@pytest.mark.parametrize("name", PACKAGES)
-def test_the_type_checker_is_told_the_same_as_is_loaded(name):
-    """What stands under TYPE_CHECKING is what the names stand for when they are asked for."""
-    package = import_module(name)
-    tree = ast.parse(Path(package.__file__).read_text(encoding="utf-8"))
-    (typed,) = (node for node in tree.body if isinstance(node, ast.If))
-    for node in typed.body:
-        module = import_module("." * node.level + node.module, name)
-        for alias in node.names:
-            assert getattr(package, alias.asname or alias.name) is getattr(module, alias.name)
-    names = {alias.asname or alias.name for node in typed.body for alias in node.names}
-    assert names == set(package.__all__)
 
 
 def test_an_unknown_name_is_no_attribute():

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero check`: solve a design and print its verdicts, main values and findings, or all that it gives."""
 
+import json
+import shlex
 import sys
 from argparse import Namespace
 from collections.abc import Iterable, Sequence
@@ -10,13 +12,17 @@ from dataclasses import replace
 from assistant.results_text import print_results, results_json
 from calc.design.addresses import address, parse_assignment
 from calc.design.limits import SEARCH_SECONDS
+from calc.design.locks import standing
 from calc.design.model import STEPS, Design
 from calc.design.toml_file import Document, design, read
+from calc.sheet.check import named
 from calc.sheet.errors import BadInput, Cancelled, InputError
 from calc.sheet.progress import at_most
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
 from calc.solve import Results, solve
+from calc.studies.repair.nearest import nearest
+from calc.studies.repair.state import warned
 
 TRIES = 40  # designs that may be solved for checks that no search is made for: about a second
 
@@ -35,8 +41,6 @@ def run_check(asked: Namespace) -> int:
     results = solve(changed_design)
     verdict = exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
     if asked.json:
-        import json
-
         print(
             json.dumps(
                 results_json(document, results, asked.step, changes, measured=True), ensure_ascii=False, indent=1
@@ -68,13 +72,6 @@ def nearest_passing(
 
     `changes` are already in the document.  Where not all can be repaired, the last line says what still fails and why.
     """
-    import shlex  # for a design that fails only
-
-    from calc.design.locks import standing
-    from calc.sheet.check import named
-    from calc.studies.repair.nearest import nearest
-    from calc.studies.repair.state import warned
-
     try:
         repair = nearest(document, results, progress=at_most(SEARCH_SECONDS), only=step, tries=TRIES)
     except Cancelled:

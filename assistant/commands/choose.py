@@ -14,10 +14,11 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from assistant.commands.check import changed
-from assistant.offers import CHOICES, Offer
+from assistant.offers import Offer
 from assistant.offers import offer as offer_for
 from assistant.results_text import LINE, check_line, print_summary, sign, table_json, table_lines
 from assistant.session.editing import locked_text
+from assistant.session.guide import CHOICES
 from assistant.session.saving import asked_for, edited_text, write_asked
 from calc.design.addresses import parse_assignment
 from calc.design.disk import edit_file

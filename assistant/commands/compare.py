@@ -2,6 +2,7 @@
 """`contralbero compare`: two designs side by side: what the comparison comes to, the inputs that differ, the rest when
 asked for."""
 
+import json
 import sys
 import textwrap
 from argparse import Namespace
@@ -57,8 +58,6 @@ def run_compare(asked: Namespace) -> int:
         spare(Path(asked.output), asked.a, asked.b)
         return _write(sides, comparison, Path(asked.output), asked.lang, asked.all)
     if asked.json:
-        import json
-
         print(json.dumps(comparison_json(sides, comparison), ensure_ascii=False, indent=1, default=str))  # a date
     else:
         print("\n".join(text(sides, comparison, asked.all)))

@@ -7,10 +7,13 @@ import os
 import re
 import sys
 import time
+import tomllib
 from argparse import Namespace
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from assistant.commands.check import changed
 from assistant.results_text import print_summary, table_json, table_lines
@@ -23,6 +26,7 @@ from calc.studies.drive.classes import NotClosed, without_proof
 from calc.studies.drive.evolve import EVALUATIONS, evolved
 from calc.studies.drive.output import csv_text, json_text, power_of_ten, said, stood, table
 from calc.studies.drive.problem import Problem
+from calc.studies.drive.refusal import refusal
 from calc.studies.drive.search import FrontFound, FrontTable, asked, named, search
 from calc.studies.drive.solved_drive import Whole
 
@@ -227,8 +231,6 @@ def _without_proof(given: Namespace, problem: Problem, why: NotClosed, enough: C
 
 
 def _best(problem: Problem, known: FrontTable) -> str:
-    import numpy as np
-
     finite = known.objectives[np.isfinite(known.objectives).all(1)]
     if not len(finite):
         return ""
@@ -280,8 +282,6 @@ def drive_text(problem: Problem, drive: Document) -> str:
 
 
 def read_data(problem: Problem) -> dict[str, Any]:
-    import tomllib
-
     return tomllib.loads(problem.start.raw.decode("utf-8-sig"))
 
 
@@ -313,8 +313,6 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
 
 def nothing(given: Namespace, front: FrontFound) -> int:
     """Exit 3: what stops the search, and what alone would have to give way."""
-    from calc.studies.drive.refusal import refusal
-
     print(
         Text("nothing passes: {n} combinations", n=power_of_ten(front.table.combinations)), file=sys.stderr, flush=True
     )

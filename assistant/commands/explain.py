@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero explain`: the chain of formulas that leads to one value, back to the inputs."""
 
+import json
 from argparse import Namespace
+from difflib import get_close_matches
 from typing import Any
 
 from assistant.commands.published import reference_lines
@@ -10,14 +12,20 @@ from calc.design.key_results import outside
 from calc.design.model import Design
 from calc.design.toml_file import Document, load
 from calc.design.toml_file import design as design_of
+from calc.friction.inputs import FrictionInputs
+from calc.friction.studies.scenarios import as_design
 from calc.library.publications import resolved
 from calc.sheet.check import named
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.expression import line_json, line_text
 from calc.sheet.number import short
+from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
 from calc.sheet.value import Line
 from calc.solve import Results, solve
 from calc.studies.explain import Chains, Link, chain, origin, shortened
+
+SCENARIOS = dotted(Design.friction, FrictionInputs.scenarios)
 
 
 def run_explain(asked: Namespace) -> int:
@@ -27,12 +35,10 @@ def run_explain(asked: Namespace) -> int:
 
 def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     """A scenario is the design with its keys set: that one is explained."""
-    from calc.friction.studies.scenarios import as_design
-
     friction = design.friction
     assert friction is not None
-    scenario = next(s for s in friction.scenarios if asked.value.startswith(f"friction.scenarios.{s.name}."))
-    name, rest = scenario.name, asked.value.removeprefix(f"friction.scenarios.{scenario.name}.")
+    scenario = next(s for s in friction.scenarios if asked.value.startswith(f"{SCENARIOS}.{s.name}."))
+    name, rest = scenario.name, asked.value.removeprefix(f"{SCENARIOS}.{scenario.name}.")
     changes = as_design(friction, scenario, design.bearings is not None)
     for key, value in changes.items():
         document = document.with_value(key, value)
@@ -41,18 +47,16 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
             f"{key} left out" if value is None else f"{key} = {value}" for key, value in changes.items()
         )
         print(f"scenario {name}: the design with {assignments or 'nothing changed'}\n")
-    return _explain(Namespace(**{**vars(asked), "value": f"friction.{rest}"}), document, design_of(document))
+    return _explain(Namespace(**{**vars(asked), "value": dotted(Design.friction, rest)}), document, design_of(document))
 
 
 def _explain(asked: Namespace, document: Document, design: Design) -> int:
-    results = solve(design, traced=True)
+    results = solve(design)
     values = results.values()
     if asked.value not in values and (given := _given(document.data, asked.value)) is not None:
         print(f"{asked.value} = {given}   an input of the design file")
         return 0
     if asked.value not in values:
-        from difflib import get_close_matches
-
         for check in results.checks():
             if check.id == asked.value:
                 chains = Chains(results)
@@ -83,7 +87,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         raise BadInput(
             document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))]
         )
-    if asked.value.startswith("friction.scenarios."):
+    if asked.value.startswith(f"{SCENARIOS}."):
         return _scenario(asked, document, design)
     value = values[asked.value]
     head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}{_beyond(results, value.id)}"
@@ -102,11 +106,7 @@ def _print_chain(
     asked: Namespace, design: Design, head: str, lines: list[Link], taken: str | None, moved: str = ""
 ) -> int:
     """`taken`: the inputs of a number that no line gave; `moved`: those that move it."""
-    from calc.sheet.expression import line_json, line_text
-
     if asked.json:
-        import json
-
         print(
             json.dumps(
                 [line_json(link.line) | {"inputs": list(link.inputs)} | _provenance(link.line) for link in lines],

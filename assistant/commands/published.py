@@ -10,6 +10,7 @@ import textwrap
 from argparse import Namespace
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
+from difflib import get_close_matches
 from itertools import groupby
 from typing import Any
 
@@ -20,6 +21,7 @@ from calc.library.oil_formulas import viscosity_index
 from calc.library.oils import least_sure, printed_table, values_table
 from calc.library.publications import KINDS, KNOWN, Publication, references, register, resolved
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.formula import FORMULAS
 from calc.sheet.number import short
 from calc.sheet.step import Table
 from calc.sheet.text import Amount, Name, Text
@@ -106,9 +108,6 @@ def _users(row: Publication) -> Iterator[tuple[str, str]]:
 
 def _formulas() -> Mapping[str, str]:
     """The sources of all formulas: those of the modules that a solve loads, and of the searches."""
-    import calc.solve  # noqa: F401  (it registers the formulas)
-    from calc.sheet.formula import FORMULAS
-
     return {name.removeprefix("calc."): str(formula.source) for name, formula in sorted(FORMULAS.items())}
 
 
@@ -151,8 +150,6 @@ TEMPERATURES = (40.0, 60.0, 80.0, 100.0, 120.0)  # °C
 def run_oils(asked: Namespace) -> int:
     known = oils()
     if asked.name is not None and asked.name not in known:
-        from difflib import get_close_matches
-
         near = get_close_matches(asked.name, list(known), 1, 0.4)
         hint = Text('did you mean "{oil}"?', oil=near[0]) if near else Text("known are {oils}", oils=", ".join(known))
         raise BadInput(
@@ -160,8 +157,6 @@ def run_oils(asked: Namespace) -> int:
         )
     tables = _list(known.values()) if asked.name is None else _one_oil(known[asked.name])
     if asked.json:
-        import json
-
         about: dict[str, Any] = {"schema": 1, "program": "contralbero", "version": VERSION}
         if asked.name is not None:
             about |= {"oil": asked.name, "source": known[asked.name].source}
@@ -257,8 +252,6 @@ def run_errata(asked: Namespace) -> int:
     source = _document_meant(asked.source) if asked.source else ""
     errata = list(misprints(source))
     if asked.json:
-        import json
-
         rows = [
             {**{f.name: getattr(erratum, f.name) for f in fields(Misprint)}, "command": erratum.command}
             for erratum in errata
@@ -348,8 +341,6 @@ def run_validate(asked: Namespace) -> int:
     compared, missed = rows(), list(unmet())
     failed = [row for row in compared if row.verdict == "fail"]
     if asked.json:
-        import json
-
         print(
             json.dumps(
                 {

@@ -5,7 +5,6 @@ report: the calculation report as a PDF or as a Word document, and the verdicts 
 design inside a report again and says identical, signed, or what else the file is.  export: the results as JSON or CSV,
 the shaft or the gears as a DXF drawing."""
 
-import gc
 import sys
 from argparse import Namespace
 from importlib.util import find_spec
@@ -22,7 +21,7 @@ from calc.sheet.text import COMMA, Amount, Text
 from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
 from calc.solve import Results, solve
-from reports.figures.draughtsman import draughtsman
+from calc.studies.drive.front import NAME, Broken, picked
 from reports.verify.verify import Verdict, verify
 
 ENDINGS = ("pdf", "docx")
@@ -34,13 +33,8 @@ def run_report(asked: Namespace) -> int:
     document = read(source)
     kind, target = _target(asked, source)
     spare(target, asked.file)
-    draws = draughtsman() if kind == "pdf" and asked.depth != "summary" else None  # before what takes long to load
-    from assistant.results_text import print_summary
-    from calc.solve import solve
-
-    gc.disable()  # looking for garbage takes a tenth of a report, and hardly any is made
     try:
-        results = solve(design(document), traced=True)
+        results = solve(design(document))
         if kind == "docx":
             from reports.docx.docx_file import write as write_docx
 
@@ -49,7 +43,7 @@ def run_report(asked: Namespace) -> int:
             from reports.report import write
 
             front = _front(source, document)
-            write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang, front=front, draws=draws)
+            write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang, front=front)
     except OSError as error:
         raise BadInput(
             str(target),
@@ -64,8 +58,6 @@ def run_report(asked: Namespace) -> int:
                 )
             ],
         ) from None
-    finally:
-        gc.enable()
     print_summary(results)
     print(f"\n{target}")
     return 0
@@ -74,8 +66,6 @@ def run_report(asked: Namespace) -> int:
 def _front(source: Path, document: Document) -> bytes | None:
     """The front beside a design that is one of its drives.  One that can not be read is said, and the report is written
     without it."""
-    from calc.studies.drive.front import NAME, Broken, picked
-
     beside = source.with_name(NAME)
     if not beside.is_file():
         return None

@@ -6,21 +6,27 @@ three scenarios of the gear friction thesis.  With -o, the curves of each design
 runs scripted designs and compares with what they expect."""
 
 import csv
+import json
 import sys
 from argparse import Namespace
 from io import StringIO
 from pathlib import Path
 from typing import Any
 
+import tomli_w
+
 from assistant.results_text import table_json, table_lines
 from assistant.session.saving import asked_for, spare, write_asked
 from calc.design import replay
 from calc.design.disk import read_file, write_file
 from calc.design.limits import PDF_BYTES
+from calc.design.model import Design
 from calc.design.toml_file import Document, design, read
+from calc.friction.inputs import FrictionInputs
 from calc.friction.result import FrictionResult
 from calc.friction.studies.scenarios import ALONG, MODELS, tables
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.quantity import dotted
 from calc.sheet.step import Outcome, Table
 from calc.sheet.text import Text
 from calc.sheet.version import VERSION
@@ -45,8 +51,6 @@ def run_scenarios(asked: Namespace) -> int:
     shown = [(path, results.design.name, _tables(f, results.outcomes["friction"])) for path, _, results, f in cases]
     written = _write(Path(asked.output), cases) if asked.output else []
     if asked.json:
-        import json
-
         designs = [
             {"file": path.name, "name": name, "tables": {t.id: table_json(t) for t in shown_tables}}
             for path, name, shown_tables in shown
@@ -76,7 +80,8 @@ def _solved(path: Path) -> tuple[Document, Results]:
     document = read(path)
     parsed = design(document)
     if parsed.friction is None or not parsed.friction.scenarios:
-        raise BadInput(str(path), [InputError(0, "friction.scenarios", "", Text("there are none; {how}", how=HOW))])
+        key = dotted(Design.friction, FrictionInputs.scenarios)
+        raise BadInput(str(path), [InputError(0, key, "", Text("there are none; {how}", how=HOW))])
     return document, solve(parsed)
 
 
@@ -153,8 +158,6 @@ def run_replay(asked: Namespace) -> int:
 
 
 def _report(document: Document, results: Results, path: Path) -> None:
-    import tomli_w
-
     from reports.report import render
 
     print(Text("writes {path}", path=str(path)), flush=True)

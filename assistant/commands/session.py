@@ -13,10 +13,10 @@ from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
+from ..server import HOST, Local
+
 
 def run_serve(asked: Namespace) -> int:
-    from ..server import Local
-
     path = None
     if asked.file is not None:
         design(read(asked.file))  # a design with mistakes is an error here, not an empty page
@@ -37,8 +37,6 @@ def command(path: Path | None) -> list[str]:
 
 def probe(port: int) -> None:
     """Whether the port can be had.  Raises BadInput."""
-    from ..server import HOST
-
     if not 1 <= port <= 65535:
         raise _port(port, Text("is out of range; a port is a whole number from 1 to 65535"))
     with socket.socket() as trial:

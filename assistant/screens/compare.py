@@ -21,6 +21,7 @@ from calc.locale.language import in_language
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Name, Text, plural
 from calc.studies.compare import CheckDifference, Comparison
+from calc.studies.compare import compare as compared
 from calc.studies.compare_tables import (
     Names,
     check_table,
@@ -319,8 +320,6 @@ class CompareScreen(Once, Screen[str | None]):
     # --- solving
     @work(thread=True, exclusive=True, group="compare", exit_on_error=False)
     def _compare(self) -> None:
-        from calc.studies.compare import compare as compared
-
         mine = self.results
         failure = EMPTY
         if mine is None or not self.current:

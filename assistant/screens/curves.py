@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
+import numpy as np
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -70,8 +71,6 @@ def iterm2(png: bytes) -> Iterator[str]:
 
 def sixel(pixels: "NDArray[uint8]") -> Iterator[str]:
     """Rows of six dots, colour by colour; equal dots that follow each other are counted."""
-    import numpy as np
-
     step = 255 / (LEVELS - 1)
     levels = np.rint(pixels / step).astype(int)
     index = (levels[:, :, 0] * LEVELS + levels[:, :, 1]) * LEVELS + levels[:, :, 2]

@@ -14,17 +14,28 @@ from textual.content import Content
 from textual.widget import Widget
 from textual.widgets import Static
 
+from calc.countershaft.result import CountershaftResult
+from calc.design.toml_file import design
 from calc.sheet.errors import NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.remedy import Changes
 from calc.sheet.step import Table
 from calc.sheet.text import SEMICOLON, Name, Text
+from calc.studies.drive.classes import NotClosed
+from calc.studies.drive.evolve import EVALUATIONS, evolved
+from calc.studies.drive.output import UNIT, label, said, stood, table
+from calc.studies.drive.refusal import refusal
+from calc.studies.drive.search import FrontTable as Known
+from calc.studies.drive.search import asked, search
+from calc.studies.drive.solved_drive import mass, power
 
 from ..base_app import BaseApp
 from ..offers import Offer
+from ..session.compare_with import Chosen
 from ..session.session import Session
 from ..widgets.item_list import ItemList
 from ..widgets.text import fit, pad
+from .compare import CompareScreen
 from .selection import Choosing, OfferList, Searching
 
 if TYPE_CHECKING:
@@ -161,11 +172,6 @@ class Driving(Choosing):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        from calc.studies.drive.classes import NotClosed
-        from calc.studies.drive.evolve import EVALUATIONS, evolved
-        from calc.studies.drive.search import FrontTable as Known
-        from calc.studies.drive.search import asked, search
-
         problem, _ = asked(self.session.document, {})
         count = len(problem.classes)
 
@@ -191,8 +197,6 @@ class Driving(Choosing):
 
     def _nothing(self, front: "FrontFound", progress: Progress) -> Text:
         """What alone would have to give way."""
-        from calc.studies.drive.refusal import refusal
-
         why = refusal(front, progress)
         if why.always:
             return Text("every drive that was solved whole breaks {ids}", ids=", ".join(why.always))
@@ -205,8 +209,6 @@ class Driving(Choosing):
 
     def offered(self) -> Offer:
         """The drives that are shown, in the order that is asked for."""
-        from calc.studies.drive.output import table
-
         front = self.front
         assert front is not None
         numbers = self.shown
@@ -242,8 +244,6 @@ class Driving(Choosing):
         return {**self.front.problem.began, **self.front.drives[n - 1].changes}
 
     def _summary(self) -> tuple[Text, ...]:
-        from calc.studies.drive.output import label, said, stood
-
         front = self.front
         assert front is not None
         by = Text("sorted by {name}", name=label(front.problem, front.problem.objectives[self.sorted]))
@@ -260,8 +260,6 @@ class Driving(Choosing):
 
     # --- the points
     def _draw(self) -> None:
-        from calc.studies.drive.output import UNIT, label
-
         front = self.front
         if front is None:
             return
@@ -275,9 +273,6 @@ class Driving(Choosing):
 
     def _now(self, names: list[str]) -> tuple[tuple[float, float] | None, bool]:
         """The design as it is, and whether a limit of it fails."""
-        from calc.countershaft.result import CountershaftResult
-        from calc.studies.drive.solved_drive import mass, power
-
         results, bearings, front = self.session.results, self.session.design.bearings, self.front
         shaft = results.result(CountershaftResult) if results is not None else None
         if results is None or bearings is None or front is None or shaft is None or shaft.mass is None:
@@ -311,11 +306,6 @@ class Driving(Choosing):
         """The drive under the cursor beside the design, in full."""
         if self.front is None or not self.number:
             return
-        from calc.design.toml_file import design
-
-        from ..session.compare_with import Chosen
-        from .compare import CompareScreen
-
         document = self.front.drives[self.number - 1].document
         title = Text("drive {n}", n=self.number)
         self.app.push_screen(CompareScreen(self.session, Chosen(title, title, document.data, design(document))))

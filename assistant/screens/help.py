@@ -13,6 +13,7 @@ from textual.widgets import Static
 
 from calc.design.model import STEPS
 from calc.design.toml_file import REMARKS
+from calc.sheet.expression import plain, symbol
 from calc.sheet.text import COMMA, Amount, Text
 
 from ..actions import ACTIONS, BY_ID, key_names
@@ -178,8 +179,6 @@ class HelpScreen(Once, ModalScreen[None]):
         about = session.about(place)
         key = ".".join(map(str, place))
         unit = f", {say(Text('in {unit}', unit=about.unit))}" if about.unit else ""
-        from calc.sheet.expression import plain, symbol
-
         sign = f"   {plain(symbol(about.symbol))}" if about.symbol else ""
         explanation = f"{meaning(about, say, sourced=False)} {allowed(about, say)}".strip()
         lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(explanation)]

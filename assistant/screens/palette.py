@@ -30,6 +30,7 @@ from ..actions import ACTIONS, key_name
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NAME, NOTE
 from ..widgets.text import fit, folded, match
+from .explain import Explain
 from .path_dialogs import begin_with
 from .workbench import Workbench
 
@@ -201,8 +202,6 @@ async def to_check(work: Workbench, check: Check) -> None:
 
 
 def explain(work: Workbench, id: str) -> None:
-    from .explain import Explain
-
     async def to_value(key: str | None) -> None:
         if key is not None:
             await work.to_value(key)

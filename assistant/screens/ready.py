@@ -12,16 +12,20 @@ from textual.content import Content
 from textual.screen import Screen
 from textual.widgets import Static
 
+from calc.countershaft import sketch as shaft
 from calc.design.key_results import outside
 from calc.design.model import STEPS
 from calc.design.unusual import unusual
+from calc.engine import sketch as engine
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
-from calc.studies.ready import OPEN, StepState, headline, main_numbers, ready
+from calc.studies.headlines import headline, main_numbers
+from calc.studies.ready import OPEN, StepState, ready
 
 from ..base_app import BaseApp
 from ..session.places import label_of
 from ..session.session import Session
+from ..widgets.canvas import draw
 from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import states_of
 from ..widgets.text import fit, pad, wrap
@@ -201,11 +205,6 @@ def _title(step: str) -> Text:
 
 def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
     """The drive as its shaft in its bearings, else as its engine; nothing where neither is solved."""
-    from calc.countershaft import sketch as shaft
-    from calc.engine import sketch as engine
-
-    from ..widgets.canvas import draw
-
     results = session.results
     for step, make in (("countershaft", shaft.sketch), ("engine", engine.sketch)):
         if results is not None and results.outcomes[step].state == "solved":

@@ -19,7 +19,7 @@ from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
-from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked
+from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked, search
 
 from ..session.saving import SaveError, free_name, write_atomic
 from ..session.session import Session
@@ -211,8 +211,6 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[RepairOption]:
-        from calc.studies.repair.options import search
-
         yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 
     def show_found(self, result: RepairOption) -> None:

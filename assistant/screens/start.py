@@ -27,7 +27,7 @@ from ..session.beginnings import Beginning, Finding, finding, groups
 from ..session.recovery import Memory
 from ..session.session import Session
 from ..widgets.text import fit, folded, match, pad, wrap
-from .path_dialogs import begin_with
+from .path_dialogs import OpenDialog, begin_with
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -377,8 +377,6 @@ class Start(Screen[None]):
             self._open(EXAMPLE if row.kind == "example" else Path(row.id))
 
     def action_open(self) -> None:
-        from .path_dialogs import OpenDialog
-
         self.app.push_screen(OpenDialog(self.memory, Path.cwd()), self._enter)
 
     def _open(self, path: Path) -> None:

@@ -17,8 +17,9 @@ from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.remedy import assignment
 from calc.sheet.text import COMMA, EMPTY, Name, Text
 
-from ..offers import CHOICES
+from ..session.compare_with import edit_text
 from ..session.editing import BuildPlan, told
+from ..session.guide import CHOICES
 from ..session.places import Place, first_key
 from ..session.recording import Recording
 from ..session.recovery import Edits
@@ -28,6 +29,8 @@ from ..session.solving import mistake
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
+from .dialogs import Accept, LeaveOut
+from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, folder_of
 from .workbench_moves import WorkbenchMoves
 
 if TYPE_CHECKING:
@@ -93,8 +96,6 @@ class WorkbenchEdits(WorkbenchMoves):
         await self._travel(self.session.redo, Text("Done again"), Text("Nothing to redo."))
 
     async def _travel(self, travel: Callable[[], Place | None], done: Text, nothing: Text) -> None:
-        from ..session.compare_with import edit_text
-
         before = self.session.data
         idle = isinstance(self.focused, Form)  # a letter was the key, and the next one shall be a key as well
         place = travel()
@@ -205,8 +206,6 @@ class WorkbenchEdits(WorkbenchMoves):
     # --- accepting a finding
     def action_accept(self) -> None:
         """Accept the finding under the cursor, or take that back."""
-        from .dialogs import Accept
-
         check = self.checks.check
         if check is None:
             self.app.tell(Text("Go to a finding first."))
@@ -263,8 +262,6 @@ class WorkbenchEdits(WorkbenchMoves):
 
     def leave_step_out(self, step: str) -> None:
         """Ask why."""
-        from .dialogs import LeaveOut
-
         reason = str(as_table(self.session.data.get("without")).get(step, ""))
         self.app.push_screen(LeaveOut(step, reason, self.app.say), partial(self._left_out, self.session, step))
 
@@ -298,8 +295,6 @@ class WorkbenchEdits(WorkbenchMoves):
         self.show_state()
 
     def action_save_as(self) -> None:
-        from .path_dialogs import SaveDialog
-
         self.app.push_screen(SaveDialog(self.session), self._save_as)
 
     def _save_as(self, path: Path | None) -> None:
@@ -312,8 +307,6 @@ class WorkbenchEdits(WorkbenchMoves):
 
     # --- opening
     def action_open(self) -> None:
-        from .path_dialogs import OpenDialog, folder_of
-
         self.app.push_screen(OpenDialog(self.session.memory, folder_of(self.session), self.session.path), self._opened)
 
     async def _opened(self, session: Session | None) -> None:
@@ -365,14 +358,10 @@ class WorkbenchEdits(WorkbenchMoves):
 
     # --- report and export
     def action_report(self) -> None:
-        from .path_dialogs import folder_of
-
         if self._can_write():
             self._write(folder_of(self.session) / (self.session.home.stem + ".pdf"))
 
     def action_export(self) -> None:
-        from .path_dialogs import ExportDialog
-
         if not self._can_write():
             return
         data = self.session.data
@@ -423,7 +412,7 @@ class WorkbenchEdits(WorkbenchMoves):
 
         severity: SeverityLevel = "error"
         try:
-            from ..session.exporting import write_draft
+            from ..session.exporting import write_draft  # with numpy
 
             write_draft(path, draft, gears, progress, lang)
             text, severity = (
@@ -477,8 +466,6 @@ class WorkbenchEdits(WorkbenchMoves):
             return
         if not self._can_write():
             return
-        from .path_dialogs import RecordDialog
-
         self.app.push_screen(RecordDialog(self.session), self._recorded)
 
     def _recorded(self, path: Path | None) -> None:

@@ -2,7 +2,10 @@
 """Where the main screen's keys lead, and what they show: a step, a pane, a field, a check, a line, a curve, or a screen
 of its own; none of it changes the design."""
 
+import os
 from typing import Any
+
+from textual.app import SuspendNotSupported
 
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, severity
@@ -23,6 +26,8 @@ from ..widgets.item_list import ItemList
 from ..widgets.radio import Radio
 from ..widgets.steps import nothing_left, states_of
 from ..widgets.table_list import TableList
+from .help import HelpScreen
+from .path_dialogs import CompareWith
 from .workbench_panes import VIEWS
 from .workbench_results import WorkbenchResults
 
@@ -228,10 +233,6 @@ class WorkbenchMoves(WorkbenchResults):
 
     def action_pixels(self) -> None:
         """The curve as the report has it, on a terminal that shows pixels."""
-        import os
-
-        from textual.app import SuspendNotSupported
-
         from .curves import protocol, show
 
         curve = self.curve_pane.curve
@@ -275,7 +276,6 @@ class WorkbenchMoves(WorkbenchResults):
     def action_compare(self) -> None:
         """Ask what to compare with, show the comparison, and go where the user wants to."""
         from .compare import CompareScreen
-        from .path_dialogs import CompareWith
 
         app, session = self.app, self.session
         if not session.valid:
@@ -344,8 +344,6 @@ class WorkbenchMoves(WorkbenchResults):
 
     # --- help, palette, copy, end
     def action_help(self) -> None:
-        from .help import HelpScreen
-
         self.app.push_screen(HelpScreen(self))
 
     def action_palette(self) -> None:

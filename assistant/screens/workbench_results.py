@@ -22,8 +22,8 @@ from calc.sheet.step import Curve, Outcome, Step, Table
 from calc.sheet.text import EMPTY, Name, Text, plural
 
 from ..base_app import TYPING
-from ..offers import CHOICES
 from ..session.calculation import CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
+from ..session.guide import CHOICES
 from ..session.places import Place, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
@@ -242,7 +242,7 @@ class WorkbenchResults(WorkbenchPanes):
         try:
             if not self._is_written(results, step):
                 try:
-                    whole = said(results.traced(stop).outcomes[step.key].whole, say)
+                    whole = said(results.outcomes[step.key].whole, say)
                     calculation = sheet(whole, STEPS.index(step) + 1, say, stop)
                     values = () if whole.result is None else (values_table(whole, say),)
                     page = Page(outcome, say, whole, calculation, (*whole.curves, *whole.tables, *values))

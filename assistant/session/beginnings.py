@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from calc.engine.inputs import EngineInputs
 from calc.sheet.errors import BadInput
+from calc.sheet.quantity import dotted
 from calc.sheet.text import EMPTY, Amount, Text, plural
 from calc.studies.shipped import EXAMPLE, engine_table, engines
 
@@ -80,7 +82,7 @@ def shown(folder: Path) -> str:
 
 
 def _size(engine: dict[str, Any]) -> Text:
-    bore, stroke = float(engine["bore_mm"]), 2 * float(engine["crank_radius_mm"])
+    bore, stroke = float(engine[dotted(EngineInputs.bore)]), 2 * float(engine[dotted(EngineInputs.crank_radius)])
     return Text("{bore} × {stroke}", bore=Amount(bore, form="g"), stroke=Amount(stroke, "mm", form="g"))
 
 

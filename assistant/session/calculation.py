@@ -17,6 +17,7 @@ from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, Cancelled
+from calc.sheet.expression import line_text
 from calc.sheet.step import Erratum, Outcome, Table
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Small, Text
 from calc.sheet.value import leaves, link_of
@@ -67,8 +68,6 @@ def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[],
 
     Raises Cancelled as soon as `stop` says so.
     """
-    from calc.sheet.expression import line_text
-
     number_of = {line: i for i, line in enumerate(outcome.lines)}
     values = {v.id: v.inside for v in outcome.values()}
 

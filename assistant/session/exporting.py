@@ -11,15 +11,22 @@ from typing import TYPE_CHECKING
 
 from assistant.results_text import results_json
 from assistant.session.saving import Draft, write_asked
+from calc.countershaft.result import CountershaftResult
 from calc.design.toml_file import Document
+from calc.gears.profile.drawing import LAYERS, train_drawing, wheel_drawing
+from calc.gears.profile.outline import CHORD_ERROR
+from calc.gears.result import TrainResult
+from calc.mounting.operations import rows as transfer_rows
+from calc.mounting.result import MountingResult
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.progress import Progress
 from calc.sheet.text import Text
 from calc.solve import Results
+from calc.studies.drawings import sheets
+from reports.dxf import dxf, sheet_dxf
 
 if TYPE_CHECKING:
     from calc.gears.inputs import GearsInputs
-    from calc.gears.result import TrainResult
 
 KINDS = {"dxf": Text("a drawing of the shaft or of the gears"), "csv": Text("the values"), "json": Text("all results")}
 HOW = Text(
@@ -35,7 +42,7 @@ def write_draft(
     Cancelled."""
     document, results = draft.solved()
     if path.suffix.lower() == ".pdf":
-        from reports.report import write
+        from reports.report import write  # with matplotlib and reportlab
 
         write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
     else:
@@ -79,9 +86,6 @@ def values_text(document: Document, results: Results) -> str:
 
 def transfer_text(document: Document, results: Results) -> str:
     """How every point of the engine's mounting moves under unit forces and moments, over frequency."""
-    from calc.mounting.operations import rows as transfer_rows
-    from calc.mounting.result import MountingResult
-
     mounting = results.result(MountingResult)
     if mounting is None or not mounting.system.mounting.points:
         reason = Text("needed with [[mounting.points]] for transfer functions")
@@ -114,8 +118,6 @@ def drawing_text(document: Document, results: Results) -> str:
             document.place,
             [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))],
         )
-    from calc.countershaft.result import CountershaftResult
-
     solved = results.result(CountershaftResult)
     outline = solved.outline if solved is not None else None
     if outline is None:
@@ -135,18 +137,11 @@ def drawing_text(document: Document, results: Results) -> str:
                 )
             ],
         )
-    from calc.studies.drawings import sheets
-    from reports.dxf import sheet_dxf
-
     return sheet_dxf(sheets(results, data=document.data)[0])
 
 
 def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:
     """One wheel with its table of data, or the whole train, as a DXF file.  `chord_error` in µm."""
-    from calc.gears.profile.drawing import LAYERS, train_drawing, wheel_drawing
-    from calc.gears.profile.outline import CHORD_ERROR
-    from reports.dxf import dxf
-
     train, gears, name = _train(document, results, wheel), results.design.gears, results.design.name
     error = CHORD_ERROR if chord_error is None else chord_error * 1e-6
     if wheel is not None:
@@ -166,8 +161,6 @@ def _positions(train: "TrainResult", gears: "GearsInputs") -> dict[str, tuple[fl
 
 def _train(document: Document, results: Results, wheel: str | None) -> "TrainResult":
     """The solved train.  Raises BadInput where there is none, or not the wheel."""
-    from calc.gears.result import TrainResult
-
     train = results.result(TrainResult)
     if results.design.gears is None:
         raise BadInput(

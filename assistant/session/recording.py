@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table, address
+from calc.design.replay import played
 from calc.design.toml_file import Document
 from calc.sheet.errors import BadInput
 
@@ -114,8 +115,6 @@ def step(before: Table, after: Table) -> "Step":
 
 def _leads(before: Table, step: "Step", after: Table) -> bool:
     """The replay comes to the same design by this step; it need not where an element is renamed among other changes."""
-    from calc.design.replay import played
-
     try:
         return played(Document(before), step).data == after
     except BadInput:

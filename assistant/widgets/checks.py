@@ -17,7 +17,6 @@ from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
-from calc.studies.ready import share
 
 from ..session.places import label_of
 from .item_list import Item, ItemList
@@ -301,7 +300,7 @@ class Checks(ItemList):
         against = Text(
             "{value}, needs {limit}", value=Amount(check.value, check.unit, digits=3), limit=check.limit_text()
         )
-        style, ratio = signs.style(check.verdict), share(check)
+        style, ratio = signs.style(check.verdict), check.share
         first: list[Content | tuple[str, str] | str] = [indent, say(held if ratio is not None else against)]
         if ratio is not None:
             first += ["  ", bar(ratio, signs, style), "  ", (say(check.margin_text()), style)]

@@ -27,8 +27,8 @@ from calc.sheet.text import COMMA, EMPTY, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.guide import GUIDES, NAMED, ROUTE, TAKEN, fold_at
-from ..session.places import Place, content_at, key_at
+from ..session.guide import GUIDES, fold_at, taken_over
+from ..session.places import Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, side
@@ -61,7 +61,7 @@ class GuideText(Static):
         word, text = (Text("Try"), guide.trying) if fails else (Text("Good"), guide.good)
         if word != self._shown or self.app.guiding != self._guiding:
             self._shown, self._guiding = word, self.app.guiding
-            question = Content.styled(say(ROUTE[self.step].question), "bold")
+            question = Content.styled(say(guide.question), "bold")
             self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
 
 
@@ -90,7 +90,7 @@ class Taken(ItemList):
         items = []
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
-        for id in TAKEN.get(self.step, ()):
+        for id in taken_over(self.step, self.session.data, values):
             owner = id.partition(".")[0]
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear
@@ -198,7 +198,7 @@ class FormParts:
 
     def _words(self, row: FormRow) -> tuple[str, ...]:
         """The names that a field of a catalogue may hold."""
-        catalogue = NAMED.get(key_at(row.place)) if row.about.kind == "text" else None
+        catalogue = row.about.catalogue
         return tuple(getattr(self._session.design, catalogue)) if catalogue else ()
 
 

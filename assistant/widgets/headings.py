@@ -18,7 +18,7 @@ from calc.sheet.quantity import keys
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
-from ..session.guide import ROUTE
+from ..session.guide import DOCUMENT, NOTE
 from ..session.places import content_at
 from ..session.session import Session
 from .entry import LEAVING
@@ -170,8 +170,6 @@ class ArrayHeading(Widget, can_focus=True):
         return self._clicked(Content.styled(text, "bold" if self.has_focus else "dim"), action)
 
     def _clicked(self, content: Content, action: str) -> Content:
-        from textual.style import Style
-
         return content.stylize(Style.from_meta({"@click": action}))
 
     def action_leaf(self, by: int) -> None:
@@ -314,7 +312,7 @@ class Fold(Widget, can_focus=True):
             cell
             for row in self.row.inside
             for cell in (row.inside or (row,))
-            if cell.kind == "field" and cell.place[0] in ROUTE
+            if cell.kind == "field" and cell.place[:1] not in (DOCUMENT, NOTE)
         )
         assumed = sum(cell.about.optional and content_at(self.session.data, cell.place) is None for cell in cells)
         title = f"{self.row.about.label} ({len(self.row.inside)})"

@@ -11,7 +11,7 @@ from textual.worker import get_current_worker
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import Amount, Text
 
-from ..session.guide import ROUTE
+from ..session.guide import GUIDES
 from ..session.session import Session
 from .item_list import Item, ItemList
 from .text import pad, wrap
@@ -34,7 +34,7 @@ class Radio(ItemList, inherit_bindings=False):
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
         say = self.app.say
-        return say(ROUTE[self.step].question), say(Text("↑ ↓ choose, Enter takes it; undo takes it back."))
+        return say(GUIDES[self.step].question), say(Text("↑ ↓ choose, Enter takes it; undo takes it back."))
 
     def action_take(self) -> None:
         self.choose()
@@ -64,7 +64,7 @@ class Todo(Radio):
             rows = [Content.styled(row, "dim") for row in wrap(f"    {words}", width - 1, 4)]
             items = [Item("", rows, line=words)]
         else:
-            items = [self._offer(self.BUILD, say(ROUTE[self.step].builds), False, width)]
+            items = [self._offer(self.BUILD, say(GUIDES[self.step].builds), False, width)]
         leave = say(Text("leave it out"))
         return [*items, self._offer(self.LEAVE, f"{leave}: {reason}" if reason else leave, bool(reason), width)]
 

@@ -14,20 +14,21 @@ from textual.widget import Widget
 
 from calc.design.addresses import Table
 from calc.design.model import Design
+from calc.engine.inputs import EngineInputs
 from calc.locale import Language
-from calc.sheet.quantity import Quantity, keys
+from calc.sheet.quantity import Quantity, dotted, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
-from ..session.guide import DOCUMENT, FIRST, NAME, NOTE, ROUTE, STROKE, covers, document_fold, fold_of, idle, path_of
+from ..session.guide import DOCUMENT, FIRST, NAME, NOTE, STROKE, document_fold, fold_at, folds, idle, layout_of
 from ..session.places import Place
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
-RADIUS: Place = ("engine", "crank_radius_mm")
+RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
 TWICE = Quantity(
-    "number", Text("Stroke"), "mm", above=0, help=Text("Twice the crank radius, which the design file has.")
+    "number", Text("Stroke"), "mm", above=0, decides=2, help=Text("Twice the crank radius, which the design file has.")
 )  # in no file
 
 
@@ -59,29 +60,29 @@ class Asked:
 
 def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
     """The rows of a step's form in the order in which they decide; of the folds only what is in the open ones."""
-    leg = ROUTE[step.key]
     form_rows = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
     if step.key == FIRST:
         form_rows.append(FormRow("stroke", (FIRST, STROKE), TWICE, required=True))
-    in_fold: list[list[FormRow]] = [[] for _ in leg.folds]
-    deciding: list[list[FormRow]] = [[] for _ in leg.deciding]
-    for row in form_rows:
-        path = path_of(row.place)
-        if (n := fold_of(step.key, path)) is None:
-            deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(pattern, path))].append(row)
-        elif row.kind in ("array", "columns") and any(pattern.startswith(f"{path}.") for pattern in leg.deciding):
-            deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(path, pattern))].insert(0, row)
-        else:
-            in_fold[n].append(row)
     ordered = [_of_design(NAME, required=True)] if step.key == FIRST else []
-    ordered += [row for group in deciding for row in group]
-    for n, (title, _) in enumerate(leg.folds):
-        if inside := in_fold[n]:
+    ordered += sorted((row for row in form_rows if _rank(row)), key=_rank)
+    folded = [row for row in form_rows if not _rank(row)]
+    for n, title in enumerate(folds(step.key)):
+        if inside := tuple([row for row in folded if fold_at(step.key, row.place) == n]):
             ordered.append(
-                FormRow("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened)
+                FormRow("fold", (step.key, f"+{n}"), Quantity("table", title), inside=inside, open=n in opened)
             )
             ordered += inside if n in opened else []
     return [*ordered, *_document(data, asked, opened)] if step.key == FIRST else ordered
+
+
+def _rank(row: FormRow) -> int:
+    """Which of the few that decide a row is, from 1; 0 in a fold.  The heading of several elements stands before what
+    decides of each."""
+    about = row.about if row.kind == "stroke" else layout_of(row.place)
+    if about is not None and about.decides:
+        return about.decides
+    inside = keys(row.about.table).values() if row.about.table and row.kind in ("array", "columns") else ()
+    return min((key.about.decides for key in inside if key.about.decides), default=0)
 
 
 def _of_design(place: Place, *, required: bool = False) -> FormRow:

@@ -11,7 +11,7 @@ from textual.widget import Widget
 
 from calc.design.model import STEPS
 from calc.sheet.text import Text, plural
-from calc.studies.ready import StepState, headline, readiness, ready
+from calc.studies.ready import StepState, readiness, ready
 
 from ..actions import BY_ID
 from ..base_app import BaseApp
@@ -75,11 +75,11 @@ class Steps(ItemList):
             Content.assemble(INDENT, (fit(say(state.words), room), loud)),
         ]
         results = self.session.results
-        shown = (
-            headline(results, state.key)
-            if results is not None and state.state in ("fail", "not_verified", "warn", "ready")
-            else None
-        )
+        shown = None
+        if results is not None and state.state in ("fail", "not_verified", "warn", "ready"):
+            from calc.studies.headlines import headline  # with numpy
+
+            shown = headline(results, state.key)
         if shown is not None:
             long, brief = (say(text).replace("→", signs.mark("then")) for text in (shown.text, shown.brief))
             rows.append(Content(f"{INDENT}{long if len(long) <= room else fit(brief, room)}"))

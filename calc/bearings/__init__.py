@@ -1,28 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plain bearings: film, friction, oil flow, temperature, clearance, what suits them, and a search for better ones."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import Any
 
-from ..sheet.lazy import lazy
+# what this package offers, each from its module; loaded when it is asked for
+OFFERED = {
+    "Feed": ".film.grooved",
+    "film_at": ".film.table",
+    "relative_clearance": ".formulas",
+    "solve_film": ".solve",
+    "solve_grooved": ".film.grooved",
+    "sommerfeld": ".formulas",
+    "specific_load": "..library.journal_rules",
+}
+__all__ = [*OFFERED]
 
-__all__ = ["Feed", "film_at", "relative_clearance", "solve_film", "solve_grooved", "sommerfeld", "specific_load"]
 
-if TYPE_CHECKING:
-    from ..library.journal_rules import specific_load
-    from .film.grooved import Feed, solve_grooved
-    from .film.table import film_at
-    from .formulas import relative_clearance, sommerfeld
-    from .solve import solve_film
-else:
-    __getattr__ = lazy(
-        __name__,
-        {
-            "Feed": ".film.grooved",
-            "film_at": ".film.table",
-            "relative_clearance": ".formulas",
-            "solve_film": ".solve",
-            "solve_grooved": ".film.grooved",
-            "sommerfeld": ".formulas",
-            "specific_load": "..library.journal_rules",
-        },
-    )
+def __getattr__(name: str) -> Any:
+    if name not in OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(OFFERED[name], __name__), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

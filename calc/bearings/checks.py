@@ -24,8 +24,8 @@ from ..library.journal_rules import (
 )
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import clearance_limits, parse
-from ..sheet.arrays import element, has_lanes
 from ..sheet.check import Check, check
+from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import Metre
@@ -48,7 +48,7 @@ LOST_BY_SHEAR = 0.3  # of its viscosity, at the most, by a multigrade oil at 150
 def least_film(d: float, u: float) -> float | None:
     """h_lim of a journal from 24 to 160 mm; None outside."""
     column = sum(u > limit for limit in SPEEDS)
-    return next((element(row, column) for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
+    return next((row[column] for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
 
 
 def oil_check(inputs: BearingsInputs, oil: Oil) -> Check | None:
@@ -373,7 +373,7 @@ def _bearing_check(
 
 def _longer(place: str, bearing: BearingInputs, times: float, bare: float = 0.0) -> Callable[[], tuple[Remedy, ...]]:
     """A bearing so many times as long, but for what of its length is `bare` and stays."""
-    key = f"bearings.{place}.length_mm"
+    key = dotted("bearings", place, BearingInputs.length)
 
     def ways() -> tuple[Remedy, ...]:
         length = up(bare + (bearing.length - bare) * times) if math.isfinite(times) else None
@@ -390,7 +390,7 @@ def _within(
     def ways() -> tuple[Remedy, ...]:
         low, high = (lands * ratio * bearing.diameter + groove for ratio in ratios)
         short_ = bearing.length < low
-        key, length = f"bearings.{place}.length_mm", up(low) if short_ else down(high)
+        key, length = dotted("bearings", place, BearingInputs.length), up(low) if short_ else down(high)
         return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if short_ else "<=")()
 
     return ways
@@ -415,7 +415,7 @@ def edge_when_thinned(r: BearingResult) -> Metre:
 
 def told_when_thinned(r: BearingResult) -> Amount | Text:
     edge = edge_when_thinned(r)
-    return Text("nothing") if not has_lanes(edge) and math.isnan(edge) else Amount(edge * 1e6, "µm")
+    return Text("nothing") if math.isnan(edge) else Amount(edge * 1e6, "µm")
 
 
 def _outside(r: BearingResult) -> Text:

@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 
 from ..library.tolerances import deviations, parse, tolerance
-from ..sheet.arrays import Array, each, many, one
+from ..sheet.arrays import Array, each, many
 from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
@@ -135,7 +135,7 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
         clearance = least if j > s else most if s > j else item(g[worst])
         factor = f.viscosity_factor(t_nu=inputs.viscosity_tolerance, o=float(o))
         return closed(
-            own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, one(rise[points][worst])
+            own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, rise[points][worst].item()
         )
 
     with about(Text("{bearing}, thinnest corner", bearing=bearing)):

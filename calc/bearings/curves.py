@@ -75,6 +75,7 @@ def _over_speed(place: str, r: BearingResult) -> Curve:
         point=(r.duty.speed * 60, r.film_edge * 1e6),
         fails=r.film_edge < r.kreisle_film,
         band=band,
+        short=1,
     )
 
 

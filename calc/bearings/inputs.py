@@ -17,7 +17,7 @@ from ..library.journal_rules import (
     USUAL_LENGTH,
 )
 from ..library.tolerances import ASSUMED_FIT, Assumed
-from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from .materials import DEFAULT_APPLICATION
 
@@ -48,7 +48,7 @@ class BearingInputs:
         change=("smaller journal", "larger journal"),
         repair="free",
         brief="diameter",
-        decides=True,
+        decides=3,
     )
     length: float = quantity(
         "Length",
@@ -61,7 +61,7 @@ class BearingInputs:
         help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH),
         change=("shorter journal", "longer journal"),
         repair="free",
-        decides=True,
+        decides=4,
     )
     clearance: float | None = quantity(
         "Clearance (diametral)",
@@ -80,7 +80,7 @@ class BearingInputs:
         change=("smaller clearance", "larger clearance"),
         repair="free",
         brief="clearance",
-        decides=True,
+        decides=5,
     )
     clearance_factor: float | None = quantity(
         "Clearance factor K",
@@ -94,7 +94,7 @@ class BearingInputs:
         help="Clearance g = K·d·u^¼ in mm, m and m/s.",
         change=("smaller clearance", "larger clearance"),
         repair="free",
-        decides=True,
+        decides=6,
     )
     load: float | None = quantity(
         "Load",
@@ -136,9 +136,9 @@ class BearingInputs:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.clearance is not None and self.clearance_factor is not None:
-            yield "clearance_um", Text("give either clearance_um or clearance_factor, one of the two")
+            yield dotted(BearingInputs.clearance), Text("give either clearance_um or clearance_factor, one of the two")
         if self.clearance is not None and self.clearance >= 0.1 * self.diameter:
-            yield "clearance_um", Text("must stay below a tenth of the diameter")
+            yield dotted(BearingInputs.clearance), Text("must stay below a tenth of the diameter")
 
 
 @inputs
@@ -150,7 +150,8 @@ class BearingsInputs:
         help="A name from the table of oils or from [[oil]].",
         change=("thinner oil", "thicker oil", "another oil"),
         catalogue="oils",
-        decides=True,
+        decides=1,
+        taken_by=("friction",),
     )
     supply_temperature: float = quantity(
         "Supply temperature",
@@ -163,7 +164,8 @@ class BearingsInputs:
         source=THUMB,
         help="Of the oil in the gallery before the bearing.",
         repair="asked",
-        decides=True,
+        decides=2,
+        taken_by=("friction",),
     )
     supply_pressure: float = quantity(
         "Supply pressure",
@@ -203,6 +205,7 @@ class BearingsInputs:
         ),
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
+        where=(supply, "hole", "shaft"),
     )
     housing_material: str = text(
         "Housing material",
@@ -210,6 +213,7 @@ class BearingsInputs:
         change=("another housing",),
         catalogue="materials",
         fold=MATERIALS,
+        taken_by=("gears",),
     )
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)
@@ -224,6 +228,7 @@ class BearingsInputs:
         help="Width of the oil groove along the shaft; it carries no load.",
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
+        where=(supply, "groove"),
     )
     pocket_width: float | None = quantity(
         "Pocket width",
@@ -240,6 +245,7 @@ class BearingsInputs:
         ),
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
+        where=(supply, "pocket"),
     )
     groove_arc: tuple[float, ...] | None = series(
         "Groove from and to",
@@ -251,6 +257,7 @@ class BearingsInputs:
         symbol="delta_G",
         source="DIN 31652-2",
         help="Angles from the load, 180 opposite to it. Left out: all round.",
+        where=(supply, "groove"),
     )
     supply_angle: float = quantity(
         "Angle from load to supply",
@@ -272,6 +279,7 @@ class BearingsInputs:
         symbol="l_P",
         help="Around the seat; the flow does not ask for it.",
         repair="free",
+        where=(supply, "pocket"),
     )
     axial_groove_angles: tuple[float, ...] | None = series(
         "Axial grooves at",
@@ -282,6 +290,7 @@ class BearingsInputs:
         high=360,
         symbol="delta_A",
         help="Middles, from the load in the sense in which the film is dragged past it; [90, 270] for a split bearing.",
+        where=(supply, "axial_groove"),
     )
     axial_groove_width: float | None = quantity(
         "Axial groove width",
@@ -291,6 +300,7 @@ class BearingsInputs:
         high=500,
         symbol="w_A",
         help="Around the seat; the film ends at its edges.",
+        where=(supply, "axial_groove"),
     )
     axial_groove_length: float | None = quantity(
         "Axial groove length",
@@ -300,6 +310,7 @@ class BearingsInputs:
         high=1000,
         symbol="l_A",
         help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.",
+        where=(supply, "axial_groove"),
     )
     lubrication: str = choice(
         "Lubrication",
@@ -499,20 +510,22 @@ class BearingsInputs:
         return not (isinstance(self.journal_fit, Assumed) and isinstance(self.seat_fit, Assumed))
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        needs = {
-            "hole": ("hole_diameter",),
-            "shaft": ("hole_diameter",),
-            "groove": ("groove_width",),
-            "pocket": ("pocket_width",),
-            "axial_groove": ("axial_groove_angles", "axial_groove_width", "axial_groove_length"),
-        }
-        for name in needs[self.supply]:
-            if getattr(self, name) is None:
-                unit = "deg" if name.endswith("angles") else "mm"
-                yield f"{name}_{unit}", Text('needed with supply = "{supply}"', supply=self.supply)
+        hole = dotted(BearingsInputs.hole_diameter), self.hole_diameter
+        groove = dotted(BearingsInputs.groove_width), self.groove_width
+        pocket = dotted(BearingsInputs.pocket_width), self.pocket_width
+        axial_length = dotted(BearingsInputs.axial_groove_length), self.axial_groove_length
+        axial: tuple[tuple[str, object], ...] = (
+            (dotted(BearingsInputs.axial_groove_angles), self.axial_groove_angles),
+            (dotted(BearingsInputs.axial_groove_width), self.axial_groove_width),
+            axial_length,
+        )
+        needs = {"hole": (hole,), "shaft": (hole,), "groove": (groove,), "pocket": (pocket,), "axial_groove": axial}
+        for key, given in needs[self.supply]:
+            if given is None:
+                yield key, Text('needed with supply = "{supply}"', supply=self.supply)
         if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
             yield (
-                "load_speed_ratio",
+                dotted(BearingsInputs.load_speed_ratio),
                 Text(
                     "the load would turn at half the speed of the surfaces, where no film is built up; must be away "
                     "from "
@@ -523,12 +536,12 @@ class BearingsInputs:
             )
         if self.bush_speed_ratio == 1:
             yield (
-                "bush_speed_ratio",
+                dotted(BearingsInputs.bush_speed_ratio),
                 Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed"),
             )
         if self.supply == "axial_groove" and self.load_speed_ratio != self.bush_speed_ratio:
             yield (
-                "supply",
+                dotted(BearingsInputs.supply),
                 Text(
                     "a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = "
                     "bush_speed_ratio"
@@ -539,36 +552,38 @@ class BearingsInputs:
             and self.axial_groove_angles is not None
             and self.axial_groove_width is not None
         ):
-            for place, bearing in (("front", self.front), ("rear", self.rear)):
+            for place, bearing in (
+                (dotted(BearingsInputs.front), self.front),
+                (dotted(BearingsInputs.rear), self.rear),
+            ):
                 angles = sorted(angle % (2 * pi) for angle in self.axial_groove_angles)
                 apart = min(b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * pi]))
                 if apart <= 2 * self.axial_groove_width / bearing.diameter:
                     yield (
-                        "axial_groove_angles_deg",
+                        dotted(BearingsInputs.axial_groove_angles),
                         Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place]),
                     )
         if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
-            yield "groove_arc_deg", Text("must rise: from, to")
+            yield dotted(BearingsInputs.groove_arc), Text("must rise: from, to")
         if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
-            yield "speed_range_rpm", Text("must rise: from, to")
+            yield dotted(BearingsInputs.speed_range), Text("must rise: from, to")
         placed = True
         for name, of in (("journal_fit", "shaft"), ("seat_fit", "hole")):
             if (wrong := fits.problem(getattr(self, name), of)) is not None:
                 yield name, wrong
             placed = placed and wrong is None and fits.parse(getattr(self, name)).letter is not None
-        for place, bearing in (("front", self.front), ("rear", self.rear)):
+        for place, bearing in ((dotted(BearingsInputs.front), self.front), (dotted(BearingsInputs.rear), self.rear)):
             if bearing.clearance is None and bearing.clearance_factor is None and not placed:
                 letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
                 yield (
-                    f"{place}.clearance_um",
+                    dotted(place, BearingInputs.clearance),
                     Text("give clearance_um or clearance_factor, or {letters}", letters=letters),
                 )
-            for name in ("hole_diameter", "groove_width", "pocket_width", "axial_groove_length"):
-                width = getattr(self, name)
+            for key, width in (hole, groove, pocket, axial_length):
                 if width is not None and width >= bearing.length:
                     length = Amount(bearing.length * 1e3, "mm")
                     yield (
-                        f"{name}_mm",
+                        key,
                         Text(
                             "must be smaller than the length of the {place} bearing, {length}",
                             place=IN_WORDS[place],

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..countershaft.result import Standing
 from ..library.journal_rules import TRUMPLER, TRUMPLER_START_LOAD
-from ..sheet.arrays import each, many, one
+from ..sheet.arrays import each, many
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
@@ -170,7 +170,7 @@ def answered(film: Film, duty: OperatingPoint, friction_power: Watt | None = Non
     """The answer at a duty, from the films at `loads_beside`.  `friction_power`: at that duty, where it is known; nan:
     no film is found."""
     power = many(film.friction_power)
-    below, at, above = (each(power[..., i]) if power.ndim > 1 else one(power[i]) for i in range(3))
+    below, at, above = (each(power[..., i]) if power.ndim > 1 else power[i].item() for i in range(3))
     P_f = at if friction_power is None else friction_power
     # found alike, of the same numbers
     below, at, above = (based_on(P, friction_power, duty.load) for P in (below, at, above))

@@ -4,6 +4,7 @@
 Read without numpy: a design's words are checked against them before anything is solved.
 """
 
+from difflib import get_close_matches
 from functools import cache
 from typing import cast
 
@@ -112,8 +113,6 @@ def application_problem(name: str) -> Text | None:
 def _unknown(name: str, known: list[str]) -> Text | None:
     if name in known:
         return None
-    from difflib import get_close_matches
-
     near = get_close_matches(name, known, n=1)
     return Text("must be one of {known}", known=", ".join(known)) + (
         Text("; did you mean {near}?", near=near[0]) if near else ""

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 
 from ..countershaft.result import CountershaftResult
 from ..library.oils import rising_rows
+from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed
 from ..sheet.units import UNITS
@@ -12,7 +13,7 @@ from ..sheet.value import untraced
 from .checks import LOST_BY_SHEAR, told_when_thinned
 from .inputs import IN_TITLES, IN_WORDS, BearingsInputs
 from .materials import running_surface
-from .result import BearingResult
+from .result import BearingResult, RouteResult
 from .routes import supply
 from .routes.din31652 import film_heavily_loaded
 from .routes.routes import ROUTES
@@ -199,7 +200,7 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
             clearance_cold=cold,
         )
         yield Erratum(
-            f"bearings.{place}.film",
+            dotted("bearings", place, BearingResult.film),
             Text("Smallest film, {place}", place=IN_WORDS[place]),
             charts.film * 1e6,
             "µm",
@@ -212,7 +213,7 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
             wrong = film_heavily_loaded(r.clearance, falz.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
         So = Amount(falz.sommerfeld, form=".3f")
         yield Erratum(
-            f"bearings.{place}.falz.film",
+            dotted("bearings", place, "falz", RouteResult.film),
             Text("Film by Falz, {place}", place=IN_WORDS[place]),
             wrong * 1e6,
             "µm",

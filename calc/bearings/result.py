@@ -2,6 +2,7 @@
 """What the bearing step publishes."""
 
 from ..sheet.quantity import group, result, value
+from ..sheet.text import Name, Text
 from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -43,6 +44,7 @@ class RouteResult:
     film_pressure_max: Pascal | None = value("Largest film pressure", "MPa", "p_max", default=None)
 
 
+ROUTE_WORDS = {name: route.brief for name, route in ROUTES.items()} | {"din31652": Name("DIN 31652")}
 FORMER_NAMES = {name: route.former for name, route in ROUTES.items() if route.former}
 
 
@@ -84,50 +86,54 @@ class StandingResult:
 class BearingResult:
     """One bearing as judged, and beside it the routes on the clearance as given."""
 
-    film: Metre = value("Smallest film", "µm", "h_0")
-    film_edge: Metre = value("Film at the bearing's edge", "µm", "h_edge")
-    film_double_load: Metre | None = value("Film at twice the load", "µm", "h_2F", default=None)
+    film: Metre = value("Smallest film", "µm", "h_0", short=True, headline=2)
+    film_edge: Metre = value(
+        "Film at the bearing's edge", "µm", "h_edge", short=True, page_one=1, worst="least", each=True, headline=1
+    )
+    film_double_load: Metre | None = value("Film at twice the load", "µm", "h_2F", default=None, short=True)
     speed_of_thinnest_film: RevPerSecond | None = value(
         "Speed of the thinnest film over the speeds", "rpm", default=None
     )
     thinnest_film: Metre | None = value("Thinnest film over the speeds", "µm", default=None)
-    eccentricity: Number = value("Eccentricity ratio", "", "ε")
+    eccentricity: Number = value("Eccentricity ratio", "", "ε", short=True)
     film_share_least_friction: Number = value("Film over radial clearance at the least friction", "", "(h_0/c)_f")
     film_share_largest_load: Number = value("the same at the largest load", "", "(h_0/c)_F")
     film_band: Number = value("Film's place between least friction and largest load", "%", "b_f")
-    attitude_angle: Radian = value("Attitude angle", "°", "φ")
-    sommerfeld: Number = value("Sommerfeld number", "", "S")
-    friction_coefficient: Number = value("Coefficient of friction", "", "f")
-    friction_power: Watt = value("Friction power", "W", "P_f")
-    oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q")
+    attitude_angle: Radian = value("Attitude angle", "°", "φ", short=True)
+    sommerfeld: Number = value("Sommerfeld number", "", "S", short=True)
+    friction_coefficient: Number = value("Coefficient of friction", "", "f", short=True)
+    friction_power: Watt = value("Friction power", "W", "P_f", short=True, taken_by=("friction",))
+    oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q", short=True)
     side_flow: CubicMetrePerSecond | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)
     supply_flow: CubicMetrePerSecond | None = value("of it driven by the supply pressure", "L/min", "Q_2", default=None)
     feed_blocked_arc: Radian | None = value("Arc where the film's pressure holds the supply back", "°", default=None)
-    temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT")
-    outlet_temperature: Celsius = value("Outlet temperature", "°C", "T_out")
-    film_pressure_max: Pascal = value("Largest film pressure", "MPa", "p_max")
-    clearance: Metre = value("Clearance at its reference temperature", "µm", "g")
-    clearance_hot: Metre = value("Clearance at the film's mean temperature", "µm", "g_hot")
-    clearance_cold: Metre = value("Clearance at the lowest temperature", "µm", "g_cold")
+    temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT", short=True)
+    outlet_temperature: Celsius = value("Outlet temperature", "°C", "T_out", short=True, page_one=2)
+    film_pressure_max: Pascal = value("Largest film pressure", "MPa", "p_max", short=True)
+    clearance: Metre = value("Clearance at its reference temperature", "µm", "g", short=True)
+    clearance_hot: Metre = value("Clearance at the film's mean temperature", "µm", "g_hot", short=True)
+    clearance_cold: Metre = value("Clearance at the lowest temperature", "µm", "g_cold", short=True)
     relative_clearance: Number = value("Relative clearance, warm", "‰", "ψ")
-    load: Newton = value("Load", "N", "F")
-    specific_load: Pascal = value("Specific load", "MPa", "p")
+    load: Newton = value("Load", "N", "F", short=True)
+    specific_load: Pascal = value("Specific load", "MPa", "p", short=True)
     pressure_velocity: PascalMetrePerSecond = value("Specific load times speed", "MPa·m/s", "p·u")
-    heat_index: NewtonPerMetreSecond = value("Heat index", "N·rpm/mm", "W")
-    surface_speed: MetrePerSecond = value("Surface speed", "m/s", "u")
+    heat_index: NewtonPerMetreSecond = value("Heat index", "N·rpm/mm", "W", short=True)
+    surface_speed: MetrePerSecond = value("Surface speed", "m/s", "u", short=True)
     shear_rate: RevPerSecond = value("Shear rate in the narrowest gap", "1/s", "γ̇")
     length_ratio: Number = value("Length ratio", "", "l/d")
     transition_speed: RevPerSecond = value("Transition to mixed friction", "rpm", "n_T")
-    least_speed: RevPerSecond = value("Least speed for a full film", "rpm", "n_min")
+    least_speed: RevPerSecond = value("Least speed for a full film", "rpm", "n_min", short=True)
     least_speed_uncapped: RevPerSecond = value("the same with the rule carried on above 10 m/s", "rpm")
     mckee_number: Number = value("McKee number, cP·rpm/psi", "", "ZN/P")
     duty_number: Number = value("Duty number", "", "μ·n/p")
-    kreisle_film: Metre = value("Film asked for by roughness (Kreisle)", "µm", "h_K")
-    trumpler_film: Metre = value("Film asked for by Trumpler", "µm", "h_T")
+    kreisle_film: Metre = value("Film asked for by roughness (Kreisle)", "µm", "h_K", short=True)
+    trumpler_film: Metre = value("Film asked for by Trumpler", "µm", "h_T", short=True)
     routes_spread: Number | None = value("Spread of the routes' films at the same oil", "%", default=None)
-    routes: dict[str, RouteResult] = group(spread=True, renamed=FORMER_NAMES)  # those that have an answer
-    corners: Corners = group()
-    dynamics: Dynamics = group()
+    routes: dict[str, RouteResult] = group(
+        spread=True, renamed=FORMER_NAMES, key_words=ROUTE_WORDS
+    )  # those that have an answer
+    corners: Corners = group(words="corners")
+    dynamics: Dynamics = group(words="dynamics")
     standing: StandingResult | None = group(spread=True, default=None)
     hot: Film
     seat: BearingCase
@@ -142,4 +148,4 @@ class BearingResult:
 class BearingsResult:
     """Front and rear bearing."""
 
-    bearings: dict[str, BearingResult] = group(spread=True)
+    bearings: dict[str, BearingResult] = group(spread=True, key_words={"front": Text("front"), "rear": Text("rear")})

@@ -26,9 +26,10 @@ from ..draw.drawing import (
     rounded,
 )
 from ..sheet.check import Check
+from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
-from .inputs import IN_WORDS, BearingsInputs
+from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult, BearingsResult
 
 if TYPE_CHECKING:
@@ -77,14 +78,14 @@ def _at(radius: Metre, from_load: Radian, centre: Point = (0.0, 0.0)) -> Point:
 def _bearing(
     place: str, r: BearingResult, inputs: BearingsInputs, gap: Number, checks: dict[str, Check]
 ) -> Iterator[Mark]:
-    key = f"bearings.{place}"
+    key = dotted("bearings", place)
     journal, c = r.seat.bearing.diameter / 2, r.clearance_hot / 2 * gap
     seat, centre = journal + c, _at(c * r.eccentricity, r.attitude_angle)
-    size, clearance = f"{key}.diameter_mm", f"{key}.clearance_um {key}.clearance_factor"
+    size, load_key = dotted(key, BearingInputs.diameter), dotted(key, BearingInputs.load)
+    clearance = f"{dotted(key, BearingInputs.clearance)} {dotted(key, BearingInputs.clearance_factor)}"
+    oil = f"{clearance} {dotted('bearings', BearingsInputs.oil)}"
     film = judged(checks.values(), f"{key}.film_edge")
-    yield Area(
-        CONTEXT, (round_outline((0.0, 0.0), seat), round_outline(centre, journal)), 0.35, f"{clearance} bearings.oil"
-    )
+    yield Area(CONTEXT, (round_outline((0.0, 0.0), seat), round_outline(centre, journal)), 0.35, oil)
     yield Arc(OUTLINE, (0.0, 0.0), seat, key=clearance)
     yield Arc(OUTLINE, centre, journal, key=size)
     yield from _pressure(key, r, seat)
@@ -92,12 +93,12 @@ def _bearing(
     narrow = r.attitude_angle
     yield Polyline(OUTLINE, (_at(0.78 * journal, narrow, centre), _at(seat, narrow)), key=_rough(key), state=film)
     yield Polyline(
-        OUTLINE, (_at(0.12 * journal, 0.0, centre), _at(0.72 * journal, 0.0, centre)), key=f"{key}.load_N", arrow=True
+        OUTLINE, (_at(0.12 * journal, 0.0, centre), _at(0.72 * journal, 0.0, centre)), key=load_key, arrow=True
     )
     load = Text(
         "{load}", load=Amount(r.load / 1000, "kN", digits=2) if r.load >= 1000 else Amount(r.load, "N", digits=3)
     )
-    yield Words(WORDS, (centre[0] - 0.12 * journal, centre[1] - 0.4 * journal), load, key=f"{key}.load_N", side="right")
+    yield Words(WORDS, (centre[0] - 0.12 * journal, centre[1] - 0.4 * journal), load, key=load_key, side="right")
     yield from _films(key, r, centre, journal, checks)
 
 
@@ -115,8 +116,13 @@ def _films(key: str, r: BearingResult, centre: Point, journal: Metre, checks: di
         yield Words(WORDS, at, text, key=_rough(key), state=judged([check], check.id), side="centre")
 
 
+def _keys(*declared: object) -> str:
+    """The keys of inputs of the step."""
+    return " ".join(dotted("bearings", key) for key in declared)
+
+
 def _rough(key: str) -> str:
-    return f"{key}.journal_roughness_um {key}.housing_roughness_um"
+    return f"{dotted(key, BearingInputs.journal_roughness)} {dotted(key, BearingInputs.housing_roughness)}"
 
 
 def _pressure(key: str, r: BearingResult, seat: Metre) -> Iterator[Mark]:
@@ -126,8 +132,9 @@ def _pressure(key: str, r: BearingResult, seat: Metre) -> Iterator[Mark]:
     around = pressures(float(r.eccentricity), float(r.attitude_angle))
     outside = [_at(seat * (1 + PEAK * share), angle) for angle, share in around]
     inside = [_at(seat, angle) for angle, _ in reversed(around)]
-    yield Area(OUTLINE, ((*outside, *inside),), 0.5, f"{key}.length_mm")
-    yield Polyline(OUTLINE, (inside[-1], *outside, inside[0]), key=f"{key}.length_mm")
+    length = dotted(key, BearingInputs.length)
+    yield Area(OUTLINE, ((*outside, *inside),), 0.5, length)
+    yield Polyline(OUTLINE, (inside[-1], *outside, inside[0]), key=length)
     angle = max(around, key=lambda point: point[1])[0]
     pressure = Text("{pressure}", pressure=Amount(r.film_pressure_max / 1e6, "MPa", digits=2))
     yield Words(WORDS, _at(seat * (1.12 + PEAK), angle), pressure, side="left" if math.sin(angle) > 0 else "right")
@@ -145,9 +152,12 @@ def pressures(eccentricity: Number, attitude: Radian) -> list[tuple[Radian, Numb
 def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) -> Iterator[Mark]:
     """Where the oil comes in: outside the seat, or through the journal."""
     outer = seat * (1 + FEED)
-    where = (
-        "bearings.supply bearings.supply_angle_deg bearings.hole_diameter_mm bearings.pocket_length_mm "
-        "bearings.axial_groove_angles_deg"
+    where = _keys(
+        BearingsInputs.supply,
+        BearingsInputs.supply_angle,
+        BearingsInputs.hole_diameter,
+        BearingsInputs.pocket_length,
+        BearingsInputs.axial_groove_angles,
     )
     if inputs.supply == "shaft":
         yield from _duct(_at(journal, math.pi, centre), _at(0.75 * journal, math.pi, centre), 0.08 * seat, where)
@@ -159,7 +169,7 @@ def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) ->
             seat * 1.08,
             DOWN + start,
             DOWN + end,
-            key="bearings.groove_width_mm bearings.groove_arc_deg",
+            key=_keys(BearingsInputs.groove_width, BearingsInputs.groove_arc),
         )
     else:
         angles: Iterable[Radian] = (inputs.supply_angle,)

@@ -13,11 +13,12 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
-from ..sheet.arrays import element, many, one
+from ..sheet.arrays import many
 from ..sheet.check import Check, check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import gathered, item
+from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
@@ -26,7 +27,7 @@ from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .checks import LOST_BY_SHEAR, checks, oil_check
 from .corners import corner_points, corners, corners_table
-from .curves import curves
+from .curves import charts, curves
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
@@ -112,8 +113,6 @@ def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: 
 
 
 def _charts(results: dict[str, BearingResult]) -> tuple[Curve, ...]:
-    from .curves import charts  # for who looks at them only
-
     return tuple(charts(results))
 
 
@@ -195,7 +194,7 @@ def _slope_checks(
             Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
             remedies=by_key(
                 BearingsInputs,
-                "bearings.slope_mrad",
+                dotted("bearings", BearingsInputs.slope),
                 None,
                 effect=Text(
                     "then that of the bending: film at the edge {edge}, needs {least}",
@@ -327,7 +326,7 @@ def _bearing(
         sweep=swept,
         side=side,
         beside=beside,
-        thinned=one(many(thinned.film)[0]),
+        thinned=many(thinned.film)[0].item(),
     )
 
 
@@ -336,8 +335,7 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
     if swept.thinnest is None:
         return None
     n, T_in, p_s, rise = (
-        item(element(gathered(row), swept.thinnest))
-        for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
+        item(gathered(row)[swept.thinnest]) for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
     )
     load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
     slower = replace(
@@ -354,7 +352,7 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
 def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film) -> Film | None:
     """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it
     fails."""
-    rise = one(many(known.temperature_rise)[0])
+    rise = many(known.temperature_rise)[0].item()
     return closed(own_warm, seat, duty, rise) if np.isfinite(rise) else None
 
 

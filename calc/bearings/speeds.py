@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..engine.inputs import BenchPoint
-from ..sheet.arrays import Array, each, element, has_lanes, many, one
+from ..sheet.arrays import Array, each, many
 from ..sheet.linked_array import elements, gathered, item, linked_array
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Amount, Text
@@ -114,8 +114,8 @@ def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint,
     h_0, rises, power = many(film.film), many(film.temperature_rise), many(film.friction_power)
     governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
     any_film = not np.isnan(governing).all()
-    least = np.nanargmin(governing) if any_film else 0
-    at_thinnest = based_on(item(element(speeds, least)), element(speeds, least), inputs.load_speed_ratio)
+    least = int(np.nanargmin(governing)) if any_film else 0
+    at_thinnest = based_on(item(speeds[least]), speeds[least], inputs.load_speed_ratio)
     return Sweep(
         elements(speeds),
         elements(temperatures),
@@ -123,9 +123,9 @@ def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint,
         elements(rises),
         elements(h_0),
         elements(power),
-        one(least) if any_film else None,
+        least if any_film else None,
         at_thinnest if any_film else None,
-        one(element(governing, least)) if any_film else None,
+        float(governing[least]) if any_film else None,
         rated,
         inputs.speed_range is None and bench,
     )
@@ -145,10 +145,7 @@ def _rows(
         place = np.linspace(0, len(rows) - 1, (len(rows) - 1) * (BETWEEN + 1) + 1)
         loaded = place <= under_load.sum() - 1  # between a loaded and an unloaded row nothing is known
         there = loaded | (place == np.round(place))
-        if has_lanes(there):  # of many designs: where one has no row, its numbers are none
-            speeds, temperatures, pressures = (np.where(there, _between(place, column), np.nan) for column in of_rows)
-        else:
-            speeds, temperatures, pressures = (_between(place[there], column) for column in of_rows)
+        speeds, temperatures, pressures = (_between(place[there], column) for column in of_rows)
         return speeds, temperatures, pressures
     low, high = inputs.speed_range or (SLOWEST * rated, rated)
     speeds = based_on(np.linspace(low, high, STEPS_WITHOUT_BENCH), low, high)
@@ -167,8 +164,6 @@ def _rows(
 def _between(place: Array, numbers: Array) -> Array:
     """Numbers of a row at whole and broken places, linear between, each with the links of those on either side of
     it."""
-    if has_lanes(numbers):
-        return np.interp(place, np.arange(len(numbers)), numbers)
     parts = getattr(numbers, "parts", ())
     low, high = np.floor(place).astype(int), np.ceil(place).astype(int)
     links = tuple(joined_links((parts[i], parts[k])) for i, k in zip(low, high)) if parts else ()

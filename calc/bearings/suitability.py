@@ -29,6 +29,7 @@ from ..sheet.units import (
     Second,
 )
 from ..sheet.value import untraced
+from . import formulas as f
 from .inputs import IN_TITLES, IN_WORDS
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
 
@@ -269,8 +270,6 @@ def reference_table(journals: Iterable[Journal]) -> Table:
 
     p, W and u of all rows by the same formulas on the whole length: a groove is left out.
     """
-    from . import formulas as f  # loads numpy: not needed to read a design
-
     rows: list[tuple[str | float | None, ...]] = []
     with untraced():
         for name, status, d, l, n, F in (

@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """The counter-rotating shaft: what it supplies, what its supports carry, how it bends, is sized, made and mounted."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import Any
 
-from ..sheet.lazy import lazy
+# what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
+OFFERED = {
+    "permitted_unbalance": "..library.tolerances",
+    "sector_area": ".outline",
+    "sector_mass": ".outline",
+    "size_sectors": ".sizing.sectors:pair",
+    "specific_load": "..library.journal_rules",
+}
+__all__ = [*OFFERED]
 
-__all__ = ["permitted_unbalance", "sector_area", "sector_mass", "size_sectors", "specific_load"]
 
-if TYPE_CHECKING:
-    from ..library.journal_rules import specific_load
-    from ..library.tolerances import permitted_unbalance
-    from .outline import sector_area, sector_mass
-    from .sizing.sectors import pair as size_sectors
-else:
-    __getattr__ = lazy(
-        __name__,
-        {
-            "permitted_unbalance": "..library.tolerances",
-            "sector_area": ".outline",
-            "sector_mass": ".outline",
-            "size_sectors": ".sizing.sectors:pair",
-            "specific_load": "..library.journal_rules",
-        },
-    )
+def __getattr__(name: str) -> Any:
+    if name not in OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module, _, called = OFFERED[name].partition(":")
+    return getattr(import_module(module, __name__), called or name)
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -10,6 +10,7 @@ from ..library.catalogue import Material
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, check
 from ..sheet.functions import argument, degrees
+from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key, down
 from ..sheet.text import SPACE, Amount, Text
 from ..sheet.units import Metre
@@ -141,7 +142,12 @@ def _envelope_checks(
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
     if clearance is not None and R is not None:
         room = max(d for d, _ in journals) / 2 - R
-        smaller = by_key(CountershaftInputs, "countershaft.outer_radius_mm", down(R + room - clearance), bound="<=")
+        smaller = by_key(
+            CountershaftInputs,
+            dotted("countershaft", CountershaftInputs.outer_radius),
+            down(R + room - clearance),
+            bound="<=",
+        )
         yield check(
             "countershaft.envelope",
             Text("Room around the sectors in the largest seat"),
@@ -175,7 +181,9 @@ def _envelope_checks(
             "mm",
             Text("geometry: the sectors end where the journals begin"),
             Text("Or set the bearings further apart."),
-            remedies=by_key(CountershaftInputs, "countershaft.half_length_mm", down(face), bound="<="),
+            remedies=by_key(
+                CountershaftInputs, dotted("countershaft", CountershaftInputs.half_length), down(face), bound="<="
+            ),
         )
 
 
@@ -271,7 +279,7 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
             ),
             Text("Give the strength of {name} as a [[material]] of the design.", name=material.name),
             kind="caution",
-            missing=() if bent.bending_stress <= WEAKEST else ("material.proof_stress_MPa",),
+            missing=() if bent.bending_stress <= WEAKEST else (dotted("material", Material.proof_stress),),
         )
     if proof is not None and bent.notch_stress is not None:
         yield check(
@@ -319,5 +327,10 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
             "mm",
             Text("geometry: a fillet takes its radius of the length of the thinner piece"),
             Text("Or set the shoulders further apart."),
-            remedies=by_key(CountershaftInputs, "countershaft.fillet_radius_mm", down(bent.fillet_room), bound="<="),
+            remedies=by_key(
+                CountershaftInputs,
+                dotted("countershaft", CountershaftInputs.fillet_radius),
+                down(bent.fillet_room),
+                bound="<=",
+            ),
         )

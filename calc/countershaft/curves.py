@@ -110,7 +110,15 @@ def _loaded(outline: Curve, bent: Bending, positions: tuple[Metre, ...], carried
     ]
     title = Text("The shaft at rated speed: centrifugal load and reactions, shear, bending moment, deflection")
     return Curve(
-        "loads", title, outline.x_label, outline.y_label, outline.series, stack=STACK, loads=tuple(loads), load_unit="N"
+        "loads",
+        title,
+        outline.x_label,
+        outline.y_label,
+        outline.series,
+        stack=STACK,
+        loads=tuple(loads),
+        load_unit="N",
+        short=1,
     )
 
 
@@ -133,6 +141,7 @@ def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
             axis_label("shear", "N"),
             (Series(EMPTY, bent.shear_z * 1e3, bent.shear),),
             stack=STACK,
+            short=2,
         ),
         Curve(
             "moment",
@@ -142,6 +151,7 @@ def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
             (Series(EMPTY, bent.moment_z * 1e3, bent.moment),),
             point=(at * 1e3, largest),
             stack=STACK,
+            short=3,
         ),
-        Curve("deflection", deflection, from_middle, axis_label("deflection", "µm"), lines, stack=STACK),
+        Curve("deflection", deflection, from_middle, axis_label("deflection", "µm"), lines, stack=STACK, short=4),
     )

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from ..library.journal_rules import LENGTH_RATIO
 from ..library.tolerances import BALANCE_GRADES
-from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .making.inputs import Bolts, Cost, FurtherDrain, OilDrain, Part, Support
 
@@ -124,15 +124,15 @@ class Section:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.to <= self.from_:
-            yield "to_mm", Text("must lie behind from_mm: a section has a length above zero")
+            yield dotted(Section.to), Text("must lie behind from_mm: a section has a length above zero")
         if self.half_angle is None:
-            for name, key in (("core_radius", "core_radius_mm"), ("angle", "angle_deg")):
+            for name, key in (("core_radius", dotted(Section.core_radius)), ("angle", dotted(Section.angle))):
                 if getattr(self, name) is not None:
                     yield key, Text("belongs to a sector: give half_angle_deg too, or leave it out")
         elif self.angle is None:
-            yield "angle_deg", Text("needed with half_angle_deg: where the sector's middle stands")
+            yield dotted(Section.angle), Text("needed with half_angle_deg: where the sector's middle stands")
         if self.core_radius is not None and self.core_radius >= self.outer_radius:
-            yield "core_radius_mm", Text("must be smaller than outer_radius_mm")
+            yield dotted(Section.core_radius), Text("must be smaller than outer_radius_mm")
 
 
 @inputs
@@ -259,7 +259,7 @@ class CountershaftInputs:
         default="given",
         help="given: the eccentric masses below are checked. size: the lightest pair of sectors in the envelope is "
         "found.",
-        decides=True,
+        decides=1,
     )
     material: str = text(
         "Material",
@@ -293,7 +293,7 @@ class CountershaftInputs:
         help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.",
         change=("shorter span", "longer span"),
         repair="free",
-        decides=True,
+        decides=5,
     )
     axis: tuple[float, ...] | None = series(
         "Axis from the crank's",
@@ -306,7 +306,9 @@ class CountershaftInputs:
         help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft "
         "raises a roll torque.",
     )
-    masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass, default=(), decides=True)
+    masses: tuple[EccentricMass, ...] = tables(
+        "Eccentric masses", EccentricMass, default=(), decides=6, where=(mode, "given")
+    )
     extras: tuple[Extra, ...] = tables("Further elements", Extra, default=())
     outer_radius: float | None = quantity(
         "Outer radius of the sectors",
@@ -322,7 +324,8 @@ class CountershaftInputs:
         "less the clearance.",
         change=("smaller envelope", "larger envelope"),
         repair="free",
-        decides=True,
+        decides=2,
+        where=(mode, "size"),
     )
     core_radius: float | None = quantity(
         "Core radius",
@@ -337,7 +340,8 @@ class CountershaftInputs:
         help="Radius of the shaft between and inside the sectors.",
         change=("thinner core", "stiffer shaft"),
         repair="free",
-        decides=True,
+        decides=3,
+        where=(mode, "size"),
     )
     half_length: float | None = quantity(
         "Half-length",
@@ -352,7 +356,8 @@ class CountershaftInputs:
         help="Outer faces of the sectors from mid-shaft. Needed for mode size.",
         change=("shorter shaft", "longer shaft"),
         repair="free",
-        decides=True,
+        decides=4,
+        where=(mode, "size"),
     )
     overdesign: float = quantity(
         "Couple beyond the required one",
@@ -365,6 +370,7 @@ class CountershaftInputs:
         source="rule of this program, by the holes",
         help="Mode size: what drilling takes away again.",
         change=("less beyond what is asked", "more beyond what is asked"),
+        where=(mode, "size"),
     )
     radial_clearance: float | None = quantity(
         "Clearance for threading in",
@@ -377,6 +383,7 @@ class CountershaftInputs:
         source=THUMB,
         help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through "
         "a seat.",
+        where=(mode, "size"),
     )
     sections: tuple[Section, ...] = tables("Outline for bending", Section, default=())
     fillet_radius: float | None = quantity(
@@ -438,18 +445,21 @@ class CountershaftInputs:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if any(b <= a for a, b in pairwise(self.bearing_positions)):
-            yield "bearing_positions_mm", Text("must rise from front to rear: [z_front, z_rear] with z_front < z_rear")
+            yield (
+                dotted(CountershaftInputs.bearing_positions),
+                Text("must rise from front to rear: [z_front, z_rear] with z_front < z_rear"),
+            )
         if self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
-            yield "speed_ratio", Text("must be -1, 1, -2 or 2")
+            yield dotted(CountershaftInputs.speed_ratio), Text("must be -1, 1, -2 or 2")
         if self.journals and len(self.journals) != len(self.bearing_positions):
             yield (
-                "journals",
+                dotted(CountershaftInputs.journals),
                 Text("give one for each of the {count} bearing_positions_mm", count=len(self.bearing_positions)),
             )
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
             R = _mm(self.outer_radius)
             yield (
-                "holes.depth_mm",
+                dotted(CountershaftInputs.holes, Holes.depth),
                 Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R),
             )
         yield from self._envelope()
@@ -458,10 +468,10 @@ class CountershaftInputs:
 
     def _envelope(self) -> Iterable[tuple[str, Text]]:
         if self.mode == "given" and not self.masses:
-            yield "masses", Text("needs at least one [[countershaft.masses]]")
+            yield dotted(CountershaftInputs.masses), Text("needs at least one [[countershaft.masses]]")
         if self.mode == "size" and len(self.bearing_positions) > 2:
             yield (
-                "bearing_positions_mm",
+                dotted(CountershaftInputs.bearing_positions),
                 Text('give two with mode = "size": sectors that span a third bearing are not sized'),
             )
         if self.mode == "size":
@@ -472,7 +482,7 @@ class CountershaftInputs:
                 if getattr(self, name) is None
             )
         if self.outer_radius is not None and self.core_radius is not None and self.core_radius >= self.outer_radius:
-            yield "core_radius_mm", Text("must be smaller than outer_radius_mm")
+            yield dotted(CountershaftInputs.core_radius), Text("must be smaller than outer_radius_mm")
 
     @property
     def _known(self) -> bool:
@@ -488,7 +498,7 @@ class CountershaftInputs:
             if abs(gap) > 1e-9:
                 what = Text("crosses") if gap < 0 else Text("leaves a gap behind")
                 yield (
-                    f"sections.{k}.from_mm",
+                    dotted(CountershaftInputs.sections, k, Section.from_),
                     Text(
                         "{what} section {i}, which ends at {to} mm; the shaft is one piece",
                         what=what,
@@ -501,7 +511,7 @@ class CountershaftInputs:
         """Journals and masses must lie on the shaft: its sections, or else between its outer bearings."""
         if not self.bearing_positions or any(not a < b for a, b in pairwise(self.bearing_positions)) or not self._known:
             return
-        masses = [(f"masses.{i}.z_mm", mass.z) for i, mass in enumerate(self.masses)]
+        masses = [(dotted(CountershaftInputs.masses, i, EccentricMass.z), mass.z) for i, mass in enumerate(self.masses)]
         if not self.sections:
             start, end = self.bearing_positions[0], self.bearing_positions[-1]
             where = Text("the span of the bearings")
@@ -520,8 +530,8 @@ class CountershaftInputs:
         start, end = min(s.from_ for s in self.sections), max(s.to for s in self.sections)
         outside = Text("lies outside the shaft's sections, from {start} to {end} mm", start=_mm(start), end=_mm(end))
         placed = [(f"bearing_positions_mm.{i}", z) for i, z in enumerate(self.bearing_positions)]
-        placed += [("gear_z_mm", self.gear_z)] if self.gear_z is not None else []
-        placed += [(f"extras.{i}.z_mm", extra.z) for i, extra in enumerate(self.extras)]
+        placed += [(dotted(CountershaftInputs.gear_z), self.gear_z)] if self.gear_z is not None else []
+        placed += [(dotted(CountershaftInputs.extras, i, Extra.z), extra.z) for i, extra in enumerate(self.extras)]
         yield from ((key, outside) for key, z in (*placed, *masses) if not start <= z <= end)
 
 

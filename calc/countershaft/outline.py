@@ -14,6 +14,7 @@ from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, cos, pi, resultant, sin
 from ..sheet.linked_array import column, gathered, where
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
@@ -402,7 +403,7 @@ def _sector_check(mass: EccentricMass, most: Metre) -> Check:
             "Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is "
             "judged."
         ),
-        missing=("countershaft.sections",),
+        missing=(dotted("countershaft", CountershaftInputs.sections),),
     )
 
 
@@ -423,7 +424,10 @@ def known(shaft: CountershaftInputs, R: Metre | None, journals: tuple[tuple[Metr
     """Outer and core radius of the sectors.  Raises NoOutline where these or the journals are not known."""
     r_0 = shaft.core_radius
     if R is None or r_0 is None or not journals:
-        there = (("core_radius_mm", r_0 is not None), ("outer_radius_mm", R is not None))
+        there = (
+            (dotted(CountershaftInputs.core_radius), r_0 is not None),
+            (dotted(CountershaftInputs.outer_radius), R is not None),
+        )
         missing = [
             name
             for name, given in (*there, (Text("[bearings] or [[countershaft.journals]]"), bool(journals)))

@@ -45,8 +45,12 @@ class Standing:
     gear_force_axial: Newton | None = value("Tooth force, axial", "N", "F_a", default=None)
     stationary_front: Newton | None = value("Standing part at the front bearing, at most", "N", "R_0,f", default=None)
     stationary_rear: Newton | None = value("Standing part at the rear bearing, at most", "N", "R_0,r", default=None)
-    reaction_front_peak: Newton | None = value("Largest load of the front bearing over a turn", "N", default=None)
-    reaction_rear_peak: Newton | None = value("Largest load of the rear bearing over a turn", "N", default=None)
+    reaction_front_peak: Newton | None = value(
+        "Largest load of the front bearing over a turn", "N", default=None, short=True
+    )
+    reaction_rear_peak: Newton | None = value(
+        "Largest load of the rear bearing over a turn", "N", default=None, short=True
+    )
 
 
 @result
@@ -63,27 +67,46 @@ class SupportResult:
 class CountershaftResult:
     """What the shaft supplies, leaves over and puts on its supports; how it bends; what its making needs."""
 
-    couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S")
-    couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
-    mass_moment: dict[str, Stated] = group()
-    residual_order_1_couple: NewtonMetre | None = value("First-order couple left over", "N·m", "C_left", default=None)
-    residual_order_1_force: Newton | None = value("First-order force left over", "N", "F_left", default=None)
-    residual_order_2_couple: NewtonMetre | None = value("Second-order couple left over", "N·m", "C_left", default=None)
-    residual_order_2_force: Newton | None = value("Second-order force left over", "N", "F_left", default=None)
+    couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S", short=True, headline=1)
+    couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True)
+    mass_moment: dict[str, Stated] = group(words="mass moment")
+    residual_order_1_couple: NewtonMetre | None = value(
+        "First-order couple left over", "N·m", "C_left", default=None, short=True, page_one=1
+    )
+    residual_order_1_force: Newton | None = value(
+        "First-order force left over", "N", "F_left", default=None, short=True, page_one=2
+    )
+    residual_order_2_couple: NewtonMetre | None = value(
+        "Second-order couple left over", "N·m", "C_left", default=None, short=True, page_one=3
+    )
+    residual_order_2_force: Newton | None = value(
+        "Second-order force left over", "N", "F_left", default=None, short=True, page_one=4
+    )
     static_unbalance: KilogramMetre = value("Static unbalance of the shaft", "g·mm", "ΣU")
-    force: Newton = value("Rotating force of the shaft", "N", "F_S")
-    reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f")
-    reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r")
-    support: dict[str, SupportResult] = group()
+    force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True, headline=3)
+    reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f", short=True, taken_by=("bearings",))
+    reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r", short=True, taken_by=("bearings",))
+    support: dict[str, SupportResult] = group(words="support")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
-    sector_half_angle: Radian | None = value("Half-angle of a sector, the wider one", "°", "γ", default=None)
-    sector_length: Metre | None = value("Length of a sector, the longer one", "mm", "b", default=None)
-    sector_mass: Kilogram | None = value("Mass of a sector, the heavier one", "kg", "m", default=None)
-    sector: "dict[str, SizedSector] | None" = group(default=None)
+    sector_half_angle: Radian | None = value(
+        "Half-angle of a sector, the wider one", "°", "γ", default=None, short=True
+    )
+    sector_length: Metre | None = value("Length of a sector, the longer one", "mm", "b", default=None, short=True)
+    sector_mass: Kilogram | None = value("Mass of a sector, the heavier one", "kg", "m", default=None, short=True)
+    sector: "dict[str, SizedSector] | None" = group(default=None, words="sector")
     utilisation: Number | None = value("Utilisation of the envelope", "", "u", default=None)
-    mass: Kilogram | None = value("Mass of the whole shaft", "kg", "m_S", default=None)
+    mass: Kilogram | None = value(
+        "Mass of the whole shaft", "kg", "m_S", default=None, short=True, page_one=5, headline=2
+    )
     centre_of_gravity: Metre | None = value("its centre of gravity from mid-shaft", "mm", "z_S", default=None)
-    moment_of_inertia: KilogramMetre2 | None = value("Moment of inertia about its axis", "kg·mm²", "J_S", default=None)
+    moment_of_inertia: KilogramMetre2 | None = value(
+        "Moment of inertia about its axis",
+        "kg·mm²",
+        "J_S",
+        default=None,
+        short=True,
+        taken_by=("gears",),
+    )
     outline_force_deviation: Newton | None = value(
         "Force of the given sections, off the masses'", "N", "ΔF_O", default=None
     )
@@ -91,12 +114,18 @@ class CountershaftResult:
         "Couple of the given sections, off the masses'", "N·m", "ΔC_O", default=None
     )
     standing: Standing | None = group(spread=True, default=None)
-    slope_front: Radian | None = value("Slope of the front journal", "mrad", "θ_f", default=None)
-    slope_rear: Radian | None = value("Slope of the rear journal", "mrad", "θ_r", default=None)
-    slope_front_stiff: Radian | None = value("Slope of the front journal, full stiffness", "mrad", "θ_f", default=None)
-    slope_rear_stiff: Radian | None = value("Slope of the rear journal, full stiffness", "mrad", "θ_r", default=None)
+    slope_front: Radian | None = value(
+        "Slope of the front journal", "mrad", "θ_f", default=None, short=True, page_one=6
+    )
+    slope_rear: Radian | None = value("Slope of the rear journal", "mrad", "θ_r", default=None, short=True, page_one=6)
+    slope_front_stiff: Radian | None = value(
+        "Slope of the front journal, full stiffness", "mrad", "θ_f", default=None, page_one=6
+    )
+    slope_rear_stiff: Radian | None = value(
+        "Slope of the rear journal, full stiffness", "mrad", "θ_r", default=None, page_one=6
+    )
     first_critical_speed: RevPerSecond | None = value(
-        "First bending critical speed (natural frequency)", "rpm", "n_1", default=None
+        "First bending critical speed (natural frequency)", "rpm", "n_1", default=None, short=True
     )
     first_critical_speed_stiff: RevPerSecond | None = value("the same, full stiffness", "rpm", "n_1", default=None)
     first_critical_speed_without_rotary: RevPerSecond | None = value(
@@ -106,11 +135,11 @@ class CountershaftResult:
     bending: Bending | None = group(spread=True, default=None)
     tolerance: ToleranceResult | None = group(spread=True, default=None)
     holes: HolesResult | None = group(spread=True, default=None)
-    scatter: "ScatterResult | None" = group(default=None)
+    scatter: "ScatterResult | None" = group(default=None, words="scatter")
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     drain: "DrainResult | None" = group(spread=True, default=None)
-    further_drains: "dict[str, DrainResult] | None" = group(default=None)
-    alternative: "dict[str, MaterialResult] | None" = group(default=None)
+    further_drains: "dict[str, DrainResult] | None" = group(default=None, words="further drains")
+    alternative: "dict[str, MaterialResult] | None" = group(default=None, words="alternative")
     part_count: Number | None = value("Parts of the assembly", "", default=None)
     part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..bearings.inputs import BearingInputs
 from ..draw.drawing import (
     AXIS,
     CONTEXT,
@@ -33,6 +34,7 @@ from ..draw.drawing import (
 )
 from ..draw.shaft_outline import drawn, reach, silhouette, upwards
 from ..sheet.check import Check
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
@@ -47,16 +49,20 @@ if TYPE_CHECKING:
     from ..solve import Results
 
 STEP = "countershaft"
-MASSES, OUTER, CORE, LENGTH = (
-    f"{STEP}.masses",
-    f"{STEP}.outer_radius_mm",
-    f"{STEP}.core_radius_mm",
-    f"{STEP}.half_length_mm",
-)
-POSITIONS, HOLES, GEAR = f"{STEP}.bearing_positions_mm", f"{STEP}.holes", f"{STEP}.gear_z_mm"
-JOURNALS = (
-    f"{STEP}.journals bearings.front.diameter_mm bearings.front.length_mm bearings.rear.diameter_mm "
-    f"bearings.rear.length_mm"
+MASSES = dotted(STEP, CountershaftInputs.masses)
+OUTER = dotted(STEP, CountershaftInputs.outer_radius)
+CORE = dotted(STEP, CountershaftInputs.core_radius)
+LENGTH = dotted(STEP, CountershaftInputs.half_length)
+POSITIONS = dotted(STEP, CountershaftInputs.bearing_positions)
+HOLES = dotted(STEP, CountershaftInputs.holes)
+GEAR = dotted(STEP, CountershaftInputs.gear_z)
+SECTIONS = dotted(STEP, CountershaftInputs.sections)
+SIZES: tuple[object, ...] = (BearingInputs.diameter, BearingInputs.length)
+JOURNALS = " ".join(
+    (
+        dotted(STEP, CountershaftInputs.journals),
+        *(dotted("bearings", place, size) for place in ("front", "rear") for size in SIZES),
+    )
 )
 SHADES = {"sector": 0.5, "journal": 0.25, "gear": 0.25, "full": 0.25, "core": 0.12}
 EXAGGERATED: Number = 1000.0  # of the bending line, or a power of ten beside it
@@ -176,7 +182,7 @@ def _points(shaft: CountershaftInputs, state: State) -> View:
 def _mass_keys(view: View, piece: Piece) -> str:
     """The fields that shape a sector: its mass, or the envelope in which it is sized, or its section."""
     if view.shaft.sections:
-        return f"{STEP}.sections"
+        return SECTIONS
     here = [mass for mass in view.shaft.masses if piece.start <= mass.z <= piece.end]
     return " ".join((*(f"{MASSES}.{mass.name}" for mass in here), OUTER, LENGTH))
 
@@ -185,7 +191,7 @@ def _mass_keys(view: View, piece: Piece) -> str:
 
 
 def _side(view: View, outline: Outline | None) -> Iterator[Mark]:
-    keys = {"journal": JOURNALS, "gear": GEAR, "core": CORE, "full": f"{STEP}.sections"}
+    keys = {"journal": JOURNALS, "gear": GEAR, "core": CORE, "full": SECTIONS}
     for piece in view.pieces:
         high, low = reach(piece, view.up)
         state = view.state if piece.what == "sector" else ""
@@ -242,7 +248,7 @@ def _dimensions(view: View) -> Iterator[Mark]:
                     (0.0, high),
                     (mass.z, high),
                     (0.0, high),
-                    key=f"{MASSES}.{mass.name}.z_mm",
+                    key=dotted(MASSES, mass.name, EccentricMass.z),
                     label=_mm(mass.z),
                 )
     largest = max((p for p in view.pieces if p.what == "sector"), key=lambda p: p.outer_radius, default=None)
@@ -296,11 +302,14 @@ def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[M
         checks, f"{STEP}.bending_stress", f"{STEP}.first_critical_speed", f"{STEP}.slope_front", f"{STEP}.slope_rear"
     )
     points = tuple(zip(bending.z.tolist(), (sag * factor).tolist()))
-    marks: list[Mark] = [Polyline(HIDDEN, points, key=f"{STEP}.sector_effectiveness", state=state)]
+    marks: list[Mark] = [
+        Polyline(HIDDEN, points, key=dotted(STEP, CountershaftInputs.sector_effectiveness), state=state)
+    ]
     worn = judged(checks, f"{STEP}.fatigue", f"{STEP}.notch_stress")
     if worn and bending.notch_z is not None:
         z, half = bending.notch_z, 0.8 * view.radius
-        marks.append(Polyline(OUTLINE, ((z, -half), (z, half)), key=f"{STEP}.fillet_radius_mm", state=worn))
+        fillet = dotted(STEP, CountershaftInputs.fillet_radius)
+        marks.append(Polyline(OUTLINE, ((z, -half), (z, half)), key=fillet, state=worn))
     return marks, factor
 
 

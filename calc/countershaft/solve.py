@@ -35,13 +35,15 @@ from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from .bending.shaft import Bending, bending
 from .checks import Journals, bending_checks, checks
+from .curves import curves
 from .inputs import CountershaftInputs, EccentricMass, Extra
 from .making.drain import DrainResult, named_check
 from .making.parts import Gathered, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
 from .outline import NoOutline, Outline, assembled, given, known, sectors_of, turning_inertia, vectors_of, weighed
 from .result import CountershaftResult, SupportResult
-from .sizing.sectors import ShaftTask, task
+from .sizing.choices import front_curve, named
+from .sizing.sectors import ShaftTask, TooSmall, eccentric_masses, pieces, size, task
 from .supports import Gear, reactions
 
 if TYPE_CHECKING:
@@ -70,8 +72,6 @@ def solve(
         omega_S = f.shaft_speed(i=shaft.speed_ratio, omega=omega)
         masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, materials, journals, to)
         if sized is not None:
-            from .sizing.sectors import eccentric_masses
-
             masses = eccentric_masses(sized)
         R = shaft.outer_radius
         if R is None and journals:  # what may be threaded through the largest seat
@@ -125,8 +125,6 @@ def solve(
 def _curves(
     todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]
 ) -> tuple[Curve, ...]:
-    from .curves import curves  # which a check does not draw
-
     return curves(todo, shaft, omega, positions)
 
 
@@ -143,9 +141,6 @@ def _sized(
     hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
-    from .sizing.choices import front_curve, named
-    from .sizing.sectors import TooSmall, size
-
     U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
     P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
     densities = {name: materials[name].density for name in named(shaft, materials)}
@@ -188,8 +183,6 @@ def _outline(
             return given(shaft)
         outer, core = known(shaft, R, journals)
         if sized is not None:
-            from .sizing.sectors import pieces
-
             sectors = pieces(sized)
         else:
             sectors = sectors_of(masses, steel.density, outer, core)

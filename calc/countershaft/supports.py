@@ -14,7 +14,6 @@ import numpy as np
 from ..sheet.arrays import Array, BoolArray, ComplexArray, IndexArray, each, phasors
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
-from ..sheet.lanes import design_by_design
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, PhasorNewton, PhasorNewtonMetre, Radian, RevPerSecond, Watt
@@ -82,7 +81,6 @@ def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetr
     return cast(PhasorNewton, -carried)
 
 
-@design_by_design
 def reactions(F: PhasorNewton, z: Metre, positions: tuple[Metre, ...]) -> ComplexArray:
     """Forces of the supports on the shaft, front to rear.  `positions` rise; loads may lie between or beyond them.
 

@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from shutil import copyfileobj
 
 from ..sheet.text import Text
 from .limits import LOCK_SECONDS
@@ -188,8 +189,6 @@ def _put(draft: Path, data: bytes | Path, old: os.stat_result | None) -> None:
             with suppress(OSError):
                 os.chmod(draft, stat.S_IMODE(old.st_mode))
         if isinstance(data, Path):
-            from shutil import copyfileobj  # which a check does not need
-
             with data.open("rb") as source:
                 copyfileobj(source, file)
         else:

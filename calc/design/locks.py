@@ -7,13 +7,17 @@ What was measured, and what the user accepted, nothing changes but the user.
 
 from collections.abc import Mapping
 
+from ..bearings.inputs import BearingsInputs
+from ..friction.inputs import FrictionInputs
 from ..sheet.errors import BadInput
+from ..sheet.quantity import dotted
 from ..sheet.text import Text
 from .addresses import Table, address, value_at
+from .model import Design
 
 USUAL: Mapping[str, Text] = {
-    "bearings.oil": Text("the oil is the engine's"),
-    "friction.oil": Text("the oil is the engine's"),
+    dotted(Design.bearings, BearingsInputs.oil): Text("the oil is the engine's"),
+    dotted(Design.friction, FrictionInputs.oil): Text("the oil is the engine's"),
 }
 GIVEN = {"measured": Text("it was measured"), "accepted": Text("it is the user's word")}
 

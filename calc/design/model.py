@@ -3,54 +3,34 @@
 in solve.py."""
 
 from collections.abc import Collection, Iterable, Mapping
+from difflib import get_close_matches
 
-from ..bearings.inputs import BearingsInputs
+from ..bearings.inputs import BearingInputs, BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
 from ..countershaft.inputs import CountershaftInputs
-from ..engine.inputs import EngineInputs
-from ..friction.inputs import FrictionInputs
-from ..gears.inputs import GearsInputs
+from ..countershaft.making.inputs import Alternative, Cost, Support
+from ..engine.inputs import EngineInputs, ThrowInputs
+from ..friction.inputs import FrictionInputs, Scenario, Seal
+from ..gears.inputs import GearsInputs, Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
 from ..mounting.inputs import MountingInputs
 from ..sheet.check import is_limit
-from ..sheet.quantity import day, inputs, integer, keys, reasons, table, tables, text, unknown
+from ..sheet.quantity import day, dotted, inputs, integer, keys, reasons, table, tables, text, unknown
 from ..sheet.step import Step
 from ..sheet.text import Amount, Text
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
 
 SCHEMA = 1
 
-FILMS = tuple(f"bearings.{bearing}.{film}" for film in ("film_edge", "film") for bearing in ("front", "rear"))
 STEPS = (
-    Step("engine", Text("Engine"), EngineInputs, ("engine.stroke", "engine.lambda")),
-    Step(
-        "imbalance",
-        Text("Imbalance"),
-        ImbalanceInputs,
-        (
-            "imbalance.required_couple",
-            "imbalance.required_force",
-            "imbalance.order_2.force_peak",
-            "imbalance.order_2.couple_peak",
-        ),
-    ),
-    Step(
-        "countershaft",
-        Text("Counter-shaft"),
-        CountershaftInputs,
-        ("countershaft.couple", "countershaft.mass", "countershaft.force"),
-    ),
-    Step("bearings", Text("Bearings"), BearingsInputs, FILMS),
-    Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error", "gears.residual_couple")),
-    Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss", "friction.crank_torque")),
-    Step(
-        "mounting",
-        Text("Mounting"),
-        MountingInputs,
-        ("mounting.frequency.roll", "mounting.frequency.bounce"),
-        optional=True,
-    ),
+    Step("engine", Text("Engine"), EngineInputs),
+    Step("imbalance", Text("Imbalance"), ImbalanceInputs),
+    Step("countershaft", Text("Counter-shaft"), CountershaftInputs),
+    Step("bearings", Text("Bearings"), BearingsInputs),
+    Step("gears", Text("Gears"), GearsInputs),
+    Step("friction", Text("Friction"), FrictionInputs),
+    Step("mounting", Text("Mounting"), MountingInputs, optional=True),
 )
 STEP_KEYS = tuple(step.key for step in STEPS)
 OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
@@ -184,7 +164,7 @@ class Design:
         for n, row in enumerate(self.measured):
             if row.step not in STEP_KEYS:
                 yield (
-                    f"measured.{n}.value",
+                    dotted(Design.measured, n, Measured.value),
                     Text(
                         "must be the id of a value or the key of an input of a step: {steps}",
                         steps=", ".join(STEP_KEYS),
@@ -192,7 +172,7 @@ class Design:
                 )
             if row.speed is not None and self.engine is None:
                 yield (
-                    f"measured.{n}.speed_rpm",
+                    dotted(Design.measured, n, Measured.speed),
                     Text("is that of the engine: leave it out where there is no [engine] table"),
                 )
 
@@ -202,21 +182,27 @@ class Design:
             from ..engine.crank import not_fired  # brings numpy with it
 
             if reason := not_fired(engine):
-                yield "engine.firing_order", reason
+                yield dotted(Design.engine, EngineInputs.firing_order), reason
         if self.imbalance is not None and self.imbalance.crank_bodies:
             yield from self._crank_bodies(self.imbalance, engine)
 
     def _friction(self, friction: FrictionInputs) -> Iterable[tuple[str, Text]]:
         """Oil and temperature are needed without bearings; with them the power is known."""
         if self.bearings is None:
-            for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
-                if getattr(friction, attribute) is None:
-                    yield key, Text("needed where there is no [bearings] table to take it from")
+            for key, given in (
+                (FrictionInputs.oil, friction.oil),
+                (FrictionInputs.oil_temperature, friction.oil_temperature),
+            ):
+                if given is None:
+                    yield (
+                        dotted(Design.friction, key),
+                        Text("needed where there is no [bearings] table to take it from"),
+                    )
             return
         for i, scenario in enumerate(friction.scenarios):
             if scenario.power is not None:
                 yield (
-                    f"friction.scenarios.{i}.power_kW",
+                    dotted(Design.friction, FrictionInputs.scenarios, i, Scenario.power),
                     Text("leave it out: the losses of the [bearings] say what the train carries"),
                 )
 
@@ -224,40 +210,52 @@ class Design:
         """Speed, irregularity and power of the train, where no other table has them."""
         if self.engine is None:
             if gears.speed is None:
-                yield "gears.speed_rpm", Text("needed where there is no [engine] table to take it from")
+                yield (
+                    dotted(Design.gears, GearsInputs.speed),
+                    Text("needed where there is no [engine] table to take it from"),
+                )
             if gears.speed_irregularity and gears.irregularity_order is None:
                 yield (
-                    "gears.irregularity_order",
+                    dotted(Design.gears, GearsInputs.irregularity_order),
                     Text("needed where there is no [engine] table whose firing order it is"),
                 )
         if self.friction is not None and self.bearings is None and gears.power is None:
-            yield "gears.power_kW", Text("needed where there is no [bearings] table whose loss the train carries")
+            yield (
+                dotted(Design.gears, GearsInputs.power),
+                Text("needed where there is no [bearings] table whose loss the train carries"),
+            )
 
     def _mounting(self, mounting: MountingInputs) -> Iterable[tuple[str, Text]]:
         """What the mounts ask of the engine."""
-        for key, there in (("engine", self.engine), ("imbalance", self.imbalance)):
+        for key, there in ((dotted(Design.engine), self.engine), (dotted(Design.imbalance), self.imbalance)):
             if there is None:
-                yield "mounting", Text("needs [{key}], which says what shakes the engine", key=key)
+                yield dotted(Design.mounting), Text("needs [{key}], which says what shakes the engine", key=key)
         if self.engine is None:
             return
         rated = Amount(self.engine.rated_speed * 60, "rpm")
         if mounting.idle_speed >= self.engine.rated_speed:
-            yield "mounting.idle_speed_rpm", Text("must stay below the rated speed, {rated}", rated=rated)
+            yield (
+                dotted(Design.mounting, MountingInputs.idle_speed),
+                Text("must stay below the rated speed, {rated}", rated=rated),
+            )
         if mounting.cylinder_spread is not None and len(mounting.cylinder_spread) not in (1, self.engine.cylinders):
             count, n = len(mounting.cylinder_spread), self.engine.cylinders
             yield (
-                "mounting.cylinder_spread_percent",
+                dotted(Design.mounting, MountingInputs.cylinder_spread),
                 Text("has {count} entries; needs one, or one per cylinder, {n}", count=count, n=n),
             )
         gas = self.engine.gas
         for i, row in enumerate(mounting.operation):
             if row.has_gas and (gas is None or gas.pressure):
                 yield (
-                    f"mounting.operation.{i}",
+                    dotted(Design.mounting, MountingInputs.operation, i),
                     Text("its pressures need [engine.gas] with a peak pressure, of which they are changes"),
                 )
         if mounting.torque_path == "off_body" and mounting.output_torque is None and gas is None:
-            yield "mounting.output_torque_Nm", Text("needed where no [engine.gas] gives the mean torque")
+            yield (
+                dotted(Design.mounting, MountingInputs.output_torque),
+                Text("needed where no [engine.gas] gives the mean torque"),
+            )
 
     def _gear_places(self) -> Iterable[tuple[str, Text]]:
         """Positions count from the crank's axis, on which the first driver stands where the engine drives it."""
@@ -272,7 +270,7 @@ class Design:
         for i, wheel in enumerate(gears.wheels):
             if wheel.name == gears.meshes[0].driver and wheel.position is not None and any(wheel.position):
                 yield (
-                    f"gears.wheels.{i}.position_mm",
+                    dotted(Design.gears, GearsInputs.wheels, i, Wheel.position),
                     Text("must be [0, 0]: it stands on the crank, from whose axis positions count"),
                 )
 
@@ -283,7 +281,7 @@ class Design:
                 from ..gears.rating.classes import class_problem  # brings numpy with it
 
                 if (wrong := class_problem(wheel.gear_material)) is not None:
-                    yield f"gears.wheels.{i}.gear_material", wrong
+                    yield dotted(Design.gears, GearsInputs.wheels, i, Wheel.gear_material), wrong
 
     def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, Text]]:
         pins = sum(body.pin is not None for body in imbalance.crank_bodies)
@@ -294,12 +292,12 @@ class Design:
             there = int(pin_of_cylinder(engine, crank(engine, 0.0)).max()) + 1
         if pins and pins != there:
             yield (
-                "imbalance.crank_bodies",
+                dotted(Design.imbalance, ImbalanceInputs.crank_bodies),
                 Text("have {pins} crankpins; the throws of this engine stand on {there}", pins=pins, there=there),
             )
         if imbalance.crank_bodies_throw_at_tdc > engine.cylinders:
             yield (
-                "imbalance.crank_bodies_throw_at_tdc",
+                dotted(Design.imbalance, ImbalanceInputs.crank_bodies_throw_at_tdc),
                 Text("must be a cylinder of this engine, from 1 to {cylinders}", cylinders=engine.cylinders),
             )
 
@@ -307,13 +305,19 @@ class Design:
         if self.bearings is not None:
             if len(shaft.bearing_positions) > 2:
                 yield (
-                    "countershaft.bearing_positions_mm",
+                    dotted(Design.countershaft, CountershaftInputs.bearing_positions),
                     Text("[bearings] has a front and a rear one: give two, or the sizes as journals"),
                 )
             if shaft.journals:
-                yield "countershaft.journals", Text("are those of [bearings]; leave them out here, or [bearings]")
+                yield (
+                    dotted(Design.countershaft, CountershaftInputs.journals),
+                    Text("are those of [bearings]; leave them out here, or [bearings]"),
+                )
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
-            yield "countershaft.speed_ratio", Text("must be -1 where [bearings] or [gears] carry the shaft")
+            yield (
+                dotted(Design.countershaft, CountershaftInputs.speed_ratio),
+                Text("must be -1 where [bearings] or [gears] carry the shaft"),
+            )
         lengths = [j.length for j in shaft.journals] or (
             [self.bearings.front.length, self.bearings.rear.length] if self.bearings else []
         )
@@ -321,7 +325,7 @@ class Design:
         for i, (a, b, l_a, l_b) in enumerate(zip(places, places[1:], lengths, lengths[1:])):
             if b - a < (l_a + l_b) / 2 - 1e-9:
                 yield (
-                    f"countershaft.bearing_positions_mm.{i + 1}",
+                    dotted(Design.countershaft, CountershaftInputs.bearing_positions, i + 1),
                     Text("its journal overlaps the one before it, {b} mm away", b=Amount((b - a) * 1000.0, form="g")),
                 )
         if shaft.sections and len(lengths) == len(shaft.bearing_positions):
@@ -334,7 +338,7 @@ class Design:
                         end=Amount(end * 1000.0, form="g"),
                     )
                     yield (
-                        f"countershaft.bearing_positions_mm.{i}",
+                        dotted(Design.countershaft, CountershaftInputs.bearing_positions, i),
                         Text(
                             "its journal, {l} mm long, reaches beyond the shaft's sections, {reach}",
                             l=Amount(l * 1000.0, form="g"),
@@ -345,18 +349,24 @@ class Design:
     def _bearings(self, bearings: BearingsInputs) -> Iterable[tuple[str, Text]]:
         """What the tables of bearings do not have, and what bearings need that stand alone."""
         if bearings.bush_material is not None and (wrong := bush_problem(bearings.bush_material)) is not None:
-            yield "bearings.bush_material", wrong
+            yield dotted(Design.bearings, BearingsInputs.bush_material), wrong
         if (wrong := application_problem(bearings.application)) is not None:
-            yield "bearings.application", wrong
+            yield dotted(Design.bearings, BearingsInputs.application), wrong
         if self.engine is None and bearings.speed is None:
-            yield "bearings.speed_rpm", Text("needed where there is no [engine] table to take it from")
+            yield (
+                dotted(Design.bearings, BearingsInputs.speed),
+                Text("needed where there is no [engine] table to take it from"),
+            )
         if self.countershaft is None:
             if bearings.journal_material is None:
-                yield "bearings.journal_material", Text("needed where there is no [countershaft] table to take it from")
+                yield (
+                    dotted(Design.bearings, BearingsInputs.journal_material),
+                    Text("needed where there is no [countershaft] table to take it from"),
+                )
             for place in ("front", "rear"):
                 if getattr(bearings, place).load is None:
                     yield (
-                        f"bearings.{place}.load_N",
+                        dotted(Design.bearings, place, BearingInputs.load),
                         Text("needed where there is no [countershaft] table whose reactions it carries"),
                     )
         elif self.engine is not None and bearings.speed is not None and bearings.speed != self.engine.rated_speed:
@@ -364,7 +374,7 @@ class Design:
                 if getattr(bearings, place).load is None:
                     at = Text("{rated_speed} rpm", rated_speed=Amount(self.engine.rated_speed * 60, form="g"))
                     yield (
-                        "bearings.speed_rpm",
+                        dotted(Design.bearings, BearingsInputs.speed),
                         Text(
                             "the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear",
                             at=at,
@@ -375,34 +385,42 @@ class Design:
     def _names(self) -> Iterable[tuple[str, str | None, Collection[str]]]:
         known_oils, solids = self.oils, self.materials
         if self.engine is not None and self.engine.throw is not None:
-            yield "engine.throw.material", self.engine.throw.material, solids
+            yield dotted(Design.engine, EngineInputs.throw, ThrowInputs.material), self.engine.throw.material, solids
         if self.countershaft is not None:
-            yield "countershaft.material", self.countershaft.material, solids
+            yield dotted(Design.countershaft, CountershaftInputs.material), self.countershaft.material, solids
             if self.countershaft.support is not None:
-                yield "countershaft.support.material", self.countershaft.support.material, solids
+                yield (
+                    dotted(Design.countershaft, CountershaftInputs.support, Support.material),
+                    self.countershaft.support.material,
+                    solids,
+                )
             for i, other in enumerate(
                 self.countershaft.cost.alternatives if self.countershaft.cost is not None else ()
             ):
-                yield f"countershaft.cost.alternatives.{i}.material", other.material, solids
+                yield (
+                    dotted(Design.countershaft, CountershaftInputs.cost, Cost.alternatives, i, Alternative.material),
+                    other.material,
+                    solids,
+                )
         if self.bearings is not None:
-            yield "bearings.oil", self.bearings.oil, known_oils
-            yield "bearings.housing_material", self.bearings.housing_material, solids
-            yield "bearings.journal_material", self.bearings.journal_material, solids
+            yield dotted(Design.bearings, BearingsInputs.oil), self.bearings.oil, known_oils
+            yield dotted(Design.bearings, BearingsInputs.housing_material), self.bearings.housing_material, solids
+            yield dotted(Design.bearings, BearingsInputs.journal_material), self.bearings.journal_material, solids
         if self.gears is not None:
-            yield "gears.housing_material", self.gears.housing_material, solids
-            yield "gears.support_material", self.gears.support_material, solids
+            yield dotted(Design.gears, GearsInputs.housing_material), self.gears.housing_material, solids
+            yield dotted(Design.gears, GearsInputs.support_material), self.gears.support_material, solids
             for i, wheel in enumerate(self.gears.wheels):
-                yield f"gears.wheels.{i}.material", wheel.material, solids
+                yield dotted(Design.gears, GearsInputs.wheels, i, Wheel.material), wheel.material, solids
         if self.friction is not None:
-            yield "friction.oil", self.friction.oil, known_oils
+            yield dotted(Design.friction, FrictionInputs.oil), self.friction.oil, known_oils
             for i, scenario in enumerate(self.friction.scenarios):
-                yield f"friction.scenarios.{i}.oil", scenario.oil, known_oils
+                yield dotted(Design.friction, FrictionInputs.scenarios, i, Scenario.oil), scenario.oil, known_oils
             wheels = [wheel.name for wheel in self.gears.wheels] if self.gears is not None else []
             for kind in (
                 ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses") if wheels else ()
             ):
                 for i, entry in enumerate(getattr(self.friction, kind)):
-                    yield f"friction.{kind}.{i}.wheel", entry.wheel, wheels
+                    yield dotted(Design.friction, kind, i, Seal.wheel), entry.wheel, wheels
 
 
 def _no_key(key: str) -> Text | None:
@@ -424,8 +442,6 @@ def _no_key(key: str) -> Text | None:
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:
-    from difflib import get_close_matches
-
     near = get_close_matches(name, list(known), 1)
     return Text('"{name}" is not known', name=name) + (
         Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)

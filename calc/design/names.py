@@ -2,29 +2,47 @@
 """What keys, ids and choices are called in words: `front length 27.5 → 34 mm, oil 10W-40 → SAE 50`."""
 
 import re
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from types import UnionType
+from typing import TYPE_CHECKING, Any, get_args, get_origin
 
-from ..mounting.inputs import DOF_WORDS, VARIANT_WORDS
-from ..sheet.quantity import Published, Quantity
+from ..bearings.inputs import BearingsInputs
+from ..countershaft.inputs import CountershaftInputs
+from ..engine.inputs import EngineInputs
+from ..gears.inputs import GearsInputs
+from ..imbalance.inputs import ImbalanceInputs
+from ..sheet.quantity import Published, Quantity, dotted
 from ..sheet.remedy import Changes
 from ..sheet.text import COMMA, Amount, Name, Small, Text
 from .addresses import quantity_of, value_at
+from .model import STEP_KEYS, Design
 from .toml_file import Document
 
 if TYPE_CHECKING:
     from ..solve import Results
 
 
-ARRAYS = ("wheels", "meshes", "masses", "extras", "sections", "unbalances", "crank_bodies", "journals")
-BRIEF = {  # where the label of the form is longer than a line can bear
-    "clearance_um": Text("clearance"),
-    "span_allowance_um": Text("span allowance"),
-    "diameter_mm": Text("diameter"),
-    "profile_shift": Text("profile shift"),
+# the arrays that are not named where their elements are
+_ARRAYS: tuple[object, ...] = (
+    GearsInputs.wheels,
+    GearsInputs.meshes,
+    CountershaftInputs.masses,
+    CountershaftInputs.extras,
+    CountershaftInputs.sections,
+    CountershaftInputs.journals,
+    ImbalanceInputs.unbalances,
+    ImbalanceInputs.crank_bodies,
+)
+ARRAYS = tuple(map(dotted, _ARRAYS))
+NUMBERED = {
+    dotted(GearsInputs.meshes): Text("mesh"),
+    dotted(CountershaftInputs.sections): Text("section"),
+    dotted(CountershaftInputs.journals): Text("journal"),
 }
-NUMBERED = {"meshes": Text("mesh"), "sections": Text("section"), "journals": Text("journal")}
-PLACES = {"front": Text("front"), "rear": Text("rear")}  # tables whose names are the program's
+# tables whose names are the program's
+PLACES = {dotted(BearingsInputs.front): Text("front"), dotted(BearingsInputs.rear): Text("rear")}
 DIGITS = 6
 
 
@@ -53,7 +71,7 @@ def _change(document: Document, results: "Results", key: str, new: object) -> Te
         and sum(a != b for a, b in zip(old, new)) == 1
     ):
         old, new = next((a, b) for a, b in zip(old, new) if a != b)  # the one number of a list that changes
-    label, place, last = BRIEF.get(key.rpartition(".")[2], Small(about.label)), _place(key), written(new, about.unit)
+    label, place, last = about.brief or Small(about.label), _place(key), written(new, about.unit)
     change = Text("{label} {now} → {new}", label=label, now=written(old), new=last)
     if not place:
         return change
@@ -69,7 +87,7 @@ def named(document: Document, key: str) -> Text:
 
 def called(key: str, about: Quantity) -> Text:
     """The same of a key whose quantity is known."""
-    label, place = BRIEF.get(key.rpartition(".")[2], Small(about.label)), _place(key)
+    label, place = about.brief or Small(about.label), _place(key)
     if not place:
         return label
     if key.split(".")[1] in ARRAYS:
@@ -114,93 +132,82 @@ def written(value: object, unit: str = "") -> Text | Amount:
 # scenario) is a Name.
 
 NUMBERED_ID = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the order 1.5
-ID_WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the user
-    "engine.crank": Text("crank"), "engine.cylinder": Text("cylinder"), "engine.firing": Text("firing"),
-    "engine.gas": Text("gas"), "engine.harmonic": Text("harmonic"),
-    "engine.inertia_torque": Text("inertia torque"), "engine.reaction_inertia": Text("reaction inertia"),
-    "engine.throw": Text("throw"),
-    "engine.throw.largest_tangential": Text("largest tangential"),
-    "engine.throw.top_dead_centre": Text("top dead centre"),
-    "imbalance.bob_mass": Text("bob mass"), "imbalance.counterweight": Text("counterweight"),
-    "imbalance.crank": Text("crank"),
-    "imbalance.crank.balanced": Text("balanced"), "imbalance.crank.bare": Text("bare"),
-    "imbalance.crank.stated": Text("stated"),
-    "imbalance.remedy": Text("remedy"), "imbalance.remedy.backward_shaft": Text("backward shaft"),
-    "imbalance.remedy.crank": Text("crank"), "imbalance.remedy.crank_and_shafts": Text("crank and shafts"),
-    "imbalance.remedy.first_order_pair": Text("first order pair"), "imbalance.remedy.four_shafts": Text("four shafts"),
-    "imbalance.remedy.second_order_shafts": Text("second order shafts"), "imbalance.unbalances": Text("unbalances"),
-    "imbalance.throw": Text("throw"), "imbalance.counterweight.front": Text("front"),
-    "imbalance.counterweight.rear": Text("rear"),
-    "countershaft.mass_moment": Text("mass moment"),
-    "countershaft.alternative": Text("alternative"), "countershaft.bolts": Text("bolts"),
+CHECKED = {  # parts that only checks have, and tables of inputs
+    "engine.crank": Text("crank"),
+    "engine.firing": Text("firing"),
+    dotted(Design.engine, EngineInputs.gas): Text("gas"),
+    dotted(Design.imbalance, ImbalanceInputs.unbalances): Text("unbalances"),
+    dotted(Design.countershaft, CountershaftInputs.bolts): Text("bolts"),
     "countershaft.drain": Text("drain"),
-    "countershaft.further_drains": Text("further drains"),
-    "countershaft.holes": Text("holes"), "countershaft.scatter": Text("scatter"), "countershaft.sector": Text("sector"),
-    "countershaft.support": Text("support"),
-    "bearings.front": Text("front"), "bearings.rear": Text("rear"),
-    "gears.train": Text("train"), "gears.*.sheet": Text("sheet"),
-    "friction.journals": Text("journals"), "friction.journals.front": Text("front"),
-    "friction.journals.rear": Text("rear"),
-    "friction.scenarios": Text("scenarios"), "friction.scenarios.*.*.source": Text("source"),
+    dotted(Design.countershaft, CountershaftInputs.holes): Text("holes"),
+    "gears.train": Text("train"),
     "friction.train": Text("train"),
-    "friction.*.source": Text("source"),
-    "mounting.critical": Text("critical speed"), "mounting.decoupling": Text("decoupling"),
-    "mounting.energy": Text("energy"),
-    "mounting.exposure": Text("exposure"), "mounting.felt_order_1": Text("first order felt"),
-    "mounting.focal": Text("leaning pair"),
-    "mounting.frequency": Text("frequency"), "mounting.lifted": Text("weight"), "mounting.range": Text("idle to rated"),
-    "mounting.road": Text("road frequency"), "mounting.roll_axis": Text("torque roll axis"),
+    "mounting.decoupling": Text("decoupling"),
+    "mounting.lifted": Text("weight"),
+    "mounting.road": Text("road frequency"),
     "mounting.separation": Text("separation"),
-    "mounting.static": Text("at rest"), "mounting.window": Text("stiffness"),
-    "mounting.with_chassis": Text("engine and frame"),
-}  # fmt: skip
-INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
-    "imbalance.backward": Text("backward"),
-    "imbalance.backward_2": Text("backward 2"),
-    "imbalance.forward": Text("forward"),
-    "imbalance.forward_2": Text("forward 2"),
-    "imbalance.two_term": Text("two term"),
-    "engine.journal": Text("journal"),
-    "engine.pin": Text("pin"),
-    "bearings.corners": Text("corners"),
-    "bearings.dynamics": Text("dynamics"),
-    "bearings.din31652": Name("DIN 31652"),
-    "mounting.direction": Text("direction"),
-    "mounting.share": Text("energy"),
-    "mounting.torque": Text("torque"),
-    **{f"mounting.{key}": title for key, title in (VARIANT_WORDS | DOF_WORDS).items()},
 }
 
 
 @cache
-def _declared() -> dict[str, Text]:
-    """Those of the routes to a film and of the models of friction, which say them above their functions."""
-    from ..bearings.routes.routes import ROUTES  # with numpy, which a form does not need
-    from ..friction.models import MODELS
+def _words() -> Mapping[str, Text]:
+    """What the parts of ids are called, by the way to them: `*` stands for a key of a dict, `**` for any way."""
+    from ..bearings.result import BearingsResult  # with numpy, which a form does not need
+    from ..countershaft.result import CountershaftResult
+    from ..engine.result import EngineResult
+    from ..friction.result import FrictionResult
+    from ..gears.result import TrainResult
+    from ..imbalance.result import ImbalanceResult
+    from ..mounting.result import MountingResult
 
-    words = {f"bearings.{name}": route.brief for name, route in ROUTES.items()}
-    return words | {f"friction.{name}": model.brief for name, model in MODELS.items()}
+    words, first = dict(CHECKED), (EngineResult, ImbalanceResult, CountershaftResult, BearingsResult, TrainResult)
+    for step, result in zip(STEP_KEYS, (*first, FrictionResult, MountingResult), strict=True):
+        words.update(_of_groups(result, step))
+    return words
+
+
+def _of_groups(result: type, way: str) -> Iterator[tuple[str, Text]]:
+    """The words that the groups of a class of results have, and those of the keys of their dicts."""
+    for f in fields(result):
+        if (group := f.metadata.get("group")) is None:
+            continue
+        here = way if group.spread else f"{way}.{f.name}"
+        if group.words:
+            yield here, group.words
+        content, keys = _first(f.type), [here]
+        if get_origin(content) is dict:
+            content, keys = _first(get_args(content)[1]), [f"{here}.{key}" for key in ("*", *group.key_words)]
+        of_keys = f"{way.partition('.')[0]}.**" if content is Any else here
+        yield from ((f"{of_keys}.{key}", words) for key, words in group.key_words.items())
+        if isinstance(content, type) and is_dataclass(content):  # no name of a class that is loaded later
+            for key in keys:
+                yield from _of_groups(content, key)
+
+
+def _first(hint: object) -> object:
+    """Of a type that may be None, the other."""
+    return get_args(hint)[0] if isinstance(hint, UnionType) else hint
 
 
 def addressed(key: str) -> list[Text]:
     """The parts of the key of an input before its last one: the tables of the file as they stand there, front and rear
     in words."""
     parts = key.split(".")[:-1]
-    return [ID_WORDS.get(".".join(parts[: n + 1])) or Name(part) for n, part in enumerate(parts)]
+    return [_words().get(".".join(parts[: n + 1])) or Name(part) for n, part in enumerate(parts)]
 
 
 def belongs(id: str) -> list[Text]:
     """The parts of the id of a value or check between its step and its last word, in words."""
     step, *parts = id.split(".")[:-1]
-    way, words = step, []
+    way, known, words = step, _words(), []
     for part in parts:
-        known = ID_WORDS.get(f"{way}.{part}") or INSIDE.get(f"{step}.{part}") or _declared().get(f"{step}.{part}")
-        if known is None and step in ("imbalance", "mounting") and (numbered := NUMBERED_ID.fullmatch(part)):
+        word = known.get(f"{way}.{part}") or known.get(f"{step}.**.{part}")
+        way = f"{way}.{part if word else '*'}"
+        if word is None and step in ("imbalance", "mounting") and (numbered := NUMBERED_ID.fullmatch(part)):
             kind, whole, more = numbered.groups()
             n = float(f"{whole}.{more}") if more else int(whole)
-            known = Text("order {n}", n=n) if kind == "order" else Text("mode {n}", n=n)
-        words.append(known or Name(part.replace("_", "–")))
-        way = f"{way}.{part if known else '*'}"
+            word = Text("order {n}", n=n) if kind == "order" else Text("mode {n}", n=n)
+        words.append(word or Name(part.replace("_", "–")))
     return words
 
 

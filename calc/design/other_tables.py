@@ -26,7 +26,7 @@ from math import isfinite
 from numbers import Real
 from typing import Any
 
-from ..sheet.quantity import choice, day, inputs, integer, open_, quantity, table, tables, text
+from ..sheet.quantity import choice, day, dotted, inputs, integer, open_, quantity, table, tables, text
 from ..sheet.text import Text
 from ..sheet.units import UNITS
 from .disk import bare_name
@@ -73,10 +73,10 @@ class DocumentControl:
         if not self.logo:
             return
         if not bare_name(self.logo):
-            yield "logo", Text("must be the bare name of a file beside the design, like logo.png")
+            yield dotted(DocumentControl.logo), Text("must be the bare name of a file beside the design, like logo.png")
         elif not self.logo.lower().endswith(".png"):
             yield (
-                "logo",
+                dotted(DocumentControl.logo),
                 Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG"),
             )
 
@@ -204,14 +204,14 @@ class OptimiseInputs:
         yield from self._bounds("most", MOST)
         yield from self._bounds("least", LEAST)
         if self.vary is not None and not isinstance(self.vary, dict):
-            yield "vary", Text("must be a table of keys")
+            yield dotted(OptimiseInputs.vary), Text("must be a table of keys")
         elif isinstance(self.vary, dict):
             for key, allowed in self.vary.items():
                 if (wrong := range_problem(allowed)) is not None:
-                    yield f"vary.{key}", wrong
+                    yield dotted(OptimiseInputs.vary, key), wrong
         for n, price in enumerate(self.price):
             if not isinstance(price.value, list):
-                yield f"price.{n}.value", Text("must be a list, of one or two")
+                yield dotted(OptimiseInputs.price, n, Price.value), Text("must be a list, of one or two")
 
     def _bounds(self, name: str, known: tuple[str, ...]) -> Iterable[tuple[str, Text]]:
         given = getattr(self, name)
@@ -269,7 +269,7 @@ class Measured:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.unit not in UNITS:
-            yield "unit", Text('"{unit}" is no unit that values are shown in', unit=self.unit)
+            yield dotted(Measured.unit), Text('"{unit}" is no unit that values are shown in', unit=self.unit)
 
     @property
     def step(self) -> str:

@@ -3,11 +3,15 @@
 
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
+from difflib import get_close_matches
 from functools import partial
 
-from ..bearings.inputs import BearingInputs
+import numpy as np
+
+from ..bearings.inputs import BearingInputs, BearingsInputs
+from ..bearings.result import BearingResult
 from ..sheet.deferred import Later
-from ..sheet.quantity import Published, keys
+from ..sheet.quantity import Published, dotted, keys
 from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
 from .model import Design
@@ -85,7 +89,8 @@ def _tables(outcome: Outcome[object], rows: list[Measured], predicted: Callable[
 
 def measured_table(rows: list[Measured], predicted: Predicted) -> Table:
     notes = [Text("{value}: {note}.", value=row.value, note=row.note) for row in rows if row.note]
-    return Table("measured", TITLE, COLUMNS, tuple(_row(row, predicted) for row in rows), SPACE.join([NOTE, *notes]))
+    cells, note = tuple(_row(row, predicted) for row in rows), SPACE.join([NOTE, *notes])
+    return Table("measured", TITLE, COLUMNS, cells, note, short=True)
 
 
 def compared_table(a: tuple[Design, Predicted], b: tuple[Design, Predicted], names: tuple[str, str]) -> Table | None:
@@ -121,8 +126,6 @@ def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | N
     value = values.get(row.value)
     given = (value.shown, value.unit) if value is not None else _input(design, row.value)
     if given is None:
-        from difflib import get_close_matches
-
         near = get_close_matches(row.value, list(values), 1)
         return None, Text("this design has no such value; did you mean {near}?", near=near[0]) if near else NO_VALUE
     if given[1] != row.unit:
@@ -142,7 +145,10 @@ def _input(design: Design, address: str) -> tuple[float, str] | None:
     return (about.units.shown(here), about.unit) if isinstance(here, (int, float)) else None
 
 
-BENCH = {"bearings.supply_temperature_C": "oil_temperature", "bearings.supply_pressure_bar": "oil_pressure"}
+BENCH = {
+    dotted(Design.bearings, BearingsInputs.supply_temperature): "oil_temperature",
+    dotted(Design.bearings, BearingsInputs.supply_pressure): "oil_pressure",
+}
 
 
 def _of_bench(address: str, design: Design, speed: float) -> bool:
@@ -160,11 +166,9 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
     changed = replace(design, engine=engine, measured=())
     if bearings is None:
         return changed
-    front, rear = (values.get(f"bearings.{place}.clearance") for place in ("front", "rear"))
+    front, rear = (values.get(dotted(Design.bearings, place, BearingResult.clearance)) for place in ("front", "rear"))
     bearings = replace(bearings, front=_as_made(bearings.front, front), rear=_as_made(bearings.rear, rear))
     if design.engine.bench:
-        import numpy as np
-
         run = sorted(design.engine.bench, key=lambda row: row.speed)
         if run[0].speed <= speed <= run[-1].speed:
             speeds = [row.speed for row in run]

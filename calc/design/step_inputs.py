@@ -5,10 +5,11 @@ next."""
 from collections.abc import Callable
 from dataclasses import replace
 from math import hypot
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
+from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
 from ..countershaft.result import CountershaftResult
 from ..countershaft.supports import Gear, ShaftDrive
@@ -23,15 +24,12 @@ from ..gears.rating.load import Irregularity, Power, Surroundings, Swing, firing
 from ..gears.result import TrainResult
 from ..gears.solve import NOT_RATED
 from ..library.lubricant import Lubricant
+from ..mounting.wrenches import ShaftOnEngine
 from ..sheet.errors import NoSolution
 from ..sheet.step import Outcome
 from ..sheet.text import Text
-from ..sheet.value import based_on
+from ..sheet.value import based_on, recorded
 from .model import STEPS, Design
-
-if TYPE_CHECKING:
-    from ..bearings.selection.variants import SelectionCase
-    from ..mounting.wrenches import ShaftOnEngine
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
@@ -247,8 +245,6 @@ def shaft_on_engine(
     design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]
 ) -> "ShaftOnEngine | None":
     """The counter-shaft as the engine's mounts see it; None where there is none."""
-    from ..mounting.wrenches import ShaftOnEngine  # which most designs do not need
-
     countershaft, result = design.countershaft, shaft.result
     if countershaft is None or result is None:
         return None
@@ -296,8 +292,6 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
 
     `solve`: that of the program, which stands above this room.  `results`: of the design, where it is solved already.
     Raises NoSolution where it has no bearings."""
-    from ..bearings.selection.variants import SelectionCase  # of a search, which a solve does not load
-
     if design.bearings is None:
         raise NoSolution(
             Text("there are no bearings to choose"), Text("the design has no [bearings]"), Text("give the table")
@@ -306,11 +300,12 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     gear = shaft_gear(design, done.result(TrainResult))
 
     def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> Any:
-        return solve(
-            replace(design, bearings=bearings),
-            done,
-            enough=(lambda outcome: outcome.key == "bearings") if last else None,
-        )
+        with recorded(False):
+            return solve(
+                replace(design, bearings=bearings),
+                done,
+                enough=(lambda outcome: outcome.key == "bearings") if last else None,
+            )
 
     return SelectionCase(
         design.bearings,

@@ -4,6 +4,7 @@
 Every edit, from the command line, a replay or the form, makes a new Document and is checked by this same one path.  In
 order: the document, reading, checking."""
 
+import hashlib
 import math
 import re
 import tomllib
@@ -43,8 +44,6 @@ class Document:
     @property
     def sha256(self) -> str:
         """What the bytes of the file hash to; empty for a design that was never in a file."""
-        import hashlib
-
         return hashlib.sha256(self.raw).hexdigest() if self.raw else ""
 
     @cached_property

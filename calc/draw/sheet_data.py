@@ -8,8 +8,11 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from ..bearings.result import BearingResult
+from ..countershaft.inputs import CountershaftInputs
+from ..gears.inputs import GearsInputs
 from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
-from ..sheet.quantity import published
+from ..sheet.quantity import dotted, published
 from ..sheet.record import record
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import UNITS, KilogramMetre, Metre
@@ -302,15 +305,15 @@ def notes(
 
 
 def _clearances(results: "Results") -> tuple[Amount, Amount] | None:
-    known = [results.values().get(f"bearings.{place}.clearance") for place in ("front", "rear")]
+    known = [results.values().get(dotted("bearings", place, BearingResult.clearance)) for place in ("front", "rear")]
     front, rear = (number(value.shown, 0) if value is not None else None for value in known)
     return None if front is None or rear is None else (front, rear)
 
 
 DEFAULTS = {
-    "countershaft.balance_grade": Text("the grade of balancing"),
-    "gears.accuracy_grade": Text("the accuracy grade of the teeth"),
-    "gears.ball_diameter_mm": Text("the measuring ball"),
+    dotted("countershaft", CountershaftInputs.balance_grade): Text("the grade of balancing"),
+    dotted("gears", GearsInputs.accuracy_grade): Text("the accuracy grade of the teeth"),
+    dotted("gears", GearsInputs.ball_diameter): Text("the measuring ball"),
 }
 
 

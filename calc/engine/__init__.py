@@ -1,24 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """The crank train: geometry, kinematics, masses, crank angles, firing, gas and torque, the strength of a throw."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import Any
 
-from ..sheet.lazy import lazy
+# what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
+OFFERED = {
+    "EngineInputs": ".inputs",
+    "angular_speed": ".formulas",
+    "displacement": ".formulas",
+    "mean_piston_speed": ".formulas",
+    "solve_engine": ".solve:values",
+}
+__all__ = [*OFFERED]
 
-__all__ = ["EngineInputs", "angular_speed", "displacement", "mean_piston_speed", "solve_engine"]
 
-if TYPE_CHECKING:
-    from .formulas import angular_speed, displacement, mean_piston_speed
-    from .inputs import EngineInputs
-    from .solve import values as solve_engine
-else:
-    __getattr__ = lazy(
-        __name__,
-        {
-            "EngineInputs": ".inputs",
-            "angular_speed": ".formulas",
-            "displacement": ".formulas",
-            "mean_piston_speed": ".formulas",
-            "solve_engine": ".solve:values",
-        },
-    )
+def __getattr__(name: str) -> Any:
+    if name not in OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module, _, called = OFFERED[name].partition(":")
+    return getattr(import_module(module, __name__), called or name)
+
+
+def __dir__() -> list[str]:
+    return __all__

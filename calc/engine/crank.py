@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..sheet.arrays import Array, BoolArray, IndexArray, distinct, each, many
+from ..sheet.arrays import Array, BoolArray, IndexArray, each, many
 from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
@@ -219,7 +219,7 @@ def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
 
 def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:
     """The crankpin, from 0, that each cylinder runs on; pins are numbered in the order of their first cylinders."""
-    return distinct(sharing(engine, throws).argmax(1))[2]
+    return np.unique(sharing(engine, throws).argmax(1), return_inverse=True)[1]
 
 
 def column(x: float) -> float:

@@ -13,7 +13,6 @@ import numpy as np
 from ..sheet.arrays import Array, each, many
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, joined, pi, power
-from ..sheet.lanes import design_by_design
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
@@ -244,7 +243,6 @@ def highest(x: Array, y: Array) -> tuple[float, float]:
     return float(x[i] + way), float(max(np.max(y), y[i] + way * (slope + bend * way)))
 
 
-@design_by_design
 def first_highest(x: Array, y: Array) -> float:
     """The place of the largest value; of peaks of equal height the first."""
     top = np.max(y)

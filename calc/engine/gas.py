@@ -4,7 +4,7 @@
 from collections.abc import Iterable, Iterator
 from math import pi
 
-from ..sheet.quantity import THUMB, inputs, quantity, tables
+from ..sheet.quantity import THUMB, dotted, inputs, quantity, tables
 from ..sheet.text import Amount, Text
 
 FEWEST_POINTS = 8  # of a pressure table
@@ -131,13 +131,13 @@ class GasInputs:
     def problems(self) -> Iterable[tuple[str, Text]]:
         """What no single field can show: (key, reason)."""
         of_the_cycle = (
-            ("peak_pressure_bar", self.peak_pressure),
-            ("compression_ratio", self.compression_ratio),
-            ("intake_pressure_bar", self.intake_pressure),
-            ("exhaust_pressure_bar", self.exhaust_pressure),
-            ("compression_exponent", self.compression_exponent),
-            ("expansion_exponent", self.expansion_exponent),
-            ("constant_pressure_angle_deg", self.constant_pressure_angle),
+            (dotted(GasInputs.peak_pressure), self.peak_pressure),
+            (dotted(GasInputs.compression_ratio), self.compression_ratio),
+            (dotted(GasInputs.intake_pressure), self.intake_pressure),
+            (dotted(GasInputs.exhaust_pressure), self.exhaust_pressure),
+            (dotted(GasInputs.compression_exponent), self.compression_exponent),
+            (dotted(GasInputs.expansion_exponent), self.expansion_exponent),
+            (dotted(GasInputs.constant_pressure_angle), self.constant_pressure_angle),
         )
         if self.pressure:
             yield from (
@@ -147,7 +147,7 @@ class GasInputs:
             )
             if len(self.pressure) < FEWEST_POINTS:
                 yield (
-                    "pressure",
+                    dotted(GasInputs.pressure),
                     Text(
                         "has {count} points; needs at least {fewest_points} over the cycle",
                         count=len(self.pressure),
@@ -168,7 +168,7 @@ class GasInputs:
         end = (INTAKE if self.intake_pressure is None else self.intake_pressure) * self.compression_ratio**n_c
         if self.peak_pressure <= end:
             yield (
-                "peak_pressure_bar",
+                dotted(GasInputs.peak_pressure),
                 Text(
                     "must exceed the pressure at the end of compression, {end} bar",
                     end=Amount(end / 100000.0, form=".4g"),
@@ -182,7 +182,7 @@ def cycle_problems(gas: GasInputs, strokes: int) -> Iterator[tuple[str, Text]]:
         yield from _doubled(gas, 2 * pi)
         if gas.exhaust_pressure is not None and not gas.pressure:
             yield (
-                "exhaust_pressure_bar",
+                dotted(GasInputs.exhaust_pressure),
                 Text("belongs to a four-stroke engine; the cycle of a two-stroke has no exhaust stroke: leave it out"),
             )
 
@@ -199,7 +199,7 @@ def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, Text]]:
         if there - here < SAME_ANGLE and this_point != other and pressure[this_point] != pressure[other]:
             first, second = sorted((this_point, other))
             yield (
-                f"pressure.{second}.angle_deg",
+                dotted(GasInputs.pressure, second, PressurePoint.angle),
                 Text(
                     "is the angle of point {first} too, {length}° being one cycle; give one pressure for it",
                     first=first,

@@ -4,7 +4,20 @@
 from collections.abc import Iterable, Iterator
 from math import pi
 
-from ..sheet.quantity import THUMB, choice, inputs, integer, integers, keys, quantity, series, table, tables, text
+from ..sheet.quantity import (
+    THUMB,
+    choice,
+    dotted,
+    inputs,
+    integer,
+    integers,
+    keys,
+    quantity,
+    series,
+    table,
+    tables,
+    text,
+)
 from ..sheet.text import Amount, Text
 from .gas import GasInputs, cycle_problems
 
@@ -119,13 +132,19 @@ def diagram_problems(
     """What is wrong with a torque diagram, with keys of [engine]."""
     if not rows:
         if period is not None:
-            yield "torque_period_deg", Text("belongs to a torque diagram, [[engine.torque]]; leave it out")
+            yield (
+                dotted(EngineInputs.torque_period),
+                Text("belongs to a torque diagram, [[engine.torque]]; leave it out"),
+            )
         return
     if gas:
-        yield "torque", Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]")
+        yield (
+            dotted(EngineInputs.torque),
+            Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]"),
+        )
     if len(rows) < FEWEST_ROWS:
         yield (
-            "torque",
+            dotted(EngineInputs.torque),
             Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS),
         )
     length = period if period is not None else strokes * pi
@@ -133,17 +152,17 @@ def diagram_problems(
     for i, row in enumerate(rows):
         if i and row.angle <= rows[i - 1].angle:
             yield (
-                f"torque.{i}.angle_deg",
+                dotted(EngineInputs.torque, i, TorquePoint.angle),
                 Text("must be above that of the row before; a jump takes two rows, a hundredth of a degree apart"),
             )
     if rows[-1].angle - rows[0].angle > length + SAME_ANGLE:
         yield (
-            f"torque.{len(rows) - 1}.angle_deg",
+            dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.angle),
             Text("lies more than the period of {length}° behind the first row", length=shown),
         )
     elif abs(rows[-1].angle - rows[0].angle - length) <= SAME_ANGLE and rows[-1].torque != rows[0].torque:
         yield (
-            f"torque.{len(rows) - 1}.torque_Nm",
+            dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.torque),
             Text("must be that of the first row, {length}° before it: the diagram closes", length=shown),
         )
 
@@ -254,7 +273,7 @@ class EngineInputs:
         usual=(50, 150),
         source=THUMB,
         help="Diameter of the cylinders, on which the gas presses.",
-        decides=True,
+        decides=1,
     )
     crank_radius: float = quantity(
         "Crank radius",
@@ -280,7 +299,7 @@ class EngineInputs:
             high=Amount(CRANK_RATIO[1]),
         ),
         change=("shorter rods", "longer rods"),
-        decides=True,
+        decides=3,
     )
     cylinder_pitch: float = quantity(
         "Cylinder pitch",
@@ -291,7 +310,7 @@ class EngineInputs:
         usual=(35, 200),
         source=THUMB,
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
-        decides=True,
+        decides=6,
     )
     cylinder_offset: float = quantity(
         "Cylinder offset",
@@ -314,6 +333,7 @@ class EngineInputs:
         usual=(45, 180),
         source=THUMB,
         help="Between the banks of a vee engine; a boxer has 180°.",
+        where=(layout, "vee", "boxer"),
         fold=CYLINDERS,
     )
     firing_order: tuple[int, ...] | None = integers(
@@ -352,6 +372,7 @@ class EngineInputs:
         low=0,
         high=1,
         help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2.",
+        where=(layout, "vee", "boxer"),
         fold=CYLINDERS,
     )
     crank_radii: tuple[float, ...] | None = series(
@@ -375,7 +396,7 @@ class EngineInputs:
         usual=(150, 2000),
         source=THUMB,
         help="Mass of one piston with rings, pin and circlips.",
-        decides=True,
+        decides=4,
     )
     rod_mass: float | None = quantity(
         "Rod mass",
@@ -440,7 +461,8 @@ class EngineInputs:
         source=THUMB,
         help="The speed at which forces and bearings are judged.",
         repair="asked",
-        decides=True,
+        decides=5,
+        taken_by=("imbalance", "countershaft", "bearings", "gears"),
     )
     rated_power: float | None = quantity(
         "Rated power",
@@ -530,32 +552,32 @@ class EngineInputs:
         yield from self._mass_problems()
         yield from self._radius_problems()
         if self.strokes == 3:
-            yield "strokes", Text("must be 2 or 4")
+            yield dotted(EngineInputs.strokes), Text("must be 2 or 4")
         yield from diagram_problems(self.torque, self.torque_period, self.strokes, self.gas is not None)
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
             yield (
-                "rod_length_mm",
+                dotted(EngineInputs.rod_length),
                 Text("must be longer than crank radius plus cylinder offset: the crank could not turn"),
             )
         for k, radius in enumerate(self.crank_radii or (), 1):
             if radius >= self.rod_length:
                 mm = Amount(radius * 1e3, form="g")
                 yield (
-                    "crank_radii_mm",
+                    dotted(EngineInputs.crank_radii),
                     Text("cylinder {k}: {mm} mm is not below rod_length_mm: the crank could not turn", k=k, mm=mm),
                 )
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
-            yield "rod_cg_to_big_end_mm", Text("must not exceed the rod length")
+            yield dotted(EngineInputs.rod_cg_to_big_end), Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with
             return
         for key, given in (
-            ("firing_order", self.firing_order),
-            ("crank_angles_deg", self.crank_angles),
-            ("crank_radii_mm", self.crank_radii),
-            ("axial_positions_mm", self.axial_positions),
-            ("bank_of_cylinder", self.bank_of_cylinder),
+            (dotted(EngineInputs.firing_order), self.firing_order),
+            (dotted(EngineInputs.crank_angles), self.crank_angles),
+            (dotted(EngineInputs.crank_radii), self.crank_radii),
+            (dotted(EngineInputs.axial_positions), self.axial_positions),
+            (dotted(EngineInputs.bank_of_cylinder), self.bank_of_cylinder),
         ):
             if given is not None and len(given) != n:
                 yield key, Text("has {count} entries; needs one per cylinder, {n}", count=len(given), n=n)
@@ -564,25 +586,28 @@ class EngineInputs:
             and len(self.firing_order) == n
             and sorted(self.firing_order) != list(range(1, n + 1))
         ):
-            yield "firing_order", Text("must name each cylinder from 1 to {n} once", n=n)
+            yield dotted(EngineInputs.firing_order), Text("must name each cylinder from 1 to {n} once", n=n)
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n > 12):
             yield (
-                "crank_angles_deg",
+                dotted(EngineInputs.crank_angles),
                 Text("needed here: give the crank angles, or the firing order of an evenly firing engine"),
             )
         if self.layout != "vee" and self.bank_angle:
-            yield "bank_angle_deg", Text("belongs to a vee engine; leave it out")
+            yield dotted(EngineInputs.bank_angle), Text("belongs to a vee engine; leave it out")
         if self.layout == "vee" and self.bank_angle is None:
-            yield "bank_angle_deg", Text("needed for a vee engine")
+            yield dotted(EngineInputs.bank_angle), Text("needed for a vee engine")
         if self.layout == "inline" and self.bank_of_cylinder is not None and any(self.bank_of_cylinder):
-            yield "bank_of_cylinder", Text("an inline engine has bank 0 only")
+            yield dotted(EngineInputs.bank_of_cylinder), Text("an inline engine has bank 0 only")
         if self.layout == "inline" and n > 12:
-            yield "cylinders", Text("an inline engine has at most 12")
+            yield dotted(EngineInputs.cylinders), Text("an inline engine has at most 12")
 
     def _mass_problems(self) -> Iterable[tuple[str, Text]]:
         """Masses are given by piston and rod, or as they move; cylinder by cylinder, or one for all."""
         if self.reciprocating_masses is None:
-            for key, given in (("piston_mass_g", self.piston_mass), ("rod_mass_g", self.rod_mass)):
+            for key, given in (
+                (dotted(EngineInputs.piston_mass), self.piston_mass),
+                (dotted(EngineInputs.rod_mass), self.rod_mass),
+            ):
                 if given is None:
                     allowed = keys(EngineInputs)[key].about.allowed()
                     yield (
@@ -593,12 +618,18 @@ class EngineInputs:
                         ),
                     )
         elif self.piston_mass is not None:
-            yield "piston_mass_g", Text("reciprocating_masses_kg has its mass already; leave one of the two out")
+            yield (
+                dotted(EngineInputs.piston_mass),
+                Text("reciprocating_masses_kg has its mass already; leave one of the two out"),
+            )
         if self.rotating_masses is not None and self.crankpin_bearing_mass:
-            yield "crankpin_bearing_mass_g", Text("rotating_masses_kg has its mass already; leave one of the two out")
+            yield (
+                dotted(EngineInputs.crankpin_bearing_mass),
+                Text("rotating_masses_kg has its mass already; leave one of the two out"),
+            )
         for key, masses in (
-            ("reciprocating_masses_kg", self.reciprocating_masses),
-            ("rotating_masses_kg", self.rotating_masses),
+            (dotted(EngineInputs.reciprocating_masses), self.reciprocating_masses),
+            (dotted(EngineInputs.rotating_masses), self.rotating_masses),
         ):
             if masses is not None and len(masses) not in (1, self.cylinders) and self.cylinders == self.cylinders:
                 yield (
@@ -609,7 +640,7 @@ class EngineInputs:
                 )
         if self.unlike and self.throw is not None:
             yield (
-                "throw",
+                dotted(EngineInputs.throw),
                 Text(
                     "its stresses are those of a crank whose cylinders are alike: leave it out where masses or radii "
                     "differ"
@@ -621,15 +652,18 @@ class EngineInputs:
         if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
             mm = Amount(self.crank_radius * 1e3, form="g")
             yield (
-                "crank_radii_mm",
+                dotted(EngineInputs.crank_radii),
                 Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm),
             )
         if not self.unlike_radii:
             return
         if self.gas is not None:
-            yield "gas", Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ")
+            yield (
+                dotted(EngineInputs.gas),
+                Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ"),
+            )
         if self.cylinder_offset:
             yield (
-                "cylinder_offset_mm",
+                dotted(EngineInputs.cylinder_offset),
                 Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere"),
             )

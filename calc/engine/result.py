@@ -56,8 +56,8 @@ class Position(Rod):
     reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
     torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
-    pin: CrankSection = group()
-    journal: CrankSection = group()
+    pin: CrankSection = group(words="pin")
+    journal: CrankSection = group(words="journal")
 
 
 @result
@@ -70,8 +70,8 @@ class ThrowResult:
     notch_torsion_pin: Number | None = value("Notch factor of the pin, torsion", "", "K_t", default=None)
     notch_bending_journal: Number | None = value("Notch factor of the journal, bending", "", "K_b", default=None)
     notch_torsion_journal: Number | None = value("Notch factor of the journal, torsion", "", "K_t", default=None)
-    largest_tangential: Position = group()
-    top_dead_centre: Position = group()
+    largest_tangential: Position = group(words="largest tangential")
+    top_dead_centre: Position = group(words="top dead centre")
     fatigue: ThrowFatigue | None = group(spread=True, default=None)
 
 
@@ -80,11 +80,11 @@ class TorqueResult:
     """The torque of the whole engine at rated speed; with gas over its cycle, else of the inertia forces alone."""
 
     inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
-    inertia_torque: dict[str, Stated] = group()
+    inertia_torque: dict[str, Stated] = group(words="inertia torque")
     reaction_inertia_peak: NewtonMetre = value(
         "Largest torque reaction of the inertia forces on the block, by amount", "N·m", "T_RI"
     )
-    reaction_inertia: dict[str, Stated] = group()
+    reaction_inertia: dict[str, Stated] = group(words="reaction inertia")
     reaction_peak: NewtonMetre | None = value(
         "Largest torque reaction on the block, by amount", "N·m", "T_R", default=None
     )
@@ -94,12 +94,12 @@ class TorqueResult:
     compression_end_pressure: Pascal | None = value("Pressure at the end of compression", "bar", "p_c", default=None)
     indicated_work: NewtonMetre | None = value("Indicated work of one cylinder and cycle", "J", "W_i", default=None)
     indicated_mean_pressure: Pascal | None = value("Indicated mean pressure", "bar", "p_mi", default=None)
-    mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None)
+    mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None, short=True)
     indicated_power: Watt | None = value("Indicated power", "kW", "P_i", default=None)
     torque_highest: NewtonMetre | None = value("Highest torque over the cycle", "N·m", "T_hi", default=None)
     torque_lowest: NewtonMetre | None = value("Lowest torque over the cycle", "N·m", "T_lo", default=None)
     energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle", "J", "ΔE", default=None)
-    speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
+    speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None, short=True)
     harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
     reaction_harmonics: tuple[complex, ...]  # the same of its reaction on the block
     cycle: Cycle | None  # the gas of a cylinder, for the crank throw
@@ -121,28 +121,30 @@ class Cylinder:
 class EngineResult:
     """Masses, kinematics and harmonics of an engine."""
 
-    reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt")
-    rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot")
-    lambda_: Number = value("Crank ratio", "", "λ")
+    reciprocating_mass: Kilogram = value(
+        "Reciprocating mass per cylinder", "g", "M_alt", short=True, taken_by=("imbalance",)
+    )
+    rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot", short=True)
+    lambda_: Number = value("Crank ratio", "", "λ", short=True, headline=2, taken_by=("imbalance",))
     delta: Number = value("Offset ratio", "", "δ")
-    angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω")
+    angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω", short=True)
     tdc_angle: Radian = value("Crank angle at TDC", "°", "φ_0")
-    stroke: Metre = value("Stroke", "mm", "s")
-    displacement: CubicMetre = value("Displacement", "cm³", "V_h")
-    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m")
-    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None)
+    stroke: Metre = value("Stroke", "mm", "s", short=True, headline=1)
+    displacement: CubicMetre = value("Displacement", "cm³", "V_h", short=True)
+    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m", short=True)
+    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None, short=True)
     piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
     piston_speed_max_angle: Radian = value("Crank angle of the largest piston speed", "°", "α_v")
-    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
+    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max", short=True)
     acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
     acceleration_min_angle: Radian = value("Crank angle of the smallest acceleration", "°")
     firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)
     firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
     firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
-    harmonic: dict[str, Stated] | None = group(default=None)
-    cylinder: dict[str, Cylinder] | None = group(default=None)
+    harmonic: dict[str, Stated] | None = group(default=None, words="harmonic")
+    cylinder: dict[str, Cylinder] | None = group(default=None, words="cylinder")
     torque: TorqueResult | None = group(spread=True, default=None)
-    throw: ThrowResult | None = group(default=None)
+    throw: ThrowResult | None = group(default=None, words="throw")
     crank: Crank
     unlike: Unlike | None  # where masses or crank radii differ from cylinder to cylinder
     harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact

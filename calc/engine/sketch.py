@@ -25,6 +25,7 @@ from ..draw.drawing import (
     Words,
     rectangle,
 )
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Radian
@@ -35,13 +36,13 @@ if TYPE_CHECKING:
     from ..design.model import Design
     from ..solve import Results
 
-BORE, RADIUS, ROD, PITCH = (
-    "engine.bore_mm",
-    "engine.crank_radius_mm",
-    "engine.rod_length_mm",
-    "engine.cylinder_pitch_mm",
-)
-THROWS, ORDER, BANKS = "engine.crank_angles_deg", "engine.firing_order", "engine.bank_angle_deg"
+BORE = dotted("engine", EngineInputs.bore)
+RADIUS = dotted("engine", EngineInputs.crank_radius)
+ROD = dotted("engine", EngineInputs.rod_length)
+PITCH = dotted("engine", EngineInputs.cylinder_pitch)
+THROWS = dotted("engine", EngineInputs.crank_angles)
+ORDER = dotted("engine", EngineInputs.firing_order)
+BANKS = dotted("engine", EngineInputs.bank_angle)
 # of the bore; the engine says nothing of them: a piston's height below and above its pin, and the room above it
 SKIRT, CROWN, HEAD = 0.3, 0.3, 0.06
 PIN = 0.2  # of the crank radius: half of a crankpin's diameter, where no throw is given

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..library.catalogue import Material
-from ..sheet.arrays import Array, ComplexArray, each, many, one, phasors
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.formula import formula
@@ -21,7 +21,8 @@ from ..sheet.units import Number, PhasorNumber, Radian
 from ..sheet.value import about, based_on, trace
 from . import curves as engine_curves
 from . import formulas as f
-from . import torque
+from . import throw, torque
+from . import torque as torque_formulas
 from .checks import checks
 from .crank import Firing, column, crank, firing, pin_of_cylinder
 from .formulas import Unlike, alone, masses
@@ -88,7 +89,7 @@ def _peak(y: Array) -> tuple[Number, Radian]:
         slope, bend = np.sum(-n * term.imag, -1), np.sum(-(n**2) * term.real, -1)
         at = at - np.clip(slope / np.where(bend < 0, bend, -np.inf), -2 / size, 2 / size)
     highest = np.sum((c * np.exp(1j * n * at[..., None])).real, -1)
-    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (one(highest), one(at) % (2 * np.pi))
+    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
 
 
 @formula(
@@ -259,8 +260,6 @@ def _given_torque(
     engine: EngineInputs, e: EngineResult, turning: TorqueResult, turned: Curve, note: Text
 ) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
     """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
-    from . import torque as torque_formulas
-
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
     diagram, curve, repeats = torque_formulas.solve_diagram(
@@ -275,8 +274,6 @@ def _throw(
     """Stresses of a crank throw, where one is described."""
     if engine.throw is None:
         return None, (), (), ()
-    from . import throw
-
     return throw.solve(engine, e, fires.angles, engine.gas, engine.throw, materials, turning.cycle)
 
 

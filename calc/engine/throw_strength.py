@@ -181,7 +181,7 @@ class ThrowFatigue:
     fatigue_mean: Pascal = value("its mean over the cycle", "MPa", "σ_m")
     fatigue_equivalent: Pascal = value("Alternating stress that equals both", "MPa", "σ_eq")
     fatigue_strength: Pascal = value("Alternating stress that a fillet bears", "MPa", "σ_A")
-    fatigue_safety: Number = value("Safety of the fillets against fatigue", "", "j")
+    fatigue_safety: Number = value("Safety of the fillets against fatigue", "", "j", short=True)
     place: str
     cylinder: int
     wanted: Number

@@ -1,20 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """Friction of the meshes, the other losses of the train, and the power balance of the whole drive."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import Any
 
-from ..sheet.lazy import lazy
+# what this package offers, each from its module; loaded when it is asked for
+OFFERED = {
+    "schlenk": ".models",
+    "solve_loss": ".solve",
+}
+__all__ = [*OFFERED]
 
-__all__ = ["schlenk", "solve_loss"]
 
-if TYPE_CHECKING:
-    from .models import schlenk
-    from .solve import solve_loss
-else:
-    __getattr__ = lazy(
-        __name__,
-        {
-            "schlenk": ".models",
-            "solve_loss": ".solve",
-        },
-    )
+def __getattr__(name: str) -> Any:
+    if name not in OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(OFFERED[name], __name__), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

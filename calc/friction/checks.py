@@ -10,6 +10,7 @@ from ..library import oils
 from ..sheet.check import Check, check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
+from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
@@ -18,7 +19,7 @@ from ..sheet.value import Line
 from . import curves, notes
 from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .mesh.loss import loss_factor, solve_mesh
+from .mesh.loss import MeshLoss, loss_factor, solve_mesh
 from .mesh.mixed import THESIS
 from .mesh.path import array, line_load
 from .models import MODELS, factor_apart
@@ -187,7 +188,9 @@ def _mesh_checks(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterato
         Text("Johnson 1970, regimes of fluid-film lubrication"),
         Text("EHL formula outside its validity: the load is so light that the rigid isoviscous film governs. ")
         + (Text("The rolling loss is an upper bound.") if friction.film == "judged" else EMPTY),
-        remedies=None if friction.film == "judged" else by_key(FrictionInputs, "friction.film", "judged"),
+        remedies=None
+        if friction.film == "judged"
+        else by_key(FrictionInputs, dotted("friction", FrictionInputs.film), "judged"),
     )
     yield check(
         f"{id}.lambda",
@@ -237,7 +240,7 @@ def _mesh_checks(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterato
             "K",
             OWN,
             Text("The teeth run hotter than the oil: estimate their temperature, or give it."),
-            remedies=by_key(FrictionInputs, "friction.bulk", "estimated"),
+            remedies=by_key(FrictionInputs, dotted("friction", FrictionInputs.bulk), "estimated"),
         )
     if mesh.judged.bulk_temperature is not None:
         yield check(
@@ -258,11 +261,11 @@ def _mesh_checks(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterato
 def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Erratum, ...]:
     meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
     name, mesh = next(iter(result.meshes.items()))
-    meshes += oils.errata(oil.lubricant, oil.T_m, "friction.oil_viscosity")
+    meshes += oils.errata(oil.lubricant, oil.T_m, dotted("friction", FrictionResult.oil_viscosity))
     if not mesh.case.mesh.spur:
         return tuple(meshes)  # the source's pair is spur: the rest is about its own calculation
     loss_ratio = Erratum(
-        f"friction.{name}.efficiency",
+        dotted("friction", name, MeshLoss.efficiency),
         Text("Efficiency of the mesh"),
         1 - mesh.judged.efficiency,
         "",
@@ -312,7 +315,7 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
         elliptical = None
     if elliptical is not None:
         yield Erratum(
-            f"{id}.source.loss",
+            dotted(id, "source", MeshLoss.loss),
             Text("Power lost in the mesh, EHL film"),
             elliptical.loss,
             "W",

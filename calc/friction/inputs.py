@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
 # Types of rolling bearings whose factors are known (`losses/bearings.py`).
@@ -133,7 +133,7 @@ class RollingBearing:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.outside_diameter <= self.bore:
-            yield "outside_diameter_mm", Text("must be larger than the bore")
+            yield dotted(RollingBearing.outside_diameter), Text("must be larger than the bore")
         if self.method == "skf" and self.series not in (known := SKF_SERIES.get(self.kind, ())):
             rows = ", ".join(f'"{series}"' for series in known)
             hint = (
@@ -144,7 +144,7 @@ class RollingBearing:
                 )
             )
             yield (
-                "series",
+                dotted(RollingBearing.series),
                 Text('method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"', told=hint),
             )
 
@@ -292,7 +292,7 @@ class FrictionInputs:
         help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction.",
         change=("thinner oil", "thicker oil", "another oil"),
         catalogue="oils",
-        decides=True,
+        decides=1,
     )
     oil_temperature: float | None = quantity(
         "Oil temperature",
@@ -306,7 +306,7 @@ class FrictionInputs:
         source=THUMB,
         help="Of teeth and wheels. Left out: the bearings' supply temperature.",
         repair="asked",
-        decides=True,
+        decides=2,
     )
     bulk_temperature: float | None = quantity(
         "Bulk temperature",
@@ -360,7 +360,7 @@ class FrictionInputs:
         help="Mean roughness, one for both or [driver, driven].",
         change=("smoother flanks", "rougher flanks"),
         repair="free",
-        decides=True,
+        decides=3,
     )
     load_sharing: str = choice(
         "Load sharing",
@@ -368,7 +368,7 @@ class FrictionInputs:
         "smooth",
         default="linear",
         help="linear: flanks as generated. smooth: both tips relieved.",
-        decides=True,
+        decides=4,
     )
     load_share: str = choice(
         "Load share of the roughness",
@@ -429,7 +429,7 @@ class FrictionInputs:
         usual=(190, 350),
         source=THUMB,
         help="What the engine burns for its power.",
-        decides=True,
+        decides=5,
     )
     co2_per_fuel: float = quantity(
         "CO₂ per fuel, by mass",
@@ -491,7 +491,7 @@ class FrictionInputs:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.bulk == "estimated" and self.bulk_temperature is not None:
             yield (
-                "bulk_temperature_C",
+                dotted(FrictionInputs.bulk_temperature),
                 Text('leave it out where bulk = "estimated": it is measured or estimated, not both'),
             )
 

@@ -20,7 +20,7 @@ from typing import TypeVar
 import numpy as np
 
 from ..library.contact import LUBRICANT_FACTOR, hertz_pressure, mean_friction, roughness_factor, sum_of_speeds
-from ..sheet.arrays import many, one
+from ..sheet.arrays import many
 from ..sheet.formula import formula
 from ..sheet.functions import along, exp, largest, log10, smallest
 from ..sheet.quantity import result, value
@@ -240,14 +240,14 @@ def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Te
     # C rolls with the part of the pitch line's speed along the line of action
     v_t = u_C * c.mesh.centre_distance / c.path.C_F
     if np.any(w_bt < LOWEST_LINE_LOAD):
-        reasons.append(Text("line load {min} N/mm, tests from 150", min=Amount(one(np.min(w_bt)) / 1000.0)))
+        reasons.append(Text("line load {min} N/mm, tests from 150", min=Amount(float(np.min(w_bt)) / 1000.0)))
     if np.any(2 * u_C < 1.0):
-        reasons.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * one(np.min(u_C)))))
+        reasons.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * float(np.min(u_C)))))
     if np.any(v_t > FASTEST):
         reasons.append(
             Text(
                 "pitch line {max} m/s, tests up to {fastest}",
-                max=Amount(one(np.max(v_t))),
+                max=Amount(float(np.max(v_t))),
                 fastest=Amount(FASTEST, form="g"),
             )
         )
@@ -279,7 +279,7 @@ def of_xu_kahraman(c: MeshCase, P: Watt, H_V: Number) -> Regression | None:
     eta_0 = _eta(c)
     f = xu_kahraman_exponent(S=c.motion.S, p_H=p_H, eta_0=eta_0, sigma=sigma)
     mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=eta_0, R=c.motion.R)
-    highest, outside = one(np.max(p_H)), []
+    highest, outside = float(np.max(p_H)), []
     if not RUNS[0] <= highest <= RUNS[1]:
         outside.append(
             Text(
@@ -293,7 +293,7 @@ def of_xu_kahraman(c: MeshCase, P: Watt, H_V: Number) -> Regression | None:
         outside.append(
             Text(
                 "roughness {max} µm, runs up to {smooth}",
-                max=Amount(one(np.max(sigma)) * 1000000.0),
+                max=Amount(float(np.max(sigma)) * 1000000.0),
                 smooth=Amount(SMOOTH * 1000000.0, form="g"),
             )
         )
@@ -312,7 +312,7 @@ def of_benedict_kelley(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     w, w_f = _load(c, P)
     mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=based_on(2 * c.motion.u_e, c.motion.u_e))
     bounded = (many(mu) <= 0.01) | (many(mu) >= 0.2)
-    share = one(np.mean(along(array(np.where(bounded, c.path.weight, 0.0))) / along(c.path.weight)))
+    share = float(np.mean(along(array(np.where(bounded, c.path.weight, 0.0))) / along(c.path.weight)))
     held = Text("held at its bounds on {share} % of the path", share=Amount(share * 100, form=".0f"))
     return _summed(c, P, w, mu, held if share > HELD else EMPTY)
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from ..library.contact import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
 from ..library.lubricant import Lubricant
-from ..sheet.arrays import each, many, most, one
+from ..sheet.arrays import each, many
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.record import record
@@ -144,8 +144,8 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> di
                 P_out = require(mesh.power, carried[mesh.driven.name])
                 P = require(mesh.power, guesses[name].at(P_out))
                 lost = loss(name, P)
-                off[name] = most(np.abs(P_out + lost - P) / P)
-                moved = max(moved, most(np.abs(P - loads.get(name, np.inf)) / P))
+                off[name] = float(np.max(np.abs(P_out + lost - P) / P))
+                moved = max(moved, float(np.max(np.abs(P - loads.get(name, np.inf)) / P)))
                 guesses[name].learn(P, lost)
                 loads[name] = P
                 carried[mesh.driver.name] += P_out + lost
@@ -198,7 +198,7 @@ def _powers_down(
 
 
 def _number(x: Watt) -> Watt:
-    return x if np.ndim(x) else one(x)
+    return x if np.ndim(x) else float(x)
 
 
 # --- the train at its speed

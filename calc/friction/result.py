@@ -10,7 +10,7 @@ from ..sheet.text import EMPTY, Text
 from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .losses.wheels import WheelResult
 from .mesh.loss import MeshCase, MeshLoss
-from .models import Regression
+from .models import MODELS, Regression
 
 KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
@@ -45,9 +45,11 @@ class MeshResult:
     power_out: Watt = value("Power that the mesh passes on", "W", "P_out")
     ohlendorf_loss_factor: Number = value("Loss factor by Ohlendorf", "", "H_v")
     bulk_rise: Kelvin = value("Estimated warming of the teeth above the oil", "K", "ΔT_b")
-    source: MeshLoss | None = group()  # None: nothing was to be compared
-    by_regime: MeshLoss | None = group()
-    published_models: dict[str, Regression | None] = group(spread=True)
+    source: MeshLoss | None = group(short=False, words="source")  # None: nothing was to be compared
+    by_regime: MeshLoss | None = group(short=False)
+    published_models: dict[str, Regression | None] = group(
+        spread=True, key_words={name: model.brief for name, model in MODELS.items()}
+    )
     model_spread: Number | None = value("Largest loss of all models over the smallest", "", "P_max/P_min")
     case: MeshCase
 
@@ -71,7 +73,7 @@ class ScenarioMesh:
     """One mesh under the conditions of a scenario: judged, and by the source's model."""
 
     judged: MeshLoss = group(spread=True)
-    source: MeshLoss | None = group()
+    source: MeshLoss | None = group(words="source")
 
 
 @result
@@ -97,22 +99,24 @@ class FrictionResult:
 
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
-    journals: dict[str, JournalResult] = group()
-    scenarios: dict[str, ScenarioResult] | None = group(default=None)
-    oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
-    bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
-    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
-    windage_loss: Watt = value("Windage of all wheels", "W", "ΣP_W")
+    journals: dict[str, JournalResult] = group(
+        words="journals", key_words={"front": Text("front"), "rear": Text("rear")}
+    )
+    scenarios: dict[str, ScenarioResult] | None = group(short=False, default=None, words="scenarios")
+    oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0", short=True)
+    bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B", short=True)
+    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ", short=True)
+    windage_loss: Watt = value("Windage of all wheels", "W", "ΣP_W", short=True)
     churning_loss: Watt | None = value("Churning of all wheels", "W", "ΣP_C")
     thrown_oil_loss: Watt | None = value("Oil thrown onto the wheels", "W", "ΣP_J")
     seal_loss: Watt | None = value("Shaft seals", "W", "ΣP_D")
     wheel_bearing_loss: Watt | None = value("Bearings of the wheels", "W", "ΣP_L")
     other_loss: Watt = value("Other losses", "W", "ΣP_X")
-    total_loss: Watt = value("Sum of the losses", "W", "P")
-    engine_share: Number | None = value("Losses over the engine's rated power", "%", "P/P_e", default=None)
+    total_loss: Watt = value("Sum of the losses", "W", "P", short=True, page_one=1, headline=1)
+    engine_share: Number | None = value("Losses over the engine's rated power", "%", "P/P_e", default=None, short=True)
     crank_power: Watt = value("Power at the first driver", "W", "P_1")
-    crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
+    crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1", short=True, page_one=2, headline=2)
     delivered_power: Watt | None = value("Power that the last wheel delivers", "W")
-    fuel: KilogramPerSecond | None = value("Fuel that the losses cost", "g/h", "m_B")
+    fuel: KilogramPerSecond | None = value("Fuel that the losses cost", "g/h", "m_B", short=True)
     co2: KilogramPerSecond | None = value("CO₂ that the losses cost", "g/h", "m_CO2")
     residual: Watt  # of the balance

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from ..bearings.inputs import IN_WORDS
 from ..draw.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words, awaited, judged
+from ..gears.inputs import GearsInputs
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Number, Watt
@@ -44,7 +46,12 @@ def sketch(design: "Design", results: "Results") -> Sketch:
         return awaited(outcome)
     checks = tuple(outcome.checks)
     meshes = [
-        Loss(Name(mesh.case.mesh.title), mesh.judged.loss, f"gears.meshes.{n}", judged(checks, f"friction.{name}"))
+        Loss(
+            Name(mesh.case.mesh.title),
+            mesh.judged.loss,
+            dotted("gears", GearsInputs.meshes, n),
+            judged(checks, f"friction.{name}"),
+        )
         for n, (name, mesh) in enumerate(result.meshes.items())
     ]
     losses = _together(meshes, result.total_loss)
@@ -52,7 +59,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
         Loss(
             Text("{place} bearing", place=IN_WORDS[place]),
             journal.friction_power,
-            f"bearings.{place}",
+            dotted("bearings", place),
             judged(checks, f"friction.{place}"),
         )
         for place, journal in result.journals.items()
@@ -86,7 +93,7 @@ def _together(meshes: list[Loss], total: Watt) -> list[Loss]:
     if len(meshes) < 2 or any(mesh.power > THIN * total or mesh.state for mesh in meshes):
         return meshes
     name = Text("{count} meshes", count=len(meshes))
-    return [Loss(name, sum(mesh.power for mesh in meshes), "gears.meshes")]
+    return [Loss(name, sum(mesh.power for mesh in meshes), dotted("gears", GearsInputs.meshes))]
 
 
 def _flow(losses: list[Loss], total: Watt) -> Iterator[Mark]:

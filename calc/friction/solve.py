@@ -26,6 +26,7 @@ from .mesh.geometry import MeshGeometry, WheelGeometry
 from .mesh.loss import MeshLoss, case, losses, solve_mesh
 from .power_balance import Forces, TrainDrive, balance, drive
 from .result import FrictionResult, engine_share, torque
+from .studies import maps, scenarios, sensitivity
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
 
@@ -114,8 +115,6 @@ def solve(
     outcome = closed(d, power)
     result = outcome.solution
     if friction.scenarios:
-        from .studies import scenarios
-
         with QUIET():
             result = replace(result, scenarios=scenarios.solved(d, friction, oils, oil.viscosity_law, power, on))
         finite(result, "friction", EXTREME)
@@ -157,8 +156,6 @@ def with_rated_power(outcome: Outcome[FrictionResult], P_e: Watt | None) -> Outc
 
 def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:
     """Maps, sensitivity and scenarios: what is asked for when it is shown."""
-    from .studies import maps, scenarios
-
     with QUIET(), untraced():
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = _open_constants(d, result, power)
@@ -172,8 +169,6 @@ def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: OnSha
 
 
 def _open_constants(d: TrainDrive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:
-    from .studies import sensitivity
-
     with QUIET(), untraced():
         return sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
 

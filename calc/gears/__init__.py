@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gear train: geometry, measures, backlash, its place in the engine, profile, rating, and a search for shifts."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import Any
 
-from ..sheet.lazy import lazy
+# what this package offers, each from its module; loaded when it is asked for
+OFFERED = {
+    "centre_distance": ".formulas",
+    "contact_stress": ".rating.stress",
+    "solve_pair": ".solve",
+    "span": ".measures.formulas",
+    "tip_diameter": ".formulas",
+    "transverse_contact_ratio": ".formulas",
+}
+__all__ = [*OFFERED]
 
-__all__ = ["centre_distance", "contact_stress", "solve_pair", "span", "tip_diameter", "transverse_contact_ratio"]
 
-if TYPE_CHECKING:
-    from .formulas import centre_distance, tip_diameter, transverse_contact_ratio
-    from .measures.formulas import span
-    from .rating.stress import contact_stress
-    from .solve import solve_pair
-else:
-    __getattr__ = lazy(
-        __name__,
-        {
-            "centre_distance": ".formulas",
-            "contact_stress": ".rating.stress",
-            "solve_pair": ".solve",
-            "span": ".measures.formulas",
-            "tip_diameter": ".formulas",
-            "transverse_contact_ratio": ".formulas",
-        },
-    )
+def __getattr__(name: str) -> Any:
+    if name not in OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(OFFERED[name], __name__), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

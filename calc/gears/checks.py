@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from ..sheet.check import Check, check
+from ..sheet.quantity import dotted
 from ..sheet.remedy import Change, Remedy, change, remedy
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
@@ -54,7 +55,7 @@ def speed_ratio_check(train: TrainResult, wanted: Number, crank: float | None = 
             name=first.name,
         )
     to = first.name if driven_by == 1.0 else Text("the crank")
-    keys = tuple(f"gears.wheels.{wheel.name}.teeth" for wheel in reversed(way))
+    keys = tuple(dotted("gears", GearsInputs.wheels, wheel.name, Wheel.teeth) for wheel in reversed(way))
     off, shown = abs(ratio - wanted), Amount(ratio, form="+.6g")
     name = Text(
         "Speed ratio {name} to {to}, {ratio}: off the wanted {wanted} by",
@@ -244,7 +245,11 @@ def _eased(
 def _cut(wheel: str, cuts: Mapping[str, Metre], more: float) -> Change:
     """`more` off its tip, in mm, beside what is cut already."""
     return change(
-        Wheel, f"gears.wheels.{wheel}.tip_shortening_mm", round(cuts[wheel] * 1e3 + more, 6), place=wheel, bound=">="
+        Wheel,
+        dotted("gears", GearsInputs.wheels, wheel, Wheel.tip_shortening),
+        round(cuts[wheel] * 1e3 + more, 6),
+        place=wheel,
+        bound=">=",
     )
 
 
@@ -257,7 +262,7 @@ def _modules(limit: Number) -> Text:
 
 def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
     name = wheel.name
-    s_an, value_id = wheel.tip_thickness_normal, f"gears.{name}.tip_thickness_normal"
+    s_an, value_id = wheel.tip_thickness_normal, dotted("gears", name, WheelResult.tip_thickness_normal)
     if wheel.tip_thickness_normal_min is not None:
         s_an, value_id = wheel.tip_thickness_normal_min, f"{value_id}_min"
     yield check(
@@ -297,4 +302,14 @@ def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
 
 def _shifted(wheel: WheelResult) -> tuple[Remedy, ...]:
     least = math.ceil(wheel.undercut_limit * 1e4 - 1e-9) / 1e4
-    return (remedy(change(Wheel, f"gears.wheels.{wheel.name}.profile_shift", least, place=wheel.name, bound=">=")),)
+    return (
+        remedy(
+            change(
+                Wheel,
+                dotted("gears", GearsInputs.wheels, wheel.name, Wheel.profile_shift),
+                least,
+                place=wheel.name,
+                bound=">=",
+            )
+        ),
+    )

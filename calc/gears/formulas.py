@@ -10,10 +10,9 @@ import math
 
 import numpy as np
 
-from ..sheet.arrays import Array, each, has_lanes, many
+from ..sheet.arrays import Array, each, many
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, joined, largest, pi, sin, sqrt, tan
-from ..sheet.lanes import point_by_point
 from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 
@@ -291,7 +290,7 @@ def angle_of_involute(involute: Number) -> Radian:
 
     0 where inv α is not above 0; in an array no number there.
     """
-    if np.ndim(involute) or has_lanes(involute):
+    if np.ndim(involute):
         return each(_angles_of_involutes(many(involute)))
     if involute <= 0:
         return 0.0
@@ -306,7 +305,6 @@ def angle_of_involute(involute: Number) -> Radian:
     return math.atan(t)
 
 
-@point_by_point
 def _angles_of_involutes(involute: Array) -> Array:
     """The same for an array, by the same steps."""
     wanted = np.where(involute > 0, involute, np.nan)

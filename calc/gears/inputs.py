@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable
 from typing import ClassVar
 
-from ..sheet.quantity import THUMB, choice, inputs, integer, keys, quantity, series, tables, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 
 __all__ = ["Contributor", "GearsInputs", "Mesh", "Neighbour", "Wall", "Wheel"]
@@ -36,7 +36,7 @@ class Wheel:
 
     REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
-    name: str = text("Name", decides=True)
+    name: str = text("Name", decides=4)
     teeth: int = integer(
         "Teeth",
         low=5,
@@ -48,7 +48,7 @@ class Wheel:
         help="Number of teeth; few of them are undercut.",
         change=("fewer teeth", "more teeth"),
         repair="free",
-        decides=True,
+        decides=5,
     )
     profile_shift: float | None = quantity(
         "Profile shift coefficient",
@@ -63,7 +63,7 @@ class Wheel:
         change=("less profile shift", "more profile shift"),
         repair="free",
         brief="profile shift",
-        decides=True,
+        decides=6,
     )
     tip_shortening: float = quantity(
         "Tip cut (radial)",
@@ -118,7 +118,7 @@ class Wheel:
         change=("thinner teeth", "thicker teeth"),
         repair="free",
         brief="span allowance",
-        decides=True,
+        decides=7,
     )
     tip_diameter_tolerance: tuple[float, ...] | None = series(
         "Tolerance of the tip diameter",
@@ -260,9 +260,9 @@ class Wheel:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         for key, limits in (
-            ("span_allowance_um", self.span_allowance),
-            ("tip_diameter_tolerance_um", self.tip_diameter_tolerance),
-            ("root_diameter_tolerance_um", self.root_diameter_tolerance),
+            (dotted(Wheel.span_allowance), self.span_allowance),
+            (dotted(Wheel.tip_diameter_tolerance), self.tip_diameter_tolerance),
+            (dotted(Wheel.root_diameter_tolerance), self.root_diameter_tolerance),
         ):
             if limits is not None and len(limits) == 2 and limits[0] < limits[1]:
                 yield key, Text("is [upper, lower]: the first must not be below the second")
@@ -304,8 +304,8 @@ class Mesh:
 
     REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
-    driver: str = text("Driver", help="The wheel nearer to the crank.", decides=True)
-    driven: str = text("Driven", help="The wheel that it drives.", decides=True)
+    driver: str = text("Driver", help="The wheel nearer to the crank.", decides=8)
+    driven: str = text("Driven", help="The wheel that it drives.", decides=9)
     centre_distance: float | None = quantity(
         "Centre distance",
         "mm",
@@ -318,7 +318,7 @@ class Mesh:
         help="Distance of the two axes. Left out: without backlash, from the profile shifts.",
         change=("closer centres", "wider centres"),
         repair="free",
-        decides=True,
+        decides=10,
     )
     tolerance: float | None = quantity(
         "Tolerance of the centre distance (±)",
@@ -332,7 +332,7 @@ class Mesh:
         help="Half the field, to either side.",
         change=("closer tolerance", "wider tolerance"),
         repair="free",
-        decides=True,
+        decides=11,
     )
     contributors: tuple[float, ...] | None = series(
         "Contributors to the tolerance",
@@ -393,11 +393,11 @@ class Mesh:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.tolerance is not None and self.contributors is not None:
-            yield "contributors_mm", Text("give either tolerance_um or contributors_mm")
+            yield dotted(Mesh.contributors), Text("give either tolerance_um or contributors_mm")
         if self.contributors is not None and self.stack:
-            yield "stack", Text("give either contributors_mm or stack")
+            yield dotted(Mesh.stack), Text("give either contributors_mm or stack")
         if self.driver == self.driven:
-            yield "driven", Text("a wheel can not drive itself")
+            yield dotted(Mesh.driven), Text("a wheel can not drive itself")
 
 
 # --- the train, and what stands around it
@@ -436,7 +436,7 @@ class Wall:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.from_ == self.to:
-            yield "to_mm", Text("is the same point as from_mm: a wall needs a length")
+            yield dotted(Wall.to), Text("is the same point as from_mm: a wall needs a length")
 
 
 @inputs
@@ -455,7 +455,7 @@ class GearsInputs:
         source=THUMB,
         help="Pitch over π, normal to the teeth. Left out: by transverse_module_mm.",
         change=("smaller module", "larger module"),
-        decides=True,
+        decides=1,
     )
     transverse_module: float | None = quantity(
         "Transverse module",
@@ -491,7 +491,7 @@ class GearsInputs:
         source=THUMB,
         help="At the reference circle; 0: spur wheels.",
         repair="free",
-        decides=True,
+        decides=2,
     )
     face_width: float = quantity(
         "Face width",
@@ -503,7 +503,7 @@ class GearsInputs:
         source=THUMB,
         help="Of all wheels that give none of their own; often 6 to 12 modules.",
         change=("narrower gears", "wider gears"),
-        decides=True,
+        decides=3,
     )
     tool_addendum: float = quantity(
         "Tool addendum",
@@ -791,58 +791,64 @@ class GearsInputs:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.normal_module is None and self.transverse_module is None:
-            allowed = keys(GearsInputs)["normal_module_mm"].about.allowed()
+            allowed = keys(GearsInputs)[dotted(GearsInputs.normal_module)].about.allowed()
             yield (
-                "normal_module_mm",
+                dotted(GearsInputs.normal_module),
                 Text("is missing; needs {allowed}, or transverse_module_mm instead", allowed=allowed),
             )
         if self.normal_module is not None and self.transverse_module is not None:
             yield (
-                "transverse_module_mm",
+                dotted(GearsInputs.transverse_module),
                 Text("normal_module_mm gives it already, with the helix angle; leave one of the two out"),
             )
         if self.iso_6336_edition not in (2006, 2019):
-            yield "iso_6336_edition", Text("must be 2006 or 2019")
+            yield dotted(GearsInputs.iso_6336_edition), Text("must be 2006 or 2019")
         if not self.meshes:
-            yield "meshes", Text("needs at least one [[gears.meshes]]")
+            yield dotted(GearsInputs.meshes), Text("needs at least one [[gears.meshes]]")
         for i, wheel in enumerate(self.wheels):
             for key, size in (
-                ("measured_over_balls_mm", wheel.measured_over_balls),
-                ("measured_over_pins_mm", wheel.measured_over_pins),
+                (Wheel.measured_over_balls, wheel.measured_over_balls),
+                (Wheel.measured_over_pins, wheel.measured_over_pins),
             ):
                 if size is not None and self.ball_diameter is None:
-                    yield f"wheels.{i}.{key}", Text("needs gears.ball_diameter_mm, the ball or pin that was used")
+                    yield (
+                        dotted(GearsInputs.wheels, i, key),
+                        Text("needs gears.ball_diameter_mm, the ball or pin that was used"),
+                    )
             if wheel.measured_span is not None and wheel.span_teeth is None:
-                yield f"wheels.{i}.measured_span_mm", Text("needs span_teeth, over which it was measured")
+                yield (
+                    dotted(GearsInputs.wheels, i, Wheel.measured_span),
+                    Text("needs span_teeth, over which it was measured"),
+                )
         yield from self._flow()
         yield from self._hands()
         if self.support_material is None:
             for i, mesh in enumerate(self.meshes):
                 if mesh.support_share:
-                    yield f"meshes.{i}.support_share", Text("needs gears.support_material")
+                    yield dotted(GearsInputs.meshes, i, Mesh.support_share), Text("needs gears.support_material")
 
     def _flow(self) -> Iterable[tuple[str, Text]]:
         """Every wheel is driven once, and the meshes stand along the flow of power."""
         names = [w.name for w in self.wheels]
         driven: set[str] = set()
         for i, mesh in enumerate(self.meshes):
-            for key, name in (("driver", mesh.driver), ("driven", mesh.driven)):
+            for key, name in ((Mesh.driver, mesh.driver), (Mesh.driven, mesh.driven)):
                 if name not in names:
                     yield (
-                        f"meshes.{i}.{key}",
+                        dotted(GearsInputs.meshes, i, key),
                         Text('there is no wheel "{name}"; the wheels are {names}', name=name, names=", ".join(names)),
                     )
             if i and mesh.driver not in driven | {self.meshes[0].driver}:
                 yield (
-                    f"meshes.{i}.driver",
+                    dotted(GearsInputs.meshes, i, Mesh.driver),
                     Text("must be driven by an earlier mesh: meshes are listed along the flow of power"),
                 )
             if mesh.driven in driven | {self.meshes[0].driver}:
-                yield f"meshes.{i}.driven", Text("is driven already: each wheel has one driver")
+                yield dotted(GearsInputs.meshes, i, Mesh.driven), Text("is driven already: each wheel has one driver")
             driven.add(mesh.driven)
         for i, name in enumerate(names):
             if self.meshes and name not in driven | {self.meshes[0].driver}:
-                yield f"wheels.{i}.name", Text('no mesh uses the wheel "{name}"', name=name)
+                yield dotted(GearsInputs.wheels, i, Wheel.name), Text('no mesh uses the wheel "{name}"', name=name)
 
     def hands(self) -> dict[str, str]:
         """The hand of every helical wheel: they alternate from the first that is given, else the first driver is
@@ -863,6 +869,6 @@ class GearsInputs:
         for i, wheel in enumerate(self.wheels):
             if wheel.hand is not None and wheel.hand != hands.get(wheel.name, wheel.hand):
                 yield (
-                    f"wheels.{i}.hand",
+                    dotted(GearsInputs.wheels, i, Wheel.hand),
                     Text("must be {hands}: the hands of a train alternate", hands=hands[wheel.name]),
                 )

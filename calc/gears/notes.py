@@ -4,10 +4,11 @@
 import math
 from collections.abc import Iterator
 
+from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
 from ..sheet.text import COMMA, Amount, Text, plural
 from .inputs import GearsInputs
-from .result import TrainResult
+from .result import TrainResult, WheelResult
 from .train import Train
 
 
@@ -73,7 +74,7 @@ def errata(result: TrainResult) -> tuple[Erratum, ...]:
     first = drivers[0]
     return tuple(
         Erratum(
-            f"gears.{wheel.name}.speed",
+            dotted("gears", wheel.name, WheelResult.speed),
             Text("Speed of {name} by the sheet of Finotti 2013", name=wheel.name),
             math.copysign(first.speed, wheel.speed) * 60,
             "rpm",

@@ -17,9 +17,9 @@ from .rating.result import MeshRating
 class ToothSystem:
     """What all wheels of a train have in common; tool addendum and tip radius in modules."""
 
-    transverse_module: Metre = value("Transverse module", "mm", "m_t")
-    transverse_pressure_angle: Radian = value("Transverse pressure angle", "°", "α_t")
-    base_helix_angle: Radian = value("Helix angle at the base circle", "°", "β_b")
+    transverse_module: Metre = value("Transverse module", "mm", "m_t", short=True)
+    transverse_pressure_angle: Radian = value("Transverse pressure angle", "°", "α_t", short=True)
+    base_helix_angle: Radian = value("Helix angle at the base circle", "°", "β_b", short=True)
     base_pitch: Metre = value("Transverse base pitch", "mm", "p_bt")
     h_fP: Number = value("Dedendum of the finished teeth, in modules", "", "h_fP")
     s_pr: Metre = value("Undercut left by the protuberance", "mm", "s_pr")
@@ -63,11 +63,11 @@ class WheelResult:
     reference_thickness: Metre = value("Tooth thickness at the reference circle, transverse", "mm", "s_t")
     tip_thickness: Metre = value("Tooth thickness at the tip, transverse", "mm", "s_at")
     form_thickness: Metre = value("Tooth thickness at the form circle, transverse", "mm", "s_Ff")
-    tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an")
+    tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an", short=True)
     tip_thickness_normal_min: Metre | None = value(
         "Tooth thickness at the tip, normal, thinnest tooth", "mm", "s_an", default=None
     )
-    speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n")
+    speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n", short=True)
     span_teeth: Number = value("Teeth spanned", "", "K")
     span: dict[str, Stated] = group(spread=True)
     ideal_ball: Metre = value("Ball that touches in the middle of the flank", "mm", "D_y")
@@ -105,19 +105,21 @@ class WheelResult:
 class MeshResult:
     """One mesh."""
 
-    centre_distance: Metre = value("Centre distance", "mm", "a_w")
+    centre_distance: Metre = value("Centre distance", "mm", "a_w", short=True)
     centre_modification: Number = value("Centre distance modification, in modules", "", "y")
     shift_sum: Number = value("Sum of the profile shifts", "", "Σx")
     working_module: Metre = value("Transverse module at the working circles", "mm", "m_wt")
-    working_pressure_angle: Radian = value("Working transverse pressure angle", "°", "α_wt")
+    working_pressure_angle: Radian = value("Working transverse pressure angle", "°", "α_wt", short=True)
     working_helix_angle: Radian = value("Helix angle at the working circle", "°", "β_w")
     working_diameter_driver: Metre = value("Working diameter, driver", "mm", "d_w1")
     working_diameter_driven: Metre = value("Working diameter, driven", "mm", "d_w2")
     working_thickness_driver: Metre = value("Tooth thickness at the working circle, driver", "mm", "s_wt1")
     working_thickness_driven: Metre = value("Tooth thickness at the working circle, driven", "mm", "s_wt2")
     standard_tip_shortening: Metre = value("Standard tip shortening (not applied)", "mm", "k*·m_n")
-    transverse_contact_ratio: Number = value("Transverse contact ratio", "", "ε_α")
-    overlap_ratio: Number = value("Overlap ratio", "", "ε_β")
+    transverse_contact_ratio: Number = value(
+        "Transverse contact ratio", "", "ε_α", short=True, page_one=5, worst="least"
+    )
+    overlap_ratio: Number = value("Overlap ratio", "", "ε_β", short=True)
     total_contact_ratio: Number = value("Total contact ratio", "", "ε_γ")
     transverse_contact_ratio_min: Number | None = value(
         "Transverse contact ratio, shortest tips and widest centres", "", "ε_α,min", default=None
@@ -148,9 +150,9 @@ class MeshResult:
     specific_sliding_lpstc_driven: Number | None = value(
         "Specific sliding at the lowest single contact, driven", "", "ζ_B2", default=None
     )
-    backlash_min: Metre = value("Smallest backlash, normal", "µm", "j_bn,min")
+    backlash_min: Metre = value("Smallest backlash, normal", "µm", "j_bn,min", short=True)
     backlash_nominal: Metre = value("Backlash at mid-tolerance, normal", "µm", "j_bn")
-    backlash_max: Metre = value("Largest backlash, normal", "µm", "j_bn,max")
+    backlash_max: Metre = value("Largest backlash, normal", "µm", "j_bn,max", short=True)
     penetration: Metre | None = value(
         "Depth of the outlines inside each other, without backlash", "µm", "δ_p", default=None
     )
@@ -185,9 +187,13 @@ class TrainResult:
     system: ToothSystem = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
     meshes: dict[str, MeshResult] = group(spread=True)
-    speed_ratio: Number = value("Speed of the last wheel over that of the first (−: against it)", "", "i")
-    phase_error: Radian = value("Free turn of the last wheel by backlash", "°", "Δφ")
-    residual_couple: NewtonMetre | None = value("Couple left by the phase error", "N·m", "C_Δφ", default=None)
+    speed_ratio: Number = value("Speed of the last wheel over that of the first (−: against it)", "", "i", short=True)
+    phase_error: Radian = value(
+        "Free turn of the last wheel by backlash", "°", "Δφ", short=True, page_one=6, headline=1
+    )
+    residual_couple: NewtonMetre | None = value(
+        "Couple left by the phase error", "N·m", "C_Δφ", default=None, short=True, page_one=7, headline=2
+    )
     play: dict[str, PlayResult] | None = group(spread=True, default=None)  # by mesh
     train_play: TrainPlay | None = group(spread=True, default=None)
     layout: LayoutResult | None = group(spread=True, default=None)

@@ -30,11 +30,12 @@ from ..draw.drawing import (
 )
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
+from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Number
 from ..sheet.value import untraced
 from .curves import pitch_point_view
-from .inputs import GearsInputs
+from .inputs import GearsInputs, Mesh, Wheel
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
 from .profile.outline import Outline, Regions, regions
@@ -97,22 +98,23 @@ def _train(
 ) -> Iterator[Mark]:
     jams = {key: judged(checks, *(f"gears.{key}.{id}" for id in JAMS)) for key in train.meshes}
     for name, wheel in train.wheels.items():
-        at, key, tip = _point(centres[name]), f"gears.wheels.{name}", wheel.tip_diameter / 2
+        at, tip = _point(centres[name]), wheel.tip_diameter / 2
+        key = dotted("gears", GearsInputs.wheels, name)
         state = judged(checks, *(f"gears.{name}.{id}" for id in FAULTS))
         pitch = max((d for _, d, _ in train.mates(name)), default=wheel.reference_diameter) / 2
         yield Area(CONTEXT, (round_outline(at, tip),), 0.3, key, state)
-        yield Arc(OUTLINE, at, pitch, key=f"{key} gears.normal_module_mm", state=state)
+        yield Arc(OUTLINE, at, pitch, key=f"{key} {dotted('gears', GearsInputs.normal_module)}", state=state)
         yield Words(WORDS, at, Name(name), key=key, side="centre")
         yield Words(
             CONTEXT,
             (at[0], at[1] - BELOW * tip),
             Text("z {teeth}", teeth=wheel.teeth),
-            key=f"{key}.teeth",
+            key=dotted(key, Wheel.teeth),
             side="centre",
         )
     for n, (key, mesh) in enumerate(train.meshes.items()):
         if jams[key]:
-            yield from _jam(mesh, centres, f"gears.meshes.{n}", jams[key])
+            yield from _jam(mesh, centres, dotted("gears", GearsInputs.meshes, n), jams[key])
     yield from _lines(train, centres, told=not placed)
     if placed:
         yield from _obstacles(gears)
@@ -133,7 +135,8 @@ def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> It
     top = max(centres[name].imag + wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     above = top + ABOVE * max(wheel.tip_diameter for wheel in train.wheels.values())
     for n, mesh in enumerate(train.meshes.values()):
-        first, second, key = centres[mesh.driver], centres[mesh.driven], f"gears.meshes.{n}.centre_distance_mm"
+        first, second = centres[mesh.driver], centres[mesh.driven]
+        key = dotted("gears", GearsInputs.meshes, n, Mesh.centre_distance)
         yield Polyline(AXIS, (_point(first), _point(second)), key=key)
         if told:
             yield Words(DIMENSIONS, ((first.real + second.real) / 2, above), _distance(mesh), key=key, side="centre")
@@ -147,11 +150,11 @@ def _obstacles(gears: GearsInputs) -> Iterator[Mark]:
     """Walls and neighbours, given as [up, side]."""
     for wall in gears.walls:
         (up, side), (up_2, side_2) = wall.from_, wall.to
-        yield Polyline(OUTLINE, ((side, up), (side_2, up_2)), key=f"gears.walls.{wall.name}")
+        yield Polyline(OUTLINE, ((side, up), (side_2, up_2)), key=dotted("gears", GearsInputs.walls, wall.name))
     for other in gears.neighbours:
-        up, side = other.position
-        yield Area(CONTEXT, (round_outline((side, up), other.radius),), 0.15, f"gears.neighbours.{other.name}")
-        yield Arc(HIDDEN, (side, up), other.radius, key=f"gears.neighbours.{other.name}")
+        (up, side), key = other.position, dotted("gears", GearsInputs.neighbours, other.name)
+        yield Area(CONTEXT, (round_outline((side, up), other.radius),), 0.15, key)
+        yield Arc(HIDDEN, (side, up), other.radius, key=key)
 
 
 # --- the teeth
@@ -175,7 +178,7 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketc
     )
     roll = -_behind(drawn, driver)
     under, over = pitch_point_view(mesh, (driver, flanks[0]), (driven, flanks[1]), roll)
-    at = f"gears.meshes.{list(train.meshes).index(key)}"
+    at = dotted("gears", GearsInputs.meshes, list(train.meshes).index(key))
     marks: list[Mark] = [*_flank(under, -1, at, system.m_n), *_flank(over, 1, at, system.m_n)]
     low, high = min(y for mark in marks for _, y in _corners(mark)), max(y for mark in marks for _, y in _corners(mark))
     marks.append(
@@ -183,7 +186,7 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketc
             WORDS,
             (0.0, low - 0.6 * system.m_n),
             _backlash(mesh),
-            key=f"{at}.tolerance_um {at}.centre_distance_mm",
+            key=f"{dotted(at, Mesh.tolerance)} {dotted(at, Mesh.centre_distance)}",
             state=state,
             side="centre",
         )

@@ -11,6 +11,7 @@ from ..engine.inputs import EngineInputs
 from ..library.catalogue import Material
 from ..sheet.check import Check, check
 from ..sheet.deferred import Later
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text
@@ -191,7 +192,7 @@ def not_rated(outcome: Outcome[TrainResult], why: Text) -> Outcome[TrainResult]:
         "",
         Text("rule of this program: without a torque no tooth is rated"),
         why,
-        missing=("gears.power_kW",),
+        missing=(dotted("gears", GearsInputs.power),),
     )
     return replace(outcome, checks=(*outcome.checks, open_), notes=(*outcome.notes, why))
 

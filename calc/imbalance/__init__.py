@@ -1,23 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces and couples of every order, forward and backward; crank webs and bobs, and remedies that balance."""
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import Any
 
-from ..sheet.lazy import lazy
+# what this package offers, each from its module; loaded when it is asked for
+OFFERED = {
+    "ImbalanceInputs": ".inputs",
+    "couple_per_degree": ".formulas",
+    "solve_imbalance": ".solve",
+    "unbalance_product": ".formulas",
+}
+__all__ = [*OFFERED]
 
-__all__ = ["ImbalanceInputs", "couple_per_degree", "solve_imbalance", "unbalance_product"]
 
-if TYPE_CHECKING:
-    from .formulas import couple_per_degree, unbalance_product
-    from .inputs import ImbalanceInputs
-    from .solve import solve_imbalance
-else:
-    __getattr__ = lazy(
-        __name__,
-        {
-            "ImbalanceInputs": ".inputs",
-            "couple_per_degree": ".formulas",
-            "solve_imbalance": ".solve",
-            "unbalance_product": ".formulas",
-        },
-    )
+def __getattr__(name: str) -> Any:
+    if name not in OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(OFFERED[name], __name__), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -122,6 +122,7 @@ def _bars(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tupl
         tuple(series),
         bars=True,
         variants=variants,
+        short=3,
     )
 
 
@@ -143,6 +144,7 @@ def _turn(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tupl
         Text("{symbol}, {unit}", symbol=symbol, unit=unit),
         tuple(series),
         variants=variants,
+        short=1 if kind == "couple" else 2,
     )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..engine.crank import crank, firing, pin_of_cylinder, places, throw_angles
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
-from ..sheet.arrays import Array, IndexArray, distinct, each, many
+from ..sheet.arrays import Array, IndexArray, each, many
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Table
@@ -60,7 +60,7 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     keys = np.zeros(len(orders), dtype=np.int64)
     for k in range(n):
         keys = keys * n + place[:, k] % throws
-    _, first, which = distinct(keys)
+    _, first, which = np.unique(keys, return_index=True, return_inverse=True)
     residuals, angles = _left(imbalance, engine, e, place[first].astype(float))
     best = (
         residuals

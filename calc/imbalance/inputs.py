@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 
 from ..library.tolerances import BALANCE_GRADES
-from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
 # the folds of the form
@@ -85,7 +85,7 @@ class ImbalanceInputs:
         help="Of the reciprocating mass; at ½ one shaft takes the rest.",
         change=("lighter counterweights", "heavier counterweights"),
         repair="free",
-        decides=True,
+        decides=1,
     )
     rotating_balance_fraction: float = quantity(
         "Rotating share balanced",
@@ -104,7 +104,7 @@ class ImbalanceInputs:
         "two_term",
         default="exact",
         help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
-        decides=True,
+        decides=2,
     )
     counterweight_span: float | None = quantity(
         "Counterweights apart",
@@ -223,8 +223,8 @@ class ImbalanceInputs:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         for key, given, other in (
-            ("counterweight_radius_mm", self.counterweight_radius, self.counterweight_span),
-            ("counterweight_span_mm", self.counterweight_span, self.counterweight_radius),
+            (dotted(ImbalanceInputs.counterweight_radius), self.counterweight_radius, self.counterweight_span),
+            (dotted(ImbalanceInputs.counterweight_span), self.counterweight_span, self.counterweight_radius),
         ):
             if given is None and other is not None:
                 yield (
@@ -232,20 +232,20 @@ class ImbalanceInputs:
                     Text("needed with the other of the two: span and radius give the masses of the counterweights"),
                 )
         for key, axis, beside in (
-            ("forward_shaft_axis_mm", self.forward_shaft_axis, self.backward_shaft_axis),
-            ("backward_shaft_axis_mm", self.backward_shaft_axis, self.forward_shaft_axis),
+            (dotted(ImbalanceInputs.forward_shaft_axis), self.forward_shaft_axis, self.backward_shaft_axis),
+            (dotted(ImbalanceInputs.backward_shaft_axis), self.backward_shaft_axis, self.forward_shaft_axis),
         ):
             if axis is None and beside is not None:
                 yield key, Text("needed with the other of the two: the places of both shafts give the roll of the pair")
         pins = [body.pin for body in self.crank_bodies if isinstance(body.pin, int)]
         if self.crank_bodies and not pins:
             yield (
-                "crank_bodies",
+                dotted(ImbalanceInputs.crank_bodies),
                 Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there"),
             )
         if sorted(pins) != list(range(1, len(pins) + 1)):
             yield (
-                "crank_bodies",
+                dotted(ImbalanceInputs.crank_bodies),
                 Text(
                     "the pins must be numbered from 1 without gaps, each once; they are {map}",
                     map=", ".join(map(str, pins)),

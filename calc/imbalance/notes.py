@@ -4,10 +4,12 @@
 from collections.abc import Iterable
 
 from ..engine.inputs import EngineInputs
+from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
 from ..sheet.text import Text
 from . import formulas as f
 from .inputs import ImbalanceInputs
+from .orders import Order
 from .result import ImbalanceResult
 from .shaft_pair import roll_notes
 from .throws import verdict
@@ -50,7 +52,7 @@ def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum
     )
     return (
         Erratum(
-            "imbalance.order_2.couple_peak_vertical",
+            dotted("imbalance", "order_2", Order.couple_peak_vertical),
             Text("Second-order couple"),
             float(theirs),
             "N·m",

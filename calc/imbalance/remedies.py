@@ -177,7 +177,15 @@ class BalancingRemedy:
 
     title: str
     crank_balance_fraction: Number = value("Share balanced on the crank", "", "κ")
-    shafts: dict[str, BalanceShaft] = group(spread=True)
+    shafts: dict[str, BalanceShaft] = group(
+        spread=True,
+        key_words={
+            "forward": Text("forward"),
+            "backward": Text("backward"),
+            "forward_2": Text("forward 2"),
+            "backward_2": Text("backward 2"),
+        },
+    )
     order_1_force: Newton = value("First-order force left, peak", "N", "F_1")
     order_1_couple: NewtonMetre = value("First-order couple left, peak", "N·m", "C_1")
     order_2_force: Newton = value("Second-order force left, peak", "N", "F_2")

@@ -11,17 +11,19 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ..draw.drawing import CONTEXT, HIDDEN, OUTLINE, WORDS, Mark, Point, Polyline, Sketch, State, Words
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
 from .curves import DRAWN, KINDS
+from .inputs import ImbalanceInputs
 from .result import ImbalanceResult
 
 if TYPE_CHECKING:
     from ..design.model import Design
     from ..solve import Results
 
-SHARE = "imbalance.crank_balance_fraction"
+SHARE = dotted("imbalance", ImbalanceInputs.crank_balance_fraction)
 CORNERS = 72  # of a locus
 POINT = 0.03  # of the largest: a locus that is smaller is shown as a point
 TITLES = {"couple": Text("couple of order {n}, N·m"), "force": Text("force of order {n}, N")}

@@ -24,6 +24,7 @@ from . import formulas as f
 from . import orders as u
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
+from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .notes import errata, notes
 from .orders import Order, order
@@ -152,8 +153,6 @@ def solve(
 
     def cranks() -> Iterator[Table]:
         if 2 < engine.cylinders <= LISTED:
-            from .firing_orders import cranks_table, firing_orders  # for who looks at them only
-
             yield cranks_table(firing_orders(imbalance, engine, e), engine)
 
     def places() -> Iterator[Table]:

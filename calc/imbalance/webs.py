@@ -17,10 +17,9 @@ from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..library.tolerances import grade_number, permitted_unbalance
-from ..sheet.arrays import Array, ComplexArray, distinct, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant, total
-from ..sheet.lanes import together_or_singly
 from ..sheet.linked_array import column, elements, gathered
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Table
@@ -314,8 +313,12 @@ class CrankState:
 class WebsResult:
     """The crank's own balance, and what it leaves to pulley and flywheel."""
 
-    bob_mass: dict[str, Stated] | None = group(default=None)
-    crank: dict[str, CrankState] | None = group(default=None)
+    bob_mass: dict[str, Stated] | None = group(default=None, words="bob mass")
+    crank: dict[str, CrankState] | None = group(
+        default=None,
+        words="crank",
+        key_words={"bare": Text("bare"), "stated": Text("stated"), "balanced": Text("balanced")},
+    )
     drill: dict[str, WebDrilling] | None = group(default=None)
     drilled_mass: Kilogram | None = value("Mass to drill out of the crank in all", "g", default=None)
     permitted_unbalance: KilogramMetre | None = value(
@@ -324,11 +327,13 @@ class WebsResult:
     pin_deviation: Radian | None = value("Largest angle between a pin of the bodies and its throw", "°", default=None)
     equivalent_mass: Kilogram | None = value("Equivalent mass of a cylinder", "g", "M_eq", default=None)
     missing_forward_couple: NewtonMetre | None = value(
-        "Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None
+        "Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None, short=True, page_one=5
     )
-    missing_forward_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
+    missing_forward_couple_phase: Radian | None = value(
+        "its direction, cylinder 1 at TDC", "°", default=None, short=True
+    )
     missing_forward_force: Newton | None = value(
-        "Force that pulley and flywheel must supply", "N", "F_pf", default=None
+        "Force that pulley and flywheel must supply", "N", "F_pf", default=None, short=True, page_one=6
     )
     unbalances_couple: NewtonMetre | None = value("Couple of the given unbalances", "N·m", "C_U", default=None)
     unbalances_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
@@ -338,7 +343,6 @@ class WebsResult:
     )
 
 
-@together_or_singly
 def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> WebsResult | None:
     """The balance of the crank's own bodies; None where the design says nothing of them.  Speed and masses may be
     arrays."""
@@ -354,7 +358,7 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     if bob is not None:
         crank = e.crank
         pin = pin_of_cylinder(engine, crank)
-        first = distinct(pin)[1]
+        first = np.unique(pin, return_index=True)[1]
         with about(Text("pulley and flywheel")):
             M_eq = crank_masses(imbalance, e)
             of, r = (crank.theta_0, M_eq), u.radius(engine, e)
@@ -443,10 +447,10 @@ def _bodies(
     throw = based_on(
         crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc
     )
-    first = distinct(pin_of_cylinder(engine, crank))[1]
+    first = np.unique(pin_of_cylinder(engine, crank), return_index=True)[1]
     deviation = pin_deviation(p=each(machine.p[machine.pins]), phi=each(throw[first]))
     bobs = {
-        str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}"), bob)
+        str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}", short=True), bob)
         for j, bob in enumerate(elements(masses))
     }
     drill, drilled = drilling(imbalance, *turned_with, machine.p, machine.z)

@@ -8,7 +8,7 @@ from dataclasses import MISSING, replace
 from functools import cache, lru_cache
 from typing import Any, TypeVar
 
-from ..sheet.quantity import choice, inputs, keys, quantity, tables, text, unknown
+from ..sheet.quantity import choice, dotted, inputs, keys, quantity, tables, text, unknown
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.value import Link, linked
@@ -136,18 +136,18 @@ class Oil:
         yield from self._viscosity_problems()
         for i, row in enumerate(self.printed):
             if any(row.temperature == other.temperature for other in self.printed[:i]):
-                yield f"printed.{i}.temperature_C", Text("stands twice")
+                yield dotted(Oil.printed, i, PrintedViscosity.temperature), Text("stands twice")
 
     def _viscosity_problems(self) -> Iterable[tuple[str, Text]]:
         """The viscosity must be given, and in one way only."""
         ways = {
-            "nu40_mm2_s": self.nu40 is not None or self.nu100 is not None,
-            "viscosity_mPas": self.viscosity is not None,
+            dotted(Oil.nu40): self.nu40 is not None or self.nu100 is not None,
+            dotted(Oil.viscosity): self.viscosity is not None,
             "viscosities": bool(self.viscosities),
         }
         first, *others = [key for key, given in ways.items() if given] or [""]
         if not first:
-            for key in ("nu40_mm2_s", "nu100_mm2_s"):
+            for key in (dotted(Oil.nu40), dotted(Oil.nu100)):
                 yield (
                     key,
                     Text(
@@ -160,26 +160,26 @@ class Oil:
                 key,
                 Text("the viscosity of this oil is given by {first} already; leave one of the two out", first=first),
             )
-        if ways["nu40_mm2_s"]:
+        if ways[dotted(Oil.nu40)]:
             if self.nu40 is None:
-                yield "nu40_mm2_s", Text("is missing; needed with the viscosity at 100 °C")
+                yield dotted(Oil.nu40), Text("is missing; needed with the viscosity at 100 °C")
             elif self.nu100 is None:
-                yield "nu100_mm2_s", Text("is missing; needed with the viscosity at 40 °C")
+                yield dotted(Oil.nu100), Text("is missing; needed with the viscosity at 40 °C")
             elif self.nu100 >= self.nu40:
-                yield "nu100_mm2_s", Text("must be below the viscosity at 40 °C")
+                yield dotted(Oil.nu100), Text("must be below the viscosity at 40 °C")
             elif self.nu100 < self.nu40:  # neither is a placeholder
                 from .oil_formulas import line_problem  # brings numpy with it
 
                 if (wrong := line_problem(self.nu40, self.nu100)) is not None:
-                    yield "nu100_mm2_s", wrong
+                    yield dotted(Oil.nu100), wrong
         if len(self.viscosities) == 1:
             yield (
-                "viscosities",
+                dotted(Oil.viscosities),
                 Text("has one row; needs two or more, or viscosity_mPas for one viscosity at every temperature"),
             )
         for i, (row, after) in enumerate(zip(self.viscosities, self.viscosities[1:]), 1):
             if after.temperature <= row.temperature:
-                yield f"viscosities.{i}.temperature_C", Text("must be above that of the row before")
+                yield dotted(Oil.viscosities, i, ViscosityRow.temperature), Text("must be above that of the row before")
 
 
 @inputs

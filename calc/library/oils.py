@@ -9,7 +9,8 @@ neighbours, and what is printed for other oils."""
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ..sheet.quantity import Quantity, keys
+from ..sheet.expression import symbol
+from ..sheet.quantity import Quantity, dotted, keys
 from ..sheet.record import record
 from ..sheet.step import Erratum, Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text
@@ -83,7 +84,7 @@ def _own(oil: Oil) -> Iterator[JudgedValue]:
         default = Text("{source}, or left out: the program's usual value", source=oil.source)
         own_claim = Claim(key, value, GIVEN, Name(oil.source) if value != about.field.default else default)
         yield _judged(key, about.about, value, claims.get(key, own_claim))
-    row = keys(ViscosityRow)["viscosity_mPas"].about
+    row = keys(ViscosityRow)[dotted(ViscosityRow.viscosity)].about
     for point in oil.viscosities:
         here = replace(row, label=Text("Dynamic viscosity at {T} °C", T=Amount(point.temperature, form="g")))
         yield _judged(
@@ -106,8 +107,6 @@ def _of_base(oil: Oil) -> Iterator[JudgedValue]:
 
 def _judged(key: str, about: Quantity, value: float | str, claim: Claim) -> JudgedValue:
     shown = about.units.shown(value) if isinstance(value, float) else value
-    from ..sheet.expression import symbol  # for what is shown only
-
     name = symbol(about.symbol) if about.symbol else "base"
     return JudgedValue(key, Text(about.label), name, shown, about.unit, claim.confidence, claim.source)
 

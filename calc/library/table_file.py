@@ -12,6 +12,7 @@ from typing import Any, NoReturn
 
 from ..sheet.errors import BadTable, InputError
 from ..sheet.text import Text
+from ..sheet.toml_scan import key_lines
 
 TABLES = Path(__file__).parent / "tables"
 Mistake = tuple[str, str, Text]  # the place of a key in the file, what stands there, and what is allowed
@@ -64,8 +65,6 @@ def parsed(file: str, text: str) -> dict[str, Any]:
 
 def bad_table(file: str, mistakes: Iterable[Mistake]) -> BadTable:
     """What is said of mistakes in a file, each with the line of its key, or of the nearest table around it."""
-    from ..sheet.toml_scan import key_lines
-
     lines = key_lines(text_of_table(file))
     errors = []
     for place, value, reason in mistakes:

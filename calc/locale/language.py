@@ -4,6 +4,7 @@
 import re
 from dataclasses import fields, replace
 from functools import cache
+from gettext import translation
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar, cast
 
@@ -107,8 +108,6 @@ def language(code: str) -> Language:
         raise KeyError(code)
     if code == "en":
         return Language(code)
-    from gettext import translation
-
     return Language(code, translation(DOMAIN, FOLDER, [code]))
 
 

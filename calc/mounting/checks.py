@@ -14,6 +14,8 @@ from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.value import based_on
 from .body import DOFS
 from .inputs import DOF_WORDS, MountingInputs
+from .levels import peaks
+from .operations import existing
 from .result import MountingResult
 from .standards import scope, table, zone_limit
 from .wrenches import operating
@@ -217,8 +219,6 @@ def critical_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
     """Of operations with hours: how near the next critical speed is, of order 1, of the firing, and of order 2."""
     orders = result.drive.orders
     firing = 2.0 * engine.cylinders / engine.strokes
-    from .operations import existing
-
     there = {float(orders[i]) for i in existing(result.drive, result.levels)}
     wanted = [order for order in dict.fromkeys((1.0, firing, 2.0)) if order in there]
     for name, speed, hours in operating(mounting, engine):
@@ -284,8 +284,6 @@ def checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResul
 
 def _deflection_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
     """At rest, under the mean torque and vibrating, along each own axis: the largest of all operations."""
-    from .levels import peaks
-
     v = result.drive.variants.index(result.own)
     for j, mount in enumerate(mounting.mounts):
         if mount.deflection_limit is None:

@@ -39,6 +39,7 @@ def seat_over_speed(result: MountingResult) -> tuple[Curve, ...]:
                 axis_label("a_w", "m/s²"),
                 series,
                 limits,
+                short=1,
             )
         )
     return tuple(curves)
@@ -74,6 +75,7 @@ def orders_at(result: MountingResult) -> tuple[Curve, ...]:
                     series,
                     bars=True,
                     names=names,
+                    short=2,
                 )
             )
     return tuple(curves)
@@ -102,6 +104,7 @@ def forces(result: MountingResult) -> Curve:
         series,
         bars=True,
         names=names,
+        short=3,
     )
 
 
@@ -144,6 +147,7 @@ def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
             "Root mean squares of all orders. Half over shaft gives three ratios at every operation, and never one "
             "for the engine."
         ),
+        short=True,
     )
 
 
@@ -177,6 +181,7 @@ def mode_table(result: MountingResult) -> Table:
         Text(
             "Rows and columns add up to 100 %; a single entry may be negative where the body has products of inertia."
         ),
+        short=True,
     )
 
 

@@ -5,9 +5,10 @@ In order: the inertia tensor, mounts and frame, points and operations, the input
 
 import math
 from collections.abc import Iterable, Iterator
+from difflib import get_close_matches
 
 from ..sheet.arrays import Array
-from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import COMMA, Amount, Text
 
 # --- the inertia tensor of a rigid body, and whether a body can have it
@@ -78,9 +79,9 @@ class Mobility:
 class Mount:
     """A mount of the engine.  Its stiffness is static; what turns it into the dynamic one stands beside."""
 
-    name: str = text("Name", help="Letters, digits and -.", decides=True)
+    name: str = text("Name", help="Letters, digits and -.", decides=5)
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="asked", decides=True
+        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="asked", decides=6
     )
     stiffness: tuple[float, ...] = series(
         "Static stiffness",
@@ -91,7 +92,7 @@ class Mount:
         symbol="k",
         help="Along the mount's own axes; the first is its compression.",
         repair="free",
-        decides=True,
+        decides=7,
     )
     dynamic_ratio: float = quantity(
         "Dynamic over static stiffness",
@@ -181,23 +182,23 @@ class Mount:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.loss_factor is not None and self.damping is not None:
-            yield "damping_Ns_mm", Text("excludes loss_factor; leave one of the two out")
+            yield dotted(Mount.damping), Text("excludes loss_factor; leave one of the two out")
         if self.frequency_dependence == "fractional" and self.damping is not None:
             yield (
-                "frequency_dependence",
+                dotted(Mount.frequency_dependence),
                 Text("fractional goes with a loss factor, not with damping_Ns_mm; leave one of the two out"),
             )
         yield from loss_problems(self.loss_factor, "loss_factor")
         yield from loss_problems(self.foundation_loss, "foundation_loss")
         if self.foundation is None and self.foundation_loss is not None:
-            yield "foundation_loss", Text("needs foundation_N_mm, whose loss it is")
+            yield dotted(Mount.foundation_loss), Text("needs foundation_N_mm, whose loss it is")
         if self.foundation is not None and len(self.foundation) == 2:
-            yield "foundation_N_mm", Text("has 2 entries; needs one, or one for each of the three own axes")
+            yield dotted(Mount.foundation), Text("has 2 entries; needs one, or one for each of the three own axes")
         if self.foundation is not None and self.mobility:
-            yield "mobility", Text("excludes foundation_N_mm; leave one of the two out")
+            yield dotted(Mount.mobility), Text("excludes foundation_N_mm; leave one of the two out")
         frequencies = [row.frequency for row in self.mobility]
         if frequencies != sorted(set(frequencies)):
-            yield "mobility", Text("its frequencies must rise from row to row")
+            yield dotted(Mount.mobility), Text("its frequencies must rise from row to row")
 
 
 @inputs
@@ -238,7 +239,7 @@ class Support:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.loss_factor is not None and self.damping is not None:
-            yield "damping_Ns_mm", Text("excludes loss_factor; leave one of the two out")
+            yield dotted(Support.damping), Text("excludes loss_factor; leave one of the two out")
         yield from loss_problems(self.loss_factor, "loss_factor")
 
 
@@ -300,9 +301,9 @@ class Chassis:
     def problems(self) -> Iterable[tuple[str, Text]]:
 
         if (reason := problem(self.inertia, self.inertia_coupling)) is not None:
-            yield "inertia_kgm2", reason
+            yield dotted(Chassis.inertia), reason
         if not self.supports:
-            yield "supports", Text("needs at least one support: a frame that nothing carries falls")
+            yield dotted(Chassis.supports), Text("needs at least one support: a frame that nothing carries falls")
 
 
 def loss_problems(eta: float | None, key: str) -> Iterable[tuple[str, Text]]:
@@ -423,7 +424,7 @@ class MountingInputs:
         high=1e6,
         symbol="m",
         help="Engine with liquids, flywheel, and what is bolted to it.",
-        decides=True,
+        decides=1,
     )
     centre_of_gravity: tuple[float, ...] = series(
         "Centre of gravity",
@@ -433,7 +434,7 @@ class MountingInputs:
         high=10000,
         symbol="r_G",
         help=PLACE,
-        decides=True,
+        decides=2,
     )
     inertia: tuple[float, ...] | None = series(
         "Inertia",
@@ -444,7 +445,7 @@ class MountingInputs:
         high=1e7,
         symbol="J",
         help="[J_x, J_y, J_z] about the axes through the centre of gravity: yaw, pitch, roll.",
-        decides=True,
+        decides=3,
     )
     inertia_coupling: tuple[float, ...] | None = series(
         "Coupling entries",
@@ -482,7 +483,7 @@ class MountingInputs:
         source=THUMB,
         help="At which isolation is judged.",
         repair="asked",
-        decides=True,
+        decides=4,
     )
     up: tuple[float, ...] = series(
         "Direction upward",
@@ -605,66 +606,79 @@ class MountingInputs:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if not FEWEST <= len(self.mounts) <= MOST:
             count = len(self.mounts)
-            yield "mounts", Text("are {count}; needs from {fewest} to {most}", count=count, fewest=FEWEST, most=MOST)
+            yield (
+                dotted(MountingInputs.mounts),
+                Text("are {count}; needs from {fewest} to {most}", count=count, fewest=FEWEST, most=MOST),
+            )
         yield from self._inertia()
         yield from self._directions()
         yield from self._names()
         for i, point in enumerate(self.points):
             if point.on == "chassis" and self.chassis is None:
-                yield f"points.{i}.on", Text("needs [mounting.chassis], on which it stands")
+                yield dotted(MountingInputs.points, i, Point.on), Text("needs [mounting.chassis], on which it stands")
         hours = sum(row.hours for row in self.operation if row.hours is not None)
         if hours > DAY:
-            yield "operation", Text("their hours are {hours} together; a day has 24", hours=hours)
+            yield dotted(MountingInputs.operation), Text("their hours are {hours} together; a day has 24", hours=hours)
         if self.output_torque is not None and self.torque_path == "inside":
-            yield "output_torque_Nm", Text('belongs to torque_path = "off_body"; leave it out, or the path')
+            yield (
+                dotted(MountingInputs.output_torque),
+                Text('belongs to torque_path = "off_body"; leave it out, or the path'),
+            )
 
     def _inertia(self) -> Iterator[tuple[str, Text]]:
         if self.inertia is not None and self.dimensions is not None:
-            yield "dimensions_mm", Text("excludes inertia_kgm2; leave one of the two out")
+            yield dotted(MountingInputs.dimensions), Text("excludes inertia_kgm2; leave one of the two out")
         if self.inertia is None and self.dimensions is None:
-            yield "inertia_kgm2", Text("is missing; give it, or dimensions_mm for an estimate")
+            yield dotted(MountingInputs.inertia), Text("is missing; give it, or dimensions_mm for an estimate")
         if self.inertia is None and self.inertia_coupling is not None:
-            yield "inertia_coupling_kgm2", Text("needs inertia_kgm2, whose coupling it is")
+            yield dotted(MountingInputs.inertia_coupling), Text("needs inertia_kgm2, whose coupling it is")
         if self.inertia is not None:
             if (reason := problem(self.inertia, self.inertia_coupling, self.integral)) is not None:
-                yield "inertia_kgm2", reason
+                yield dotted(MountingInputs.inertia), reason
 
     def _directions(self) -> Iterator[tuple[str, Text]]:
         if len(self.up) != 3 or len(self.forward) != 3:
             return
         if not any(self.up):
-            yield "up", Text("must be a direction, like [1, 0, 0]")
+            yield dotted(MountingInputs.up), Text("must be a direction, like [1, 0, 0]")
             return
         (a, b, c), (d, e, f) = self.up, self.forward
         across = math.hypot(b * f - c * e, c * d - a * f, a * e - b * d)
         if across <= 1e-6 * math.hypot(*self.up) * max(math.hypot(*self.forward), 1e-12):
-            yield "forward", Text("must be a direction that is not that of up")
+            yield dotted(MountingInputs.forward), Text("must be a direction that is not that of up")
 
     def _names(self) -> Iterator[tuple[str, Text]]:
         taken = {mount.name for mount in self.mounts}
         for i, point in enumerate(self.points):
             if point.name in taken:
-                yield f"points.{i}.name", Text("is that of a mount; every place needs a name of its own")
+                yield (
+                    dotted(MountingInputs.points, i, Point.name),
+                    Text("is that of a mount; every place needs a name of its own"),
+                )
             taken.add(point.name)
         for i, support in enumerate(self.chassis.supports if self.chassis is not None else ()):
             if support.name in taken:
                 yield (
-                    f"chassis.supports.{i}.name",
+                    dotted(MountingInputs.chassis, Chassis.supports, i, Support.name),
                     Text("is that of a mount or point; every place needs a name of its own"),
                 )
             taken.add(support.name)
         for i, row in enumerate(self.operation):
             if row.name in RESERVED:
-                yield f"operation.{i}.name", Text("stands for something else in the names of values; take another")
+                yield (
+                    dotted(MountingInputs.operation, i, Operation.name),
+                    Text("stands for something else in the names of values; take another"),
+                )
         for m, mode in enumerate(self.chassis.modes if self.chassis is not None else ()):
             for i, place in enumerate(mode.shape):
                 if place.name and place.name not in taken:
-                    yield f"chassis.modes.{m}.shape.{i}.name", _no_place(place.name, taken)
+                    yield (
+                        dotted(MountingInputs.chassis, Chassis.modes, m, FrameMode.shape, i, Move.name),
+                        _no_place(place.name, taken),
+                    )
 
 
 def _no_place(name: str, places: Iterable[str]) -> Text:
-    from difflib import get_close_matches
-
     near = get_close_matches(name, list(places), 1)
     unknown = Text("is no mount, point or support")
     return unknown + (

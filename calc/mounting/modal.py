@@ -200,6 +200,7 @@ def of_modes(m: Matrices) -> dict[str, Mode]:
 
 SHARE = {dof: Text("Energy of the mode in {dof}", dof=words) for dof, words in DOF_WORDS.items()}
 NAMED = {dof: Text("Frequency of the mode named {dof}", dof=words) for dof, words in DOF_WORDS.items()}
+HEADLINES = {"roll": 1, "bounce": 2}  # what stands for the step
 PURE = {dof: Text("Energy of the mode named {dof} in it", dof=words) for dof, words in DOF_WORDS.items()}
 
 
@@ -211,7 +212,10 @@ def _of(x: float, *place: int) -> float:
 def frequencies(m: Matrices, mode_values: dict[str, Mode]) -> dict[str, Stated]:
     """By the coordinate that a mode is named after, which is not its number."""
     return {
-        dof: Stated(described(NAMED[dof], "Hz", "f"), mode_values[f"mode_{m.found.of[i] + 1}"].frequency)
+        dof: Stated(
+            described(NAMED[dof], "Hz", "f", short=True, headline=HEADLINES.get(dof, 0)),
+            mode_values[f"mode_{m.found.of[i] + 1}"].frequency,
+        )
         for i, dof in enumerate(DOFS)
     }
 

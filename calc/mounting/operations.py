@@ -221,16 +221,16 @@ def _ratios(
     engine = next((point.name for point in points if point.on == "engine"), None)
     asked: list[tuple[str, str, str, Described]] = []
     if seat is not None:
-        asked.append(("felt_seat", seat, "weighted", described(Text("Felt at the seat, half over shaft"), "", "q_S")))
+        at_seat = described(Text("Felt at the seat, half over shaft"), "", "q_S", short=True, page_one=1, worst="least")
+        asked.append(("felt_seat", seat, "weighted", at_seat))
     if engine is not None:
-        asked.append(
-            ("felt_engine", engine, "velocity", described(Text("Felt at the engine, half over shaft"), "", "q_S"))
-        )
+        at_engine = described(Text("Felt at the engine, half over shaft"), "", "q_S", short=True)
+        asked.append(("felt_engine", engine, "velocity", at_engine))
     for name, _, _ in rows:
         half, shaft = tree[name]["half"], tree[name]["shaft"]
         for id, place, kind, about in asked:
             put(tree[name], (id,), about, _ratio(getattr(half[place], kind), getattr(shaft[place], kind)))
-        about = described(Text("Felt in the mounts, half over shaft"), "", "q_S")
+        about = described(Text("Felt in the mounts, half over shaft"), "", "q_S", short=True, page_one=2, worst="least")
         if "force_sum" in half and "force_sum" in shaft:
             put(tree[name], ("felt_force",), about, _ratio(half["force_sum"].number, shaft["force_sum"].number))
 
@@ -248,7 +248,9 @@ def felt_order_1(driven: EngineWrenches) -> Tree | None:
             put(
                 tree,
                 (name,),
-                described(Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name]), "", "q_S,1"),
+                described(
+                    Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name]), "", "q_S,1", short=True
+                ),
                 ratio,
             )
     return tree or None

@@ -4,16 +4,17 @@
 import math
 from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
 from ..sheet.arrays import Array
-from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.quantity import Described, Stands, Stated, group, result, value
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
 from ..sheet.value import based_on, recorder
+from .inputs import DOF_WORDS, VARIANT_WORDS
 from .levels import Course, Levels
 from .modes import Modes
 from .system import System
@@ -41,23 +42,25 @@ class Mode:
 
     frequency: Hertz = value("Frequency", "Hz", "f")
     loss_factor: Number = value("Loss factor", "", "η")
-    share: dict[str, Stated] = group()
+    share: dict[str, Stated] = group(words="energy")
 
 
 @result
 class RollAxis:
     """The axis about which a free engine turns under a torque about the crank."""
 
-    angle: Radian = value("Torque roll axis from the crank", "°", "∠e_T")
-    decoupling: Number = value("Largest share of a mode in the motion about the torque roll axis", "%", "max s_i")
-    direction: dict[str, Stated] = group()
+    angle: Radian = value("Torque roll axis from the crank", "°", "∠e_T", short=True)
+    decoupling: Number = value(
+        "Largest share of a mode in the motion about the torque roll axis", "%", "max s_i", short=True
+    )
+    direction: dict[str, Stated] = group(words="direction")
 
 
 @result
 class StaticMount:
     """A mount under the weight of the engine."""
 
-    deflection: Metre = value("Static deflection along the first own axis", "mm", "δ_1")
+    deflection: Metre = value("Static deflection along the first own axis", "mm", "δ_1", short=True)
     load: Newton = value("Upward force on the engine", "N", "F_s")
 
 
@@ -74,8 +77,8 @@ class Window:
     """By which factor all stiffnesses may be changed: not below the road's frequency, not above what isolates at
     idle."""
 
-    lowest_factor: Number = value("Lowest factor of all stiffnesses, by the road", "", "s_low")
-    spread: Number = value("Spread of the modes, highest over lowest", "", "f_max/f_min")
+    lowest_factor: Number = value("Lowest factor of all stiffnesses, by the road", "", "s_low", short=True)
+    spread: Number = value("Spread of the modes, highest over lowest", "", "f_max/f_min", short=True)
     half: Ceiling | None = group(default=None)
     shaft: Ceiling | None = group(default=None)
 
@@ -141,20 +144,20 @@ class MountLevel:
 class MountingResult:
     """Six modes, statics and aids, then operation by operation what the engine, the frame and the driver feel."""
 
-    frequency: dict[str, Stated] = group()
-    energy: dict[str, Stated] = group()
+    frequency: dict[str, Stated] = group(words="frequency")
+    energy: dict[str, Stated] = group(words="energy")
     frequency_range: Tree | None = group(default=None)
     modes: dict[str, Mode] = group(spread=True)
-    with_chassis: Tree | None = group(default=None)
-    roll_axis: RollAxis = group()
-    static: Tree = group()
-    window: Window = group()
-    focal: Tree | None = group(default=None)
-    critical: Tree = group()
-    operations: Tree = group(spread=True)
-    felt_order_1: Tree | None = group(default=None)
-    exposure: Tree | None = group(default=None)
-    range: Tree | None = group(default=None)
+    with_chassis: Tree | None = group(default=None, words="engine and frame")
+    roll_axis: RollAxis = group(words="torque roll axis")
+    static: Tree = group(words="at rest")
+    window: Window = group(words="stiffness")
+    focal: Tree | None = group(default=None, words="leaning pair")
+    critical: Tree = group(words="critical speed")
+    operations: Tree = group(spread=True, key_words={"torque": Text("torque")} | VARIANT_WORDS | DOF_WORDS)
+    felt_order_1: Tree | None = group(default=None, words="first order felt")
+    exposure: Tree | None = group(default=None, words="exposure")
+    range: Tree | None = group(default=None, words="idle to rated")
     own: str  # the design's own variant
     speeds: dict[str, tuple[float, float]]  # of each operation, and its hours
     mode_data: Modes
@@ -216,8 +219,8 @@ def there(number: float) -> float | None:
 
 
 @cache
-def described(label: Text, unit: str, symbol: str = "") -> Described:
-    return Described(label, unit, symbol)
+def described(label: Text, unit: str, symbol: str = "", **stands: Unpack[Stands]) -> Described:
+    return Described(label, unit, symbol, **stands)
 
 
 def put(tree: dict[str, Any], way: tuple[str, ...], about: Described, number: float | None) -> None:

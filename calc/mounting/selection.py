@@ -15,13 +15,14 @@ import numpy as np
 from ..sheet.arrays import Array, BoolArray
 from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress, tell
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.remedy import Changes
 from ..sheet.search import judged, least, narrowed
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
 from .body import DOFS
-from .inputs import MountingInputs
+from .inputs import Mount, MountingInputs
 from .modes import assignments, eigen
 from .result import MountingResult
 
@@ -169,8 +170,10 @@ def changes(candidate: Candidate, mounting: MountingInputs, at: MountRoom) -> Ch
     changed: Changes = {}
     for mount in design.mounts:
         assert mount.turned is not None
-        changed[f"mounting.mounts.{mount.name}.stiffness_N_mm"] = [round(k / 1e3, 6) for k in mount.stiffness]
-        changed[f"mounting.mounts.{mount.name}.turned_deg"] = [
+        changed[dotted("mounting", MountingInputs.mounts, mount.name, Mount.stiffness)] = [
+            round(k / 1e3, 6) for k in mount.stiffness
+        ]
+        changed[dotted("mounting", MountingInputs.mounts, mount.name, Mount.turned)] = [
             round(math.degrees(angle), 6) + 0.0 for angle in mount.turned
         ]
     return changed

@@ -24,6 +24,7 @@ from ..draw.drawing import (
     judged,
 )
 from ..sheet.arrays import Array
+from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Radian
 from .curves import ModePicture, mode_pictures
@@ -91,7 +92,7 @@ def _marks(mounting: MountingInputs, mode: ModePicture, states: dict[str, State]
     low, high = float(mode.corners[:, 2].min()), float(mode.corners[:, 2].max())
     yield Polyline(AXIS, tuple(_seen(np.array([[0.0, 0.0, low - DOT * size], [0.0, 0.0, high + DOT * size]]))))
     for i, (mount, at) in enumerate(zip(mounting.mounts, _seen(mode.mounts + swing * mode.mount_moves))):
-        yield Arc(OUTLINE, at, DOT * size, key=f"mounting.mounts.{i}", state=states[mount.name])
+        yield Arc(OUTLINE, at, DOT * size, key=dotted("mounting", MountingInputs.mounts, i), state=states[mount.name])
     for mount, at in zip(mounting.mounts, _seen(mode.mounts)):
         if states[mount.name]:
             yield Words(
@@ -100,8 +101,9 @@ def _marks(mounting: MountingInputs, mode: ModePicture, states: dict[str, State]
     along = 0.25 * size * mode.roll_axis
     yield Polyline(AXIS, tuple(_seen(np.array([mode.centre - along, mode.centre + along]))))
     ((x, y),) = _seen(mode.centre[None, :])
+    centre = dotted("mounting", MountingInputs.centre_of_gravity)
     for dx, dy in ((CROSS * size, 0.0), (0.0, CROSS * size)):
-        yield Polyline(OUTLINE, ((x - dx, y - dy), (x + dx, y + dy)), key="mounting.centre_of_gravity_mm")
+        yield Polyline(OUTLINE, ((x - dx, y - dy), (x + dx, y + dy)), key=centre)
 
 
 def _seen(places: Array) -> list[Point]:

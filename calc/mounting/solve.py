@@ -17,7 +17,8 @@ from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Text
 from ..sheet.value import trace, untraced
 from . import body, modal, statics
-from .checks import checks
+from .checks import checks, inertia_check
+from .curves import curves, tables
 from .inputs import MountingInputs
 from .levels import levels
 from .notes import honest, notes
@@ -106,8 +107,6 @@ def _over_boxes(
 ) -> tuple[MountingResult, Check]:
     """The result with the range of every frequency, and the check of the verdicts that hang on the estimate of the
     inertia."""
-    from .checks import inertia_check
-
     with untraced():
         others = [values(mounting, driven, body.inertia(mounting, share)) for share in (body.LEAST, body.MOST)]
         verdicts = [{c.id: c.holds for c in checks(mounting, engine, other)} for other in others]
@@ -123,12 +122,8 @@ def _over_boxes(
 
 
 def _curves(result: MountingResult) -> tuple[Curve, ...]:
-    from .curves import curves  # which a check does not draw
-
     return curves(result)
 
 
 def _tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
-    from .curves import tables
-
     return tables(mounting, result)

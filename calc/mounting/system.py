@@ -6,6 +6,7 @@ Coordinates: the six of the engine's centre of gravity, then the six of the chas
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -96,8 +97,6 @@ def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
 
 
 def _without_frame(mounting: MountingInputs) -> MountingInputs:
-    from dataclasses import replace
-
     return replace(mounting, chassis=None)
 
 

@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
+from statistics import NormalDist
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..engine.torque import prepare
 from ..imbalance.result import ImbalanceResult
-from ..sheet.arrays import Array, ComplexArray, IndexArray, distinct, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, IndexArray, each, many, phasors
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
@@ -47,7 +48,7 @@ class Basis:
 
     def up_to(self, until: IndexArray) -> tuple[ComplexArray, ComplexArray]:
         """Held pressure up to each of these samples, and expansion from there to BDC (speeds, orders)."""
-        ends, _, which = distinct(np.concatenate([until, [self.epsilon.size]]))
+        ends, which = np.unique(np.concatenate([until, [self.epsilon.size]]), return_inverse=True)
         starts = np.concatenate([[0], ends[:-1]])
         held, fallen = (
             np.cumsum(np.add.reduceat(part, starts, axis=1), axis=1).T for part in (self.held, self.expanding)
@@ -380,8 +381,6 @@ def _spread(mounting: MountingInputs, engine: EngineInputs, order: tuple[int, ..
         return np.zeros(engine.cylinders)
     if len(given) == engine.cylinders and engine.cylinders > 1:
         return based_on(np.asarray(given, dtype=float), given)
-    from statistics import NormalDist
-
     quantiles = [NormalDist().inv_cdf((k + 0.5) / engine.cylinders) for k in range(engine.cylinders)]
     spread = np.zeros(engine.cylinders)
     spread[np.asarray(order) - 1] = given[0] * np.array(quantiles)

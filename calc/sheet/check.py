@@ -7,10 +7,10 @@ import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from functools import cache, cached_property
 from pathlib import Path
 
-from .arrays import has_lanes
 from .errors import BadTable, InputError
 from .quantity import unknown
 from .record import record
@@ -128,8 +128,6 @@ def _bad_row(line: int, id: str, reason: Text, value: str = "") -> BadTable:
 
 def _without_row(id: str) -> BadTable:
     """What is said of a check that has no row, at the row that may be meant for it."""
-    from difflib import get_close_matches
-
     lines = {cells[0]: line for line, cells in _tables()[1]}
     for near in get_close_matches(id, lines, 1):
         return _bad_row(lines[near], id, Text('has no row here; did you mean "{near}"?', near=near))
@@ -315,6 +313,13 @@ class Check:
         over, under = (self.value, self.limit) if self.sense in ("<=", "<") else (self.limit, self.value)
         return over / under if under else None
 
+    @property
+    def share(self) -> float | None:
+        """The value over its nearest limit, 1 at it; None where that says nothing."""
+        limit = self.nearest[1]
+        ratio = self.value / limit if limit else -1.0
+        return ratio if ratio >= 0 else None
+
     @cached_property
     def finding(self) -> str:
         """The verdict, before anybody accepts it."""
@@ -383,8 +388,7 @@ def check(
         raise _without_row(id) from None
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
-    several = has_lanes(value, limit)  # of many designs, which are judged one by one: nobody reads remedies
-    number = shown(value) if several or math.isfinite(value) else value
+    number = shown(value) if math.isfinite(value) else value
     this_check = Check(
         id,
         name,
@@ -404,7 +408,7 @@ def check(
         rule.demand,
         rule.exact,
     )
-    ways = () if remedies is None or several or this_check.holds else remedies()
+    ways = () if remedies is None or this_check.holds else remedies()
     return (
         replace(
             this_check, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])

@@ -10,8 +10,7 @@ from typing import TypeVar, cast
 
 import numpy as np
 
-from .arrays import ComplexArray, has_lanes, one, phasors
-from .lanes import point_by_point
+from .arrays import ComplexArray, phasors
 from .value import LinkedFloat
 
 pi = math.pi
@@ -19,7 +18,7 @@ N = TypeVar("N", float, complex)
 
 
 def _several(x: object) -> bool:
-    """Whether this is an array, or the numbers of many designs (`lanes.py`)."""
+    """Whether this is an array."""
     return hasattr(x, "ndim") and not isinstance(x, (float, complex))
 
 
@@ -112,12 +111,6 @@ def resultant(x: N) -> N:
 
 def _resultant(x: ComplexArray) -> object:
     dust = 1e-12 * np.sum(np.abs(x), -1)
-    if has_lanes(dust):
-        total = np.sum(x, -1)
-        if not np.iscomplexobj(total):
-            return np.where(np.abs(total) <= dust, 0.0, total)
-        real, imag = (np.where(np.abs(part) <= dust, 0.0, part) for part in (total.real, total.imag))
-        return real + 1j * imag
     if x.ndim > 1:
         total = np.sum(x, -1)
         if not np.iscomplexobj(total):
@@ -151,7 +144,7 @@ def smallest(a: float, b: float) -> float:
 
 def rss(x: float) -> float:
     """Root of the sum of squares."""
-    return sqrt(one(np.sum(np.square(x))))
+    return math.sqrt(np.sum(np.square(x)))
 
 
 # --- the zero of a function in a bracket
@@ -210,7 +203,6 @@ _VALUE = np.array([math.erf(x) for x in _GRID])
 _SLOPE = 2 / math.sqrt(math.pi) * np.exp(-(_GRID**2)) / STEPS  # per step
 
 
-@point_by_point
 def erf(x: float) -> float:
     """erf x; a float by `math`, an array by interpolation.  NaN stays NaN."""
     if type(x) in (float, LinkedFloat):

@@ -2,11 +2,10 @@
 """Arrays that know where they came from: see `value.py`."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 import numpy as np
 
-from .arrays import has_lanes
 from .value import KINDS, PLAIN, Link, joined_links, link_of, linked, recording
 
 if TYPE_CHECKING:
@@ -102,10 +101,6 @@ def gathered(numbers: Iterable[object]) -> "Array":
     """An array of single numbers that keeps the link of each."""
     numbers = tuple(numbers)
     if not recording.get():
-        if any([has_lanes(number) for number in numbers]):  # of many designs
-            from .lanes import stacked
-
-            return stacked(numbers)  # type: ignore[no-any-return]
         return np.array(numbers, dtype=float)
     parts = tuple(map(link_of, numbers))
     return linked_array(np.array(numbers, dtype=float), joined_links(parts), parts)
@@ -125,10 +120,6 @@ def where(
 ) -> "Array | ComplexArray":
     """An array of the elements of `one` where `there` is true, and those of `other` elsewhere: both only as long as
     they are needed."""
-    if has_lanes(chosen, other):  # of many designs
-        from .lanes import scattered
-
-        return cast("Array", scattered(there, chosen, other))
     array = np.empty(there.size, dtype=np.result_type(chosen, other))
     array[there], array[~there] = chosen, other
     parts = np.empty(there.size, dtype=object)
@@ -149,7 +140,5 @@ def elements(x: "Array") -> tuple[float, ...]: ...
 def elements(x: "ComplexArray") -> tuple[complex, ...]: ...
 def elements(x: "Array | ComplexArray") -> tuple[complex, ...]:
     """The elements of an array of one dimension as Python numbers, each with its link."""
-    if has_lanes(x):
-        return tuple(x)
     links = getattr(x, "parts", ()) or (link_of(x),) * len(x)
     return tuple(map(linked, x.tolist(), links))

@@ -7,11 +7,11 @@ out: None (no tables: ()) means "choose for me"; the type checker reads the same
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
+from difflib import get_close_matches
 from functools import cache
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
-from .arrays import has_lanes
-from .record import record
+from .record import frozen, record
 from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
 
@@ -23,6 +23,7 @@ Repair = Literal["", "free", "asked"]
 
 REQUIRED: Any = MISSING  # no default, in place of one of any type
 NOTHING_RENAMED: Mapping[str, str] = {}
+NO_KEY_WORDS: Mapping[str, Text] = {}
 # the source of a usual range that practice knows and no book behind this program states
 THUMB = Text("rule of thumb, no published source")
 
@@ -38,6 +39,19 @@ class ChangeWords:
 
 
 NO_WORDS = ChangeWords()
+
+
+@record
+class Where:
+    """The choice of the same table with which an input says something, and its words with which it does."""
+
+    choice: Field[Any]  # Any: the type of its default
+    words: tuple[str, ...]
+
+    def holds(self, table: Mapping[str, object]) -> bool:
+        """In a table of the design file; a choice that is left out is the first of its words."""
+        about: Quantity = self.choice.metadata["quantity"]
+        return table.get(_key(self.choice), about.choices[0]) in self.words
 
 
 @record
@@ -63,11 +77,13 @@ class Quantity:
     help: Text = EMPTY
     source: Text = EMPTY  # where the usual range, or the meaning, comes from
     brief: Text = EMPTY  # what it is called where its label is longer than a line can bear
-    decides: bool = False  # whether it is one of the few that stand first in the form of its step
+    decides: int = 0  # of the few that stand first in the form of their step, which one it is, from 1
     fold: Text = EMPTY  # the fold of the form that it lies in; that of its table, where it says nothing itself
     catalogue: str = ""  # of a text that is a name: the catalogue that has it
     repair: Repair = ""
     change: ChangeWords = NO_WORDS
+    where: Where | None = None  # where it says something; None: everywhere
+    taken_by: tuple[str, ...] = ()  # later steps in whose form it stands too
 
     @property
     def units(self) -> Unit:
@@ -130,10 +146,11 @@ class _AsTheyStand(TypedDict, total=False):
     usual: tuple[float, float]
     count: tuple[int, int]
     step: float
-    decides: bool
+    decides: int
     fold: Text
     catalogue: str
     repair: Repair
+    taken_by: tuple[str, ...]
 
 
 class Said(_AsTheyStand, total=False):
@@ -144,6 +161,7 @@ class Said(_AsTheyStand, total=False):
     negative: str
     brief: str
     change: tuple[str, ...]  # (less, more), (less, more, other) or (other,)
+    where: tuple[object, ...]  # (choice, word, …): a choice field above it in its class, and words of it
 
 
 def _make(
@@ -157,6 +175,7 @@ def _make(
     negative: str = "",
     brief: str = "",
     change: tuple[str, ...] = (),
+    where: tuple[object, ...] = (),
     choices: tuple[str, ...] = (),
     table: type | None = None,
     free: bool = False,
@@ -172,6 +191,7 @@ def _make(
         negative=Text(negative),
         brief=Text(brief),
         change=_change_words(*map(Text, change)),
+        where=_where(*where) if where else None,
         choices=choices,
         table=table,
         free=free,
@@ -182,6 +202,11 @@ def _make(
 
 def _change_words(*words: Text) -> ChangeWords:
     return ChangeWords(other=words[0]) if len(words) == 1 else ChangeWords(*words)
+
+
+def _where(choice: object, *words: object) -> Where:
+    assert isinstance(choice, Field), choice  # in the class that is being made; where it is made, a Key
+    return Where(choice, tuple(map(str, words)))
 
 
 def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
@@ -253,9 +278,14 @@ def keys(inputs: type) -> dict[str, Key]:
     by_key = {}
     for f in fields(inputs):
         if (about := f.metadata.get("quantity")) is not None:
-            key = f.name.rstrip("_") + about.units.suffix  # `from_`: the key may be a word of Python
+            key = _key(f)
             by_key[key] = Key(key, f.name, about, f)
     return by_key
+
+
+def _key(f: Field[Any]) -> str:
+    about: Quantity = f.metadata["quantity"]
+    return f.name.rstrip("_") + about.units.suffix  # `from_`: the key may be a word of Python
 
 
 def dotted(*parts: object) -> str:
@@ -266,8 +296,6 @@ def dotted(*parts: object) -> str:
 
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
-    from difflib import get_close_matches
-
     near = get_close_matches(key, known, 1, 0.5)
     return Text("is not known") + (
         Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
@@ -277,14 +305,32 @@ def unknown(key: str, known: Collection[str]) -> Text:
 # --- results
 
 
+class Stands(TypedDict, total=False):
+    """Where a result stands beside the tables of all results."""
+
+    short: bool  # in its chapter of a short report
+    page_one: int  # on the first page: the line among those of its step, from 1
+    worst: Literal["largest", "least"]  # of several results on one line of the first page, which one stands for all
+    each: bool  # with a line of the first page for each part that has one
+    headline: int  # for its whole step: which one it is of those that do, from 1
+    taken_by: tuple[str, ...]  # in the forms of later steps, which take it over
+
+
 @record
 class Described:
-    """The description of one result: its label, the unit it is shown in, its symbol, the name that its field had."""
+    """The description of one result: its label, the unit it is shown in, its symbol, the name that its field had, and
+    where it stands (`Stands`)."""
 
     label: Text
     unit: str
     symbol: str = ""
     former: str = ""
+    short: bool = False
+    page_one: int = 0
+    worst: Literal["largest", "least"] = "largest"
+    each: bool = False
+    headline: int = 0
+    taken_by: tuple[str, ...] = ()
 
 
 @record
@@ -305,9 +351,32 @@ class Stated:
     number: float
 
 
+@record
+class Group:
+    """The description of a field that holds further results or a dict of them.  `spread`: its own name is left out of
+    the address.  `former`: the name that it had; `renamed`: the names that the keys of a dict had.  `words`: what this
+    part of an address is called; `key_words`: the same of the keys of a dict that are the program's, of a dict of dicts
+    wherever they stand.
+
+    `short`, `leads`: whether what lies in it may stand in a short report at all, and whether on its first page or for
+    its step; of a dict, the keys of which it may."""
+
+    spread: bool
+    former: str
+    renamed: Mapping[str, str]
+    short: bool | tuple[str, ...]
+    leads: bool | tuple[str, ...]
+    words: Text
+    key_words: Mapping[str, Text]
+
+
+NO_GROUP = Group(False, "", NOTHING_RENAMED, True, True, EMPTY, NO_KEY_WORDS)
+
+
 @dataclass(frozen=True, slots=True)
 class Published:
-    """One result with its address: `shown` in its unit, `inside` the very object that the formulas returned."""
+    """One result with its address: `shown` in its unit, `inside` the very object that the formulas returned.  `short`,
+    `page_one`, `headline` are those of its description, where its place lets them."""
 
     id: str
     shown: float
@@ -317,6 +386,9 @@ class Published:
     inside: float
     about: Described
     former: str = ""
+    short: bool = False
+    page_one: int = 0
+    headline: int = 0
 
     @property
     def ids(self) -> tuple[str, ...]:
@@ -324,24 +396,35 @@ class Published:
         return (self.id, self.former) if self.former else (self.id,)
 
 
-def value(label: str, unit: str = "", symbol: str = "", *, default: T = REQUIRED, former: str = "") -> T:
+def value(
+    label: str, unit: str = "", symbol: str = "", *, default: T = REQUIRED, former: str = "", **stands: Unpack[Stands]
+) -> T:
     """A field of a result, in SI; `None` means that there is no such value in this design.  `former`: the name that it
     had."""
-    return field(default=default, kw_only=True, metadata={"value": Described(Text(label), unit, symbol, former)})
+    about = Described(Text(label), unit, symbol, former, **stands)
+    return field(default=default, kw_only=True, metadata={"value": about})
 
 
 def group(
-    *, spread: bool = False, default: T = REQUIRED, former: str = "", renamed: Mapping[str, str] = NOTHING_RENAMED
+    *,
+    default: T = REQUIRED,
+    spread: bool = False,
+    former: str = "",
+    renamed: Mapping[str, str] = NOTHING_RENAMED,
+    short: bool | tuple[str, ...] = True,
+    leads: bool | tuple[str, ...] = True,
+    words: str = "",
+    key_words: Mapping[str, Text] = NO_KEY_WORDS,
 ) -> T:
-    """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address.
-    `former`: the name that it had; `renamed`: the names that the keys of a dict had."""
-    return field(default=default, kw_only=True, metadata={"group": spread, "former": former, "renamed": renamed})
+    """A field that holds further results or a dict of them."""
+    about = Group(spread, former, renamed, short, leads, Text(words), key_words)
+    return field(default=default, kw_only=True, metadata={"group": about})
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
 def result(cls: type[T]) -> type[T]:
     """A class of results: frozen, made by keywords, told apart by identity, since results hold arrays."""
-    kind: type = record(cls)
+    kind: type = frozen(cls, kw_only=True)
     for f in fields(kind):
         if (about := f.metadata.get("value")) is not None:
             setattr(kind, f.name, ValueKey(f.name.rstrip("_"), about))
@@ -356,23 +439,20 @@ def result(cls: type[T]) -> type[T]:
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are."""
     cls.__eq__ = lambda self, other: type(self) is type(other) and vars(self) == vars(other)  # type: ignore[method-assign]
-    kind: type = record(cls)
+    kind: type = frozen(cls, kw_only=True)
     for key in keys(kind).values():
         setattr(kind, key.attribute, key)
     return cls
 
 
 @cache
-def _shown(cls: type) -> tuple[tuple[str, Described | None, bool, str, Mapping[str, str]], ...]:
-    """The fields of a class of results that are shown: a value's description, or whether a group is spread, and the
-    names that it and its keys had."""
-    shown = []
-    for f in fields(cls):
-        about, spread = f.metadata.get("value"), f.metadata.get("group")
-        if about is not None or spread is not None:
-            former, renamed = f.metadata.get("former", ""), f.metadata.get("renamed", NOTHING_RENAMED)
-            shown.append((f.name, about, bool(spread), former, renamed))
-    return tuple(shown)
+def _shown(cls: type) -> tuple[tuple[str, Described | None, Group], ...]:
+    """The fields of a class of results that are shown: a value's description, or that of a group."""
+    return tuple(
+        (f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP))
+        for f in fields(cls)
+        if "value" in f.metadata or "group" in f.metadata
+    )
 
 
 def insides(result: object) -> list[float]:
@@ -391,61 +471,81 @@ def _gather(result: object, numbers: list[float]) -> None:
         numbers.append(result.number)
     else:
         kind: type = type(result)
-        for name, about, *_ in _shown(kind):
+        for name, about, _ in _shown(kind):
             content = getattr(result, name)
             if content is not None:
                 numbers.append(content) if about is not None else _gather(content, numbers)
 
 
-def published(
+def published(result: object, prefix: str, wanted: frozenset[str] = frozenset()) -> Iterator[Published]:
+    """All values of a result with their addresses, in the order in which they are declared.  `wanted`: only the values
+    at these addresses; none: all."""
+    return _inside(result, prefix, "", wanted, NO_GROUP, True, True)
+
+
+def _inside(
     result: object,
     prefix: str,
-    formerly: str = "",
-    wanted: frozenset[str] = frozenset(),
-    renamed: Mapping[str, str] = NOTHING_RENAMED,
+    formerly: str,
+    wanted: frozenset[str],
+    group: Group,
+    short: bool,
+    leads: bool,
 ) -> Iterator[Published]:
-    """All values of a result with their addresses, in the order in which they are declared.
-
-    `formerly`: the prefix that they had.  `wanted`: only the values at these addresses; none: all.  `renamed`: the
-    names that the keys of a dict had.
-    """
+    """`formerly`: the prefix that they had.  `group`: the description of the field that holds the result; `short`,
+    `leads`: what those around it let them."""
     if isinstance(result, dict):
         for name, part in result.items():
             if part is None:
                 continue
-            had = f"{formerly or prefix}.{renamed.get(name, name)}" if formerly or name in renamed else ""
-            yield from published(part, f"{prefix}.{name}", had, wanted)
+            had = f"{formerly or prefix}.{group.renamed.get(name, name)}" if formerly or name in group.renamed else ""
+            within = short and _lets(group.short, name), leads and _lets(group.leads, name)
+            yield from _inside(part, f"{prefix}.{name}", had, wanted, NO_GROUP, *within)
         return
+    short, leads = short and bool(group.short), leads and bool(group.leads)
     if isinstance(result, Stated):
         if not wanted or prefix in wanted:
-            yield _published(prefix, result.about, result.number, formerly)
+            yield _published(prefix, result.about, result.number, formerly, short, leads)
         return
     if wanted and not any(id.startswith(prefix) for id in wanted):
         return
     kind: type = type(result)
-    for name, about, spread, formerly_named, keys_renamed in _shown(kind):
+    for name, about, held in _shown(kind):
         content = getattr(result, name)
         if content is None:
             continue
         before = formerly or prefix
         if about is not None:
-            id = f"{prefix}.{name.rstrip('_')}"
+            key = name.rstrip("_")
+            id = f"{prefix}.{key}"
             if not wanted or id in wanted:
-                yield _published(
-                    id,
-                    about,
-                    content,
-                    f"{before}.{about.former or name.rstrip('_')}" if formerly or about.former else "",
-                )
-        elif spread:
-            yield from published(content, prefix, formerly, wanted, keys_renamed)
+                had = f"{before}.{about.former or key}" if formerly or about.former else ""
+                yield _published(id, about, content, had, short, leads)
+        elif held.spread:
+            yield from _inside(content, prefix, formerly, wanted, held, short, leads)
         else:
-            had = f"{before}.{formerly_named or name}" if formerly or formerly_named else ""
-            yield from published(content, f"{prefix}.{name}", had, wanted, keys_renamed)
+            had = f"{before}.{held.former or name}" if formerly or held.former else ""
+            yield from _inside(content, f"{prefix}.{name}", had, wanted, held, short, leads)
 
 
-def _published(id: str, about: Described, inside: float, former: str = "") -> Published:
+def _lets(which: bool | tuple[str, ...], name: str) -> bool:
+    return name in which if isinstance(which, tuple) else which
+
+
+def _published(id: str, about: Described, inside: float, former: str, short: bool, leads: bool) -> Published:
     unit = UNITS[about.unit]
-    several = has_lanes(inside) or bool(getattr(inside, "ndim", 0))  # many designs at once
-    shown = unit.all_shown(inside) if several else unit.shown(float(inside))
-    return Published(id, shown, about.unit, about.label, about.symbol, inside, about, former)
+    shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))
+    leads = leads and short
+    return Published(
+        id,
+        shown,
+        about.unit,
+        about.label,
+        about.symbol,
+        inside,
+        about,
+        former,
+        short and about.short,
+        about.page_one if leads else 0,
+        about.headline if leads else 0,
+    )

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Calls the parts of a solve, and takes over from an earlier solve those whose arguments have not changed."""
 
-import gc
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from typing import Never, ParamSpec, TypeVar, cast
 
 import numpy as np
@@ -107,22 +105,3 @@ def alike(a: object, b: object) -> bool:
     if type(a).__eq__ is object.__eq__:
         return hasattr(a, "__dict__") and alike(vars(a), vars(b))
     return bool(a == b)
-
-
-# --- how often Python looks for garbage while many small objects are made that stay
-
-SELDOM = (200_000, 20, 100)  # new objects between two looks, of which a solve leaves next to none
-
-
-@contextmanager
-def seldom_collected() -> Iterator[None]:
-    """Looking as often as Python does takes a tenth of a solve."""
-    usual = gc.get_threshold()
-    if usual >= SELDOM:  # so it is already
-        yield
-        return
-    gc.set_threshold(*SELDOM)
-    try:
-        yield
-    finally:
-        gc.set_threshold(*usual)

@@ -24,20 +24,19 @@ R = TypeVar("R", covariant=True)  # a step's class of results
 
 @record
 class Step:
-    """One of the steps: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the
-    first that a design has and that is not 0 stands for the step, the first two where there is a line for them.
-    `optional`: nothing is missing in a design without it."""
+    """One of the steps: its key in the file, its title, the class of its inputs.  `optional`: nothing is missing in a
+    design without it."""
 
     key: str
     title: Text
     inputs: type
-    headlines: tuple[str, ...] = ()
     optional: bool = False
 
     def heads(self, values: Mapping[str, Published]) -> list[Published]:
-        """The values that stand for the step, of those that there are; what is 0 stands for nothing where another is
-        not."""
-        present = [values[id] for id in self.headlines if id in values]
+        """The values that stand for the step: the first of them, or the first two where there is a line for them.  What
+        is 0 stands for nothing where another is not."""
+        mine = [v for id, v in values.items() if v.headline and v.id == id and id.startswith(f"{self.key}.")]
+        present = sorted(mine, key=lambda value: value.headline)
         return [value for value in present if value.shown] or present
 
 
@@ -98,7 +97,8 @@ class Curve:
     all.  `turning`: the vectors whose ends draw the loci. `point`: where the design stands on it, and `fails`: whether
     it is on the wrong side of a limit there. `band`: its last two series are the edges of a band, which paper fills.
     `stack`: curves of one stack stand on paper over each other as one figure, along one x. `loads`: forces across it,
-    which paper draws as arrows; `load_unit`: what they are in. `along`: what all series run along, where it is not x,
+    which paper draws as arrows; `load_unit`: what they are in. `short`: its place among the figures of a short report,
+    from 1; of those with one place the first of the step stands. `along`: what all series run along, where it is not x,
     as of loci: its label and its value at each of their points."""
 
     id: str
@@ -119,6 +119,7 @@ class Curve:
     stack: str = ""
     loads: tuple[DrawnLoad, ...] = ()
     load_unit: str = ""
+    short: int = 0
 
 
 @record
@@ -127,7 +128,7 @@ class Table:
     None (empty).
 
     `covers`: values whose ids begin with one of these stand in the table; the report's results leave them out, audit
-    excepted."""
+    excepted.  `short`: it stands in a short report too."""
 
     id: str
     title: Text
@@ -135,6 +136,7 @@ class Table:
     rows: tuple[tuple[str | float | None, ...], ...]
     note: Text = EMPTY
     covers: tuple[str, ...] = ()
+    short: bool = False
 
 
 @record

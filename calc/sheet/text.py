@@ -16,7 +16,6 @@ those."""
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
-from .arrays import has_lanes
 from .number import DIGITS, short
 
 T = TypeVar("T", bound="Text")
@@ -32,9 +31,7 @@ class Amount:
         self.number, self.unit, self.digits, self.form = number, unit, digits, form
 
     def written(self) -> str:
-        """The number in English, without its unit; of many designs nobody reads it."""
-        if has_lanes(self.number):
-            return "…"
+        """The number in English, without its unit."""
         if not self.form:
             return short(self.number, self.digits)
         written = format(self.number, self.form)

@@ -6,7 +6,7 @@ a number is shown and which ending its key has in a design file: `mm` → `bore_
 
 from typing import Annotated, TypeVar
 
-from .arrays import Array, has_lanes
+from .arrays import Array
 
 A = TypeVar("A", float, Array)
 
@@ -75,7 +75,7 @@ class Unit:
 
     def shown(self, inside: float) -> float:
         """The number as the user sees it, without the last digits that the conversion itself makes."""
-        return self.all_shown(inside) if has_lanes(inside) else float(f"{inside / self.factor:.14g}")
+        return float(f"{inside / self.factor:.14g}")
 
     def all_shown(self, inside: A) -> A:
         """The same for an array, with all its digits."""

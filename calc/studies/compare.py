@@ -416,15 +416,15 @@ def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
         s.key: size_of_nothing((v.unit, v.shown) for r in (a, b) for v in r.outcomes[s.key].values()) for s in STEPS
     }
     ours, others = key_results(mine), key_results(theirs)
-    for pattern in ours | others:
-        first, other = ours.get(pattern), others.get(pattern)
-        floor = floors[pattern.partition(".")[0]]
+    for line in ours | others:
+        first, other = ours.get(line), others.get(line)
+        floor = floors[line[0]]
         size = (
             relative(first.shown, other.shown, floor.get(first.unit, 0.0))
             if first is not None and other is not None
             else math.inf
         )
-        yield KeyResult(first, other, is_least(pattern), size)
+        yield KeyResult(first, other, any(v is not None and is_least(v) for v in (first, other)), size)
 
 
 def _is_phase(id: str, unit: str) -> bool:

@@ -2,6 +2,7 @@
 """What a design is about, in a line for each of its steps: the object, its drive, and the load case it is judged at."""
 
 from collections.abc import Iterator
+from math import degrees
 
 from ..bearings.inputs import BearingInputs
 from ..design.model import STEPS, Design
@@ -92,6 +93,4 @@ def _mm(length: float) -> Amount:
 
 
 def _degrees(angle: float) -> Amount:
-    from math import degrees
-
     return Amount(degrees(angle), "°", digits=6)

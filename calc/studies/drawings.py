@@ -7,8 +7,10 @@ from math import pi
 from ..countershaft.result import CountershaftResult
 from ..draw.annotations import Say
 from ..draw.drawing import Arc, Primitive, Words
+from ..draw.shaft_outline import shaft_drawing
 from ..draw.workshop import shaft_sheet, wheel_sheets
 from ..draw.workshop_sheet import PAPER, WorkshopSheet
+from ..gears.profile.drawing import data_table
 from ..gears.result import TrainResult
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
@@ -20,8 +22,6 @@ NONE = Text("–")
 
 def shaft(results: Results) -> tuple[Primitive, ...]:
     """The side view of the counter-shaft as lines; nothing where its outline is not known."""
-    from ..draw.shaft_outline import shaft_drawing
-
     asked, solved = results.design.countershaft, results.result(CountershaftResult)
     if asked is None or solved is None or solved.outline is None:
         return ()
@@ -41,8 +41,6 @@ def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None =
 
 def wheels(results: Results) -> Table | None:
     """The data of every wheel as they stand on its drawing, with limits where the design gives them; lengths in mm."""
-    from ..gears.profile.drawing import data_table
-
     train, gears = results.result(TrainResult), results.design.gears
     if train is None or gears is None:
         return None

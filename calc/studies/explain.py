@@ -16,7 +16,7 @@ from ..sheet.errors import BadInput
 from ..sheet.quantity import Quantity
 from ..sheet.quantity import keys as keys_of
 from ..sheet.record import record
-from ..sheet.value import Line, joined_links, leaves, link_of
+from ..sheet.value import Line, joined_links, leaves, link_of, recorded
 from ..solve import Results, solve
 
 
@@ -36,9 +36,7 @@ def chain(results: Results, value_id: str) -> list[Link]:
 
 def origin(results: Results, value_id: str) -> str | None:
     """The key of a value that is an input itself, or that a name brings in."""
-    return next(
-        (leaf for leaf in leaves(link_of(results.traced().values()[value_id].inside)) if isinstance(leaf, str)), None
-    )
+    return next((leaf for leaf in leaves(link_of(results.values()[value_id].inside)) if isinstance(leaf, str)), None)
 
 
 def needs(line: Line) -> tuple[list[Line], list[str]]:
@@ -51,7 +49,7 @@ class Chains:
     """The chains of the values of one solved design."""
 
     def __init__(self, results: Results) -> None:
-        self.results = results = results.traced()
+        self.results = results
         self.values = results.values()
         self.value_of: dict[Line, str] = {}  # line → the value that it gives
         for id, value in self.values.items():
@@ -209,7 +207,9 @@ def _moved(document: Document, results: Results, key: str, about: Quantity, stop
     for change in (1, -1) if about.kind == "integer" else (size, -size):
         new = [x + change for x in numbers]
         try:
-            after = solve(design(document.with_value(key, new if isinstance(old, list) else new[0])), results, stop)
+            moved = design(document.with_value(key, new if isinstance(old, list) else new[0]))
+            with recorded(False):
+                after = solve(moved, results, stop)
         except BadInput:
             continue  # beyond what is allowed: the other way
         return change, {check.id: check for check in after.checks()}

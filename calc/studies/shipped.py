@@ -9,7 +9,10 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
+from ..design.toml_file import design, parse
+from ..imbalance.inputs import ImbalanceInputs
 from ..library.table_file import parsed, text_of_table
+from ..sheet.quantity import dotted
 from ..sheet.text import Text
 
 if TYPE_CHECKING:
@@ -51,8 +54,6 @@ def engines() -> dict[str, ShippedEngine]:
 
 def engine_inputs(name: str) -> "EngineInputs":
     """The inputs of a shipped engine, without a design around them."""
-    from ..design.toml_file import design, parse
-
     row = _rows()[name]
     if "design" in row:
         text = (DESIGNS / row["design"]).read_text(encoding="utf-8")
@@ -70,9 +71,11 @@ def engine_design(name: str) -> str:
     if "design" in row:
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
     engine, title = row["engine"], str(row["engine"]["name"])
-    imbalance = {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
+    imbalance = {
+        dotted(ImbalanceInputs.crank_balance_fraction): 0.5,
+        dotted(ImbalanceInputs.kinematics): "exact",
+    } | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
-    from ..design.toml_file import parse
     from .starter.build import begun  # numpy, which a list of the engines does not need
 
     document = parse(_text(title, "", body).encode("utf-8"), name)

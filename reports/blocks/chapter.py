@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from calc.design.key_results import TABLES, is_key_value
 from calc.sheet.check import Check, grouped, pattern_of
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
@@ -37,7 +36,7 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
     values = [
         value
         for id, value in context.values.items()
-        if id == value.id and id.startswith(f"{step.key}.") and is_key_value(id)
+        if id == value.id and id.startswith(f"{step.key}.") and value.short
     ]
     parts: Parts = (
         ("verdicts_of", lambda: finding_blocks(context, outcome)),
@@ -48,7 +47,7 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
         ),
         ("key_values", lambda: value_blocks(context, outcome, values)),
         ("figures", lambda: figures),
-        ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
+        ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.short])),
         ("inputs", lambda: input_blocks(context, step)),
         (
             "notes",

@@ -8,6 +8,7 @@ from __future__ import annotations
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from calc.locale.language import in_language
 from calc.sheet.check import Check
 from calc.sheet.step import Curve, Series, Table
 from calc.sheet.text import Amount, Text
@@ -60,8 +61,6 @@ def drive_blocks(context: Context, picked: Picked, figure: list[Block]) -> list[
 
 
 def _said(context: Context, tables: list[Table]) -> list[Table]:
-    from calc.locale.language import in_language
-
     return [in_language(table, context.say) for table in tables]
 
 

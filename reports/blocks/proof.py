@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from calc.design.addresses import value_at
-from calc.design.key_results import PROVEN, PROVEN_WHERE
+from calc.imbalance.result import ImbalanceResult
 from calc.sheet.check import Check, pattern_of, severity
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
@@ -47,6 +47,29 @@ FEW = 3  # elements of an array that are quoted one by one
 HELD = 4  # of one that holds, and of a value
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
+# Checks that are proven whatever their margin, each with the symbols that its proof must show however far back they
+# stand
+PROVEN: dict[str, tuple[str, ...]] = {
+    "gears.M.safety_contact": ("σ_H0", "K_H", "K_V", "K_Hβ", "K_Hα"),
+    "gears.W.safety_bending": ("σ_F0", "K_F", "K_V", "K_Fβ", "K_Fα"),
+    "countershaft.bolts.strength": (),
+    "countershaft.bolts.pressure": (),
+    "countershaft.balance_grade": (),
+    "countershaft.bending_stress": (),
+    "countershaft.notch_stress": (),
+    "countershaft.fatigue": (),
+    "countershaft.residual": (),
+    "countershaft.residual_force": (),
+    "engine.throw.fatigue": (),
+    "engine.throw.stress_pin": (),
+}
+
+# Of these only where this result is not 0: what a shaft has none of to balance, it needs no proof of
+PROVEN_WHERE: dict[str, object] = {
+    "countershaft.residual": ImbalanceResult.required_couple,
+    "countershaft.residual_force": ImbalanceResult.required_force,
+}
+
 Known = dict[str | Line, str]  # formula, and each of its lines that is shown → number of the proof that derives it
 
 
@@ -97,8 +120,10 @@ def proofs(context: Context, checks: Iterable[Check]) -> list[Proof]:
 
 def _asked(context: Context, pattern: str) -> bool:
     """Whether there is anything to prove of what is always proven."""
-    asked = context.values.get(PROVEN_WHERE.get(pattern, ""))
-    return pattern not in PROVEN_WHERE or (asked is not None and asked.shown != 0)
+    if pattern not in PROVEN_WHERE:
+        return True
+    asked = context.results.value(PROVEN_WHERE[pattern])
+    return asked is not None and asked.shown != 0
 
 
 def demand(context: Context, proof: Proof, known: Known) -> Walk:

@@ -14,6 +14,7 @@ from calc.sheet.check import SIGNS, THIN_MARGIN
 from calc.sheet.text import Amount, Text
 from calc.studies.described import described
 from calc.studies.drawings import shaft, train
+from calc.studies.repair.nearest import nearest
 
 from ..context import Context, closeness
 from ..typesetting.boxes import BLACK, GREY, Colour
@@ -191,8 +192,6 @@ def mended(context: Context) -> Mended | None:
     results = context.original or context.results
     if results.verdict != "fail":
         return None
-    from calc.studies.repair.nearest import nearest
-
     repair = nearest(context.document, results, tries=0)
     return Mended(repair.words, repair.passes, tuple((unmended.name, unmended.why) for unmended in repair.left[:3]))
 

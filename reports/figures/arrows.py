@@ -7,6 +7,9 @@ from cmath import isfinite
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from matplotlib.patches import Polygon
+from matplotlib.transforms import IdentityTransform
+
 from calc.sheet.step import Curve
 
 from ..typesetting.boxes import Colour
@@ -69,9 +72,6 @@ def head(tail: Point, tip: Point) -> tuple[Point, list[Point]]:
 
 def draw_arrows(frame: Recorder, axes: Any, drawn: list[Arrow], colours: dict[str, Colour]) -> None:
     """Add the arrows to axes whose limits are settled, and put their numbers beside them."""
-    from matplotlib.patches import Polygon
-    from matplotlib.transforms import IdentityTransform
-
     ends: list[tuple[Point, Point]] = []
     for arrow in drawn:
         ends.append(_aside(_place(axes, arrow.tail), _place(axes, arrow.tip), ends))

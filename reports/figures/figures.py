@@ -23,7 +23,7 @@ from ..typesetting.prose import STRONG, lines, run
 from ..typesetting.tags import FIGURE, Tag
 from .arrows import ARROW, head
 from .labels import Label, at_the_ends, at_the_point, draw_legend, legend, margin, placed
-from .plots import ALONE, HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers
+from .plots import ALONE, HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers, plot
 from .tornado import Lying, lies
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Stack:
         self.height = sum(map(_height, curves)) + LOW + self.under
         looks = [Look(at_the_point, ends=self.ends, lowest=curve is curves[-1]) for curve in curves]
         self.panels = [
-            None if curve.loads else plots.ask(curve, WIDTH, LOW + PANEL + HIGH, look)
+            None if curve.loads else plot(plots, curve, WIDTH, LOW + PANEL + HIGH, look)
             for curve, look in zip(curves, looks)
         ]
 
@@ -72,7 +72,7 @@ class Stack:
             if panel is None:
                 self._sketch(pen, curve, x, y + SKETCH / 2)
             else:
-                panel().place(pen, x, y - LOW)
+                panel.place(pen, x, y - LOW)
         for i, line in enumerate(self.caption):
             pen.put(line, x + LEFT_AXIS, y - LOW - (i + 0.78) * STRONG.leading)
 
@@ -220,7 +220,7 @@ class _Figure:
         if self.lying is not None:
             self.axes = self.lying.height
         else:
-            self.recording = plots.ask(curve, self.wide, self.axes + LOW + HIGH, self.look)
+            self.recording = plot(plots, curve, self.wide, self.axes + LOW + HIGH, self.look)
 
     @property
     def legend_height(self) -> float:
@@ -242,6 +242,6 @@ class _Figure:
         if self.lying is not None:
             self.lying.draw(pen, x, low)
         else:
-            self.recording().place(pen, x, low)
+            self.recording.place(pen, x, low)
         for i, line in enumerate(self.caption):
             pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)

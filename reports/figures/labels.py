@@ -12,6 +12,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from matplotlib.transforms import IdentityTransform
 
 from calc.draw.drawing import Point
 from calc.sheet.step import Curve, Series
@@ -208,8 +209,6 @@ def _paths(axes: Any, curve: Curve, some: Iterable[Series]) -> list[Any]:
 
 def _at_the_right(axes: Any, boxes: list[Box], paths: list[Any]) -> list[Placed]:
     """Names under each other in the order of the ends of their lines, as near to them as they can be."""
-    from matplotlib.transforms import IdentityTransform
-
     ends = [
         (*path[np.isfinite(path).all(axis=1)][-1].tolist(), box)
         for path, box in zip(paths, boxes)

@@ -6,6 +6,12 @@ from __future__ import annotations
 import io
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter
+
 from calc.locale import Language
 from calc.sheet.expression import plain
 from calc.sheet.step import Curve
@@ -25,9 +31,6 @@ LEFT, RIGHT, LOW, TOP = 50.0, 14.0, 32.0, 20.0  # points around the axes
 def pixels(curve: Curve, width: float, height: float, say: Language) -> NDArray[uint8]:
     """The figure as rows of red, green, blue; `width` and `height` in points.  The curve's texts are said in the
     language already."""
-    import numpy as np
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
     axes = _made(curve, width, height, say)
     axes.figure.set_dpi(DPI)
     canvas: Any = FigureCanvasAgg(axes.figure)
@@ -45,10 +48,6 @@ def png(curve: Curve, width: float, height: float, say: Language) -> bytes:
 
 def _made(curve: Curve, width: float, height: float, say: Language) -> Any:
     """Axes with everything in them that a page writes beside them: numbers, names, title, legend."""
-    from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
-    from matplotlib.ticker import FuncFormatter
-
     axes = Plots(say).axes(width, height, curve)
     axes.figure.set_facecolor("white")
     axes.tick_params(labelleft=True, labelbottom=True, labelsize=LEGEND)

@@ -6,11 +6,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from math import isfinite
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
+from matplotlib.backend_bases import FigureCanvasBase
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+from matplotlib.ticker import FixedLocator, MaxNLocator
+from matplotlib.transforms import IdentityTransform
 
 from calc.locale import Language
 from calc.sheet.number import short
@@ -21,6 +26,7 @@ from ..typesetting.fonts import clean
 from ..typesetting.pen import Recorder, Recording
 from ..typesetting.prose import Style, broken, lines, run
 from .arrows import Arrow, arrows, draw_arrows
+from .renderer import LineRenderer
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
 LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
@@ -132,25 +138,11 @@ def fitted(words: str, width: float) -> Box:
 
 class Plots:
     """What the figures of one report are drawn with: axes, which are used again, since making them costs more than
-    drawing, and how its language writes a number.  All can be asked for before any is placed, and are then drawn
-    together, by whoever is told to."""
+    drawing, and how its language writes a number."""
 
     def __init__(self, say: Language) -> None:
         self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
-        self.number, self.lang = say.number, say.code
-        self.asked: list[Job] = []
-        self.drawn: Callable[[], list[Recording]]
-
-    def ask(self, curve: Curve, width: float, height: float, look: Look) -> Callable[[], Recording]:
-        """Have a curve drawn into a frame of this size; what is returned gives it once all are begun, and may have to
-        wait for it."""
-        n = len(self.asked)
-        self.asked.append((curve, width, height, look))
-        return lambda: self.drawn()[n]
-
-    def begin(self, draws: Draughtsman) -> None:
-        """All are asked for."""
-        self.drawn = cache(draws((self.lang, self.asked)))
+        self.number = say.number
 
     def short(self, value: float) -> str:
         return self.number(short(value))
@@ -168,9 +160,6 @@ class Plots:
 
 
 def _new_axes(width: float, height: float, right: float, equal: bool, bars: bool) -> Any:
-    from matplotlib.backend_bases import FigureCanvasBase
-    from matplotlib.figure import Figure
-
     figure = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="none")
     FigureCanvasBase(figure)
     left, low = LEFT_AXIS / width, LOW / height
@@ -218,15 +207,10 @@ class Look:
 
 
 ALONE = Look()
-Job: TypeAlias = tuple[Curve, float, float, Look]
-# given a language and what to draw, begins
-Draughtsman: TypeAlias = Callable[[tuple[str, list[Job]]], Callable[[], list[Recording]]]
 
 
 def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = ALONE) -> Recording:
     """Draw a curve into a frame of this size."""
-    from .renderer import LineRenderer
-
     axes, frame = plots.axes(width, height, curve, look.right), Recorder()
     drawn = filled(axes, curve)
     if look.ends is not None:
@@ -247,8 +231,6 @@ def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = A
 
 def filled(axes: Any, curve: Curve) -> list[Arrow]:
     """Put the lines, bars and limits of a curve into axes; gives its vectors, which are still to be drawn."""
-    from matplotlib.ticker import MaxNLocator
-
     drawn = arrows(curve)
     if drawn:
         axes.update_datalim([(p.imag, p.real) for a in drawn for p in (a.tail, a.tip)])
@@ -275,8 +257,6 @@ def filled(axes: Any, curve: Curve) -> list[Arrow]:
 
 
 def _lines(axes: Any, curve: Curve) -> None:
-    from matplotlib.ticker import MaxNLocator
-
     edges = range(len(curve.series) - 2, len(curve.series)) if curve.band else range(0)
     if edges:
         lower, upper = (curve.series[i] for i in edges)
@@ -314,11 +294,6 @@ def _variant_colours(curve: Curve) -> dict[str, Colour]:
 
 def _bars(axes: Any, curve: Curve) -> None:
     """Groups of bars that stand on zero."""
-    from matplotlib.patches import PathPatch
-    from matplotlib.path import Path
-    from matplotlib.ticker import FixedLocator, MaxNLocator
-    from matplotlib.transforms import IdentityTransform
-
     groups = [(numbers(s.x), numbers(s.y)) for s in curve.series]
     seen = [(xs[ok], ys[ok]) for xs, ys in groups for ok in [np.isfinite(xs) & np.isfinite(ys)]]
     places = np.unique(np.concatenate([xs for xs, _ in seen] or [np.zeros(0)]))

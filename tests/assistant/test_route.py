@@ -9,7 +9,7 @@ from textual import events
 from textual.widgets import Input
 
 from assistant.screens.dialogs import Reason
-from assistant.session.guide import ROUTE, STROKE, fold_of, path_of
+from assistant.session.guide import fold_at, folds, idle
 from assistant.session.places import Place
 from assistant.session.session import Session
 from assistant.widgets.entry import Entry
@@ -19,7 +19,6 @@ from assistant.widgets.headings import Fold
 from assistant.widgets.radio import Balance, Todo
 from assistant.widgets.rows import Asked, routed
 from calc.design.model import STEPS
-from calc.sheet.quantity import keys
 from calc.studies.shipped import DESIGNS
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
@@ -31,21 +30,19 @@ def places(pilot: object) -> list[Place]:
     return [field.row.place for field in work(pilot).form.query(Field)]  # type: ignore[arg-type]
 
 
-def test_the_route_names_keys_that_there_are() -> None:
-    for step in STEPS:
-        leg = ROUTE[step.key]
-        for pattern in (*leg.deciding, *(pattern for _, patterns in leg.folds for pattern in patterns)):
-            cls = step.inputs
-            if pattern == STROKE:
-                continue
-            for part in pattern.split("."):
-                assert part in keys(cls), (step.key, pattern)
-                cls = keys(cls)[part].about.table or cls
-    assert (
-        fold_of("engine", "bore_mm") is None
-        and fold_of("engine", "rated_power_kW") == 0
-        and fold_of("gears", "wheels.quality") == 1
-    )
+def test_an_input_lies_where_it_says_and_else_where_its_table_lies() -> None:
+    assert fold_at("engine", ("engine", "bore_mm")) is None and fold_at("engine", ("engine", "rated_power_kW")) == 0
+    assert fold_at("gears", ("gears", "wheels", 0, "teeth")) is None
+    assert fold_at("gears", ("gears", "wheels", 0, "quality")) == 1
+    assert folds("gears") == ("More", "More of the wheels", "More of the meshes")
+
+
+def test_what_says_nothing_beside_a_choice_is_not_asked_for_unless_it_has_a_value() -> None:
+    width = ("bearings", "groove_width_mm")
+    assert idle(width, {"bearings": {"supply": "hole"}}) and idle(width, {"bearings": {}})
+    assert not idle(width, {"bearings": {"supply": "groove"}})
+    assert not idle(width, {"bearings": {"supply": "hole", "groove_width_mm": 3.0}})
+    assert idle(("engine", "bank_angle_deg"), {"engine": {}}) and not idle(("engine", "bore_mm"), {"engine": {}})
 
 
 @pytest.mark.parametrize("key", ["engine", "imbalance", "countershaft", "bearings", "friction", "mounting"])
@@ -54,13 +51,9 @@ def test_what_decides_a_step_is_seen_at_one_glance(key: str) -> None:
     data = tomllib.loads((DESIGNS / "r753ie4_mounting.toml").read_text(encoding="utf-8"))
     step = next(step for step in STEPS if step.key == key)
     asked = routed(step, data, Asked({}, side=2), ())
-    names = {path_of(row.place).partition(".")[0] for row in asked if row.kind in ("field", "stroke", "array")}
-    rows_of_tables = (
-        {path_of(row.place).partition(".")[2] for row in asked if row.kind == "cells"}
-        if key != "countershaft"
-        else set()
-    )
-    assert 2 <= len((names | rows_of_tables) - {""}) <= SIX  # beside the name of the design
+    names = {row.place[1] for row in asked[1 if key == "engine" else 0 :] if row.kind in ("field", "stroke", "array")}
+    rows_of_tables = {row.place[-1] for row in asked if row.kind == "cells"} if key != "countershaft" else set()
+    assert 2 <= len(names | rows_of_tables) <= SIX  # beside the name of the design
 
 
 async def test_a_fold_opens_stays_open_and_opens_for_a_field_that_is_sought(screen: Screen) -> None:

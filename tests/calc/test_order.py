@@ -15,7 +15,7 @@ from calc.design.toml_file import load
 from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 for path in sorted(DESIGNS.glob("*.toml")):
-    results = solve(load(path)[1], traced=True)
+    results = solve(load(path)[1])
     for key, outcome in results.outcomes.items():
         whole = outcome.whole
         said = [f"{line.formula.symbol} {line.about} {line.value!r}" for line in whole.lines]

@@ -73,10 +73,14 @@ def _of(tree: ast.AST) -> Iterator[Template]:
             yield from (text for element in node.elts for text in literals(element))
 
     for node in ast.walk(tree):
-        if not isinstance(node, ast.Call) or not node.args:
+        if not isinstance(node, ast.Call):
             continue
         name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
         words = {k.arg: k.value for k in node.keywords}
+        if name == "group" and "words" in words:
+            yield from ((text, "") for text in literals(words["words"]))
+        if not node.args:
+            continue
         field = name in FIELDS and isinstance(node.func, ast.Name)
         if field or name in {"Text", "axis_label"}:
             yield from ((text, "") for text in literals(node.args[0]))

@@ -10,7 +10,7 @@ from tests.reports.reading import Solved, text_of
 
 
 def line_of(example: Solved, step: str, symbol: str) -> Line:
-    return next(line for line in example.results.traced().outcomes[step].lines if line.formula.symbol == symbol)
+    return next(line for line in example.results.outcomes[step].lines if line.formula.symbol == symbol)
 
 
 def test_of_an_array_put_together_only_what_gave_the_element_is_followed(example: Solved) -> None:
@@ -30,7 +30,7 @@ def test_of_an_array_put_together_only_what_gave_the_element_is_followed(example
 
 def test_what_follows_gives_the_numbers_above_it(example: Solved) -> None:
     origins, seen = Origins(), 0
-    for step, outcome in example.results.traced().outcomes.items():
+    for step, outcome in example.results.outcomes.items():
         for line in outcome.lines:
             if (index := governing(line)) is None or np.size(line.value) < 2:
                 continue

@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 from pypdf import PdfReader
 
-from calc.design.key_results import is_key_value
 from calc.locale import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
@@ -87,7 +86,7 @@ def test_a_short_report_has_the_key_values_and_names_what_is_zero() -> None:
 
     def words(depth: str) -> str:
         context = Context(made.document, made.results, "0" * 64, depth, language("en"))
-        values = [value for value in outcome.values() if depth == "audit" or is_key_value(value.id)]
+        values = [value for value in outcome.values() if depth == "audit" or value.short]
         return "\n".join(drawn(value_blocks(context, outcome, values)))
 
     short, whole = words("engineer"), words("audit")

@@ -24,7 +24,6 @@ import numpy as np
 
 from ...sheet.formula import formula
 from ...sheet.functions import cos, modulus, pi, sin, sqrt
-from ...sheet.lanes import design_by_design
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import Text
@@ -45,6 +44,7 @@ from ...sheet.value import based_on
 from .. import formulas as f
 from ..routes.states import BearingCase, Film, OperatingPoint
 from . import table
+from .grooved import film_at
 
 # --- the formulas
 # X points along the load, Y 90° further in the sense in which the film is dragged; K_ij and C_ij are the force on the
@@ -228,7 +228,6 @@ def critical_mass_turning(
     return _least_mass(f, k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yy) * F / (g / 2 * omega**2)
 
 
-@design_by_design
 def _least_mass(
     f: Number, k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
 ) -> Number:
@@ -441,8 +440,6 @@ def dynamics(
 
 def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficients:
     """Of a film that axial grooves bound, which does not turn with the line of centres."""
-    from .grooved import film_at
-
     grooves = seat.grooves
     assert grooves is not None
     at = film_at(hot.eccentricity, ratio, grooves)

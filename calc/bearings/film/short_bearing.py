@@ -10,10 +10,9 @@ Sources: F. W. Ocvirk, NACA TN 2808 (1952); G. B. DuBois and F. W. Ocvirk, NACA 
 
 import numpy as np
 
-from ...sheet.arrays import Array, each, one
+from ...sheet.arrays import Array, each
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, pi, sin, sqrt
-from ...sheet.lanes import point_by_point
 from ...sheet.text import Text
 from ...sheet.units import Number, Pascal, Radian
 
@@ -105,7 +104,6 @@ def middle_pressure(p_max: Pascal, eps: Number, theta: Radian, theta_m: Radian) 
     return p_max * sin(theta) / sin(theta_m) * ((1 + eps * cos(theta_m)) / (1 + eps * cos(theta))) ** 3
 
 
-@point_by_point
 def blocked_ends(eps: float | Array, share: float | Array) -> tuple[Array, Array]:
     """Where the pressure of the middle plane passes `share` of its peak, before and after it: θ from the widest film,
     rad.
@@ -150,4 +148,4 @@ def blocked_arc(eps: Number, p_s: Pascal, p_max: Pascal) -> Radian:
     or array."""
     first, last = blocked_ends(eps, p_s / p_max)
     arc = last - first
-    return each(arc) if arc.ndim else one(arc)
+    return each(arc) if arc.ndim else float(arc)

@@ -21,13 +21,12 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterable
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any, Generic, Literal, Protocol, TypeAlias, cast, overload
+from typing import Generic, Literal, Protocol, TypeAlias, cast, overload
 
 import numpy as np
 
-from ...sheet.arrays import Array, IndexArray, element, has_lanes, one
+from ...sheet.arrays import Array, IndexArray
 from ...sheet.formula import formula
-from ...sheet.lanes import point_by_point
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Number, Radian
@@ -235,8 +234,6 @@ def film_at(
 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
     """
-    if has_lanes(eccentricity, length_ratio):
-        return _of_many_designs(_film_array, eccentricity, length_ratio, outside)  # type: ignore[no-any-return]
     if _scalar(eccentricity) and _scalar(length_ratio):
         return _film_scalar(float(eccentricity), float(length_ratio), outside)
     return _film_array(*_many(eccentricity, length_ratio), outside)
@@ -253,8 +250,6 @@ def film_slopes(
 ) -> tuple[float | Array, float | Array]:
     """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced
     journal."""
-    if has_lanes(eccentricity, length_ratio):
-        return _of_many_designs(_slopes_array, eccentricity, length_ratio, outside)  # type: ignore[no-any-return]
     load, attitude = _slopes_array(*_many(eccentricity, length_ratio), outside)
     return (float(load), float(attitude)) if load.ndim == 0 else (load, attitude)
 
@@ -272,8 +267,6 @@ def eccentricity_from(
 
     Newton's method within one cell of the table, never leaving the bracket.  Arrays are broadcast; two scalars give a
     float. Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned."""
-    if has_lanes(sommerfeld, length_ratio):
-        return _of_many_designs(_eccentricity_array, sommerfeld, length_ratio, outside)  # type: ignore[no-any-return]
     if _scalar(sommerfeld) and _scalar(length_ratio):
         return _eccentricity_scalar(float(sommerfeld), float(length_ratio), outside)
     return _eccentricity_array(*_many(sommerfeld, length_ratio), outside)
@@ -287,16 +280,6 @@ def sommerfeld_range(length_ratio: float | Array) -> tuple[float | Array, float 
     """The lowest and highest S of the table at l/d: those of ε = 0.98 and ε = 0.02."""
     low, high = film_nodes().eccentricities[[0, -1]]
     return film_at(high, length_ratio).sommerfeld, film_at(low, length_ratio).sommerfeld
-
-
-def _of_many_designs(function: Callable[..., Any], first: Any, second: Any, outside: Outside) -> Any:
-    """Designs whose point lies outside the table go apart, unless that may be."""
-    from ...sheet.lanes import parted
-
-    film: Any = point_by_point(lambda *numbers: function(*_many(*numbers), "nan"))(first, second)
-    if outside == "raise":
-        parted(film if has_lanes(film) else film[0] if isinstance(film, tuple) else film.eccentricity)
-    return film
 
 
 # --- one point
@@ -574,7 +557,7 @@ def share_of_largest_load(b: Number) -> Number:
     >>> share_of_largest_load(b=1.0)
     0.53...
     """
-    film = film_at(ECCENTRICITIES, one(b))
+    film = film_at(ECCENTRICITIES, b)
     return _summit((1 - ECCENTRICITIES) ** 2 / film.sommerfeld)
 
 
@@ -585,16 +568,16 @@ def share_of_least_friction(b: Number) -> Number:
     >>> share_of_least_friction(b=1.0)
     0.33...
     """
-    film = film_at(ECCENTRICITIES, one(b))
+    film = film_at(ECCENTRICITIES, b)
     return _summit(-film.friction / (1 - ECCENTRICITIES))
 
 
 def _summit(y: Array) -> float:
     """h₀/c where y is largest, by the parabola through its three highest points; at an end of the range that end."""
-    at = np.argmax(y)
+    at = int(np.argmax(y))
+    share = float(1 - ECCENTRICITIES[at])
     if at == 0 or at == len(y) - 1:
-        return element(1 - ECCENTRICITIES, at)
-    below, middle, above = (element(y, at + n) for n in (-1, 0, 1))
-    step = ECCENTRICITIES[1] - ECCENTRICITIES[0]
-    summit: float = one(element(1 - ECCENTRICITIES, at) - step / 2 * (below - above) / (below - 2 * middle + above))
-    return summit
+        return share
+    below, middle, above = map(float, y[at - 1 : at + 2])
+    step = float(ECCENTRICITIES[1] - ECCENTRICITIES[0])
+    return share - step / 2 * (below - above) / (below - 2 * middle + above)

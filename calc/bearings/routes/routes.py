@@ -17,6 +17,7 @@ from ...sheet.record import record
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ...sheet.value import based_on
 from .. import formulas as f
+from ..film import grooved
 from ..film import short_bearing as short
 from ..film.grooved import Feeds
 from ..film.table import (
@@ -205,8 +206,6 @@ def _with_grooves(
     l: float,
 ) -> Film:
     """The film between axial grooves; one l/d, any number of states."""
-    from ..film import grooved  # which few bearings need
-
     b, inputs = seat.bearing, seat.inputs
     if isinstance(S, float):
         ratio = based_on(

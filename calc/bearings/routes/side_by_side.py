@@ -8,7 +8,6 @@ how well it solves the film.  The spread of the routes is of the second kind and
 """
 
 from ...sheet.errors import NoSolution, text_of
-from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
@@ -97,7 +96,6 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
     return RouteResultBeside(films, deviations, alike, spread, silent, ratio, whole)
 
 
-@design_by_design
 def _at_the_same_oil(
     place: str, name: str, seat: BearingCase, duty: OperatingPoint, own_film: Film, *, shown: bool
 ) -> Film | None:

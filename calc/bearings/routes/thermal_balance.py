@@ -9,15 +9,13 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
-from typing import cast
 
 import numpy as np
 
 from ...library.lubricant import OilState
-from ...sheet.arrays import Array, IndexArray, each, has_lanes, many
+from ...sheet.arrays import Array, IndexArray, each, many
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.functions import root
-from ...sheet.lanes import design_by_design, mapped, mapped_arrays
 from ...sheet.text import Amount, Text
 from ...sheet.value import converged, unlinked, untraced
 from .. import formulas as f
@@ -40,14 +38,6 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
 
     Raises NoSolution where the load can not be carried, with what was tried, or where the rise passes 200 K.
     """
-    if _designs(seat, duty):
-        from ...sheet.lanes import parted
-
-        if route not in (own_warm, own_cold):
-            return design_by_design(balanced)(route, seat, duty, tolerance)
-        return closed(
-            route, seat, duty, parted(settled(seat, duty, warm=route is own_warm, tolerance=tolerance).temperature_rise)
-        )
 
     @cache  # the ends of the bracket are asked for more than once
     def excess(rise: float) -> float:
@@ -162,8 +152,6 @@ def settled(
 
     Regula falsi after Anderson & Björck 1973 on all points that are not done; a point without film at the upper end of
     its bracket is closed in on from below.  `hottest`: no rise beyond is looked for."""
-    if count := _designs(seat, duty):
-        return _settled_of_many(seat, duty, count, warm=warm, hottest=hottest, tolerance=tolerance)
     seat, duty = unlinked(seat), unlinked(duty)
     route = own_warm if warm else own_cold
     shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
@@ -215,27 +203,6 @@ def settled(
         film = film_at(rise, every)
         there = np.abs(film.temperature_rise - rise) <= ALMOST * (1 + rise)
     return _over(film, lambda x: each(np.where(there, x, np.nan).reshape(shape)))
-
-
-def _designs(seat: BearingCase, duty: OperatingPoint) -> int | None:
-    """Of how many designs the numbers are (`calc.sheet.lanes`); None: of one."""
-    parts = (*_numbers(seat, duty), *vars(duty).values(), *_further(seat))
-    return next((part.lanes for part in parts if has_lanes(part)), None)
-
-
-def _settled_of_many(
-    seat: BearingCase, duty: OperatingPoint, count: int, *, warm: bool, hottest: float, tolerance: float
-) -> Film:
-    """The points of many designs, one design after the other, as those of one."""
-    from ...sheet.lanes import Lanes, rows
-
-    shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
-    points = mapped_arrays((seat, duty), lambda x: rows(x, count, shape) if x.ndim else x)
-    seat, duty = mapped(points, lambda x: rows(x, count, shape))
-    # of each point, also where all have the same
-    duty = replace(duty, load=each(np.broadcast_to(duty.load, count * math.prod(shape))))
-    film = settled(seat, duty, warm=warm, hottest=hottest, tolerance=tolerance)
-    return _over(film, lambda x: each(cast(Array, Lanes(many(x).reshape(count, *shape)))))
 
 
 def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hottest: float) -> tuple[Array, Array]:
@@ -319,23 +286,8 @@ def _each(
     bearing = replace(seat.bearing, diameter=changed(seat.bearing.diameter), length=changed(seat.bearing.length))
     asked = {name: changed(x) for name, x in vars(duty).items()}
     factor = None if seat.viscosity_factor is None else changed(seat.viscosity_factor)
-    if any(isinstance(x, np.ndarray) for x in _further(seat)):  # of many designs
-        seat = mapped_arrays(seat, lambda x: change(x) if x.ndim else x)
-    else:
-        seat = replace(seat, clearance=changed(seat.clearance), viscosity_factor=factor)
-    return replace(seat, bearing=bearing), OperatingPoint(**asked)
-
-
-def _further(seat: BearingCase) -> tuple[object, ...]:
-    """The numbers of a case that are the same for all points of one design."""
-    oil = seat.lubricant
-    return (
-        *vars(seat.inputs).values(),
-        *vars(oil).values(),
-        *vars(oil.oil).values(),
-        seat.journal_expansion,
-        seat.housing_expansion,
-    )
+    seat = replace(seat, bearing=bearing, clearance=changed(seat.clearance), viscosity_factor=factor)
+    return seat, OperatingPoint(**asked)
 
 
 def _over(film: Film, change: Callable[[float], float]) -> Film:

@@ -24,7 +24,6 @@ from ...library.catalogue import Material
 from ...library.journal_rules import SLOPE
 from ...sheet.arrays import Array, BoolArray, ComplexArray, each, many
 from ...sheet.errors import NoSolution
-from ...sheet.lanes import design_by_design
 from ...sheet.linked_array import column, gathered, item, where
 from ...sheet.quantity import result, value
 from ...sheet.record import record
@@ -206,19 +205,23 @@ class Bending:
     `vectors` are the deflections in both planes.
     """
 
-    largest_moment: NewtonMetre = value("Largest bending moment", "N·m", "M_max")
-    largest_moment_z: Metre = value("its place from mid-shaft", "mm", "z_M")
+    largest_moment: NewtonMetre = value("Largest bending moment", "N·m", "M_max", short=True)
+    largest_moment_z: Metre = value("its place from mid-shaft", "mm", "z_M", short=True)
     stress_at_largest_moment: Pascal = value("Bending stress there, nominal", "MPa", "σ_M")
-    bending_stress: Pascal = value("Largest bending stress, nominal", "MPa", "σ")
-    bending_stress_z: Metre = value("its place from mid-shaft", "mm", "z_σ")
-    notch_factor: Number | None = value("Notch factor of the shoulder that governs", "", "K_t", default=None)
-    notch_stress: Pascal | None = value("Bending stress at its fillet", "MPa", "σ_k", default=None)
-    notch_z: Metre | None = value("its place from mid-shaft", "mm", "z_k", default=None)
-    fatigue_amplitude: Pascal | None = value(
-        "Alternating stress there that equals a run-up", "MPa", "σ_eq", default=None
+    bending_stress: Pascal = value("Largest bending stress, nominal", "MPa", "σ", short=True)
+    bending_stress_z: Metre = value("its place from mid-shaft", "mm", "z_σ", short=True)
+    notch_factor: Number | None = value(
+        "Notch factor of the shoulder that governs", "", "K_t", default=None, short=True
     )
-    fatigue_strength: Pascal | None = value("Alternating stress that the fillet bears", "MPa", "σ_A", default=None)
-    fatigue_safety: Number | None = value("Safety of that fillet against fatigue", "", "j", default=None)
+    notch_stress: Pascal | None = value("Bending stress at its fillet", "MPa", "σ_k", default=None, short=True)
+    notch_z: Metre | None = value("its place from mid-shaft", "mm", "z_k", default=None, short=True)
+    fatigue_amplitude: Pascal | None = value(
+        "Alternating stress there that equals a run-up", "MPa", "σ_eq", default=None, short=True
+    )
+    fatigue_strength: Pascal | None = value(
+        "Alternating stress that the fillet bears", "MPa", "σ_A", default=None, short=True
+    )
+    fatigue_safety: Number | None = value("Safety of that fillet against fatigue", "", "j", default=None, short=True)
     effectiveness_at_limit: Number | None = value(
         "Stiffness share at which a slope reaches its limit", "", "η_lim", default=None
     )
@@ -285,7 +288,6 @@ class _Shaft:
         )
 
 
-@design_by_design
 def bending(
     outline: Outline,
     material: Material,

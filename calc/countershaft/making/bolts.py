@@ -238,20 +238,24 @@ def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
 class BoltsResult:
     """One bolt, and the joint.  The safeties are None where the shaft puts no force on its support."""
 
-    bolt_preload: Newton = value("Preload of a bolt", "N", "F_V")
+    bolt_preload: Newton = value("Preload of a bolt", "N", "F_V", short=True)
     bolt_preload_vdi: Newton = value("Preload by VDI 2230", "N", "F_V")
     bolt_preload_vdi_short: Newton = value("Preload by the short form of VDI 2230", "N", "F_V")
     bolt_preload_source: Newton = value("Preload by the source's formula", "N", "F_V")
     bolt_preload_min: Newton = value("Least preload, by the scatter of torque tightening", "N", "F_V,min")
-    bolt_head_pressure: Pascal = value("Pressure under a bolt's head", "MPa", "p_h")
+    bolt_head_pressure: Pascal = value("Pressure under a bolt's head", "MPa", "p_h", short=True)
     bolt_tensile_stress: Pascal = value("Tensile stress of a bolt by its preload", "MPa", "σ_z")
-    bolt_tightening_stress: Pascal = value("Equivalent stress of a bolt while it is tightened", "MPa", "σ_red")
-    bolt_end_force: Newton = value("Turning force on the bolts of one end", "N", "Q")
-    bolt_separation_safety: Number | None = value("Safety against separation", "", "S_sep", default=None)
-    bolt_slip_across_safety: Number | None = value(
-        "Safety against slip, load across the bolts", "", "S_across", default=None
+    bolt_tightening_stress: Pascal = value(
+        "Equivalent stress of a bolt while it is tightened", "MPa", "σ_red", short=True
     )
-    bolt_slip_safety: Number | None = value("Safety against slip while the load turns", "", "S_slip", default=None)
+    bolt_end_force: Newton = value("Turning force on the bolts of one end", "N", "Q")
+    bolt_separation_safety: Number | None = value("Safety against separation", "", "S_sep", default=None, short=True)
+    bolt_slip_across_safety: Number | None = value(
+        "Safety against slip, load across the bolts", "", "S_across", default=None, short=True
+    )
+    bolt_slip_safety: Number | None = value(
+        "Safety against slip while the load turns", "", "S_slip", default=None, short=True
+    )
     support: "Material | None"
     property_class: str
 

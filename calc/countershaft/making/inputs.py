@@ -7,7 +7,7 @@ from math import pi
 
 from ...sheet.errors import text_of
 from ...sheet.formula import formula
-from ...sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from ...sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, SquareMetre
 
@@ -198,11 +198,17 @@ class Bolts:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.hole_diameter >= self.head_diameter:
-            yield "hole_diameter_mm", Text("must be smaller than head_diameter_mm, or the head bears on nothing")
+            yield (
+                dotted(Bolts.hole_diameter),
+                Text("must be smaller than head_diameter_mm, or the head bears on nothing"),
+            )
         if (wrong := thread_problem(self.thread)) is not None:
-            yield "thread", wrong
+            yield dotted(Bolts.thread), wrong
         elif self.hole_diameter <= (D := thread(self.thread)[0]):
-            yield "hole_diameter_mm", Text("must be larger than the thread, {d} mm", d=Amount(D * 1000.0, form="g"))
+            yield (
+                dotted(Bolts.hole_diameter),
+                Text("must be larger than the thread, {d} mm", d=Amount(D * 1000.0, form="g")),
+            )
 
 
 @inputs
@@ -230,7 +236,7 @@ class Clamp:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.opening <= self.nominal:
-            yield "opening_mm", Text("must be larger than nominal_mm")
+            yield dotted(Clamp.opening), Text("must be larger than nominal_mm")
 
 
 @inputs
@@ -250,7 +256,7 @@ class Union:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if (wrong := thread_problem(self.thread)) is not None:
-            yield "thread", wrong
+            yield dotted(Union.thread), wrong
 
 
 @inputs
@@ -290,7 +296,7 @@ class Sleeve:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.end <= self.bore:
-            yield "end_mm", Text("must be larger than bore_mm")
+            yield dotted(Sleeve.end), Text("must be larger than bore_mm")
 
 
 @inputs
@@ -376,11 +382,11 @@ class OilDrain:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.slope is None and (self.tilt is not None or self.bore is not None):
-            yield "slope_deg", Text("needed with tilt_deg and bore_mm: how steep the passage is")
+            yield dotted(OilDrain.slope), Text("needed with tilt_deg and bore_mm: how steep the passage is")
         if self.hose_max < self.hose_min:
-            yield "hose_max_mm", Text("must not be below hose_min_mm")
+            yield dotted(OilDrain.hose_max), Text("must not be below hose_min_mm")
         if (wrong := thread_problem(self.thread)) is not None:
-            yield "thread", wrong
+            yield dotted(OilDrain.thread), wrong
 
 
 @inputs
@@ -466,7 +472,7 @@ class Support:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.wall_at_seat is not None and self.wall is None:
-            yield "wall_at_seat_mm", Text("needs wall_mm: the wall that is left at this seat")
+            yield dotted(Support.wall_at_seat), Text("needs wall_mm: the wall that is left at this seat")
 
 
 @inputs
@@ -518,4 +524,4 @@ class Cost:
     def problems(self) -> Iterable[tuple[str, Text]]:
         names = [a.material for a in self.alternatives]
         if len(set(names)) < len(names):
-            yield "alternatives", Text("name each material once")
+            yield dotted(Cost.alternatives), Text("name each material once")

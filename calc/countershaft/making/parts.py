@@ -15,6 +15,7 @@ from ...library.catalogue import Material
 from ...sheet.check import Check, check
 from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
+from ...sheet.quantity import dotted
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre, NewtonMetre
@@ -23,7 +24,9 @@ from .. import formulas as f
 from ..inputs import CountershaftInputs, EccentricMass, Holes
 from ..outline import Piece
 from ..result import CountershaftResult
+from ..sizing.choices import Seat, compared, compared_table
 from ..sizing.sectors import LEFT_OVER, ShaftTask
+from . import bolts, drain, scatter
 from . import unbalance as balance
 from .inputs import Support
 from .unbalance import HolesResult, ToleranceResult
@@ -114,8 +117,6 @@ def making(
     )
     scattered, other, bolted = _scatter(shaft, todo, masses, result, to), None, None
     if shaft.cost is not None or shaft.mode == "size":
-        from ..sizing.choices import Seat, compared, compared_table
-
         loads = (result.reaction_front, result.reaction_rear)
         seats = [Seat(d, l, load) for (d, l), load in zip((journals[0], journals[-1]), loads)] if journals else []
         seat = max(seats, key=lambda candidate: candidate.diameter, default=None)
@@ -123,8 +124,6 @@ def making(
         to.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
-        from . import bolts
-
         bolted = bolts.solve(shaft.bolts, result.force_vector, result.couple_vector, shaft.bearing_positions, support)
         to.checks += bolts.checks(bolted)
         to.notes += bolts.notes(shaft.bolts, bolted)
@@ -248,8 +247,6 @@ def _scatter(
     if permitted is None:
         to.notes.append(Text("Scatter is not computed: what is permitted needs the mass of the whole shaft."))
         return None
-    from . import scatter
-
     target = scatter.Target(
         omega=result.omega,
         couple=based_on(-todo.C, todo.C),
@@ -276,8 +273,6 @@ def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]"
     ]
     if not asked:
         return {}
-    from . import drain
-
     chosen = {name: drain.solve(inputs) for name, inputs in asked}
     for name, result in chosen.items():
         to.checks += (drain.named_check(drain_check, name) for drain_check in drain.checks(result))
@@ -336,7 +331,11 @@ def load_stress_check(support: Support, material: Material) -> Check | None:
     if limit is None:
         limit = material.proof_stress or material.tensile_strength or math.nan
         source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
-        missing = () if support.load_stress >= limit else ("countershaft.support.load_stress_limit_MPa",)
+        missing = (
+            ()
+            if support.load_stress >= limit
+            else (dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit),)
+        )
     return check(
         "countershaft.support.load_stress",
         Text("Stress of the support from the bearing loads"),

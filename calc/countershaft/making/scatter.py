@@ -19,7 +19,6 @@ from ...sheet.arrays import Array, ComplexArray, each, many, phasors
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
-from ...sheet.lanes import design_by_design
 from ...sheet.linked_array import column
 from ...sheet.quantity import result, value
 from ...sheet.record import record
@@ -243,7 +242,6 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     return best
 
 
-@design_by_design
 def scattered(
     scatter: Scatter,
     masses: tuple[EccentricMass, ...],

@@ -14,7 +14,7 @@ from ...sheet.arrays import Array, each
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
-from ...sheet.quantity import result, value
+from ...sheet.quantity import dotted, result, value
 from ...sheet.remedy import by_key, down
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
@@ -31,7 +31,7 @@ from ...sheet.units import (
     RadPerSecond,
 )
 from ...sheet.value import about, based_on, untraced
-from ..inputs import Holes
+from ..inputs import CountershaftInputs, Holes
 
 HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
@@ -45,7 +45,7 @@ class HolesResult:
     hole_unbalance: KilogramMetre = value("Unbalance removed by one hole", "g·mm", "ΔU")
     hole_couple: NewtonMetre = value("Couple removed by one hole", "N·m", "ΔC")
     hole_unbalance_of_mass: KilogramMetre = value("Unbalance that drilling can take off each mass", "g·mm", "ΔU_m")
-    hole_range: NewtonMetre = value("Couple that all holes together can take", "N·m", "ΔC_c")
+    hole_range: NewtonMetre = value("Couple that all holes together can take", "N·m", "ΔC_c", short=True)
     hole_range_share: Number | None = value("its share of the required couple", "%", "q_c", default=None)
     hole_overdesign: Number | None = value(
         "Couple beyond the required one that drilling needs", "%", "x_c", default=None
@@ -151,7 +151,12 @@ def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
         "mm",
         Text("geometry: height of the sectors over the core"),
         Text("More or wider holes take the rest."),
-        remedies=by_key(Holes, "countershaft.holes.depth_mm", down(R_outer - core_radius), bound="<="),
+        remedies=by_key(
+            Holes,
+            dotted("countershaft", CountershaftInputs.holes, Holes.depth),
+            down(R_outer - core_radius),
+            bound="<=",
+        ),
     )
 
 
@@ -181,7 +186,9 @@ def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
         "mm",
         Text("geometry: width of the sector at the bottom of the hole"),
         Text("Shorter holes have more room as well."),
-        remedies=by_key(Holes, "countershaft.holes.diameter_mm", down(chord), bound="<="),
+        remedies=by_key(
+            Holes, dotted("countershaft", CountershaftInputs.holes, Holes.diameter), down(chord), bound="<="
+        ),
     )
 
 
@@ -220,10 +227,16 @@ MOST_INBOARD, MOST_OUTBOARD = 0.7, 1.3  # the larger one: centre of gravity betw
 class ToleranceResult:
     """What the grade permits in all, in each bearing plane, and as an error of the couple."""
 
-    residual_unbalance_permitted: KilogramMetre = value("Permitted residual unbalance", "g·mm", "U_per")
-    residual_unbalance_permitted_front: KilogramMetre = value("in the plane of the front bearing", "g·mm", "U_per,f")
-    residual_unbalance_permitted_rear: KilogramMetre = value("in the plane of the rear bearing", "g·mm", "U_per,r")
-    permitted_couple_error: NewtonMetre = value("Couple of both planes' permitted unbalance, opposed", "N·m", "C_per")
+    residual_unbalance_permitted: KilogramMetre = value("Permitted residual unbalance", "g·mm", "U_per", short=True)
+    residual_unbalance_permitted_front: KilogramMetre = value(
+        "in the plane of the front bearing", "g·mm", "U_per,f", short=True
+    )
+    residual_unbalance_permitted_rear: KilogramMetre = value(
+        "in the plane of the rear bearing", "g·mm", "U_per,r", short=True
+    )
+    permitted_couple_error: NewtonMetre = value(
+        "Couple of both planes' permitted unbalance, opposed", "N·m", "C_per", short=True
+    )
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from ...imbalance.result import ImbalanceResult
 from ...library.catalogue import Material
 from ...library.journal_rules import specific_load
-from ...sheet.arrays import distinct, each, many
+from ...sheet.arrays import each, many
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.quantity import result, value
@@ -500,7 +500,7 @@ def front_curve(
             return None
         start = radius_needed(R=R, r_0=r_0, u=u) * (1 + 1e-9)
         ends = [f.radius_for(R=R, r_0=r_0, rho=densities[name], rho_m=heavy) for name in names]
-        radii = each(distinct(np.array([*np.linspace(start, R, POINTS), *(end for end in ends if start < end < R)]))[0])
+        radii = each(np.unique([*np.linspace(start, R, POINTS), *(end for end in ends if start < end < R)]))
         least = each(masses(*left, heavy, radii, r_0, z_max))
         series = {}
         for name in names:  # equal ρ·(R³ − r_0³): equal lengths and half-angles

@@ -16,7 +16,6 @@ from ...imbalance.result import ImbalanceResult
 from ...sheet.arrays import Array, BoolArray, each
 from ...sheet.errors import NoSolution
 from ...sheet.functions import root
-from ...sheet.lanes import design_by_design
 from ...sheet.linked_array import column
 from ...sheet.quantity import group, result, value
 from ...sheet.record import record
@@ -167,7 +166,6 @@ def masses(
     return rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount)
 
 
-@design_by_design
 def size(
     U: PhasorKilogramMetre,
     P: PhasorKilogramMetre2,

@@ -31,7 +31,8 @@ from ...sheet.value import about
 from ..inputs import Carried, Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
 from ..mesh.geometry import MeshGeometry, WheelGeometry, require
 from ..mesh.path import wheel_speed
-from . import sums
+from . import bearings as bearing_losses
+from . import oil_and_air, sums
 from .oil_and_air import AIR_VISCOSITY, mist_of_the_tests, mist_viscosity, oil_share, windage
 
 Entry = TypeVar("Entry", bound=Carried)
@@ -168,8 +169,6 @@ def _sum(
 
 
 def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import oil_and_air  # here and below: what few trains have is loaded for these
-
     r, b = wheel.reference_radius, wheel.face_width
     h = oil_and_air.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
     alpha_t = transverse_angle(r_b=wheel.base_radius, r=r)
@@ -188,16 +187,12 @@ def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oi
 
 
 def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import oil_and_air
-
     return oil_and_air.thrown_oil(
         rho=oil.rho, Q=jet.flow, v_t=oil_and_air.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed
     )
 
 
 def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import bearings as bearing_losses
-
     if seal.method == "simrit":
         loss = bearing_losses.simrit(d_sh=seal.diameter, n=n)
     else:
@@ -242,9 +237,5 @@ def carrying(
 def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: OilState, base: str) -> Watt:
     F = F if bearing.load is None else bearing.load
     if isinstance(bearing, RollingBearing):
-        from . import bearings as bearing_losses
-
         return bearing_losses.power(bearing, F, n, oil.nu, base)
-    from . import bearings as bearing_losses
-
     return bearing_losses.plain_bearing_power(bearing, F, n, oil.mu)

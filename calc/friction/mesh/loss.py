@@ -21,7 +21,7 @@ from ...library.contact import (
     mean_pressure,
 )
 from ...library.lubricant import Lubricant
-from ...sheet.arrays import Array, anywhere, each, many, most, one
+from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import along, sqrt
@@ -122,7 +122,7 @@ def no_rolling_loss() -> Watt:
 def extreme(which: Callable[..., Array], x: float) -> float:
     """The smallest or largest along the path."""
     values = which(x, axis=-1)
-    return each(values) if values.ndim else one(each(values))
+    return each(values) if values.ndim else values.item()
 
 
 @formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
@@ -291,16 +291,16 @@ class Local:
 class MeshLoss:
     """The loss of one mesh by one model of the film."""
 
-    loss: Watt = value("Power lost in the mesh", "W", "P_VZ")
+    loss: Watt = value("Power lost in the mesh", "W", "P_VZ", short=True)
     sliding_loss: Watt = value("by sliding", "W", "P_s")
     rolling_loss: Watt = value("by rolling", "W", "P_R")
     rolling_estimate: Watt | None = value("Rolling of an EHL film, an estimate that is not added", "W", "P_RE")
-    efficiency: Number = value("Efficiency of the mesh", "", "η_Z")
-    loss_factor: Number = value("Loss factor", "", "H_VL")
-    friction_mean: Number = value("Mean coefficient of friction", "", "μ_m")
-    film_min: Metre = value("Thinnest film", "µm", "h_min")
-    lambda_min: Number = value("Smallest film over roughness", "", "λ_min")
-    pressure_max: Pascal = value("Largest Hertzian pressure", "MPa", "p_H")
+    efficiency: Number = value("Efficiency of the mesh", "", "η_Z", short=True)
+    loss_factor: Number = value("Loss factor", "", "H_VL", short=True)
+    friction_mean: Number = value("Mean coefficient of friction", "", "μ_m", short=True)
+    film_min: Metre = value("Thinnest film", "µm", "h_min", short=True)
+    lambda_min: Number = value("Smallest film over roughness", "", "λ_min", short=True)
+    pressure_max: Pascal = value("Largest Hertzian pressure", "MPa", "p_H", short=True)
     pressure_pitch: Pascal | None = value("Hertzian pressure at the pitch point", "MPa", "p_C")
     temperature_max: Celsius = value("Hottest film", "°C", "T_f")
     bulk_temperature: Celsius | None = value("Temperature of the teeth, estimated", "°C", "Θ_M")
@@ -354,7 +354,7 @@ def _steadied(
     before: tuple[Celsius, Kelvin] | None = None
     for _ in range(PASSES):
         gap = gap_at(T)
-        if most(np.abs(gap)) <= SKIN:
+        if np.all(np.abs(gap) <= SKIN):
             return
         slope = 0.0
         if before is not None:
@@ -366,7 +366,7 @@ def _steadied(
             raise fail(
                 gap, Text("above {hottest} °C, where the laws of the oil end", hottest=Amount(HOTTEST, form="g"))
             )
-        T = T if np.ndim(T) else one(T)
+        T = T if np.ndim(T) else float(T)
     raise fail(
         gap,
         Text("off by {max} K after {passes} passes", max=Amount(float(np.max(np.abs(gap))), form=".3g"), passes=PASSES),
@@ -445,7 +445,7 @@ def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     oil = _skins(c, rubbing)
     f, t = rubbing(oil)
     P_s = sliding_loss(s=s, mu=t.mu, w=w, V_s=m.V_s)
-    if not anywhere(many(f.rigid) > 0):
+    if not np.any(many(f.rigid) > 0):
         P_R = no_rolling_loss()
     else:
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)

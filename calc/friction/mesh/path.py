@@ -35,11 +35,10 @@ from ...library.contact import (
     sole_contact_begins,
     sole_contact_ends,
 )
-from ...sheet.arrays import Array, IndexArray, each, has_lanes, many, one
+from ...sheet.arrays import Array, IndexArray, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
-from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -67,7 +66,7 @@ AGMA = Text("AGMA 925-A03")
 
 def array(x: Array | float) -> float:
     """The one door by which arrays enter the formulas, which are typed float → float."""
-    return cast(float, x if has_lanes(x) else np.asanyarray(x, dtype=np.float64))
+    return cast(float, np.asanyarray(x, dtype=np.float64))
 
 
 # --- how much of the stretch for which a position stands has a property that begins or ends between two positions
@@ -301,7 +300,7 @@ class Path:
     def at_pitch_point(self, x: float) -> float:
         """The value that an array has at C: a float, or one for each of many operating points."""
         values = many(x)[..., self.per_strip - 3]
-        return based_on(each(values) if values.ndim else one(each(values)), x)
+        return based_on(each(values) if values.ndim else values.item(), x)
 
 
 @cache
@@ -324,7 +323,6 @@ def _gauss(breaks: Array, points: int) -> tuple[Array, Array]:
     return (middle[..., None] + half[..., None] * at).reshape(rows), (half[..., None] * weight).reshape(rows)
 
 
-@design_by_design
 def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, strips: int = STRIPS) -> Path:
     """The path of contact of a mesh.  NoSolution where the teeth do not mesh, or a spur pair can not share its load as
     assumed."""

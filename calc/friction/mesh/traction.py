@@ -17,7 +17,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...sheet.arrays import Array, anywhere, many, most
+from ...sheet.arrays import Array, many
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
@@ -218,7 +218,7 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
     T: Array = np.minimum(before + gap_before, HOTTEST)
     for _ in range(PASSES):
         gap = many(warmed(array(T))) - T
-        if most(np.abs(gap)) <= TOLERANCE:  # NaN never is
+        if np.all(np.abs(gap) <= TOLERANCE):  # NaN never is
             return array(T)
         if np.any((gap > 0) & (T >= HOTTEST)):
             raise _beyond(x, np.where(T >= HOTTEST, gap, -np.inf), subject)
@@ -325,10 +325,10 @@ def traction(
     xi = s.mixing.solid(lam, s.sigma, s.Ra)
     at = Contact(oil, motion, film, w, w_f, p_m, b_H, s, xi)
     rigid = many(film.rigid)
-    if not anywhere(rigid > 0):
+    if not np.any(rigid > 0):
         return Traction(lam=lam, xi=xi, **vars(_elastic(at, array(np.ones_like(rigid)), x, subject)))
     thin = _rigid(at)
-    if not anywhere(rigid < 1):
+    if not np.any(rigid < 1):
         return Traction(lam=lam, xi=xi, **vars(thin))
     thick = _elastic(at, array(np.where(rigid < 1, 1.0, 0.0)), x, subject)
     both = {

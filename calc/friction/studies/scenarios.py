@@ -9,9 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...bearings.inputs import BearingsInputs
+from ...gears.inputs import GearsInputs
 from ...library.catalogue import Oil
 from ...library.lubricant import Lubricant
 from ...sheet.errors import NoSolution
+from ...sheet.quantity import dotted
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text, listed
 from ...sheet.units import Celsius, Watt
@@ -172,21 +175,27 @@ def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, 
     oil and temperature the teeth have too where the design says so."""
     changes: dict[str, str | float | list[float] | None] = {}
     if s.oil is not None:
-        changes["bearings.oil" if shared and friction.oil is None else "friction.oil"] = s.oil
+        changes[
+            dotted("bearings", BearingsInputs.oil)
+            if shared and friction.oil is None
+            else dotted("friction", FrictionInputs.oil)
+        ] = s.oil
     if s.oil_temperature is not None:
         if friction.bulk_temperature is not None:
-            changes["friction.bulk_temperature_C"] = None  # it was measured at another temperature
+            changes[dotted("friction", FrictionInputs.bulk_temperature)] = (
+                None  # it was measured at another temperature
+            )
         changes[
-            "bearings.supply_temperature_C"
+            dotted("bearings", BearingsInputs.supply_temperature)
             if shared and friction.oil_temperature is None
-            else "friction.oil_temperature_C"
+            else dotted("friction", FrictionInputs.oil_temperature)
         ] = s.oil_temperature
     if s.load_sharing is not None:
-        changes["friction.load_sharing"] = s.load_sharing
+        changes[dotted("friction", FrictionInputs.load_sharing)] = s.load_sharing
     if s.flank_roughness is not None:
-        changes["friction.flank_roughness_um"] = [round(Ra * 1e6, 9) for Ra in s.flank_roughness]
+        changes[dotted("friction", FrictionInputs.flank_roughness)] = [round(Ra * 1e6, 9) for Ra in s.flank_roughness]
     if s.power is not None:
-        changes["gears.power_kW"] = s.power / 1e3
+        changes[dotted("gears", GearsInputs.power)] = s.power / 1e3
     return changes
 
 

@@ -273,6 +273,7 @@ def tornado(swings: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
         series,
         bars=True,
         names=names,
+        short=1,
     )
     rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in swings)
     columns = (

@@ -13,9 +13,8 @@ from math import ceil
 
 import numpy as np
 
-from ...sheet.arrays import Array, each, many, one
+from ...sheet.arrays import Array, each, many
 from ...sheet.formula import formula
-from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Number, Radian
@@ -37,8 +36,7 @@ BY_CHANCE = Text("mathematics, {trains} trains by chance", trains=TRAINS)
 def kept(j: Metre, p: Number) -> Metre:
     """`j` (trains,) in rising order."""
     size = many(j).size
-    least: float = one(many(j)[size - ceil(p * size)])
-    return least
+    return float(many(j)[size - ceil(p * size)])
 
 
 @formula(
@@ -48,15 +46,13 @@ def kept(j: Metre, p: Number) -> Metre:
 )
 def not_exceeded(phi: Radian, p: Number) -> Radian:
     """`phi` (trains,) in rising order."""
-    most: float = one(many(phi)[ceil(p * many(phi).size) - 1])
-    return most
+    return float(many(phi)[ceil(p * many(phi).size) - 1])
 
 
 @formula("p_jam", BY_CHANCE, unit="%", shows="trains with a backlash below 0, over all trains")
 def share_below_zero(j: Metre) -> Number:
     """`j` (trains,) in rising order."""
-    share: float = one(np.sum(many(j) < -DUST)) / many(j).size
-    return share
+    return int(np.sum(many(j) < -DUST)) / many(j).size
 
 
 @record
@@ -89,7 +85,6 @@ def deviate(kind: str, k: int) -> Array:
     return cosine * np.sqrt(_even(k + 1)) if kind == "position" else cosine
 
 
-@design_by_design
 def by_chance(
     cases: Sequence[BacklashCase], wheels: Mapping[str, WheelResult], way: Sequence[str], last: str
 ) -> Chance | None:

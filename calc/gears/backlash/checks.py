@@ -7,6 +7,7 @@ from functools import partial
 
 from ...sheet.check import Check, check
 from ...sheet.functions import cos, sin
+from ...sheet.quantity import dotted
 from ...sheet.remedy import Change, Remedy, change, remedy
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, Number
@@ -90,7 +91,11 @@ def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequ
 
 def _temperature_checks(gears: GearsInputs, m: BacklashCase, smallest: Sequence[AtState]) -> Iterator[Check]:
     """Not verified where the design does not say itself what is between the centres."""
-    missing = () if gears.housing_material is not None or m.inputs.support_share else ("gears.housing_material",)
+    missing = (
+        ()
+        if gears.housing_material is not None or m.inputs.support_share
+        else (dotted("gears", GearsInputs.housing_material),)
+    )
     (cold, warm, warmer, warming), free = smallest, _freed(m)
     T_min, T_H, more = (
         Amount(T, form="g") for T in (gears.lowest_temperature, gears.running_temperature, gears.wheels_warmer)
@@ -158,7 +163,7 @@ def freed(
     # the field of the allowance stays as wide as it is
     ends = [round(end * 1e6 - less, 6) for end in thick.allowance or (0.0, 0.0)]
     off = remedy(
-        change(Wheel, f"gears.wheels.{thick.name}.span_allowance_um", ends, place=thick.name),
+        change(Wheel, dotted("gears", GearsInputs.wheels, thick.name, Wheel.span_allowance), ends, place=thick.name),
         effect=Text("{less} µm more off the span of its teeth", less=less),
     )
     held = 0.0 if slope is None else tolerance - missing / slope
@@ -175,9 +180,9 @@ def _wider(m: BacklashCase, reach: Metre) -> tuple[Remedy, ...]:
 
 def _tolerance(mesh: Mesh, index: int, tolerance: float, bound: str = "") -> list[Change]:
     """Another tolerance of the centre distance, in µm; it takes the place of contributors that are summed."""
-    place, here = mesh.title, f"gears.meshes.{index}"
-    instead = [change(Mesh, f"{here}.contributors_mm", None, place=place)] if mesh.contributors else []
-    return [change(Mesh, f"{here}.tolerance_um", tolerance, place=place, bound=bound), *instead]
+    place, here = mesh.title, dotted("gears", GearsInputs.meshes, index)
+    instead = [change(Mesh, dotted(here, Mesh.contributors), None, place=place)] if mesh.contributors else []
+    return [change(Mesh, dotted(here, Mesh.tolerance), tolerance, place=place, bound=bound), *instead]
 
 
 # --- what is assumed where the play does not follow from what is given

@@ -63,6 +63,7 @@ def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
                     point=least,
                     fails=least[1] < 0,
                     band=True,
+                    short=1,
                 )
             )
     return tuple(drawn)

@@ -269,11 +269,20 @@ class PlayResult:
         "Change of the centre distance against the wheels, wheels warmer", "µm", "Δa_eff"
     )
     centre_change_warming: Metre = value("Change of the centre distance against the wheels, warming up", "µm", "Δa_eff")
-    backlash_cold: Metre = value("Smallest backlash at the lowest temperature, normal", "µm", "j_bn,cold")
-    backlash_running: Metre = value("Smallest backlash at running temperature, normal", "µm", "j_bn,run")
-    backlash_warmer: Metre = value("Smallest backlash, wheels warmer than the housing, normal", "µm", "j_bn,warmer")
+    backlash_cold: Metre = value(
+        "Smallest backlash at the lowest temperature, normal", "µm", "j_bn,cold", short=True, page_one=3, worst="least"
+    )
+    backlash_running: Metre = value("Smallest backlash at running temperature, normal", "µm", "j_bn,run", short=True)
+    backlash_warmer: Metre = value(
+        "Smallest backlash, wheels warmer than the housing, normal",
+        "µm",
+        "j_bn,warmer",
+        short=True,
+        page_one=4,
+        worst="least",
+    )
     backlash_warming: Metre = value(
-        "Smallest backlash, wheels warmer and the housing still cold, normal", "µm", "j_bn,warming"
+        "Smallest backlash, wheels warmer and the housing still cold, normal", "µm", "j_bn,warming", short=True
     )
     backlash_median: Metre | None = value(
         "Smallest backlash over a turn by chance, median of the trains", "µm", "j_bn,50", default=None

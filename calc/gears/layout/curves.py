@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ...sheet.arrays import ComplexArray
+from ...sheet.quantity import dotted
 from ...sheet.step import Curve, Erratum, Series, Table, axis_label
 from ...sheet.text import Amount, Name, Text
 from ...sheet.units import Metre, Number
@@ -260,7 +261,7 @@ def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) 
         tip=mm(tip, ".3f"),
     )
     name, source = Text("Gap at insertion by the text of Finotti 2013"), Text("Finotti 2013, 4.1")
-    return (Erratum("gears.insertion_gap", name, DRAWN_GAP * 1e3, "mm", source, why),)
+    return (Erratum(dotted("gears", LayoutResult.insertion_gap), name, DRAWN_GAP * 1e3, "mm", source, why),)
 
 
 def forces_notes(gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number]) -> tuple[Text, ...]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
 from ...sheet.check import Check, check
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import by_key
 from ...sheet.text import Amount, Text, alternatives
@@ -209,7 +210,7 @@ def axis_check(last: str, off: Metre, limit: Metre) -> Check:
         Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
         remedies=by_key(
             Wheel,
-            f"gears.wheels.{last}.position_mm",
+            dotted("gears", GearsInputs.wheels, last, Wheel.position),
             None,
             place=last,
             effect=Text("the axis of the counter-shaft gives it"),
@@ -238,7 +239,9 @@ def distance_check(
         Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n"),
         advice,
         index=index,
-        remedies=by_key(Mesh, f"gears.meshes.{index}.centre_distance_mm", round(c * 1e3, 4), place=mesh.title),
+        remedies=by_key(
+            Mesh, dotted("gears", GearsInputs.meshes, index, Mesh.centre_distance), round(c * 1e3, 4), place=mesh.title
+        ),
     )
 
 

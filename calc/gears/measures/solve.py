@@ -9,7 +9,7 @@ from functools import partial
 
 from ...sheet.check import Check, check
 from ...sheet.errors import NoSolution
-from ...sheet.quantity import Described, Stated
+from ...sheet.quantity import Described, Stated, dotted
 from ...sheet.record import record
 from ...sheet.remedy import Remedy, change, remedy
 from ...sheet.step import Table
@@ -232,7 +232,7 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
     def other_ball() -> tuple[Remedy, ...]:
         fits, key = (
             wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball,
-            "gears.ball_diameter_mm",
+            dotted("gears", GearsInputs.ball_diameter),
         )
         per_wheel = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
         return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), per_wheel
@@ -342,7 +342,7 @@ def checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> It
             "in",
             (lower, upper),
             "µm",
-            Name(f"gears.wheels.{name}.span_allowance_um"),
+            Name(dotted("gears", GearsInputs.wheels, name, Wheel.span_allowance)),
             _advice(system, wheel, key, sizes),
         )
     if len(thicknesses := [tooth.normal_thickness for tooth in teeth.values()]) > 1:

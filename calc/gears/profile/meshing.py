@@ -17,6 +17,7 @@ import numpy as np
 from ...sheet.arrays import Array
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import by_key
 from ...sheet.text import Text
@@ -224,7 +225,9 @@ def finishing_check(train: TrainResult) -> Check:
             "large as the stock"
         ),
         Text("A step is a notch beside the root."),
-        remedies=by_key(GearsInputs, "gears.protuberance_mm", float(f"{s.stock * 1e3:.4g}"), bound=">="),
+        remedies=by_key(
+            GearsInputs, dotted("gears", GearsInputs.protuberance), float(f"{s.stock * 1e3:.4g}"), bound=">="
+        ),
     )
 
 

@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 
 from ...sheet.check import Check, check
+from ...sheet.quantity import dotted
 from ...sheet.remedy import by_key
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Kelvin, Metre, NewtonMetre, NewtonPerMetre, Number, Pascal
-from ..inputs import GearsInputs
+from ..inputs import GearsInputs, Wheel
 from ..result import MeshResult
 from . import strength as iso6336
 from .classes import StrengthClass
@@ -86,7 +87,12 @@ def application_factor_check(key: str, pair: str, load: RatingLoad) -> Check | N
         needed,
         "",
         Text("mean and dynamic torque over the mean"),
-        remedies=by_key(GearsInputs, "gears.application_factor", None, effect=Text("the peak of both is then rated")),
+        remedies=by_key(
+            GearsInputs,
+            dotted("gears", GearsInputs.application_factor),
+            None,
+            effect=Text("the peak of both is then rated"),
+        ),
     )
 
 
@@ -189,7 +195,7 @@ def _contact_checks(key: str, mesh: MeshStrength) -> Iterator[Check]:
     if not safeties:
         return
     weak = min(safeties, key=safeties.__getitem__)
-    S_H, (one, two), id = safeties[weak], mesh.sides, f"gears.{key}.safety_contact"
+    S_H, (one, two), id = safeties[weak], mesh.sides, dotted("gears", key, MeshStrength.safety_contact)
     name = Text(
         "Safety against pitting {name}–{name2}, on stress (on load {s_h}), weaker: {weak}",
         name=one.name,
@@ -227,7 +233,7 @@ def unrated_checks(wheels: Iterable[str]) -> Iterator[Check]:
             "",
             MINIMUM_F,
             advice,
-            missing=(f"gears.wheels.{wheel}.gear_material",),
+            missing=(dotted("gears", GearsInputs.wheels, wheel, Wheel.gear_material),),
         )
 
 
@@ -241,7 +247,9 @@ def roughness_check(root_rz: Metre) -> Check:
         iso6336.ROUGHEST_ROOT,
         "µm",
         Text("ISO 6336-3: Y_RrelT was found up to 40 µm"),
-        remedies=by_key(GearsInputs, "gears.root_rz_um", round(iso6336.ROUGHEST_ROOT * 1e6, 6), bound="<="),
+        remedies=by_key(
+            GearsInputs, dotted("gears", GearsInputs.root_rz), round(iso6336.ROUGHEST_ROOT * 1e6, 6), bound="<="
+        ),
     )
 
 

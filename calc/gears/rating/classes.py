@@ -6,6 +6,7 @@ The table stands in calc/library/tables/gear_materials.toml; only the row asked 
 Vickers; classes that the standard gives in Brinell take 0.95 of it.  Above the range of its class a hardness adds
 nothing (the line is read at its end); below the range the class does not hold, which a check says."""
 
+import difflib
 from collections.abc import Iterable
 from functools import cache
 
@@ -218,8 +219,6 @@ def _unknown(name: str) -> NoSolution:
     if usual := classes_of(name):
         why = Text("it is a steel, not a class: its strength depends on the heat treatment")
         return NoSolution(what, why, Text("choose {or_}", or_=_or(usual)))
-    import difflib  # only for a name that is wrong
-
     near = difflib.get_close_matches(name, class_names(), 3, 0.4) or class_names()
     return NoSolution(what, Text("there is no such class"), Text("the nearest: {or_}", or_=_or(near)))
 

@@ -111,9 +111,9 @@ def _strength_table(
     cells: list[tuple[str | float | None, ...]] = []
     for mesh in meshes.values():
         for wheel, strength in getattr(mesh, part).items():
-            numbers = ((getattr(strength, attribute), UNITS[unit].factor) for _, _, unit, _, attribute in rows)
+            numbers = ((getattr(strength, attribute), UNITS[about.unit].factor) for _, about, attribute in rows)
             cells.append((mesh.pair, wheel, *(None if n is None else n / factor for n, factor in numbers)))
-    columns = ((Text("mesh"), ""), (Text("wheel"), ""), *((Name(symbol), unit) for _, _, unit, symbol, _ in rows))
+    columns = ((Text("mesh"), ""), (Text("wheel"), ""), *((Name(about.symbol), about.unit) for _, about, _ in rows))
     covers = tuple(
         f"gears.{key}.{id}_{wheel}" for key, mesh in meshes.items() for wheel in mesh.contact for id, *_ in rows[1:]
     )

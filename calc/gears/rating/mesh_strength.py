@@ -5,6 +5,7 @@ The stresses come in as nominal ones (K = 1) with the product of their load fact
 from its class, its life and its surface.  S_H and S_F are on stress; on load, S_H counts squared and S_F as it is."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 
 from ...library.catalogue import Material
@@ -45,28 +46,32 @@ class MeshLoad:
     grade: int
 
 
-Row = tuple[str, Text, str, str, str]  # id, label, unit, symbol and attribute of what is shown of each wheel
+Row = tuple[str, Described, str]  # id, description and attribute of what is shown of each wheel
 CONTACT: tuple[Row, ...] = (
-    ("safety_contact", Text("Safety against pitting of {wheel}, on stress"), "", "S_H", "S_H"),
-    ("rated_contact_stress", Text("Contact stress of {wheel}"), "MPa", "σ_H", "sigma_H"),
-    ("pitting_limit", Text("Pitting stress limit of {wheel}"), "MPa", "σ_HG", "sigma_HG"),
-    ("permissible_contact_stress", Text("Permissible contact stress of {wheel}"), "MPa", "σ_HP", "sigma_HP"),
-    ("single_pair_factor", Text("Single pair factor of {wheel}"), "", "Z_BD", "Z_BD"),
-    ("flank_life_factor", Text("Life factor of {wheel}, flank"), "", "Z_NT", "Z_NT"),
-    ("work_hardening_factor", Text("Work hardening factor of {wheel}"), "", "Z_W", "Z_W"),
+    ("safety_contact", Described(Text("Safety against pitting of {wheel}, on stress"), "", "S_H"), "S_H"),
+    ("rated_contact_stress", Described(Text("Contact stress of {wheel}"), "MPa", "σ_H"), "sigma_H"),
+    ("pitting_limit", Described(Text("Pitting stress limit of {wheel}"), "MPa", "σ_HG"), "sigma_HG"),
+    ("permissible_contact_stress", Described(Text("Permissible contact stress of {wheel}"), "MPa", "σ_HP"), "sigma_HP"),
+    ("single_pair_factor", Described(Text("Single pair factor of {wheel}"), "", "Z_BD"), "Z_BD"),
+    ("flank_life_factor", Described(Text("Life factor of {wheel}, flank"), "", "Z_NT"), "Z_NT"),
+    ("work_hardening_factor", Described(Text("Work hardening factor of {wheel}"), "", "Z_W"), "Z_W"),
 )
 BENDING: tuple[Row, ...] = (
-    ("safety_bending", Text("Safety against tooth breakage of {wheel}"), "", "S_F", "S_F"),
-    ("rated_root_stress", Text("Tooth root stress of {wheel}"), "MPa", "σ_F", "sigma_F"),
-    ("root_limit", Text("Tooth root stress limit of {wheel}"), "MPa", "σ_FG", "sigma_FG"),
-    ("permissible_root_stress", Text("Permissible root stress of {wheel}"), "MPa", "σ_FP", "sigma_FP"),
-    ("rim_factor", Text("Rim thickness factor of {wheel}"), "", "Y_B", "Y_B"),
-    ("deep_tooth_factor", Text("Deep tooth factor of {wheel}"), "", "Y_DT", "Y_DT"),
-    ("root_life_factor", Text("Life factor of {wheel}, root"), "", "Y_NT", "Y_NT"),
-    ("notch_sensitivity", Text("Relative notch sensitivity of {wheel}"), "", "Y_δrelT", "Y_drelT"),
-    ("surface_factor", Text("Relative surface factor of {wheel}"), "", "Y_RrelT", "Y_RrelT"),
-    ("size_factor", Text("Size factor of {wheel}, root"), "", "Y_X", "Y_X"),
-    ("mean_stress_factor", Text("Factor of reversed load of {wheel}"), "", "Y_M", "Y_M"),
+    (
+        "safety_bending",
+        Described(Text("Safety against tooth breakage of {wheel}"), "", "S_F", short=True, page_one=2, worst="least"),
+        "S_F",
+    ),
+    ("rated_root_stress", Described(Text("Tooth root stress of {wheel}"), "MPa", "σ_F"), "sigma_F"),
+    ("root_limit", Described(Text("Tooth root stress limit of {wheel}"), "MPa", "σ_FG"), "sigma_FG"),
+    ("permissible_root_stress", Described(Text("Permissible root stress of {wheel}"), "MPa", "σ_FP"), "sigma_FP"),
+    ("rim_factor", Described(Text("Rim thickness factor of {wheel}"), "", "Y_B"), "Y_B"),
+    ("deep_tooth_factor", Described(Text("Deep tooth factor of {wheel}"), "", "Y_DT"), "Y_DT"),
+    ("root_life_factor", Described(Text("Life factor of {wheel}, root"), "", "Y_NT"), "Y_NT"),
+    ("notch_sensitivity", Described(Text("Relative notch sensitivity of {wheel}"), "", "Y_δrelT"), "Y_drelT"),
+    ("surface_factor", Described(Text("Relative surface factor of {wheel}"), "", "Y_RrelT"), "Y_RrelT"),
+    ("size_factor", Described(Text("Size factor of {wheel}, root"), "", "Y_X"), "Y_X"),
+    ("mean_stress_factor", Described(Text("Factor of reversed load of {wheel}"), "", "Y_M"), "Y_M"),
 )
 
 
@@ -162,17 +167,17 @@ def _stated(contact: Mapping[str, ContactStrength], bending: Mapping[str, RootSt
     stated = {}
     for wheel in contact:
         for strength, rows in ((contact[wheel], CONTACT), (bending[wheel], BENDING)):
-            for id, described, attribute in _described(wheel, rows):
+            for id, words, attribute in _described(wheel, rows):
                 if (number := getattr(strength, attribute)) is not None:
-                    stated[id] = Stated(described, number)
+                    stated[id] = Stated(words, number)
     return stated
 
 
 @cache
 def _described(wheel: str, rows: tuple[Row, ...]) -> tuple[tuple[str, Described, str], ...]:
     return tuple(
-        (f"{id}_{wheel}", Described(Text(label.template, wheel=wheel), unit, symbol), attribute)
-        for id, label, unit, symbol, attribute in rows
+        (f"{id}_{wheel}", replace(about, label=Text(about.label.template, wheel=wheel)), attribute)
+        for id, about, attribute in rows
     )
 
 

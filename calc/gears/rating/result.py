@@ -35,13 +35,13 @@ class Influence:
     """How much more than the nominal load the teeth of a mesh carry, and what that follows from."""
 
     line_load: NewtonPerMetre = value("Load per face width, F_t·K_A/b", "N/mm", "w")
-    dynamic_factor: Number = value("Dynamic factor", "", "K_V")
-    face_load_factor_flank: Number = value("Face load factor, flank", "", "K_Hβ")
+    dynamic_factor: Number = value("Dynamic factor", "", "K_V", short=True)
+    face_load_factor_flank: Number = value("Face load factor, flank", "", "K_Hβ", short=True)
     face_load_factor_root: Number = value("Face load factor, root", "", "K_Fβ")
     face_load_factor_at_100: Number | None = value(
         "Face load factor, flank, if the load were 100 N/mm", "", "K_Hβ,100", default=None
     )
-    transverse_load_factor_flank: Number = value("Transverse load factor, flank", "", "K_Hα")
+    transverse_load_factor_flank: Number = value("Transverse load factor, flank", "", "K_Hα", short=True)
     transverse_load_factor_root: Number = value("Transverse load factor, root", "", "K_Fα")
     transverse_load_factor_flank_max: Number = value(
         "Transverse load factor, flank: its limit, one pair carries all", "", "K_Hα,max"
@@ -92,7 +92,9 @@ class WheelStrength:
 class MeshStrength:
     """The strength of one mesh; a safety of None: no load."""
 
-    safety_contact: Number | None = value("Safety against pitting, on stress", "", "S_H", default=None)
+    safety_contact: Number | None = value(
+        "Safety against pitting, on stress", "", "S_H", default=None, short=True, page_one=1, worst="least"
+    )
     safety_contact_load: Number | None = value("Safety against pitting, on load", "", "S_H²", default=None)
     lubricant_factor: Number = value("Lubricant factor", "", "Z_L")
     velocity_factor: Number = value("Velocity factor", "", "Z_v")
@@ -144,11 +146,11 @@ class MeshRating:
     )
     least_torque: NewtonMetre | None = value("Least torque at the driver over the cycle", "N·m", "T_min", default=None)
     application_factor: Number = value("Application factor", "", "K_A")
-    tangential_force: Newton = value("Tangential force at the reference circle", "N", "F_t")
+    tangential_force: Newton = value("Tangential force at the reference circle", "N", "F_t", short=True)
     zone_factor: Number = value("Zone factor", "", "Z_H")
     contact_ratio_factor: Number = value("Contact ratio factor", "", "Z_ε")
     helix_factor: Number = value("Helix angle factor, contact", "", "Z_β")
-    contact_stress: Pascal = value("Nominal contact stress, K = 1", "MPa", "σ_H0")
+    contact_stress: Pascal = value("Nominal contact stress, K = 1", "MPa", "σ_H0", short=True)
     root_helix_factor: Number = value("Helix angle factor, root", "", "Y_β")
     form: dict[str, Stated] = group(spread=True)  # form_factor_WHEEL, stress_correction_WHEEL, notch_parameter_WHEEL
     root_stress: dict[str, Stated] = group(spread=True)  # root_stress_WHEEL
@@ -157,7 +159,7 @@ class MeshRating:
     root_load_factor: Number | None = value("Load factors together, root", "", "K_F", default=None)
     strength: MeshStrength | None = group(spread=True, default=None)
     screening: Screening | None = group(spread=True, default=None)
-    sheet: SheetResult | None = group(default=None)
+    sheet: SheetResult | None = group(default=None, words="sheet")
     torque: NewtonMetre  # at the driver, that of F_t
     forms: dict[str, ToothForm]
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import cos, pi, sin, sqrt
+from ...sheet.quantity import dotted
 from ...sheet.step import Erratum, Table
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
@@ -237,5 +238,9 @@ def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum
         label = Text("{label} by the sheet of Finotti 2013", label=Text("Contact stress"))
         shown = UNITS["MPa"].shown(rating.sheet.contact_stress)
         source = Text("method of Finotti 2013, Tables 4.5 and 4.6")
-        errata.append(Erratum(f"gears.{key}.contact_stress", label, shown, "MPa", source, CONTACT_OF_SHEET + speed))
+        errata.append(
+            Erratum(
+                dotted("gears", key, MeshRating.contact_stress), label, shown, "MPa", source, CONTACT_OF_SHEET + speed
+            )
+        )
     return tuple(errata)

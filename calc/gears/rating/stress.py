@@ -7,7 +7,6 @@ those with * in modules."""
 
 import math
 
-from ...sheet.arrays import most
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, inv, pi, power, sin, smallest, sqrt, tan
 from ...sheet.text import Text
@@ -105,7 +104,7 @@ def tangent_angle(G: Number, z_n: Number, H: Number) -> Radian:
         t = tan(theta)
         step = (theta - 2 * G / z_n * t + H) / (1 - 2 * G / z_n * (1 + t * t))
         theta = theta - step
-        if most(abs(step)) < 1e-14:
+        if abs(step) < 1e-14:
             break
     return theta
 

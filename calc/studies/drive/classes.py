@@ -23,7 +23,7 @@ from ...sheet.errors import BadInput, NoSolution
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kilogram
-from ...sheet.value import untraced
+from ...sheet.value import recorded, untraced
 from ...solve import Results, solve
 from .combinations import DriveRows, Sizes, class_front, combinations
 from .films import Beside, Films, Stands, films, least_length, lengths
@@ -125,7 +125,8 @@ def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]
         raise NoSolution(
             Text("no sizes in the ranges make a design"), Text("{why}", why=str(bad.errors[0].reason))
         ) from None
-    results = solve(class_design)
+    with recorded(False):
+        results = solve(class_design)
     if (shaft := results.outcomes["countershaft"]).state != "solved":
         raise NoSolution(Text("even the largest envelope of the ranges does not hold the couple"), shaft.reason)
     if why := not_closed(class_design, results):

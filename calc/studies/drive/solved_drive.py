@@ -15,6 +15,7 @@ from ...sheet.errors import BadInput
 from ...sheet.record import record
 from ...sheet.remedy import Changes, digits
 from ...sheet.units import Kilogram, Watt
+from ...sheet.value import recorded
 from ...solve import Results, solve
 from .problem import CORE, FITS, Problem
 
@@ -87,7 +88,8 @@ def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tupl
     """Solved as any design; `before`: results of another row, of which what is alike is taken over."""
     document, changed = written(problem, sized)
     try:
-        results = solve(design(document), before)
+        with recorded(False):
+            results = solve(design(document), before)
     except BadInput as bad:
         return Whole(sized, changed, document, {}, tuple(e.key for e in bad.errors), 0, LARGE), None
     stopped = tuple(key for key, outcome in results.outcomes.items() if outcome.state in ("no_solution", "blocked"))
@@ -135,7 +137,8 @@ def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
     rated = problem.base.engine.rated_speed * 60 if problem.base.engine is not None else 0.0
     mean, before = 0.0, results
     for ratio, share in problem.cycle:
-        before = solve(design(document.with_value("engine.rated_speed_rpm", digits(rated * ratio))), before)
+        with recorded(False):
+            before = solve(design(document.with_value("engine.rated_speed_rpm", digits(rated * ratio))), before)
         solved = all(before.outcomes[key].state in ("solved", "not_asked") for key in ("bearings", "friction"))
         mean += share * power(before) if solved else float("inf")
     return mean

@@ -16,6 +16,7 @@ from ...sheet.remedy import Changes
 from ...sheet.search import Trial, first_good
 from ...sheet.step import Outcome
 from ...sheet.text import Small, Text
+from ...sheet.value import recorded
 from ...solve import Results, solve
 
 # in which steps are repaired: that of solving
@@ -70,11 +71,10 @@ class RepairState:
             merged[key] = value
         wanted = design(document, (self.document, self.design))
         there = known is not None and known.design == wanted and known.outcomes.keys() >= self.results.outcomes.keys()
-        results = (
-            known
-            if known is not None and there
-            else solve(wanted, known or self.results, enough=enough, compared=False)
-        )
+        if known is not None and there:
+            return RepairState(document, known, merged)
+        with recorded(False):
+            results = solve(wanted, known or self.results, enough=enough, compared=False)
         return RepairState(document, results, merged)
 
 

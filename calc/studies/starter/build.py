@@ -16,6 +16,7 @@ from ...sheet.errors import BadInput, NoSolution
 from ...sheet.quantity import keys
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre
+from ...sheet.value import recorded
 from ...solve import Results, solve
 from . import balancing as which
 from . import shaft, train
@@ -145,7 +146,8 @@ def built(document: Document, step: str, balancing: str = "") -> Document:
         raise NoSolution(why)
     if step in SHAFT_STEPS[1:]:
         document = _put(document, {}, (step,))  # one that was left out comes back
-    return builders[step]()
+    with recorded(False):
+        return builders[step]()
 
 
 def hindrance(document: Document, step: str) -> Text:

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many designs at once: inputs over lists, grids, a Latin hypercube or their tolerances; a design is a row.
-
-The designs of a chunk go through the steps at once, as far as they go one way (`run.py`)."""
+"""Many designs at once: inputs over lists, grids, a Latin hypercube or their tolerances; a design is a row."""
 
 from .inputs import SweepPlan, Varied, grid, listed, sampled, toleranced, varied
 from .run import Sweep, sweep, swept

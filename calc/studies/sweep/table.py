@@ -51,7 +51,7 @@ class SweepRow:
 
 @record
 class Chunk:
-    """Designs that are computed at once.  `units`: of the values by id; `steps`: those that have verdicts."""
+    """Designs that one process computes.  `units`: of the values by id; `steps`: those that have verdicts."""
 
     units: dict[str, str]
     steps: tuple[str, ...]

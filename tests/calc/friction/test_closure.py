@@ -38,7 +38,7 @@ def test_the_losses_are_the_power_at_the_crank():
 
 
 def test_the_losses_as_a_share_of_what_the_engine_gives(gamma_results):
-    outcome = gamma_results.traced().outcomes["friction"]
+    outcome = gamma_results.outcomes["friction"]
     share = outcome.result.engine_share
     assert share == pytest.approx(outcome.result.total_loss / 50e3) == pytest.approx(228.7 / 50e3, rel=1e-3)
     assert link_of(share).arguments["P_e"].link == "engine.rated_power_kW"
@@ -310,7 +310,7 @@ def test_a_note_says_which_wheel_carries_a_loss():
 @pytest.mark.parametrize("name", ["r753ie4_gamma.toml", "timing_pair.toml"])
 def test_every_value_is_what_a_line_returned_or_an_input(name):
     drawn = design(read(DESIGNS / name))
-    outcome = solve(drawn, traced=True).outcomes["friction"]
+    outcome = solve(drawn).outcomes["friction"]
     assert [v.id for v in outcome.values() if link_of(v.inside) is None] == []
 
 

@@ -146,7 +146,7 @@ def test_every_value_is_what_a_line_returned(whole):
 @pytest.mark.parametrize("name", ["r753ie4_gamma.toml", "timing_pair.toml"])
 def test_every_value_of_a_shipped_design_is_what_a_line_returned_or_an_input(name):
     drawn = design(read(DESIGNS / name))
-    results = whole_solve(drawn, traced=True)
+    results = whole_solve(drawn)
     assert [v.id for v in results.outcomes["gears"].values() if link_of(v.inside) is None] == []
 
 

@@ -1,5 +1,7 @@
 """Records: what they refuse, and how they print themselves."""
 
+from dataclasses import FrozenInstanceError
+
 import pytest
 
 from calc.bearings.inputs import BearingInputs
@@ -26,21 +28,17 @@ class Film:
 GIVEN = {"diameter": 0.06, "length": 0.03, "journal_roughness": 6e-7, "housing_roughness": 6e-7}
 
 
-@pytest.mark.parametrize(
-    "make, words",
-    [
-        (lambda: BearingInputs(**GIVEN, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
-        (lambda: BearingInputs(diameter=0.06, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
-        (lambda: Point(1.0, 2.0, zzz=3), 'Point: unknown "zzz"; it takes x, y, names'),
-        (lambda: Point(1.0), 'Point: "y" is missing'),
-        (lambda: Point(1.0, 2.0, (), 4), "Point: too many values, or one of them twice; it takes x, y, names"),
-        (lambda: Point(1.0, 2.0, x=1.0), "Point: too many values, or one of them twice; it takes x, y, names"),
-    ],
-)
-def test_a_wrong_keyword_names_itself(make, words):
-    with pytest.raises(TypeError) as error:
+@pytest.mark.parametrize("make", [lambda: BearingInputs(**GIVEN, lenght=0.03), lambda: Point(1.0, 2.0, lenght=3)])
+def test_a_wrong_keyword_is_named(make):
+    with pytest.raises(TypeError, match="lenght"):
         make()
-    assert str(error.value) == words
+
+
+def test_a_record_is_written_once():
+    point = Point(1.0, 2.0)
+    with pytest.raises(FrozenInstanceError, match="cannot change x of Point"):
+        point.x = 3.0
+    assert point.x == 1.0
 
 
 def test_repr_is_one_line_of_what_differs_from_the_defaults():

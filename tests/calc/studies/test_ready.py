@@ -8,7 +8,8 @@ import pytest
 from calc.design.addresses import Table
 from calc.design.toml_file import Document, design, read
 from calc.solve import Results, solve
-from calc.studies.ready import headline, main_numbers, readiness, ready, tally
+from calc.studies.headlines import headline, main_numbers
+from calc.studies.ready import readiness, ready, tally
 from calc.studies.shipped import DESIGNS, EXAMPLE
 
 

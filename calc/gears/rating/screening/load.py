@@ -160,7 +160,7 @@ class Screening:
     """Film and temperatures of one mesh at its load.  A screening, not a rating."""
 
     specific_film_min: Number | None = value(
-        "Smallest specific film thickness (screening)", "", "λ_GF,min", default=None
+        "Smallest specific film thickness (screening)", "", "λ_GF,min", default=None, short=True
     )
     film_min: Metre | None = value("Film thickness where the specific film is smallest", "µm", "h_min", default=None)
     film_pressure: Pascal | None = value(

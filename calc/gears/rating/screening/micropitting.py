@@ -9,10 +9,9 @@ others above 2 m/s (scope of ISO/TS 6336-22:2018)."""
 import numpy as np
 
 from ....library import contact as teeth
-from ....sheet.arrays import Array, element, has_lanes, many
+from ....sheet.arrays import Array, many
 from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, power, sqrt
-from ....sheet.linked_array import gathered
 from ....sheet.record import record
 from ....sheet.text import Text
 from ....sheet.units import (
@@ -158,13 +157,8 @@ def film(
     if thickness is None:
         return MicropittingFilm(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
     along = many(thickness)
-    least = np.argmin(along[: len(marks)])
-    if has_lanes(least):  # of many designs, each with its own place
-        place, rho = "", element(gathered(marks.values()), least)
-    else:
-        place = list(marks)[least]
-        rho = marks[place]
-    h, p_dyn = _local(path, load, warm, path.at(rho))
+    place = list(marks)[np.argmin(along[: len(marks)])]
+    h, p_dyn = _local(path, load, warm, path.at(marks[place]))
     assert h is not None
     lam = specific_film(h_Y=h, Ra=load.Ra)
     return MicropittingFilm(

@@ -14,7 +14,6 @@ from ....library import contact as line
 from ....sheet.arrays import Array, each
 from ....sheet.formula import formula
 from ....sheet.functions import largest, sin, smallest
-from ....sheet.lanes import design_by_design
 from ....sheet.record import record
 from ....sheet.text import Text
 from ....sheet.units import Metre, MetrePerSecond, Number, Radian
@@ -144,7 +143,6 @@ class Path:
         }
         return {name: rho for name, rho in places.items() if A <= rho <= E}
 
-    @design_by_design
     def samples(self) -> Array:
         """Places from A to E, close beside B and D on both sides, where the load jumps."""
         inner = sorted((min(max(self.B, self.A), self.E), min(max(self.D, self.A), self.E)))

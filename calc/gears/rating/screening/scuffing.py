@@ -14,7 +14,7 @@ import numpy as np
 
 from ....library.catalogue import Material
 from ....library.contact import half_width
-from ....sheet.arrays import Array, each, element, has_lanes, many, one
+from ....sheet.arrays import Array, each, many
 from ....sheet.errors import NoSolution
 from ....sheet.formula import formula
 from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
@@ -121,10 +121,9 @@ def flash_temperature(
     shows="mean of Θ_fl along the path of contact, from A to E",
 )
 def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
-    flash, place = (many(x) if has_lanes(x) else np.asarray(x) for x in (T_fl, rho_1))
+    flash, place = np.asarray(T_fl), np.asarray(rho_1)
     area = np.sum((flash[1:] + flash[:-1]) * np.diff(place), -1) / 2
-    mean: float = one(area / (place[-1] - place[0]))
-    return mean
+    return float(area / (place[-1] - place[0]))
 
 
 @formula("X_mp", Text("{iso} (23): a wheel with more than one mate is heated by each", iso=ISO), names={"n_p": "n_p"})
@@ -201,7 +200,7 @@ def flash(
     points = len(path.marks())
     along = based_on(temperatures[points:], mu_m, C_eff, load, path.depends_on)
     rho_1 = many(places.rho_1)[points:]
-    hottest = based_on(one(element(rho_1, np.argmax(along))), path.A, path.B, path.D, path.E)
+    hottest = based_on(rho_1[np.argmax(along)].item(), path.A, path.B, path.D, path.E)
     T_fl = _local(path, load, mu_m, C_eff, path.at(hottest))
     T_flm = mean_flash_temperature(T_fl=each(along), rho_1=each(based_on(rho_1, path.A, path.E)))
     T_M = bulk_temperature(T_oil=oil.T_oil, X_S=oil.X_S, X_mp=multiple_path_factor(n_p=n_p), T_flm=T_flm)

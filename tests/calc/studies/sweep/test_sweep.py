@@ -1,4 +1,4 @@
-"""Many designs at once: the grid, the columns, and that the two ways of computing give the same."""
+"""Many designs at once: the grid and the columns."""
 
 import csv
 import io

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands for a step, and for a whole drive: the check that decides, in a word with its limit, or what it gives."""
+
+from collections.abc import Callable, Mapping
+
+from ..bearings.result import BearingResult
+from ..countershaft.result import CountershaftResult
+from ..design.model import Design
+from ..engine.result import EngineResult
+from ..friction.result import FrictionResult
+from ..gears.rating.result import MeshStrength
+from ..gears.result import MeshResult
+from ..imbalance.result import ImbalanceResult
+from ..mounting.result import PointLevel
+from ..sheet.check import Check
+from ..sheet.quantity import Published, dotted
+from ..sheet.record import record
+from ..sheet.step import Outcome
+from ..sheet.text import Amount, Text
+from ..solve import Results
+
+WORDS = {
+    "film_edge": Text("film"),
+    "film_double_load": Text("film, 2 F"),
+    "film_edge_trumpler": Text("film"),
+    "clearance_cold": Text("cold gap"),
+    "temperature": Text("oil"),
+    "temperature_rise": Text("oil rise"),
+    "specific_load": Text("load"),
+    "heat_index": Text("heat"),
+    "transition": Text("speed"),
+    "length_ratio": Text("length ratio"),
+    "slope_front": Text("slope"),
+    "slope_rear": Text("slope"),
+    "bending_stress": Text("stress"),
+    "residual": Text("couple left"),
+    "residual_force": Text("force left"),
+    "envelope": Text("radius"),
+    "envelope_length": Text("length"),
+    "first_critical_speed": Text("critical speed"),
+    "backlash": Text("backlash"),
+    "backlash_cold": Text("cold backlash"),
+    "backlash_warm": Text("warm backlash"),
+    "backlash_warming": Text("backlash, warming up"),
+    "backlash_runout": Text("backlash"),
+    "contact_ratio": Text("contact"),
+    "safety_contact": Text("S_H"),
+    "safety_bending": Text("S_F"),
+    "clearance": Text("wall"),
+    "tip_clearance_least": Text("tip gap"),
+    "stress_pin": Text("pin"),
+    "stress_journal": Text("journal"),
+    "rated_power": Text("power"),
+}
+"""Short words of checks, by the last part of their ids."""
+
+DECIDE = {
+    "countershaft": ("slope_front", "slope_rear"),
+    "bearings": ("film_edge", "film_double_load", "film_edge_trumpler"),
+}
+"""Where no limit is open, the nearest of these stands for its step."""
+
+
+@record
+class Headline:
+    """`brief`: the same in fewer cells.  `share`: the value over the limit, 1 at it; None where there is none to hold
+    it against."""
+
+    text: Text
+    brief: Text
+    share: float | None = None
+    check: Check | None = None
+
+
+def headline(results: Results, key: str) -> Headline | None:
+    """What stands for a step: of the limits that are open the worst, else what the step gives, else the nearest of its
+    limits."""
+    outcome = results.outcomes[key]
+    if outcome.state != "solved":
+        return None
+    if (check := _worst(outcome)) is not None:
+        return of_check(check)
+    if (text := GIVES.get(key, _nothing)(results)) is not None:
+        return Headline(text, text)
+    deciding = [c for c in outcome.checks if c.id.rpartition(".")[2] in DECIDE.get(key, ())]
+    return of_check(min(deciding, key=lambda c: c.margin)) if deciding else None
+
+
+def _worst(outcome: Outcome[object]) -> Check | None:
+    """The limit that stands first among the findings, if one fails or can not be judged."""
+    first = next((group[0] for group in outcome.causes), None)
+    return first if first is not None and first.kind == "limit" and first.verdict in ("fail", "not_verified") else None
+
+
+def of_check(check: Check) -> Headline:
+    """`film 7.41 of 9 µm`."""
+    word, limit = WORDS.get(check.id.rpartition(".")[2], check.name), check.nearest[1]
+    if not limit:
+        long, brief = (
+            Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=digits)) for digits in (3, 2)
+        )
+        return Headline(long, brief, None, check)
+    (value, of), (value_brief, of_brief) = (
+        (Amount(check.value, digits=n), Amount(limit, check.unit, digits=n)) for n in (3, 2)
+    )
+    long = Text("{word} {value} of {limit}", word=word, value=value, limit=of)
+    brief = Text("{word} {value}/{limit}", word=word, value=value_brief, limit=of_brief)
+    return Headline(long, brief, check.share, check)
+
+
+# --- what a step gives
+
+
+def _nothing(results: Results) -> Text | None:
+    return None
+
+
+def _engine(results: Results) -> Text | None:
+    engine, volume = results.design.engine, results.value(EngineResult.displacement)
+    if engine is None or volume is None:
+        return None
+    return Text("{n} cyl, {volume}", n=engine.cylinders, volume=Amount(volume.inside * 1e3, "L", digits=3))
+
+
+def _imbalance(results: Results) -> Text | None:
+    balance = _balance(results)
+    return Text("shaft {size}", size=balance[1]) if balance is not None else None
+
+
+def _balance(results: Results) -> tuple[Text, Text] | None:
+    """What the crank asks for, a couple or a force, and what the shaft leaves of it."""
+    couple = ImbalanceResult.required_couple, CountershaftResult.residual_order_1_couple
+    force = ImbalanceResult.required_force, CountershaftResult.residual_order_1_force
+    for kind, word in ((couple, Text("couple for the shaft")), (force, Text("force for the shaft"))):
+        before, after = (results.value(field) for field in kind)
+        if before is not None and before.shown:
+            if after is None:
+                return word, Text("{value}", value=Amount(before.shown, before.unit, digits=3))
+            left = Amount(after.shown, before.unit, form=".0f" if before.shown >= 10 * after.shown else ".3g")
+            return word, Text("{before} → {after}", before=Amount(before.shown, digits=3), after=left)
+    return None
+
+
+def _backlash(results: Results) -> Text | None:
+    """From the tightest mesh to the widest."""
+    least, most = results.values_of(MeshResult.backlash_min), results.values_of(MeshResult.backlash_max)
+    if not least or not most:
+        return None
+    low = Amount(min(v.shown for v in least), form=".0f")
+    high = Amount(max(v.shown for v in most), least[0].unit, form=".0f")
+    return Text("{low} … {high}", low=low, high=high)
+
+
+def _gears(results: Results) -> Text | None:
+    backlash = _backlash(results)
+    return Text("backlash {range}", range=backlash) if backlash is not None else None
+
+
+def _friction(results: Results) -> Text | None:
+    loss = results.value(FrictionResult.total_loss)
+    return Text("{loss}", loss=Amount(loss.shown, loss.unit, digits=3)) if loss is not None else None
+
+
+def _mounting(results: Results) -> Text | None:
+    """What the first seat has at the first operation, half on the crank and with the shaft."""
+    mounting = results.design.mounting
+    seat = (
+        next((point.name for point in mounting.points if point.role == "seat"), None) if mounting is not None else None
+    )
+    if mounting is None or seat is None:
+        return None
+    first = mounting.operation[0].name if mounting.operation else "idle"
+    half, shaft = (
+        results.values().get(dotted(Design.mounting, first, variant, seat, PointLevel.weighted))
+        for variant in ("half", "shaft")
+    )
+    if half is None:
+        return None
+    if shaft is None:
+        return Text("seat {half}", half=Amount(half.shown, half.unit, digits=2))
+    return Text("seat {half} → {shaft}", half=Amount(half.shown, digits=2), shaft=Amount(shaft.shown, digits=2))
+
+
+GIVES: Mapping[str, Callable[[Results], Text | None]] = {
+    "engine": _engine,
+    "imbalance": _imbalance,
+    "gears": _gears,
+    "friction": _friction,
+    "mounting": _mounting,
+}
+
+
+# --- the whole drive
+
+
+def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
+    """What is said of a drive in ten numbers, each with its word; those that this design has."""
+    design = results.design
+
+    def shown(field: object) -> Amount | None:
+        return extreme(max, results.values_of(field)[:1])
+
+    def extreme(which: Callable[[list[float]], float], matching: list[Published]) -> Amount | None:
+        return Amount(which([value.shown for value in matching]), matching[0].unit, digits=3) if matching else None
+
+    numbers: list[tuple[Text, Text | Amount | None]] = []
+    if (balance := _balance(results)) is not None:
+        numbers.append(balance)
+    if (mass := shown(CountershaftResult.mass)) is not None and design.countershaft is not None:
+        outer = design.countershaft.outer_radius
+        size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass
+        numbers.append((Text("shaft"), size))
+    slopes = [*results.values_of(CountershaftResult.slope_front), *results.values_of(CountershaftResult.slope_rear)]
+    numbers += [
+        (Text("slope"), extreme(max, slopes)),
+        (Text("first critical speed"), shown(CountershaftResult.first_critical_speed)),
+    ]
+    edges = results.values_of(BearingResult.film_edge)
+    if len(edges) == 2:
+        front, rear = edges
+        films = Text(
+            "{front} / {rear}", front=Amount(front.shown, digits=3), rear=Amount(rear.shown, rear.unit, digits=3)
+        )
+        numbers.append((Text("films at the edge"), films))
+    numbers.append((Text("oil leaves with"), extreme(max, results.values_of(BearingResult.outlet_temperature))))
+    numbers.append((Text("backlash"), _backlash(results)))
+    numbers.append((Text("S_H"), extreme(min, results.values_of(MeshStrength.safety_contact))))
+    roots = {f"safety_bending_{wheel.name}" for wheel in design.gears.wheels} if design.gears is not None else ()
+    bending = [v for id, v in results.values().items() if id.rpartition(".")[2] in roots]
+    numbers.append((Text("S_F"), extreme(min, bending)))
+    if (loss := shown(FrictionResult.total_loss)) is not None:
+        rpm = Amount(design.engine.rated_speed * 60, "rpm", form=".0f") if design.engine is not None else None
+        numbers.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))
+    return tuple(
+        (word, value if isinstance(value, Text) else Text("{value}", value=value))
+        for word, value in numbers
+        if value is not None
+    )
