@@ -16,7 +16,7 @@ from ...design.toml_file import Document
 from ...gears.inputs import Wheel
 from ...sheet.check import Check
 from ...sheet.errors import BadInput
-from ...sheet.quantity import ChangeWords, Key, Quantity, dotted
+from ...sheet.quantity import ChangeWords, Quantity, described, dotted
 from ...sheet.remedy import Changes, digits, whole
 from ...sheet.search import allowed, rounded
 from ...sheet.text import Small, Text
@@ -93,6 +93,8 @@ def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[l
 NUMBERS = ("number", "integer", "series")
 ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against
 POSITIONS = dotted(Design.countershaft, CountershaftInputs.bearing_positions)
+CLEARANCES = (described(BearingInputs.clearance), described(BearingInputs.clearance_factor))
+SPAN = described(Wheel.span_allowance)
 SLOPE = dotted(Design.bearings, BearingsInputs.slope)
 
 
@@ -134,7 +136,7 @@ def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     about, given, place = quantity_of(data, key), value_at(data, key), key.rpartition(".")[0]
     if about.kind not in NUMBERS or about.repair == "asked":
         return
-    if _is(about, BearingInputs.clearance) or _is(about, BearingInputs.clearance_factor):
+    if about in CLEARANCES:
         yield from _clearance(state, place)
         return
     numbers = {name: [float(x) for x in as_list(value_at(data, name)) if isinstance(x, (int, float))] for name in keys}
@@ -144,7 +146,7 @@ def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     if key not in numbers:
         return
     now, alone = numbers[key][0], not isinstance(given, list)
-    if _is(about, Wheel.span_allowance):
+    if about is SPAN:
         yield Lever(now, about, lambda x: {key: [whole(round(n + x - now)) for n in numbers[key]]}, ALLOWANCE)
     elif about.kind == "integer" and alone:
         yield Lever(now, about, lambda x: {key: round(x)}, max(abs(now), 1.0))
@@ -152,10 +154,6 @@ def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
         yield from _scaled(state, numbers, key, about)
     elif alone:
         yield Lever(now, about, lambda x: {key: digits(x)}, 10 * (about.step or 0.1))
-
-
-def _is(about: Quantity, field: object) -> bool:
-    return isinstance(field, Key) and about is field.about
 
 
 def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, about: Quantity) -> Iterator[Lever]:
@@ -168,11 +166,11 @@ def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, ab
         scaled = {name: [digits(n * x / now, 6) for n in some] for name, some in numbers.items()}
         return {name: some if name in lists else some[0] for name, some in scaled.items()}
 
-    if _is(about, CountershaftInputs.core_radius) and value_at(data, SLOPE) is not None:
+    if about is described(CountershaftInputs.core_radius) and value_at(data, SLOPE) is not None:
         yield Lever(now, about, lambda x: write(x) | {SLOPE: None}, abs(now))
         return
     yield Lever(now, about, write, abs(now))
-    if _is(about, BearingInputs.length) and (places := outwards(state, key, now)) is not None:
+    if about is described(BearingInputs.length) and (places := outwards(state, key, now)) is not None:
         yield Lever(now, about, lambda x: write(x) | {POSITIONS: places(x)}, abs(now))
 
 
@@ -201,7 +199,7 @@ def disturbance(document: Document, changes: Changes) -> float:
     total = 0.0
     for key, new in changes.items():
         olds, news = as_list(value_at(document.data, key)), as_list(new)
-        span = _is(quantity_of(document.data, key), Wheel.span_allowance)
+        span = quantity_of(document.data, key) is SPAN
         pairs = [(a, b) for a, b in zip(olds, news) if isinstance(a, (int, float)) and isinstance(b, (int, float))]
         off = [abs(b - a) / (ALLOWANCE if span else abs(a) or 1.0) for a, b in pairs]
         total += max(off) if off else 0.5 if isinstance(new, str) else 0.05

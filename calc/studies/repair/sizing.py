@@ -19,7 +19,7 @@ from ...design.model import Design
 from ...design.names import PLACES, named
 from ...design.step_inputs import bearings_case
 from ...engine.result import EngineResult
-from ...gears.inputs import GearsInputs, Wheel
+from ...gears.inputs import GearsInputs, Wheel, wheel_key
 from ...gears.rating.classes import DEFAULT, class_names, strength_class
 from ...imbalance.result import ImbalanceResult
 from ...sheet.check import Check
@@ -310,7 +310,3 @@ def _class(wheel: Wheel, name: str, quality: str) -> Iterator[tuple[str, str | N
             yield wheel_key(wheel.name, Wheel.hardness), None
     if wheel.quality != quality:
         yield wheel_key(wheel.name, Wheel.quality), quality
-
-
-def wheel_key(name: str, field: object) -> str:
-    return dotted(Design.gears, GearsInputs.wheels, name, field)

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...design.locks import locked
 from ...design.step_inputs import shaft_axis
-from ...gears.inputs import GearsInputs, Wheel
+from ...gears.inputs import GearsInputs, Wheel, wheel_key
 from ...gears.selection.free_shifts import freedoms, settled
 from ...gears.selection.idler import idlers, passed
 from ...gears.selection.optimum import ShiftCase, along
@@ -30,7 +30,6 @@ from ...sheet.progress import Progress, part, tell
 from ...sheet.remedy import Changes, whole
 from ...sheet.search import first, least
 from ...sheet.text import Amount, Text
-from .sizing import wheel_key
 from .state import RepairState, first_repaired
 
 TRIED = 6  # designs, solved whole
