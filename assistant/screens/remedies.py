@@ -19,8 +19,7 @@ from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
-from calc.studies.repair.options import search
-from calc.studies.repair.trials import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked
+from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked, search
 
 from ..session.saving import SaveError, free_name, write_atomic
 from ..session.session import Session

@@ -11,7 +11,7 @@ from typing import ClassVar
 from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 
-__all__ = ["Contributor", "GearsInputs", "Mesh", "Neighbour", "Wall", "Wheel"]
+__all__ = ["Contributor", "GearsInputs", "Mesh", "Neighbour", "Wall", "Wheel", "mesh_key", "wheel_key"]
 
 
 # --- a wheel: its teeth, their allowances, what was measured on them, its body and material
@@ -206,7 +206,7 @@ class Wheel:
         help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two "
         "neighbours, if it can be.",
         change=("wheel elsewhere", "wheel elsewhere"),
-        repair="free",
+        repair="asked",
     )
     bore_diameter: float | None = quantity(
         "Bore",
@@ -872,3 +872,13 @@ class GearsInputs:
                     dotted(GearsInputs.wheels, i, Wheel.hand),
                     Text("must be {hands}: the hands of a train alternate", hands=hands[wheel.name]),
                 )
+
+
+def wheel_key(name: str, field: object) -> str:
+    """The dotted key of a field of a wheel: `gears.wheels.central.teeth`."""
+    return dotted("gears", GearsInputs.wheels, name, field)
+
+
+def mesh_key(n: int, field: object) -> str:
+    """The dotted key of a field of a mesh, by its place: `gears.meshes.1.centre_distance_mm`."""
+    return dotted("gears", GearsInputs.meshes, n, field)

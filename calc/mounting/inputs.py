@@ -81,7 +81,7 @@ class Mount:
 
     name: str = text("Name", help="Letters, digits and -.", decides=5)
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="free", decides=6
+        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="asked", decides=6
     )
     stiffness: tuple[float, ...] = series(
         "Static stiffness",

@@ -294,6 +294,12 @@ def dotted(*parts: object) -> str:
     return ".".join([part.key if isinstance(part, (Key, ValueKey)) else str(part) for part in parts])
 
 
+def described(field: object) -> Quantity:
+    """What is known of a declared input: `described(BearingInputs.length).step`."""
+    assert isinstance(field, Key), field
+    return field.about
+
+
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
     near = get_close_matches(key, known, 1, 0.5)

@@ -6,9 +6,8 @@ checks) and what it wants least of.  Candidates come in two kinds, and each has 
 
 - many at once, as arrays: `judged` puts a limit on all of them, `least` and `first` choose, `stretch` and `narrowed`
   find how far it goes;
-- one after the other, where each costs a whole solution: `first_good`, `smallest` and `least_whole` try as few as they
-  can, stop at the
-  first limit that fails, and keep to a `Budget`.
+- one after the other, where each costs a whole solution: `first_good`, `crossing` and `least_whole` try as few as they
+  can, and keep to a `Budget`.
 """
 
 import math
@@ -223,22 +222,56 @@ def first_good(
     return best
 
 
-def smallest(holds: Callable[[float], bool], guesses: Iterable[float], halvings: int) -> tuple[float, float] | None:
-    """Of changes that help the more the larger they are: the largest that is known not to help, and the smallest that
-    does.
+STRIDES = 12  # towards the smallest change
+SHORTENED = 5  # times that the stretch around it is made shorter
+SHORT = 0.03  # of a change: a shorter stretch stays
 
-    `guesses`, the smallest first, until one helps; the stretch below it is then halved.  None: no guess helps.
+
+def crossing(
+    score: Callable[[float], float], start: float, first: float, farthest: float, step: float, near: float = 0.0
+) -> tuple[float, float] | float:
+    """Of changes whose score rises with them, the largest that is known to leave it below zero and the smallest that
+    does not; where none does, the one that comes nearest.
+
+    `score`: no number where a change is not allowed or has none.  `start`: that of no change; `first`: the change that
+    is tried first, by which the next is told; `step`: the least from one to the next; `near`: how close both ends need
+    to be.
     """
-    low = 0.0
-    for high in guesses:
-        if holds(high):
+    low, at_low, high = 0.0, start, first
+    nearest, most = 0.0, start
+    for _ in range(STRIDES):
+        here = score(high)
+        if here >= 0:
+            return closer(score, low, high, at_low, here, near)
+        if here > most + DUST:
+            nearest, most = high, here
+        if math.isnan(here) and not math.isnan(at_low):  # too far: half of it
+            if high - low < 2 * step:
+                break
+            high = (low + high) / 2
+            continue
+        rise = (here - at_low) / (high - low)
+        if rise <= 0 or high == farthest:
             break
-        low = high
-    else:
-        return None
-    for _ in range(halvings):
-        middle = (low + high) / 2
-        low, high = (low, middle) if holds(middle) else (middle, high)
+        low, at_low = high, here
+        high = min(farthest, low + max(-1.05 * here / rise, step) if rise > 0 else 3 * low)
+    return nearest
+
+
+def closer(
+    score: Callable[[float], float], low: float, high: float, at_low: float, at_high: float, near: float = 0.0
+) -> tuple[float, float]:
+    """A shorter stretch between two changes, of which the second has a score of zero or more: by its slope where both
+    have a score, else by halves."""
+    for _ in range(SHORTENED):
+        if high - low <= max(near, SHORT * high):
+            break
+        sloped = 1.05 * at_low / (at_low - at_high)
+        middle = low + (0.5 if math.isnan(sloped) else max(0.2, min(0.9, sloped))) * (high - low)
+        if (here := score(middle)) >= 0:
+            high, at_high = middle, here
+        else:
+            low, at_low = middle, here
     return low, high
 
 

@@ -15,11 +15,12 @@ from ...countershaft.result import CountershaftResult
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, rising, tell
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
-from ..inputs import BearingsInputs
+from ..inputs import BearingInputs, BearingsInputs
 from .grid import CandidateField, alike, field
 from .ranking import (
     BearingRow,
@@ -125,23 +126,25 @@ def bearing_changes(row: BearingRow, bearings: BearingsInputs) -> Changes:
     written: Changes = {}
     fits = fits_to_write(row, bearings)
     for place, pick in zip(PLACES, row.both):
-        at, b = f"bearings.{place}", pick.task.seat.bearing
+        b, here = pick.task.seat.bearing, dict[object, float | None]()
         if pick.diameter != pick.task.diameter:
-            written[f"{at}.diameter_mm"] = digits(pick.diameter / 1e-3)
+            here[BearingInputs.diameter] = digits(pick.diameter / 1e-3)
         if pick.length != pick.task.length:
-            written[f"{at}.length_mm"] = digits(pick.length / 1e-3)
+            here[BearingInputs.length] = digits(pick.length / 1e-3)
         if _moved(pick) or fits is not None:  # factor K or fits would make another clearance of a new diameter or fit
-            written |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(pick.clearance / 1e-6)}
+            here |= {BearingInputs.clearance_factor: None, BearingInputs.clearance: digits(pick.clearance / 1e-6)}
         if pick.task.level:
-            written[f"{at}.journal_roughness_um"] = digits(b.journal_roughness / 1e-6)
-            written[f"{at}.housing_roughness_um"] = digits(b.housing_roughness / 1e-6)
+            here[BearingInputs.journal_roughness] = digits(b.journal_roughness / 1e-6)
+            here[BearingInputs.housing_roughness] = digits(b.housing_roughness / 1e-6)
+        written |= {dotted("bearings", place, field): value for field, value in here.items()}
+    whole = dict[object, str]()
     if fits is not None:
-        written |= {"bearings.journal_fit": fits[0], "bearings.seat_fit": fits[1]}
+        whole |= {BearingsInputs.journal_fit: fits[0], BearingsInputs.seat_fit: fits[1]}
     if row.variant.oil != bearings.oil:
-        written["bearings.oil"] = row.variant.oil
+        whole[BearingsInputs.oil] = row.variant.oil
     if row.variant.supply != bearings.supply:
-        written["bearings.supply"] = row.variant.supply
-    return written
+        whole[BearingsInputs.supply] = row.variant.supply
+    return written | {dotted("bearings", field): value for field, value in whole.items()}
 
 
 def fits_to_write(row: BearingRow, bearings: BearingsInputs) -> tuple[str, str] | None:

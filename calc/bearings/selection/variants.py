@@ -14,7 +14,7 @@ from ...library.catalogue import Oil
 from ...library.lubricant import Lubricant
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
-from ...sheet.quantity import keys
+from ...sheet.quantity import described
 from ...sheet.record import record
 from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
@@ -73,7 +73,7 @@ SUPPLY = {
     "axial_groove": Text("axial grooves"),
 }
 DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where nothing ties it; rule of this program
-DIAMETER = keys(BearingInputs)["diameter_mm"].about
+DIAMETER = described(BearingInputs.diameter)
 SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
 FINEST = 5  # IT grade of a ground journal: closer ones are not asked for; rule of this program
 # l/d and ψ; rule of this program

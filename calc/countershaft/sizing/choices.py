@@ -13,7 +13,7 @@ from ...library.catalogue import Material
 from ...library.journal_rules import specific_load
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress, tell
-from ...sheet.quantity import result, value
+from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record
 from ...sheet.remedy import Changes, digits
 from ...sheet.step import Curve, Series, Table, axis_label
@@ -33,7 +33,7 @@ from ...sheet.units import (
 from ...sheet.value import about, untraced
 from ..formulas import asked_product, asked_unbalance, shaft_speed
 from ..inputs import THREADED, CountershaftInputs, Extra
-from ..making.inputs import Alternative
+from ..making.inputs import Alternative, Cost
 from . import formulas as f
 from .formulas import first_year, radius_needed
 from .sectors import Sized, TooSmall, masses, remainder, size, task
@@ -284,8 +284,8 @@ def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place
     if len(journals) != len(shaft.bearing_positions):
         journals = []
 
-    def missing(name: str, what: Text) -> float:
-        errors.append(InputError(0, f"countershaft.{name}_mm", "", Text("needed: {what}", what=what)))
+    def missing(field: object, what: Text) -> float:
+        errors.append(InputError(0, dotted("countershaft", field), "", Text("needed: {what}", what=what)))
         return math.nan
 
     R, z_max, r_0 = shaft.outer_radius, shaft.half_length, shaft.core_radius
@@ -300,7 +300,7 @@ def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place
         derived.append(why)
     elif R is None:
         R = missing(
-            "outer_radius",
+            CountershaftInputs.outer_radius,
             Text("the envelope's radius; without journals to thread the shaft through it can not be derived"),
         )
     if z_max is None and journals:
@@ -308,7 +308,7 @@ def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place
         z_max = round(min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals)) - fillets, 9)
         if z_max <= 0:
             what = Text("a journal stands at mid-shaft, so that it can not be derived; give that of the outer faces")
-            z_max = missing("half_length", what)
+            z_max = missing(CountershaftInputs.half_length, what)
         else:
             up_to = Text("half-length {z}: up to the inner face of the journal nearest to mid-shaft", z=_mm(z_max))
             derived.append(
@@ -318,16 +318,17 @@ def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place
             )
     elif z_max is None:
         z_max = missing(
-            "half_length", Text("where the outer faces of the sectors stand; without journals it can not be derived")
+            CountershaftInputs.half_length,
+            Text("where the outer faces of the sectors stand; without journals it can not be derived"),
         )
     if r_0 is None:
         what = Text(
             "the radius of the shaft that carries the sectors; `contralbero set FILE countershaft.core_radius_mm=15`"
         )
-        r_0 = missing("core_radius", what)
+        r_0 = missing(CountershaftInputs.core_radius, what)
     elif R is not None and r_0 >= R:
         reason = Text("must be smaller than the outer radius, {R}", R=_mm(R))
-        errors.append(InputError(0, "countershaft.core_radius_mm", f"{r_0 * 1e3:g}", reason))
+        errors.append(InputError(0, dotted("countershaft", CountershaftInputs.core_radius), f"{r_0 * 1e3:g}", reason))
     if errors:
         raise BadInput(place, errors)
     return Envelope(R, r_0, z_max, tuple(derived))
@@ -353,7 +354,8 @@ def candidates(
     unknown = [name for name in names if name not in materials]
     if unknown:
         reason = Text("is not in the table of materials; add it as [[material]]")
-        raise BadInput(place, [InputError(0, "countershaft.cost.alternatives", n, reason) for n in unknown])
+        alternatives = dotted("countershaft", CountershaftInputs.cost, Cost.alternatives)
+        raise BadInput(place, [InputError(0, alternatives, n, reason) for n in unknown])
     return {name: (materials[name], costs.get(name)) for name in names}
 
 
@@ -456,16 +458,14 @@ def choices_table(listed: Choices, top: int, room: Envelope) -> Table:
 
 def changes(choice: Choice, room: Envelope) -> Changes:
     """The keys that make a design one of these shafts."""
-    lengths = (
-        ("outer_radius", choice.sized.outer_radius),
-        ("core_radius", room.core_radius),
-        ("half_length", room.half_length),
-    )
-    return {
-        "countershaft.mode": "size",
-        "countershaft.material": choice.material,
-        **{f"countershaft.{name}_mm": digits(x * 1e3) for name, x in lengths},
+    written: dict[object, object] = {
+        CountershaftInputs.mode: "size",
+        CountershaftInputs.material: choice.material,
+        CountershaftInputs.outer_radius: digits(choice.sized.outer_radius * 1e3),
+        CountershaftInputs.core_radius: digits(room.core_radius * 1e3),
+        CountershaftInputs.half_length: digits(room.half_length * 1e3),
     }
+    return {dotted("countershaft", field): value for field, value in written.items()}
 
 
 # --- the least mass of the sectors against their outer radius, a line a material

@@ -13,7 +13,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text, listed, plural
 from ...sheet.units import Metre
-from ..inputs import GearsInputs
+from ..inputs import GearsInputs, Wheel, wheel_key
 from ..layout.positions import axes_apart
 from ..result import ToothSystem
 from ..train import Train, settle
@@ -146,7 +146,7 @@ def _freedom(
         for wheel, x in train.shifts.items():
             if step := round((moved.shifts[wheel] - x) / STEP):
                 follows[wheel], sign[wheel] = leader, step
-    removed = tuple(f"gears.wheels.{w.name}.profile_shift" for w in gears.wheels if w.name in given - set(free))
+    removed = tuple(wheel_key(w.name, Wheel.profile_shift) for w in gears.wheels if w.name in given - set(free))
     start = {w.name: train.shifts[w.name] for w in gears.wheels}
     followers = [w for w, leader in follows.items() if leader is not None and w != leader]
     return Freedom(key, name, _words(free, followers), _at(bare, at), free, start, follows, sign, removed, {})

@@ -12,13 +12,13 @@ from dataclasses import replace
 from ...sheet.check import ORDER, Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, tell
-from ...sheet.quantity import keys
+from ...sheet.quantity import described, keys
 from ...sheet.record import record
 from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Metre, RevPerSecond
-from ..inputs import GearsInputs, Wheel
+from ..inputs import GearsInputs, Mesh, Wheel, mesh_key, wheel_key
 from ..layout.result import WheelLayout
 from ..layout.solve import ShaftInTrain, layout
 from ..solve import geometry
@@ -27,9 +27,15 @@ from .free_shifts import HELD, settled
 from .tables import NOW, NUMBER
 
 PART = 3  # of the present teeth: by so many as this part of them more and fewer are tried
-LEAST = int(keys(Wheel)["teeth"].about.low or 1)
+LEAST = int(described(Wheel.teeth).low or 1)
 SPEED: RevPerSecond = 1.0  # geometry and layout judge nothing by it
-OF_TEETH = ("span_teeth", "measured_span", "measured_over_balls", "measured_over_pins", "measured_chordal_thickness")
+OF_TEETH: tuple[object, ...] = (  # what is said of a wheel's teeth as they are
+    Wheel.span_teeth,
+    Wheel.measured_span,
+    Wheel.measured_over_balls,
+    Wheel.measured_over_pins,
+    Wheel.measured_chordal_thickness,
+)
 
 
 @record
@@ -84,9 +90,9 @@ def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Pro
     }
     shifted = replace(gears, wheels=tuple(replace(w, profile_shift=train.shifts[w.name]) for w in gears.wheels))
     gone = dict.fromkeys(
-        f"gears.wheels.{name}.{key}"
-        for key, field in keys(Wheel).items()
-        if getattr(wheel, field.attribute) is not None and field.attribute in OF_TEETH
+        wheel_key(name, field)
+        for field in keys(Wheel).values()
+        if field in OF_TEETH and getattr(wheel, field.attribute) is not None
     )
     low, high = max(LEAST, now - now // PART), now + now // PART
     without_backlash = {n: settled(_with(shifted, name, n, dict.fromkeys(given)), system) for n in range(low, high + 1)}
@@ -97,13 +103,13 @@ def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Pro
         elif free is not None and (present := without_backlash[now]) is not None:
             grown = {i: free.distances[key] - present.distances[key] for i in given for key in [gears.meshes[i].key]}
             apart = {i: round(a + grown[i], HELD) for i, a in given.items()}
-            distances = {f"gears.meshes.{i}.centre_distance_mm": round(a * 1e3, 4) for i, a in apart.items()}
+            distances = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 4) for i, a in apart.items()}
             yield _judged(
                 _with(gears, name, teeth, apart),
                 name,
                 teeth,
                 axis,
-                {f"gears.wheels.{name}.teeth": teeth, **distances, **gone},
+                {wheel_key(name, Wheel.teeth): teeth, **distances, **gone},
             )
 
 

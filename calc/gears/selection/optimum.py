@@ -11,7 +11,7 @@ import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
-from ...sheet.quantity import keys
+from ...sheet.quantity import described
 from ...sheet.record import record
 from ...sheet.search import Judged, governing, least, least_wanted, multiples, narrowed, stretch
 from ...sheet.text import SEMICOLON, Amount, Small, Text
@@ -21,7 +21,7 @@ from .free_shifts import Freedom
 from .states import HARD_CASE, UNDERCUT, USUAL, Bar, ShiftRule, States, judge, keeps, states
 
 ROUND = 10_000  # points of the lattice per unit of the shift
-HIGHEST = keys(Wheel)["profile_shift"].about.high or 3.0  # shift coefficient: the end of its input
+HIGHEST = described(Wheel.profile_shift).high or 3.0  # shift coefficient: the end of its input
 OTHERS = 1e-3  # weight of all meshes beside the largest sliding: it decides only what the largest leaves open
 # points a side (odd), by the number of free shifts; there is no search for more
 GRID = {1: 41, 2: 33, 3: 15, 4: 9, 5: 7}

@@ -9,7 +9,7 @@ import numpy as np
 from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SPACE, Amount, Name, Text, listed, plural
-from ..inputs import GearsInputs
+from ..inputs import GearsInputs, Mesh, Wheel, mesh_key, wheel_key
 from .free_shifts import Freedom
 from .optimum import GRID
 from .search import ShiftRow, ShiftsFound
@@ -367,14 +367,14 @@ def _name(gears: GearsInputs, i: int) -> str:
 
 def changes(row: ShiftRow) -> Changes:
     """The keys that put a row into a design; shifts that would contradict it go."""
-    cuts = {f"gears.wheels.{name}.tip_shortening_mm": round(k * 1e3, 6) for name, k in row.cuts.items()}
+    cuts = {wheel_key(name, Wheel.tip_shortening): round(k * 1e3, 6) for name, k in row.cuts.items()}
     return cuts | (freed(row.freedom, row.free) if row.freedom is not None else {})
 
 
 def freed(way: Freedom, free: Mapping[str, float]) -> Changes:
     """The keys of free shifts: those that would contradict them go, distances that were held are given."""
-    shifts = {f"gears.wheels.{name}.profile_shift": round(x, 4) for name, x in free.items()}
-    held = {f"gears.meshes.{i}.centre_distance_mm": round(a * 1e3, 4) for i, a in way.held.items()}
+    shifts = {wheel_key(name, Wheel.profile_shift): round(x, 4) for name, x in free.items()}
+    held = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 4) for i, a in way.held.items()}
     return dict.fromkeys(way.removed) | shifts | held
 
 

@@ -5,7 +5,6 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
-from importlib import import_module
 
 from ...design.names import words
 from ...design.toml_file import Document
@@ -17,8 +16,9 @@ from ...sheet.search import Budget
 from ...sheet.step import Outcome
 from ...sheet.text import COMMA, Text
 from ...solve import Results
-from . import single_input
+from . import sizing, teeth
 from .state import ORDER, TITLES, RepairState, broken, first_repaired, repaired, state_of
+from .trials import one_number
 
 ROUNDS = 3  # through the steps: one may undo a little of an earlier one
 TIMES = 4  # through the checks of a step
@@ -74,16 +74,16 @@ class Nearest:
         return not any(o.verdict in ("fail", "no_solution", "blocked") for o in self.results.outcomes.values())
 
 
-RepairTable = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
+RepairTable = dict[str, tuple[tuple[tuple[str, ...], Repairer], ...]]
 
-# For each step: patterns of its checks, and what repairs them (module.function, imported when a check fails).  What is
-# left goes to the search over single numbers, then to the last ones.
+# For each step: patterns of its checks, and what repairs them.  What is left goes to the search over single numbers,
+# then to the last ones.
 WAYS: RepairTable = {
     "countershaft": (
-        (("countershaft.residual", "countershaft.residual_force"), "calc.studies.repair.sizing.balance"),
-        (("countershaft.crossing",), "calc.studies.repair.sizing.shorter_journals"),
+        (("countershaft.residual", "countershaft.residual_force"), sizing.balance),
+        (("countershaft.crossing",), sizing.shorter_journals),
     ),
-    "bearings": ((("*",), "calc.studies.repair.trials.bearings_or_longer_journals"),),
+    "bearings": ((("*",), sizing.bearings_or_longer_journals),),
     "gears": (
         (
             (
@@ -95,20 +95,17 @@ WAYS: RepairTable = {
                 "*.undercut",
                 "*.tip_thickness",
             ),
-            "calc.studies.repair.teeth.better_teeth",
+            teeth.better_teeth,
         ),
-        (("*.clearance", "*.position"), "calc.studies.repair.teeth.idler"),
-        (
-            ("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"),
-            "calc.studies.repair.teeth.free_backlash",
-        ),
-        (("*.safety_contact", "*.safety_bending"), "calc.studies.repair.sizing.stronger_teeth"),
+        (("*.clearance", "*.position"), teeth.idler),
+        (("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"), teeth.free_backlash),
+        (("*.safety_contact", "*.safety_bending"), sizing.stronger_teeth),
     ),
 }
-UNSOLVED = {
-    "bearings": "calc.studies.repair.sizing.nearest_bearings",
-    "countershaft": "calc.studies.repair.sizing.resize",
-    "gears": "calc.studies.repair.teeth.better_teeth",
+UNSOLVED: dict[str, Repairer] = {
+    "bearings": sizing.nearest_bearings,
+    "countershaft": sizing.resize,
+    "gears": teeth.better_teeth,
 }
 LAST: RepairTable = {
     "countershaft": (
@@ -119,19 +116,11 @@ LAST: RepairTable = {
                 "countershaft.crossing",
                 "countershaft.mass_shape",
             ),
-            "calc.studies.repair.sizing.resize",
+            sizing.resize,
         ),
     ),
-    "gears": (
-        (("*.clearance",), "calc.studies.repair.teeth.idler"),
-    ),  # once what else kept its teeth from passing is repaired
+    "gears": ((("*.clearance",), teeth.idler),),  # once what else kept its teeth from passing is repaired
 }
-
-
-def _way(name: str) -> Repairer:
-    module, _, function = name.rpartition(".")
-    way: Repairer = getattr(import_module(module), function)
-    return way
 
 
 def remedy(
@@ -280,8 +269,7 @@ class _Step:
 
     def _solution(self, state: RepairState, progress: Progress | None) -> RepairState:
         """A step that finds no solution: its own search, else one number at a time."""
-        ways: list[Repairer] = [_way(UNSOLVED[self.step])] if self.step in UNSOLVED else []
-        ways.append(self._one_number)
+        ways = [*([UNSOLVED[self.step]] if self.step in UNSOLVED else []), self._one_number]
         for n, way in enumerate(ways):
             mended = self._tried(state, (), way, part(progress, n / len(ways), (n + 1) / len(ways)))
             if mended is not None:
@@ -295,21 +283,16 @@ class _Step:
         for n, (patterns, way) in enumerate(first):
             # not those that were tried in vain
             failing = tuple(c for c in self._failing(state, patterns) if c.id not in self.why)
-            state = self._by(
-                state, failing, _way(way), part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first))
-            )
+            here = part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first))
+            state = self._by(state, failing, way, here)
         every = state.failing(self.step)
         sets = [every] * (len(every) > 1) + [(check,) for check in every]
         for n, checks in enumerate(sets):
             failing = tuple(c for c in state.failing(self.step) if c.id in {check.id for check in checks})
-            state = self._by(
-                state,
-                failing,
-                self._one_number,
-                part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets)),
-            )
+            here = part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets))
+            state = self._by(state, failing, self._one_number, here)
         for patterns, way in last:
-            state = self._by(state, self._failing(state, patterns), _way(way), part(progress, 0.9, 1.0))
+            state = self._by(state, self._failing(state, patterns), way, part(progress, 0.9, 1.0))
         return state
 
     def _failing(self, state: RepairState, patterns: tuple[str, ...]) -> tuple[Check, ...]:
@@ -325,7 +308,7 @@ class _Step:
             mended = state
         if mended is not state and not broken(state, mended):
             return mended
-        return single_input.repair(state, self.step, failing, self.budget, progress)
+        return one_number(state, self.step, failing, self.budget, progress)
 
     def _by(
         self, state: RepairState, failing: tuple[Check, ...], way: Repairer, progress: Progress | None

@@ -5,22 +5,379 @@ all the rest.
 A kind that mends the finding at every corner of its group is best, then one that mends it as given, then one that
 breaks something else, then one that only comes nearer.  What is locked is shown too, and not searched."""
 
+import math
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from itertools import islice
 
+from ...bearings.inputs import BearingsInputs
+from ...bearings.result import BearingResult
+from ...bearings.selection.variants import closer_fits, variants
+from ...countershaft.result import CountershaftResult
 from ...design.addresses import quantity_of, value_at
-from ...design.names import named, written
+from ...design.locks import USUAL, locked
+from ...design.model import Design
+from ...design.names import named, published, words, written
+from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document
+from ...friction.result import FrictionResult
+from ...library.catalogue import Material
 from ...sheet.check import KINDS, Check
-from ...sheet.errors import BadInput
+from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part, tell
-from ...sheet.quantity import Quantity
-from ...sheet.search import rounded
-from ...sheet.text import Text
-from ...solve import Results
-from .levers import LeverPlan, kind_of, plans
-from .state import RepairState, state_of
-from .trials import NEAR, RepairOption, Trials, ranked, repair_option
+from ...sheet.quantity import Quantity, dotted
+from ...sheet.remedy import Changes, assignments
+from ...sheet.search import Budget, closer, rounded
+from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, plural
+from ...solve import Results, solve
+from . import sizing
+from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, words_of
+from .nearest import remedy
+from .state import ORDER, RepairState, broken, state_of
+from .trials import ROUND, Trials
+
+# --- one way to mend a finding: what it changes, how far it comes, and what it does to all the rest
+
+MOST, SHUT = 5, 2  # that are offered, and of these locked ones
+ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is
+
+
+@dataclass(frozen=True)
+class RepairOption:
+    """One remedy.  `kind`: in the words of the trade; `words`: the change in labels and units of the fields; `made`:
+    each key with its new value, `changes` the same as KEY=VALUE.
+
+    `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is
+    still open in the group; `breaks`: names of limits that fail then and did not, and of steps without a solution.
+    `verdicts`: step, before, after. `power` [W], `mass` [kg]: before and after, of the crank's loss and the shaft;
+    `cold` [µm]: the cold clearance, of a bearing. `locked`: why it was not looked at.  `missing`: it gives an input
+    that was not there."""
+
+    kind: Text
+    keys: tuple[str, ...]
+    made: tuple[tuple[str, object], ...] = ()
+    words: Text = EMPTY
+    effect: Text = EMPTY
+    quality: int = LOCKED
+    disturbance: float = 0.0
+    left: tuple[Text, ...] = ()
+    breaks: tuple[Text, ...] = ()
+    verdicts: tuple[tuple[str, str, str], ...] = ()
+    power: tuple[float, float] | None = None
+    mass: tuple[float, float] | None = None
+    cold: float | None = None
+    locked: str = ""
+    results: Results | None = field(default=None, repr=False)
+
+    @property
+    def changes(self) -> tuple[str, ...]:
+        return tuple(assignments(dict(self.made)))
+
+    @property
+    def passes(self) -> bool:
+        return self.quality < NEAR
+
+    @property
+    def rest(self) -> Text:
+        """What it does beside: `+9 W, +0.4 kg, cold gap 32 µm; then fails: …`."""
+        parts = [
+            Text("{change}", change=Amount(b - a, unit, form="+.3g"))
+            for pair, unit in ((self.power, "W"), (self.mass, "kg"))
+            if pair is not None and abs((b := pair[1]) - (a := pair[0])) > 5e-4 * abs(a)
+        ]
+        if self.cold is not None:
+            parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
+        text = COMMA.join(parts) if parts else EMPTY
+        if self.breaks:
+            fails = Text("then fails: {checks}", checks=COMMA.join(self.breaks[:2]))
+            text = SEMICOLON.join([text, fails]) if text else fails
+        return text
+
+
+def ranked(ways: Iterable[RepairOption]) -> tuple[RepairOption, ...]:
+    """The best few, what is locked last."""
+    every = sorted(ways, key=_rank)
+    shut = sorted((way for way in every if way.locked), key=lambda way: way.keys[0] in USUAL)[:SHUT]
+    return (*[way for way in every if not way.locked][: MOST - len(shut)], *shut)
+
+
+def repair_option(
+    state: RepairState, after: RepairState, changes: Changes, group: tuple[Check, ...], kind: Text
+) -> RepairOption:
+    """A way that was found, with all that it does."""
+    left = _open_still(after, group)
+    names = {c.id: c.name for c in after.results.checks()}
+    breaks = tuple(names.get(id, Text("{step} has no solution", step=id)) for id in broken(state, after))
+    limits = any(c.verdict == "fail" for c in left) or (bool(left) and left[0].id == group[0].id)
+    quality = NEAR if limits else BREAKS if breaks else AS_GIVEN if left else ALL_CORNERS
+    before, then = state.results, after.results
+    bearing = group[0].id.rpartition(".")[0] if group else ""
+    gaps = {v.id.rpartition(".")[0]: v.shown for v in then.values_of(BearingResult.clearance_cold)}
+    return RepairOption(
+        kind,
+        tuple(changes),
+        tuple(changes.items()),
+        words(state.document, before, changes),
+        _effect(group, left, quality),
+        quality,
+        disturbance(state.document, changes),
+        tuple(c.name for c in left),
+        breaks,
+        tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
+        _pair(before, then, FrictionResult.total_loss),
+        _pair(before, then, CountershaftResult.mass),
+        gaps.get(bearing),
+        results=then,
+    )
+
+
+def _pair(before: Results, after: Results, field: object) -> tuple[float, float] | None:
+    first, other = before.value(field), after.value(field)
+    return (first.shown, other.shown) if first is not None and other is not None else None
+
+
+def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ...]:
+    """Of a group what is not mended: a limit that failed must hold, all else must be closed."""
+    there = {c.id: c for c in after.results.checks()}
+    return tuple(
+        there[c.id]
+        for c in group
+        if c.id in there and (there[c.id].open if c.verdict != "fail" else not there[c.id].holds)
+    )
+
+
+def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
+    if quality == NEAR and left:
+        worst = left[0]
+        if worst.id != group[0].id:
+            return Text("still open: {checks}", checks=worst.name)
+        return Text(
+            "comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text()
+        )
+    if left:
+        return plural(
+            "passes as given; {n} finding is still open", "passes as given; {n} findings are still open", n=len(left)
+        )
+    return (
+        Text("passes, also at every corner")
+        if any("corner" in c.id or "worst" in c.id for c in group)
+        else Text("passes")
+    )
+
+
+def _rank(way: RepairOption) -> tuple[int, float]:
+    """What passes everything first, then by the smallest disturbance."""
+    return way.quality, way.disturbance
+
+
+# --- which kinds are looked at
+
+PLANS = 7  # kinds that are looked at
+SETS = 12  # changes of one kind that are tried as they are
+
+
+@dataclass(frozen=True)
+class LeverPlan:
+    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is locked."""
+
+    keys: tuple[str, ...]
+    levers: tuple[Lever, ...] = ()
+    sets: tuple[Changes, ...] = ()
+    reason: str = ""
+
+
+def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[LeverPlan]:
+    """In the order in which a designer would think of them: what the checks themselves name, what moves them, what else
+    is free."""
+    document = state.document
+    tried = [dict(remedy.changes) for check in group for remedy in check.remedies if remedy.changes]
+    tried += _made_for(state, group)
+    first = [next(iter(changes)) for changes in tried]
+    by_kind: dict[tuple[str, ...], list[str]] = {}
+    for key in dict.fromkeys([*first, *named_keys(state, group), *free_keys(state, step, group)[0]]):
+        by_kind.setdefault(kind_of(document, key), []).append(key)
+    shut = [
+        LeverPlan((key,), reason=reason)
+        for keys in by_kind.values()
+        for key in keys
+        if (reason := locked(document.data, key))
+    ]
+    by_first = [(kind_of(document, key), changes) for key, changes in zip(first, tried)]
+    filled = (
+        _filled(state, keys, [changes for other, changes in by_first if other == kind])
+        for kind, keys in by_kind.items()
+    )
+    return [*shut, *islice(filter(None, filled), PLANS)]
+
+
+def _filled(state: RepairState, keys: list[str], tried: list[Changes]) -> LeverPlan | None:
+    """With its levers and its changes of what is free; None where it has none."""
+    data = state.document.data
+    free = [key for key in keys if not locked(data, key)]
+    sets = [changes for changes in tried if not any(locked(data, key) for key in changes)]
+    sets += [changes for key in free for changes in _words(state, key)]
+    by_place: dict[str, list[str]] = {}
+    for key in free:
+        by_place.setdefault(key.rpartition(".")[0], []).append(key)
+    moved = [lever for some in by_place.values() for lever in levers(state, some)]
+    return LeverPlan(tuple(keys), tuple(moved), tuple(sets[:SETS])) if moved or sets else None
+
+
+def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
+    """What is made for some checks: masses that are set to what the engine asks for, stronger teeth."""
+    sets: list[Changes] = []
+    for patterns, changes in MADE_FOR:
+        some = tuple(c for c in group if any(fnmatchcase(c.id, pattern) for pattern in patterns))
+        try:
+            sets += filter(None, changes(state, some)) if some else ()
+        except NoSolution:
+            pass
+    return sets
+
+
+def _balanced(state: RepairState, group: tuple[Check, ...]) -> Iterable[Changes]:
+    shaft = state.design.countershaft
+    return sizing.balanced(state, shaft) if shaft is not None and shaft.mode == "given" else ()
+
+
+def _stronger(state: RepairState, group: tuple[Check, ...]) -> Iterable[Changes]:
+    return sizing.stronger(state, sizing.wheels(state, group))
+
+
+MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[RepairState, tuple[Check, ...]], Iterable[Changes]]], ...] = (
+    (("countershaft.residual", "countershaft.residual_force", "countershaft.holes.range"), _balanced),
+    (("*.safety_contact*", "*.safety_bending*"), _stronger),
+)
+FITS = (
+    dotted(Design.bearings, BearingsInputs.journal_fit),
+    dotted(Design.bearings, BearingsInputs.seat_fit),
+)
+
+
+def _words(state: RepairState, key: str) -> Iterator[Changes]:
+    """Other words that may stand at a key, the nearest first."""
+    about, now, bearings = (
+        quantity_of(state.document.data, key),
+        value_at(state.document.data, key),
+        state.design.bearings,
+    )
+    if about.kind == "choice":
+        yield from ({key: word} for word in about.choices if word != now)
+    elif about.catalogue == "materials" and (there := state.design.materials.get(str(now))) is not None:
+        unlike = sorted((_unlike(there, other), name) for name, other in state.design.materials.items() if name != now)
+        yield from ({key: name} for _, name in unlike)
+    elif about.catalogue == "oils" and bearings is not None:
+        yield from ({key: name} for name in _oils(state, bearings))
+    elif key in FITS and bearings is not None:
+        yield from (dict(zip(FITS, fits)) for fits in closer_fits(bearings))
+
+
+def _oils(state: RepairState, bearings: BearingsInputs) -> list[str]:
+    """Engine oils other than that of the bearings, the nearest in viscosity first."""
+    current, *others = variants(bearings_case(state.design, solve, state.results))
+    T = bearings.supply_temperature
+    mu = current.lubricant.at(T).mu
+    others = [v for v in others if v.supply == current.supply]
+    return [v.oil for v in sorted(others, key=lambda v: abs(math.log(v.lubricant.at(T).mu / mu)))]
+
+
+def _unlike(first: Material, other: Material) -> float:
+    """How far two materials are from each other in stiffness, weight and expansion."""
+    pairs = ((first.E, other.E), (first.density, other.density), (first.expansion, other.expansion))
+    return sum(abs(math.log(a / b)) for a, b in pairs if a > 0 and b > 0) + (first.kind != other.kind)
+
+
+# --- the best way of a kind
+
+FARTHEST = (0.6, 0.9)  # relative change up and down that is still believed
+TRIES = 100  # whole designs
+DEAR = 3.0  # times the change that is enough as given, beyond which the corners are left open
+EIGHTH = 0.125  # of a change that breaks something: so close to it one that does not is looked for
+LARGE = 0.25  # relative change beyond which one that breaks something else is no remedy
+MANY = 3  # limits that a remedy may break
+NEARER = 0.1  # share of what is missing that a change must bring to be worth a row
+
+
+def best(trials: Trials, plan: LeverPlan) -> RepairOption | None:
+    """The best way of a kind; None where it brings nothing."""
+    group, options = trials.checks, list[RepairOption]()
+    for changes in plan.sets:
+        if (way := _way(trials, changes)) is not None:
+            options.append(way)
+            if way.quality == ALL_CORNERS:
+                break
+    limits = tuple(c for c in group if c.verdict == "fail") or group[:1]
+    for lever in plan.levers:
+        if any(way.quality == ALL_CORNERS and way.disturbance < LARGE for way in options):
+            break
+        for wanted in (group, limits) if limits != group else (group,):
+            if (way := _moved(trials, lever, wanted)) is None:
+                continue
+            options.append(way)
+            if way.quality in (ALL_CORNERS, BREAKS):
+                break
+    options = sorted((way for way in options if _worth(trials, way)), key=_rank)
+    given = next((way for way in options if way.quality == AS_GIVEN), None)
+    if given is not None and options[0].disturbance > max(DEAR * given.disturbance, LARGE):
+        return given
+    return next(iter(options), None)
+
+
+def _way(trials: Trials, changes: Changes) -> RepairOption | None:
+    """What changes come to; None where they are not allowed, or without a solution."""
+    state, after = trials.state, trials.tried(changes, whole=True)
+    if after is None or after.outcome(trials.step).state != "solved" or not after.changes:
+        return None
+    key = next((key for key, new in after.changes.items() if new is not None), next(iter(after.changes)))
+    now = value_at(state.document.data, key)
+    if now is None and (there := published(state.results, key)) is not None:
+        now = there.shown
+    kind = called(state.document, key, now, after.changes[key])
+    return repair_option(state, after, after.changes, trials.checks, kind)
+
+
+def _worth(trials: Trials, way: RepairOption) -> bool:
+    """Whether it is worth a row: it breaks little, and comes clearly nearer."""
+    if way.quality != NEAR:
+        return len(way.breaks) <= MANY
+    first = trials.checks[:1]
+    gap, still = -trials.score(trials.state, first), -trials.score(trials.tried(dict(way.made), whole=True), first)
+    return not way.breaks and still < gap * (1 - NEARER)
+
+
+def _moved(trials: Trials, lever: Lever, wanted: tuple[Check, ...]) -> RepairOption | None:
+    """The smallest change by which what is wanted holds, else the one that comes nearest."""
+    numbers, nearest = trials.enough(lever, wanted)
+    for number in numbers:
+        if (way := _way(trials, lever.at(number) or {})) is not None:
+            large = way.breaks and way.disturbance >= LARGE
+            return _nearer(trials, lever, (number - lever.now) / lever.scale) if large else way
+    return _nearer(trials, lever, nearest) if nearest else None
+
+
+def _nearer(trials: Trials, lever: Lever, end: float) -> RepairOption | None:
+    """As far towards a relative change as nothing else breaks."""
+    ways: dict[float, RepairOption] = {}
+
+    def breaks(share: float) -> float:
+        """0 where something does, else no number."""
+        change = share * abs(end)
+        number = lever.rounded(math.copysign(change - min(ROUND, change / 5), end), math.copysign(change, end))
+        changes = lever.at(number)
+        way = _way(trials, changes) if changes is not None else None
+        if way is None or way.breaks:
+            return 0.0
+        ways[share] = way
+        return math.nan
+
+    if breaks(1.0) == 0:
+        closer(breaks, 0.0, 1.0, math.nan, 0.0, EIGHTH)
+    return ways[max(ways)] if ways else None
+
+
+# --- all kinds
 
 HOUSINGS = ("EN-GJL-250", "EN AC-43100")  # grey iron and aluminium: what housings are usually cast of
 
@@ -67,11 +424,11 @@ def search(
     for n, plan in enumerate(looked_at):
         if ends is not None and time.monotonic() > ends:
             return
-        label = kind_of(document, plan.keys[0])
+        label = words_of(document, plan.keys[0])
         name = label.other or label.less
         here = part(progress, n / (len(looked_at) + 1), (n + 1) / (len(looked_at) + 1))
         tell(here, 0.0, name)
-        way = Trials(state, step, group, here, name).best(plan)
+        way = best(Trials(state, step, group, Budget(TRIES), here, name, FARTHEST, ROUND), plan)
         if way is not None and way.changes not in written:
             written.add(way.changes)
             yield way
@@ -90,15 +447,12 @@ def _whole_step(
     state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None
 ) -> RepairOption | None:
     """The nearest design in which all limits of the step hold."""
-    from .nearest import remedy
-
     nearest = remedy(state.document, step, state.results, progress, tries=20)
     if not nearest.changes or (not nearest.mends and group):
         return None
     after = RepairState(nearest.document, nearest.results)
-    changes = {
-        key: value_at(nearest.document.data, key) for key in (change.partition("=")[0] for change in nearest.changes)
-    }
+    keys = [change.partition("=")[0] for change in nearest.changes]
+    changes = {key: value_at(nearest.document.data, key) for key in keys}
     way = repair_option(state, after, changes, group, Text("all of the step at once"))
     return way if way.quality < NEAR else None
 
@@ -128,16 +482,17 @@ def _usual(state: RepairState, key: str, about: Quantity) -> tuple[float | int |
         low, high = about.usual
         middle = rounded(low + 0.4 * (high - low), low + 0.6 * (high - low))
         return (round(middle) if about.kind == "integer" else middle,)
-    if key.endswith("housing_material"):
+    if key.endswith(dotted("", BearingsInputs.housing_material)):  # or that of the gears, called alike
         of_bearings = state.design.bearings.housing_material if state.design.bearings is not None else None
         return tuple(dict.fromkeys(name for name in (of_bearings, *HOUSINGS) if name))
     return about.choices[:1]
 
 
 def _locked(state: RepairState, plan: LeverPlan, group: tuple[Check, ...]) -> RepairOption:
-    kind = kind_of(state.document, plan.keys[0])
+    document, key = state.document, plan.keys[0]
+    change, now, label = words_of(document, key), value_at(document.data, key), named(document, key)
     film = any("film" in check.id or check.id.endswith("transition") for check in group)
-    now, label = value_at(state.document.data, plan.keys[0]), named(state.document, plan.keys[0])
     text = Text("{label} {value}", label=label, value=written(now)) if now is not None else label
-    name = kind.more if film and plan.keys[0].endswith(".oil") else kind.other or kind.less
+    thicker = film and quantity_of(document.data, key).catalogue == "oils"
+    name = change.more if thicker else change.other or change.less
     return RepairOption(name, plan.keys, words=text, effect=Text("not looked at"), locked=plan.reason)

@@ -9,40 +9,78 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
+from ...bearings.inputs import BearingInputs, BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...countershaft.inputs import CountershaftInputs, EccentricMass
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
 from ...design.locks import locked
+from ...design.model import Design
+from ...design.names import PLACES, named
 from ...design.step_inputs import bearings_case
 from ...engine.result import EngineResult
-from ...gears.inputs import Wheel
+from ...gears.inputs import GearsInputs, Wheel, wheel_key
 from ...gears.rating.classes import DEFAULT, class_names, strength_class
 from ...imbalance.result import ImbalanceResult
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part, tell
+from ...sheet.quantity import dotted
 from ...sheet.remedy import Changes, whole
-from ...sheet.search import least_whole
+from ...sheet.search import Budget, least_whole
 from ...sheet.text import Text
 from ...sheet.value import untraced
 from ...solve import Results, solve
+from .levers import levers
 from .state import RepairState, broken, first_repaired, repaired
+from .trials import ROUND, Trials
 
 # --- bearings that fail: the nearest ones of the search that `choose` offers
+
+TRIES = 100  # designs with longer journals
 
 
 def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits.  Raises
     NoSolution."""
     case = bearings_case(state.design, solve, state.results)
-    if locked(state.document.data, "bearings.oil"):
+    if locked(state.document.data, dotted(Design.bearings, BearingsInputs.oil)):
         case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
     settled = nearest_row(case, progress)
     written = bearing_changes(settled.row, case.bearings) if settled.row is not None else {}
     if not written:
         raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
     return state.with_changes(written, settled.results if isinstance(settled.results, Results) else None)
+
+
+def bearings_or_longer_journals(
+    state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None
+) -> RepairState:
+    """The nearest bearings that fit, else journals as long as their films ask for.  Raises NoSolution where neither
+    helps."""
+    try:
+        return nearest_bearings(state, failing, part(progress, 0.0, 0.5))
+    except NoSolution as none:
+        try:
+            return longer_journals(state, failing, part(progress, 0.5, 1.0))
+        except NoSolution:
+            raise none from None
+
+
+def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
+    """Journals as much longer as their films ask for, outwards where the masses leave no room.  Raises NoSolution."""
+    for n, place in enumerate(PLACES):
+        key = dotted(Design.bearings, place, BearingInputs.length)
+        group = tuple(c for c in failing if c.id.rpartition(".")[0] == key.rpartition(".")[0])
+        if not group:
+            continue
+        here = part(progress, n / len(PLACES), (n + 1) / len(PLACES))
+        trials = Trials(state, "bearings", group, Budget(TRIES), here, named(state.document, key), near=ROUND)
+        longer = next(filter(None, map(trials.least, levers(state, [key]))), None)
+        if longer is None:
+            raise NoSolution(Text("no longer journal is enough, {place}", place=PLACES[place]))
+        state = longer[1]
+    return state
 
 
 # --- a counter-shaft that leaves too much or does not fit
@@ -104,7 +142,7 @@ def _shifted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, 
     for n, mass in enumerate(masses):
         rest = sum(u * m.z for i, (u, m) in enumerate(zip(now, masses)) if i != n)
         if now[n] and abs((z := (P - rest) / now[n]).imag) < NEAR * abs(z):
-            yield {f"countershaft.masses.{mass.name}.z_mm": round(z.real * 1e3, 1)}
+            yield {_of_mass(mass, EccentricMass.z): round(z.real * 1e3, 1)}
 
 
 def _wanted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P: complex) -> Iterator[list[complex]]:
@@ -128,15 +166,18 @@ def _wanted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P
 
 def _single(mass: EccentricMass, wanted: complex) -> Iterator[Changes]:
     """By its mass; by its angle; by mass and angle; by radius and angle."""
-    at = f"countershaft.masses.{mass.name}"
-    turned = _near(math.degrees(cmath.phase(wanted)), math.degrees(mass.angle))
-    angle = {f"{at}.angle_deg": round(turned, 1)} if abs(turned - math.degrees(mass.angle)) > 0.05 else {}
-    weight = {f"{at}.mass_kg": round(abs(wanted) / mass.radius, 3)} if mass.radius else {}
-    radius = {f"{at}.radius_mm": round(abs(wanted) / mass.mass * 1e3, 3)} if mass.mass else {}
+    now, turned = math.degrees(mass.angle), _near(math.degrees(cmath.phase(wanted)), math.degrees(mass.angle))
+    angle = {_of_mass(mass, EccentricMass.angle): round(turned, 1)} if abs(turned - now) > 0.05 else {}
+    weight = {_of_mass(mass, EccentricMass.mass): round(abs(wanted) / mass.radius, 3)} if mass.radius else {}
+    radius = {_of_mass(mass, EccentricMass.radius): round(abs(wanted) / mass.mass * 1e3, 3)} if mass.mass else {}
     yield weight
     yield angle
     yield weight | angle
     yield radius | angle
+
+
+def _of_mass(mass: EccentricMass, field: object) -> str:
+    return dotted(Design.countershaft, CountershaftInputs.masses, mass.name, field)
 
 
 def _near(angle: float, old: float) -> float:
@@ -169,8 +210,11 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
     try:
         choices(shaft, imbalance, engine.angular_speed, room, {shaft.material: materials[shaft.material]})
     except TooSmall as small:
-        larger = (("outer_radius", small.outer_radius), ("half_length", small.half_length))
-        sizes = ({f"countershaft.{name}_mm": math.ceil(x / TENTH) / 10} for name, x in larger if x is not None)
+        larger = (
+            (CountershaftInputs.outer_radius, small.outer_radius),
+            (CountershaftInputs.half_length, small.half_length),
+        )
+        sizes = ({dotted(Design.countershaft, size): math.ceil(x / TENTH) / 10} for size, x in larger if x is not None)
         try:
             return first_repaired(state, "countershaft", ids, sizes, part(progress, 0.0, 0.2))
         except NoSolution:
@@ -222,9 +266,9 @@ def _wider(state: RepairState, names: list[str], ids: list[str], low: float, hig
     gears = state.design.gears
     assert gears is not None
     face_widths = {w.name: w.face_width for w in gears.wheels if w.name in names and w.face_width is not None}
-    widths = {f"gears.wheels.{name}.face_width_mm": b * 1e3 for name, b in face_widths.items()}
+    widths = {wheel_key(name, Wheel.face_width): b * 1e3 for name, b in face_widths.items()}
     if len(face_widths) < len(names):
-        widths["gears.face_width_mm"] = gears.face_width * 1e3
+        widths[dotted(Design.gears, GearsInputs.face_width)] = gears.face_width * 1e3
 
     def with_width(n: int) -> RepairState | None:
         """The common width of n steps, wheels that are wider staying as they are; None where it is not enough."""
@@ -260,10 +304,9 @@ def stronger(state: RepairState, names: list[str]) -> Iterator[Changes]:
 
 def _class(wheel: Wheel, name: str, quality: str) -> Iterator[tuple[str, str | None]]:
     """The hardness goes, which belonged to another class: the lowest of the new one is then taken."""
-    at = f"gears.wheels.{wheel.name}"
     if (wheel.gear_material or DEFAULT) != name:
-        yield f"{at}.gear_material", name
+        yield wheel_key(wheel.name, Wheel.gear_material), name
         if wheel.hardness is not None:
-            yield f"{at}.hardness_HV", None
+            yield wheel_key(wheel.name, Wheel.hardness), None
     if wheel.quality != quality:
-        yield f"{at}.quality", quality
+        yield wheel_key(wheel.name, Wheel.quality), quality

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...design.locks import locked
 from ...design.step_inputs import shaft_axis
-from ...gears.inputs import GearsInputs
+from ...gears.inputs import GearsInputs, Wheel, wheel_key
 from ...gears.selection.free_shifts import freedoms, settled
 from ...gears.selection.idler import idlers, passed
 from ...gears.selection.optimum import ShiftCase, along
@@ -93,7 +93,7 @@ def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
         for n, bar in enumerate(bars if made_cuts is not None else ()):
             if made_cuts is not None and (k := _first(case, made_cuts, bar, cuts, wheel.tip_shortening)) is not None:
                 change = abs(k - wheel.tip_shortening) / case.system.m_n
-                yield n, change, {f"gears.wheels.{wheel.name}.tip_shortening_mm": round(k * 1e3, 6)}
+                yield n, change, {wheel_key(wheel.name, Wheel.tip_shortening): round(k * 1e3, 6)}
 
 
 def _first(case: ShiftCase, states: States, bar: Bar, numbers: Array, start: float) -> float | None:
@@ -147,9 +147,7 @@ def _thinner(state: RepairState, missing: dict[str, int]) -> Changes:
     assert gears is not None
     pairs = {mesh.key: (mesh.driver, mesh.driven) for mesh in gears.meshes}
     free = [
-        wheel
-        for wheel in gears.wheels
-        if not locked(state.document.data, f"gears.wheels.{wheel.name}.span_allowance_um")
+        wheel for wheel in gears.wheels if not locked(state.document.data, wheel_key(wheel.name, Wheel.span_allowance))
     ]
     given = {wheel.name: [round(end * 1e6, 6) for end in wheel.span_allowance or (0.0, 0.0)] for wheel in free}
     if stuck := next((mesh for mesh in missing if not given.keys() & set(pairs[mesh])), None):
@@ -169,7 +167,6 @@ def _thinner(state: RepairState, missing: dict[str, int]) -> Changes:
         best = max(given, key=use)
         less[best] += 1
         left = {mesh: more - (best in pairs[mesh]) for mesh, more in left.items()}
-    less = {name: n for name, n in less.items() if n}
     return {
-        f"gears.wheels.{name}.span_allowance_um": [whole(end - n) for end in given[name]] for name, n in less.items()
+        wheel_key(name, Wheel.span_allowance): [whole(end - n) for end in given[name]] for name, n in less.items() if n
     }

@@ -14,6 +14,7 @@ from calc.sheet.search import (
     Trial,
     allowed,
     beside,
+    crossing,
     first,
     first_good,
     governing,
@@ -24,7 +25,6 @@ from calc.sheet.search import (
     multiples,
     narrowed,
     rounded,
-    smallest,
     stretch,
 )
 from calc.sheet.text import EMPTY, Small, Text
@@ -138,10 +138,37 @@ def test_the_first_of_rank_0_ends_the_trials():
     assert first_good([0, 1, 4], evaluate, most=2).result is None
 
 
-def test_the_smallest_change_lies_between_its_two_ends():
-    low, high = smallest(lambda x: x >= 0.37, (0.1, 0.3, 1.0, 3.0), 8)
-    assert low < 0.37 <= high and high - low == pytest.approx(0.7 / 2**8)
-    assert smallest(lambda x: False, (1.0, 2.0), 3) is None
+SCORES = {  # of a change x, zero at 0.37
+    "line": lambda x: x - 0.37,
+    "ever steeper": lambda x: x**3 - 0.37**3,
+    "ever flatter": lambda x: math.log((x + 0.01) / 0.38),
+    "not allowed far on": lambda x: x**3 - 0.37**3 if x < 0.4 else math.nan,
+    "known only where it holds": lambda x: 0.0 if x >= 0.37 else math.nan,
+}
+
+
+@pytest.mark.parametrize("kind", SCORES)
+def test_the_smallest_change_lies_between_its_two_ends(kind):
+    asked = []
+
+    def score(x):
+        asked.append(x)
+        return SCORES[kind](x)
+
+    low, high = crossing(score, SCORES[kind](0.0), 0.02, 10.0, 0.01)
+    assert low < 0.37 <= high <= 1.05 * 0.37 and len(asked) <= 15
+    assert SCORES[kind](high) >= 0 and not SCORES[kind](low) >= 0
+    wide = crossing(score, SCORES[kind](0.0), 0.02, 10.0, 0.01, near=0.5)
+    assert wide[0] <= low and wide[1] >= high
+
+
+def test_where_no_change_is_enough_the_nearest_one_is_told():
+    assert crossing(lambda x: x - 0.37, -0.37, 0.02, 0.3, 0.01) == 0.3, "no farther than that"
+    assert crossing(lambda x: -abs(x - 0.1) - 1, -1.1, 0.02, 2.0, 0.01) == pytest.approx(0.1, abs=0.09)
+    assert crossing(lambda x: x - 0.37 if x < 0.2 else math.nan, -0.37, 0.02, 2.0, 0.01) == pytest.approx(
+        0.19, abs=0.01
+    )
+    assert crossing(lambda x: math.nan, math.nan, 0.02, 2.0, 0.01) == 0.0
 
 
 @pytest.mark.parametrize("limit", [3, 4, 9, 12])

@@ -1,5 +1,5 @@
 """The parts of the search for a passing design: teeth that are wide or strong enough and no more, masses that leave
-nothing, one number moved."""
+nothing, one lever moved."""
 
 import cmath
 import math
@@ -11,18 +11,18 @@ from hypothesis import strategies as st
 
 from calc.countershaft.inputs import EccentricMass
 from calc.design.addresses import quantity_of
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import Document, design
 from calc.gears.rating.classes import class_names, strength_class
 from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
 from calc.sheet.text import EMPTY, Text
-from calc.solve import solve
+from calc.solve import Results, solve
+from calc.studies.repair.levers import Lever, called, kind_of, levers
 from calc.studies.repair.nearest import nearest
-from calc.studies.repair.single_input import Number, _Search
 from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
+from calc.studies.repair.state import state_of
 from calc.studies.repair.trials import Trials
 from tests.calc.studies.repair.test_remedy import damaged, fails, with_changes
-from tests.conftest import GAMMA
 
 WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))
 
@@ -185,53 +185,83 @@ def test_an_angle_stays_near_its_old_number(angle, old):
     assert abs(near - old) <= 180 + 1e-9 and math.remainder(near - angle, 360) == pytest.approx(0, abs=1e-9)
 
 
-# --- one number
-DATA = read(GAMMA).data
+# --- one lever
+def lever(gamma: Document, *keys: str) -> Lever:
+    return next(levers(state_of(gamma), list(keys)))
 
 
-def number(key: str, *now: float, alone: bool = True) -> Number:
-    return Number(key, now, alone, quantity_of(DATA, key))
-
-
-def test_a_number_moves_by_a_share_and_a_whole_one_by_one_at_least():
-    assert number("bearings.front.length_mm", 27.5).moved(0.02) == {"bearings.front.length_mm": pytest.approx(28.05)}
-    assert number("gears.wheels.0.teeth", 36.0).moved(0.02) == {"gears.wheels.0.teeth": 37}
-    assert number("gears.wheels.0.teeth", 36.0).moved(-0.02) == {"gears.wheels.0.teeth": 35}
-    assert number("gears.wheels.0.teeth", 36.0).moved(0.1) == {"gears.wheels.0.teeth": 40}
-    both = number("countershaft.bearing_positions_mm", -160.0, 160.0, alone=False).moved(0.05)
-    assert both == {"countershaft.bearing_positions_mm": pytest.approx([-168, 168])}
-    assert number("bearings.front.length_mm", 27.5).moved(-1.5) is None, "not allowed"
-
-
-def test_a_number_of_nothing_moves_by_its_step():
-    key = "gears.wheels.0.profile_shift"
-    step = quantity_of(DATA, key).step or 0.1
-    assert number(key, 0.0).moved(0.05) == {key: pytest.approx(0.5 * step)} and number(key, 0.0).moved(-0.05) == {
-        key: pytest.approx(-0.5 * step)
+def test_a_number_moves_by_a_share_and_a_whole_one_by_one_at_least(gamma: Document) -> None:
+    length = lever(gamma, "bearings.front.length_mm")
+    assert length.at(length.number(0.02)) == {"bearings.front.length_mm": pytest.approx(28.05)}
+    assert length.at(length.number(-1.5)) is None, "not allowed"
+    teeth = lever(gamma, "gears.wheels.crank.teeth")
+    assert [teeth.number(change) - teeth.now for change in (0.02, -0.02, 0.1)] == [1, -1, round(0.1 * teeth.now)]
+    assert lever(gamma, "countershaft.bearing_positions_mm").write(-150.75) == {
+        "countershaft.bearing_positions_mm": [-150.75, 150.75]
     }
+
+
+def test_numbers_of_one_kind_in_one_place_move_together(gamma: Document) -> None:
+    surfaces = [f"bearings.front.{part}_roughness_um" for part in ("journal", "housing")]
+    assert len({kind_of(gamma, key) for key in surfaces}) == 1
+    assert kind_of(gamma, "bearings.oil") != kind_of(gamma, "friction.oil")
+    assert lever(gamma, *surfaces).write(0.4) == dict.fromkeys(surfaces, 0.4)
+    allowance = lever(gamma, "gears.wheels.central.span_allowance_um")
+    assert allowance.write(allowance.now - 3) == {"gears.wheels.central.span_allowance_um": [-5, -23]}
+
+
+def test_a_number_of_nothing_moves_by_its_step(gamma: Document) -> None:
+    key = "gears.wheels.crank.profile_shift"
+    nothing = lever(gamma.with_value(key, 0.0), key)
+    step = quantity_of(gamma.data, key).step or 0.1
+    assert [nothing.at(nothing.number(change)) for change in (0.05, -0.05)] == [
+        {key: pytest.approx(0.5 * step)},
+        {key: pytest.approx(-0.5 * step)},
+    ]
+
+
+def test_what_a_design_asks_for_is_no_lever(gamma: Document) -> None:
+    for key in ("engine.rated_speed_rpm", "gears.power_kW", "bearings.supply_temperature_C"):
+        assert not list(levers(state_of(gamma), [key]))
+
+
+def test_of_several_numbers_the_words_tell_how_far_they_reach(gamma: Document) -> None:
+    key = "countershaft.bearing_positions_mm"
+    assert called(gamma, key, [-167.5, 167.5], [-165.0, 165.0]) == "shorter span"
+    assert called(gamma, key, [-167.5, 167.5], [-170.0, 167.5]) == "longer span"
+    assert called(gamma, "gears.wheels.central.span_allowance_um", [-2, -20], [-5, -23]) == "thinner teeth"
+    assert called(gamma, "bearings.oil", "10W-40", "SAE 50") == "another oil"
 
 
 @pytest.mark.parametrize(
     "verdicts, decided",
-    [
-        ({"a": "pass", "b": "fail"}, True),
-        ({"a": "fail", "b": "fail", "c": "pass"}, True),
-        ({"a": "pass", "b": "pass", "c": "fail"}, False),
-        ({"a": "fail"}, False),
-        ({"b": "pass"}, False),
-    ],
+    [({"a": "pass", "b": "fail"}, True), ({"a": "pass", "b": "pass", "c": "fail"}, True), ({"a": "fail"}, False)],
 )
-def test_a_trial_ends_early_only_where_all_that_is_asked_is_known_and_fails(verdicts, decided):
-    """Else what comes later would not be looked at: whether the change breaks it."""
+def test_a_trial_ends_where_all_that_is_asked_is_known(verdicts, decided):
     asked = tuple(SimpleNamespace(id=id) for id in "ab")
-    search = _Search(None, "gears", asked, None, Budget(1))
+
+    def ended(step, checks, outcome):
+        return Trials(None, step, checks, Budget(1), None, EMPTY)._decided(outcome)
+
     checks = [SimpleNamespace(id=id, verdict=verdict) for id, verdict in verdicts.items()]
     outcome = SimpleNamespace(key="gears", checks=checks, state="solved")
-    assert search._fails(outcome) == decided
-    assert not search._fails(SimpleNamespace(key="friction", checks=checks, state="solved"))
-    unsolved = _Search(None, "gears", (), None, Budget(1))
-    assert unsolved._fails(SimpleNamespace(key="gears", checks=[], state="no_solution"))
-    assert not unsolved._fails(outcome)
+    assert ended("gears", asked, outcome) == decided
+    assert not ended("friction", asked, outcome)
+    assert not ended("gears", (), outcome), "where the step had no solution all of its checks count"
+    assert ended("gears", (), SimpleNamespace(key="gears", checks=[], state="no_solution"))
+    unsure = SimpleNamespace(key="imbalance", checks=checks, state="solved")
+    assert not ended("imbalance", asked, unsure), "its checks change once the shaft is known"
+
+
+def test_a_design_is_tried_once_and_no_more_than_the_budget_allows(gamma: Document, gamma_results: Results) -> None:
+    state = state_of(gamma, gamma_results)
+    trials = Trials(state, "bearings", state.failing("bearings"), Budget(1), None, EMPTY)
+    longer = {"bearings.front.length_mm": 40.0}
+    after = trials.tried(longer)
+    assert after is not None and trials.tried(longer) is after and trials.budget.left == 0
+    whole = trials.tried(longer, whole=True)
+    assert whole is not None and whole.results.outcomes.keys() == state.results.outcomes.keys()
+    assert trials.tried({"bearings.front.length_mm": 41.0}) is None
 
 
 def test_what_holds_by_too_little_has_to_hold_by_the_thin_margin() -> None:
@@ -243,7 +273,7 @@ def test_what_holds_by_too_little_has_to_hold_by_the_thin_margin() -> None:
 
     def score(before: Check, after: Check) -> float:
         outcome = SimpleNamespace(state="solved", checks=(after,))
-        trials = Trials(SimpleNamespace(), "bearings", (before,), None, EMPTY)  # type: ignore[arg-type]
+        trials = Trials(SimpleNamespace(), "bearings", (before,), Budget(1), None, EMPTY)  # type: ignore[arg-type]
         return trials.score(SimpleNamespace(outcome=lambda step: outcome), (before,))  # type: ignore[arg-type]
 
     fails, narrow = film(0.9), film(1.02)

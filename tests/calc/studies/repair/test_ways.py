@@ -7,9 +7,8 @@ from calc.design.toml_file import Document, design
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
-from calc.studies.repair.options import search, ways
+from calc.studies.repair.options import NEAR, RepairOption, search, ways
 from calc.studies.repair.state import broken, state_of
-from calc.studies.repair.trials import NEAR, RepairOption
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
 
 
