@@ -2,8 +2,8 @@
 """Sweeps as designs a second, and their memory: `python -m bench.sweep [DESIGNS]`.
 
 The imbalance alone, whole designs (imbalance to friction) on all cores, and the memory of the program while the table
-grows.  Rows of the whole designs are held to what `check` gives.  We aim at: a whole design and core at most 1.15 × one
-solve with its parsing, memory flat."""
+grows.  Rows of the whole designs are held to what `check` gives.  Ceilings: a whole design and core at most 1.15 × one
+untraced solve with its parsing, memory flat."""
 
 import csv
 import json
@@ -16,6 +16,7 @@ import time
 from pathlib import Path
 
 from calc.design.toml_file import design, read
+from calc.sheet.value import recorded
 from calc.solve import solve
 from calc.studies.sweep import varied
 from calc.studies.sweep.inputs import sampled
@@ -46,13 +47,14 @@ def one_alone() -> float:
     document = read(Path(DESIGN))
     inputs = varied(document, OVER, drawn=True)
     rows = sampled(inputs, ALONE, hypercube=True).rows(0, ALONE)
-    solve(design(document), compared=False)  # what is made once
-    begun = time.perf_counter()
-    for row in rows:
-        changed = document
-        for variable, number in zip(inputs, row):
-            changed = changed.with_value(variable.key, number)
-        solve(design(changed), compared=False)
+    with recorded(False):
+        solve(design(document), compared=False)  # what is made once
+        begun = time.perf_counter()
+        for row in rows:
+            changed = document
+            for variable, number in zip(inputs, row):
+                changed = changed.with_value(variable.key, number)
+            solve(design(changed), compared=False)
     return (time.perf_counter() - begun) / ALONE
 
 
