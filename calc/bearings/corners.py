@@ -4,11 +4,12 @@ solved."""
 
 from dataclasses import replace
 from itertools import product
+from typing import Any
 
 import numpy as np
 
 from ..library.tolerances import deviations, parse, tolerance
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
@@ -80,14 +81,12 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
     return tolerance(parse(inputs.journal_fit).grade, d), tolerance(parse(inputs.seat_fit).grade, d)
 
 
-def corner_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
+def corner_points(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
     """Eight corners at the load, then the eight at twice the load: clearance, viscosity factor and load of shape
     (16,)."""
     g, factor = corner_values(seat)
     load = duty.load * np.repeat([1.0, 2.0], len(g))
-    return replace(seat, clearance=each(np.tile(g, 2)), viscosity_factor=each(np.tile(factor, 2))), replace(
-        duty, load=each(load)
-    )
+    return replace(seat, clearance=np.tile(g, 2), viscosity_factor=np.tile(factor, 2)), replace(duty, load=load)
 
 
 def corner_values(seat: BearingCase) -> tuple[Array, Array]:
@@ -100,7 +99,9 @@ def corner_values(seat: BearingCase) -> tuple[Array, Array]:
     return numbers, np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
-def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, bearing: str = "bearing") -> Corners:
+def corners(
+    seat: BearingCase[Any], duty: OperatingPoint, slope: Radian, film: Film[Array], bearing: str = "bearing"
+) -> Corners:
     """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once
     more, line by line, under the name of the `bearing`."""
     inputs, d, l = seat.inputs, seat.bearing.diameter, seat.bearing.length
@@ -114,16 +115,16 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
         most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
     g, _ = corner_values(seat)
     once, twice = slice(0, len(g)), slice(len(g), None)
-    rise, h_0 = many(film.temperature_rise), many(film.film)
+    rise, h_0 = film.temperature_rise, film.film
     columns = {
         "clearance": g,
-        "clearance_cold": many(replace(seat, clearance=each(g)).clearance_at(inputs.lowest_temperature)),
-        "clearance_hot": np.where(np.isfinite(h_0[once]), many(film.clearance)[once], np.nan),
+        "clearance_cold": replace(seat, clearance=g).clearance_at(inputs.lowest_temperature),
+        "clearance_hot": np.where(np.isfinite(h_0[once]), film.clearance[once], np.nan),
         "film": h_0[once],
         "film_edge": h_0[once] - slope * l / 2,
         "film_double_load": h_0[twice],
         "outlet_temperature": duty.supply_temperature + rise[once],
-        "friction_power": many(film.friction_power)[once],
+        "friction_power": film.friction_power[once],
     }
 
     def solved(quantity: str, at: OperatingPoint, points: slice) -> Film | None:

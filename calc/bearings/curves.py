@@ -5,12 +5,13 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cache, partial
+from typing import Any
 
 import numpy as np
 
 from ..library.catalogue import oils
 from ..library.lubricant import Lubricant
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.errors import NoSolution
 from ..sheet.functions import root
 from ..sheet.step import Curve, Series, axis_label
@@ -36,7 +37,7 @@ from .film.table import (
 from .inputs import IN_WORDS
 from .result import BearingResult
 from .routes.routes import own_warm
-from .routes.states import BearingCase, Film, OperatingPoint
+from .routes.states import BearingCase, Film, OperatingPoint, resized
 from .routes.supply import lands
 from .routes.thermal_balance import balanced, settled
 from .speeds import at_speeds
@@ -83,29 +84,28 @@ def _films_at_corners(r: BearingResult) -> Array:
     """The smallest film at each corner of the tolerances and each speed; nan where there is none."""
     sweep, (g, factor) = r.sweep, corner_values(r.seat)
     count = len(sweep.speeds)
-    seat = replace(
-        r.seat, clearance=each(np.repeat(np.asarray(g), count)), viscosity_factor=each(np.repeat(factor, count))
-    )
+    seat: BearingCase[Any] = r.seat
+    seat = replace(seat, clearance=np.repeat(np.asarray(g), count), viscosity_factor=np.repeat(factor, count))
     speeds, temperatures, pressures = (
         np.tile(row, len(factor)) for row in (sweep.speeds, sweep.temperatures, sweep.pressures)
     )
     film = settled(seat, at_speeds(r.seat, sweep.rated, r.duty, speeds, temperatures, pressures)).film
-    return many(film).reshape(len(factor), count)
+    return film.reshape(len(factor), count)
 
 
-def clearance_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
+def clearance_points(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
     """More and less clearance, all else as designed: at the load, then at twice the load."""
     load = np.repeat([duty.load, 2 * duty.load], POINTS)
-    return replace(seat, clearance=each(np.tile(seat.clearance * SHARES, 2))), replace(duty, load=each(load))
+    return replace(seat, clearance=np.tile(seat.clearance * SHARES, 2)), replace(duty, load=load)
 
 
-def over_clearance(r: BearingResult) -> Film:
+def over_clearance(r: BearingResult) -> Film[Array]:
     """The films at `clearance_points`."""
     return settled(*clearance_points(r.seat, r.duty))
 
 
 def _over_clearance(place: str, r: BearingResult) -> Curve:
-    film, edge = many(over_clearance(r).film), r.film - r.film_edge
+    film, edge = over_clearance(r).film, r.film - r.film_edge
     clearance = r.clearance * SHARES * 1e6
     series = (
         Series(Text("at the edge"), clearance, (film[:POINTS] - edge) * 1e6),
@@ -227,7 +227,7 @@ def _film(eccentricity: float, length_ratio: float) -> FilmSolution:
 
 def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
     over = over_clearance(r)
-    first = {name: many(getattr(over, name))[:POINTS] for name in ("film", "temperature_rise", "largest_pressure")}
+    first = {name: getattr(over, name)[:POINTS] for name in ("film", "temperature_rise", "largest_pressure")}
     parts = (
         Series(Text("smallest film"), r.clearance * SHARES * 1e6, first["film"] / r.film),
         Series(Text("largest pressure"), r.clearance * SHARES * 1e6, first["largest_pressure"] / r.film_pressure_max),
@@ -270,8 +270,9 @@ def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
     supplied = max(width or 0.0 for width in (inputs.hole_diameter, inputs.groove_width, inputs.pocket_width))
     l = RATIOS * count * d + groove
     l = l[l > supplied]
-    at = replace(unlinked(r.seat), bearing=replace(bearing, length=each(l[None])))
-    h_0 = many(settled(at, replace(unlinked(r.duty), load=each(LOADS[:, None] * d * (l - groove)))).film)
+    duty: OperatingPoint[Any] = unlinked(r.duty)
+    at = resized(unlinked(r.seat), length=l[None])
+    h_0 = settled(at, replace(duty, load=LOADS[:, None] * d * (l - groove))).film
     slope, ratios = (r.film - r.film_edge) * 2 / bearing.length, (l - groove) / count / d
     cases = [(Text("parallel"), 0.0)]
     if slope > 0:

@@ -8,15 +8,17 @@ the narrowest film.  The thinner of the two is judged."""
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any, Generic
 
 import numpy as np
 
 from ..countershaft.result import Standing
 from ..library.journal_rules import TRUMPLER, TRUMPLER_START_LOAD
-from ..sheet.arrays import each, many
+from ..sheet.arrays import Array, Value
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
+from ..sheet.functions import single_or_many
 from ..sheet.record import record
 from ..sheet.step import Outcome
 from ..sheet.text import Text
@@ -145,32 +147,31 @@ def over_a_turn(P: Watt, R_0: Newton, F: Newton, S: MetrePerSecond, K: MetrePerS
 
 
 @record
-class Response:
+class Response(Generic[Value]):
     """How the friction of a journal answers to its load: of one operating point, or of many."""
 
-    load: Newton
-    friction_power: Watt
-    slope: MetrePerSecond
-    curvature: MetrePerSecond
+    load: Value  # N
+    friction_power: Value  # W
+    slope: Value  # m/s
+    curvature: Value  # m/s
 
-    def power(self, R_0: Newton) -> Watt:
+    def power(self, R_0: Value) -> Value:
         return over_a_turn(P=self.friction_power, R_0=R_0, F=self.load, S=self.slope, K=self.curvature)
 
 
-def loads_beside(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
+def loads_beside(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
     """A little less load, the load itself and a little more, along a last axis of their own; the duty's numbers may be
     arrays."""
     about = np.array((1 - APART, 1.0, 1 + APART))
-    loads = (many(duty.load)[..., None] if np.ndim(duty.load) else duty.load) * about
-    others = {name: each(many(x)[..., None]) if np.ndim(x) else x for name, x in vars(duty).items() if name != "load"}
-    return seat, replace(duty, load=each(loads), **others)
+    loads = (duty.load[..., None] if np.ndim(duty.load) else duty.load) * about
+    others = {name: x[..., None] if np.ndim(x) else x for name, x in vars(duty).items() if name != "load"}
+    return seat, replace(duty, load=loads, **others)
 
 
-def answered(film: Film, duty: OperatingPoint, friction_power: Watt | None = None) -> Response:
-    """The answer at a duty, from the films at `loads_beside`.  `friction_power`: at that duty, where it is known; nan:
-    no film is found."""
-    power = many(film.friction_power)
-    below, at, above = (each(power[..., i]) if power.ndim > 1 else power[i].item() for i in range(3))
+def answered(film: Film[Array], duty: OperatingPoint[Any], friction_power: Any = None) -> Response[Any]:
+    """The answer at a duty, from the films at `loads_beside`.  `friction_power` [W]: at that duty, where it is known;
+    nan: no film is found."""
+    below, at, above = (single_or_many(film.friction_power[..., i]) for i in range(3))
     P_f = at if friction_power is None else friction_power
     # found alike, of the same numbers
     below, at, above = (based_on(P, friction_power, duty.load) for P in (below, at, above))
@@ -182,6 +183,6 @@ def answered(film: Film, duty: OperatingPoint, friction_power: Watt | None = Non
     )
 
 
-def response(seat: BearingCase, duty: OperatingPoint, friction_power: Watt | None = None) -> Response:
+def response(seat: BearingCase[Any], duty: OperatingPoint[Any], friction_power: Any = None) -> Response[Any]:
     """The answer at a duty, whose numbers may be arrays; `friction_power` as above."""
     return answered(settled(*loads_beside(seat, duty)), duty, friction_power)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the bearing step publishes."""
 
+from ..sheet.arrays import Array
 from ..sheet.quantity import group, result, value
 from ..sheet.text import Name, Text
 from ..sheet.units import (
@@ -140,7 +141,7 @@ class BearingResult:
     duty: OperatingPoint
     sweep: Sweep
     side: RouteResultBeside
-    beside: Film  # at a little less and a little more load
+    beside: Film[Array]  # at a little less and a little more load
     thinned: Metre  # the film of an oil that has lost by shear what a multigrade can; nan: none carries the load
 
 

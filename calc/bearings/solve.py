@@ -13,7 +13,7 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
-from ..sheet.arrays import many
+from ..sheet.arrays import Array
 from ..sheet.check import Check, check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
@@ -326,7 +326,7 @@ def _bearing(
         sweep=swept,
         side=side,
         beside=beside,
-        thinned=many(thinned.film)[0].item(),
+        thinned=thinned.film[0].item(),
     )
 
 
@@ -349,10 +349,10 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
     return closed(own_warm, seat, slower, rise)
 
 
-def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film) -> Film | None:
+def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film[Array]) -> Film | None:
     """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it
     fails."""
-    rise = many(known.temperature_rise)[0].item()
+    rise = known.temperature_rise[0].item()
     return closed(own_warm, seat, duty, rise) if np.isfinite(rise) else None
 
 

@@ -2,11 +2,12 @@
 """The film over the speeds: where it is thinnest is found, not assumed."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from ..engine.inputs import BenchPoint
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.linked_array import elements, gathered, item, linked_array
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Amount, Text
@@ -82,7 +83,7 @@ class Sweep:
 
 def sweep_points(
     seat: BearingCase, rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint
-) -> tuple[BearingCase, OperatingPoint]:
+) -> tuple[BearingCase, OperatingPoint[Any]]:
     """Each row of the bench run and between them, or a range of speed with the design's oil supply.
 
     A load that turns with the journal grows with the square of the speed, any other stays; the clearance is made once
@@ -92,26 +93,26 @@ def sweep_points(
 
 
 def at_speeds(
-    seat: BearingCase, rated: float, duty: OperatingPoint, speeds: Array, temperatures: Array, pressures: Array
-) -> OperatingPoint:
+    seat: BearingCase, rated: float, duty: OperatingPoint[Any], speeds: Array, temperatures: Array, pressures: Array
+) -> OperatingPoint[Any]:
     """The same bearing at other speeds with the oil that is supplied there."""
     ratio = speeds / rated
     turns = seat.inputs.load_speed_ratio == TURNING
     return replace(
         duty,
-        load=each(duty.load * ratio**2) if turns else duty.load,
-        speed=each(speeds),
-        effective_speed=each(duty.effective_speed * ratio),
-        supply_temperature=each(temperatures),
-        supply_pressure=each(pressures),
+        load=(duty.load * ratio**2) if turns else duty.load,
+        speed=speeds,
+        effective_speed=duty.effective_speed * ratio,
+        supply_temperature=temperatures,
+        supply_pressure=pressures,
     )
 
 
-def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint, film: Film) -> Sweep:
+def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint[Any], film: Film[Array]) -> Sweep:
     """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not
     govern."""
-    speeds, temperatures, pressures = many(at.speed), many(at.supply_temperature), many(at.supply_pressure)
-    h_0, rises, power = many(film.film), many(film.temperature_rise), many(film.friction_power)
+    speeds, temperatures, pressures = at.speed, at.supply_temperature, at.supply_pressure
+    h_0, rises, power = film.film, film.temperature_rise, film.friction_power
     governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
     any_film = not np.isnan(governing).all()
     least = int(np.nanargmin(governing)) if any_film else 0

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from ..draw.drawing import TOUCH
-from ..sheet.arrays import Array, ComplexArray, each, many
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, cos, pi, resultant, sin
@@ -23,15 +23,20 @@ from ..sheet.units import (
     KilogramMetre,
     KilogramMetre2,
     KilogramPerMetre3,
+    Kilograms,
     Metre,
     Metre4,
+    Metres,
+    Metres4,
     Number,
     PhasorCubicMetre,
+    PhasorCubicMetres,
     PhasorNewton,
     PhasorNewtonMetre,
     Radian,
     RadPerSecond,
     SquareMetre,
+    SquareMetres,
 )
 from ..sheet.value import about, based_on
 from .inputs import CountershaftInputs, EccentricMass, Extra
@@ -181,17 +186,17 @@ class NoOutline(Exception):
 
 
 @formula("m_S", "mathematics: sum over the pieces of the shaft", unit="kg")
-def pieces_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre) -> Kilogram:
+def pieces_mass(rho: KilogramPerMetre3, A: SquareMetres, l: Metres) -> Kilogram:
     return rho * resultant(A * l)
 
 
 @formula("z_S", "geometry: centre of gravity of the pieces", unit="mm")
-def pieces_centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m_S: Kilogram) -> Metre:
+def pieces_centre(rho: KilogramPerMetre3, A: SquareMetres, l: Metres, z: Metres, m_S: Kilogram) -> Metre:
     return rho * resultant(A * l * z) / m_S
 
 
 @formula("m_S", "mathematics: sum over the pieces of the shaft and its further elements", unit="kg", names={"m": "m_i"})
-def shaft_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, m: Kilogram) -> Kilogram:
+def shaft_mass(rho: KilogramPerMetre3, A: SquareMetres, l: Metres, m: Kilograms) -> Kilogram:
     return rho * resultant(A * l) + resultant(m)
 
 
@@ -201,12 +206,14 @@ def shaft_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, m: Kilogram) ->
     unit="mm",
     names={"m": "m_i", "z_m": "z_i"},
 )
-def centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m: Kilogram, z_m: Metre, m_S: Kilogram) -> Metre:
+def centre(
+    rho: KilogramPerMetre3, A: SquareMetres, l: Metres, z: Metres, m: Kilograms, z_m: Metres, m_S: Kilogram
+) -> Metre:
     return (rho * resultant(A * l * z) + resultant(m * z_m)) / m_S
 
 
 @formula("J_S", "geometry: moment of inertia about the axis, of the pieces", unit="kg·mm²")
-def pieces_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre) -> KilogramMetre2:
+def pieces_inertia(rho: KilogramPerMetre3, I_p: Metres4, l: Metres) -> KilogramMetre2:
     return rho * resultant(I_p * l)
 
 
@@ -216,7 +223,7 @@ def pieces_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre) -> KilogramMet
     unit="kg·mm²",
     names={"m": "m_i", "e": "e_i"},
 )
-def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e: Metre) -> KilogramMetre2:
+def shaft_inertia(rho: KilogramPerMetre3, I_p: Metres4, l: Metres, m: Kilograms, e: Metres) -> KilogramMetre2:
     return rho * resultant(I_p * l) + resultant(m * e**2)
 
 
@@ -307,10 +314,10 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
     moment = np.zeros(len(pieces), dtype=complex)
     with about(Text("full sections of the shaft")):
-        area = many(cylinder_area(R=R[~sectors]))
-        inertia = many(cylinder_inertia(R=R[~sectors]))
+        area = cylinder_area(R=R[~sectors])
+        inertia = cylinder_inertia(R=R[~sectors])
     if sectors.any():
-        gamma = each(gathered(p.half_angle for p in pieces if p.half_angle is not None))
+        gamma = gathered(p.half_angle for p in pieces if p.half_angle is not None)
         R, r_0 = R[sectors], r_0[sectors]
         with about(Text("sectors of the shaft")):
             A = sector_area(gamma=gamma, R=R, r_0=r_0)
@@ -515,7 +522,7 @@ def _stretch(piece: Piece) -> Text:
     )
 
 
-def _extent(shape: Outline) -> tuple[Metre, Metre]:
+def _extent(shape: Outline) -> tuple[Array, Array]:
     """Length and middle of each piece."""
     z_1, z_2 = column(shape.pieces, "start"), column(shape.pieces, "end")
     return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
@@ -523,7 +530,7 @@ def _extent(shape: Outline) -> tuple[Metre, Metre]:
 
 def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> tuple[Kilogram, Metre]:
     """Mass of the whole shaft and its centre of gravity along the axis."""
-    A = each(shape.area)
+    A = shape.area
     l, z = _extent(shape)
     m, z_m = column(extras, "mass"), column(extras, "z")
     if not extras:
@@ -535,8 +542,8 @@ def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass,
 
 def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> KilogramMetre2:
     """Moment of inertia of the whole shaft about its axis."""
-    gamma = each(gathered(math.pi if piece.half_angle is None else piece.half_angle for piece in shape.pieces))
-    core = each(gathered(0.0 if piece.half_angle is None else piece.core_radius for piece in shape.pieces))
+    gamma = gathered(math.pi if piece.half_angle is None else piece.half_angle for piece in shape.pieces)
+    core = gathered(0.0 if piece.half_angle is None else piece.core_radius for piece in shape.pieces)
     l, _ = _extent(shape)
     m, e = column(extras, "mass"), column(extras, "radius")
     I_p = polar_moment(gamma=gamma, R=column(shape.pieces, "outer_radius"), r_0=core)
@@ -545,7 +552,7 @@ def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Eccent
 
 @formula("F_O", "dynamics: force of the pieces of the outline and the further elements", names={"omega": "ω_S"})
 def outline_force(
-    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, F_x: PhasorNewton
+    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetres, l: Metres, F_x: PhasorNewton
 ) -> PhasorNewton:
     return omega**2 * rho * resultant(S * l) + F_x
 
@@ -556,7 +563,7 @@ def outline_force(
     names={"omega": "ω_S"},
 )
 def outline_couple(
-    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre, C_x: PhasorNewtonMetre
+    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetres, l: Metres, z: Metres, C_x: PhasorNewtonMetre
 ) -> PhasorNewtonMetre:
     return omega**2 * rho * resultant(S * l * z) + C_x
 
@@ -565,7 +572,7 @@ def vectors_of(
     shape: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, F_x: complex, C_x: complex
 ) -> tuple[complex, complex]:
     """Force and couple of the outline about mid-shaft, with those of the further elements."""
-    S = each(shape.moment)
+    S = shape.moment
     l, z = _extent(shape)
     return outline_force(omega=omega, rho=rho, S=S, l=l, F_x=F_x), outline_couple(
         omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x

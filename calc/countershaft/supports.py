@@ -7,16 +7,26 @@ positive where a load in the positive direction makes it so between two supports
 supports come out below zero (hogging)."""
 
 from dataclasses import replace
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
-from ..sheet.arrays import Array, BoolArray, ComplexArray, IndexArray, each, phasors
+from ..sheet.arrays import Array, BoolArray, ComplexArray, IndexArray
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.step import Outcome
 from ..sheet.text import Text
-from ..sheet.units import Metre, Newton, PhasorNewton, PhasorNewtonMetre, Radian, RevPerSecond, Watt
+from ..sheet.units import (
+    Metre,
+    Metres,
+    MetreTuple,
+    Newton,
+    PhasorNewtonMetres,
+    PhasorNewtons,
+    Radian,
+    RevPerSecond,
+    Watt,
+)
 from ..sheet.value import about, trace
 from . import formulas as f
 from .inputs import CountershaftInputs
@@ -35,13 +45,13 @@ CLAPEYRON = Text(
     shows="M_1·L_1 + 2·M_2·(L_1 + L_2) + M_3·L_2 = −Σ F·a·(L_1² − a²)/L_1 − Σ F·b·(L_2² − b²)/L_2; "
     "M = −Σ F·a over the outer supports, a the distance of the loads beyond them",
 )
-def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
-    """Bending moments over the supports at z_s, from loads F at z: all arrays.  a is counted from the support away, b
+def support_moments(F: PhasorNewtons, z: Metres, z_s: MetreTuple) -> PhasorNewtonMetres:
+    """Bending moments over the supports at z_s, from loads F at z.  a is counted from the support away, b
     likewise."""
     load, place, support = _arrays(F, z, z_s)
     n, L = support.size, np.diff(support)
     first, last = place < support[0], place > support[-1]
-    M = np.zeros(n, dtype=complex)
+    M = np.zeros(n, dtype=np.complex128)
     M[0] = -np.sum((load * (support[0] - place))[first])
     M[-1] = -np.sum((load * (place - support[-1]))[last])
     if n > 2:
@@ -55,7 +65,7 @@ def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
         wanted[-1] -= M[-1] * L[-1]
         A = np.diag(2 * (L[:-1] + L[1:])) + np.diag(L[1:-1], 1) + np.diag(L[1:-1], -1)
         M[1:-1] = np.linalg.solve(A, wanted)
-    return cast(PhasorNewtonMetre, M)
+    return M
 
 
 @formula(
@@ -64,24 +74,23 @@ def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
     shows="−(Σ F·b/L on the span behind + Σ F·a/L on the span ahead + moments' differences over the spans + overhung "
     "loads)",
 )
-def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetre) -> PhasorNewton:
-    """Forces of the supports on the shaft, from the loads and the moments over the supports: all arrays."""
+def support_reactions(F: PhasorNewtons, z: Metres, z_s: MetreTuple, M: PhasorNewtonMetres) -> PhasorNewtons:
+    """Forces of the supports on the shaft, from the loads and the moments over the supports."""
     load, place, support = _arrays(F, z, z_s)
-    moment = M
     span, a, b, inside = _spans(place, support)
     L = np.diff(support)
-    carried = np.zeros(support.size, dtype=complex)
+    carried = np.zeros(support.size, dtype=np.complex128)
     carried[0] += np.sum(load[place < support[0]])
     carried[-1] += np.sum(load[place > support[-1]])
     np.add.at(carried, span, load[inside] * b / L[span])
     np.add.at(carried, span + 1, load[inside] * a / L[span])
-    tilt = np.diff(moment) / L
+    tilt = np.diff(M) / L
     carried[:-1] += tilt
     carried[1:] -= tilt
-    return cast(PhasorNewton, -carried)
+    return -carried
 
 
-def reactions(F: PhasorNewton, z: Metre, positions: tuple[Metre, ...]) -> ComplexArray:
+def reactions(F: ComplexArray, z: Array, positions: tuple[Metre, ...]) -> ComplexArray:
     """Forces of the supports on the shaft, front to rear.  `positions` rise; loads may lie between or beyond them.
 
     Raises NoSolution for less than two supports or two in one place.
@@ -96,11 +105,11 @@ def reactions(F: PhasorNewton, z: Metre, positions: tuple[Metre, ...]) -> Comple
             ),
             Text("Give at least two bearing_positions_mm that rise from front to rear."),
         )
-    z_s = each(positions)
-    return phasors(support_reactions(F=F, z=z, z_s=z_s, M=support_moments(F=F, z=z, z_s=z_s)))
+    M = support_moments(F=F, z=z, z_s=positions)
+    return support_reactions(F=F, z=z, z_s=positions, M=M)
 
 
-def _arrays(F: PhasorNewton, z: Metre, z_s: Metre) -> tuple[ComplexArray, Array, Array]:
+def _arrays(F: ComplexArray, z: Array, z_s: tuple[Metre, ...]) -> tuple[ComplexArray, Array, Array]:
     return np.asarray(F, dtype=complex), np.asarray(z, dtype=float), np.asarray(z_s, dtype=float)
 
 

@@ -8,11 +8,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..sheet.arrays import Array, BoolArray, IndexArray, each, many
+from ..sheet.arrays import Array, BoolArray, IndexArray
 from ..sheet.formula import formula
+from ..sheet.functions import single_or_many
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
-from ..sheet.units import Metre, Number, Radian
+from ..sheet.units import Metre, Metres, Number, Places, Radian, Radians
 from ..sheet.value import based_on
 from .inputs import EngineInputs, usual_order
 
@@ -104,16 +105,16 @@ SAME_PIN = 1e-6  # rad
     "Finotti 2013, 2.4: angles of the throws for even firing, throw k at ψ_k − i_k·180°·strokes/N",
     shows="φ from ψ − i·π·strokes/N, counted from throw 1",
 )
-def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
+def throw_angles(psi: Radians, i: Places, strokes: Number, N: Number) -> Radians:
     """The angle of every throw, leading throw 1; i is the place of each cylinder in the firing order."""
-    phi = many(psi - i * math.pi * strokes / N)
-    return each((phi - phi[..., :1]) % (2 * math.pi))
+    phi: Array = psi - i * math.pi * strokes / N
+    return (phi - phi[..., :1]) % (2 * math.pi)
 
 
 @formula("i", "definition: how many cylinders fire before each", shows="i of each cylinder, from the firing order")
-def places_in_order(order: Number) -> Number:
+def places_in_order(order: Places) -> Places:
     """The place of cylinders 1, 2 … in the firing order, from 0."""
-    return each(np.argsort(order))
+    return np.argsort(order)
 
 
 @formula(
@@ -121,10 +122,9 @@ def places_in_order(order: Number) -> Number:
     "definition: equal pitch, counted from mid-engine towards the flywheel",
     shows="z from the cylinders' places times the pitch a",
 )
-def axial_positions(k: Number, a: Metre) -> Metre:
-    row = many(k)
-    z: Array = (row - (row.min() + row.max()) / 2) * a
-    return each(z)
+def axial_positions(k: Places, a: Metre) -> Metres:
+    z: Array = (k - (k.min() + k.max()) / 2) * a
+    return z
 
 
 @record
@@ -176,16 +176,16 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
             chosen.append(
                 Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=_why(n, engine.strokes))
             )
-        given_order: Array = based_on(np.asarray(order), order)
-        phi = many(throw_angles(psi=each(psi), i=places_in_order(order=each(given_order)), strokes=engine.strokes, N=n))
+        given_order: IndexArray = based_on(np.asarray(order), order)
+        phi = throw_angles(psi=psi, i=places_in_order(order=given_order), strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
         z: Array = based_on(np.asarray(engine.axial_positions), engine.axial_positions)
     else:
         row = places(engine)  # side by side in a vee, whose stagger is neglected; one behind the other in a boxer
         row = 2 * row + (bank != bank[0]) if engine.layout == "boxer" else row
-        z = many(axial_positions(k=each(row), a=column(engine.cylinder_pitch)))
+        z = axial_positions(k=row, a=column(engine.cylinder_pitch))
     turned = psi[..., 0] + tdc_angle
-    theta_0 = based_on(each(turned) if np.ndim(turned) else float(turned), psi, tdc_angle)
+    theta_0 = based_on(single_or_many(turned), psi, tdc_angle)
     return Crank(phi, z, psi, theta_0, tuple(chosen))
 
 
@@ -225,7 +225,7 @@ def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:
 def column(x: float) -> float:
     """The number of each engine as a column, so that it meets the cylinders or crank angles of a row; a single number
     as it is."""
-    return each(many(x)[..., None]) if isinstance(x, np.ndarray) else x
+    return x[..., None] if isinstance(x, np.ndarray) else x
 
 
 def _why(n: int, strokes: int) -> str:

@@ -4,7 +4,7 @@ cylinder."""
 
 import numpy as np
 
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, Number, RadPerSecond
@@ -24,7 +24,7 @@ def curves(
     `harmonics`: of a/(ω²·r), from order 1.
     """
     points = np.radians(np.arange(0.0, 361.0))
-    alpha = each(points)
+    alpha = points
     with untraced():
         beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
         motions = (
@@ -55,10 +55,10 @@ def curves(
         )
     degrees = np.degrees(points)
     drawn = [
-        Curve(id, title, ANGLE, label, tuple(Series(words, degrees, many(y * scale)) for words, y in zip(FORMS, forms)))
+        Curve(id, title, ANGLE, label, tuple(Series(words, degrees, y * scale) for words, y in zip(FORMS, forms)))
         for id, title, label, scale, *forms in motions
     ]
-    return (*drawn, _forces(points, many(motions[0][4]), M_alt * r * omega**2, harmonics))
+    return (*drawn, _forces(points, motions[0][4], M_alt * r * omega**2, harmonics))
 
 
 def _forces(alpha: Array, relative: Array, scale: Newton, harmonics: tuple[complex, ...]) -> Curve:

@@ -7,15 +7,16 @@ are absolute; forces are positive towards the crank.  The simple cycle: compress
 for a while, expansion to BDC; a four-stroke engine exhausts and draws in at constant pressures between."""
 
 import math
+from typing import Any, overload
 
 import numpy as np
 
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.formula import formula
-from ..sheet.functions import asin, cos, joined, pi, power
+from ..sheet.functions import asin, cos, joined, pi, power, single_or_many
 from ..sheet.record import record
 from ..sheet.text import Text
-from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
+from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Pascals, Radian, Radians, RadPerSecond
 from ..sheet.value import based_on
 
 TURN = 2 * math.pi
@@ -35,8 +36,7 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 )
 def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
     since: Array = np.mod(epsilon - fires, cycle)
-    angle: Array = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
-    return each(angle) if angle.ndim else angle.item()
+    return single_or_many(np.where((cycle - since < DUST) | (since < DUST), 0.0, since))
 
 
 @formula("α", "definition of the crank angle from the cylinder's axis", names={"phi_0": "φ_0", "epsilon": "ε_k"})
@@ -111,8 +111,7 @@ def mixed_cycle(
     cycle: Radian,
 ) -> Pascal:
     ends = [epsilon <= eps_p, epsilon <= eps_bdc, epsilon < cycle - TURN, epsilon <= cycle - TURN + eps_bdc]
-    pressure: Array = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
-    return each(pressure) if pressure.ndim else pressure.item()
+    return single_or_many(np.select(ends, [p_max, p_2, p_ex, p_in], p_1))
 
 
 @formula(
@@ -121,9 +120,8 @@ def mixed_cycle(
     unit="bar",
     shows="linear between the points of the table, which closes over the cycle",
 )
-def table_pressure(epsilon: Radian, angles: Radian, pressures: Pascal, cycle: Radian) -> Pascal:
-    pressure: Array = np.interp(many(epsilon), many(angles), many(pressures), period=cycle)
-    return each(pressure) if pressure.ndim else pressure.item()
+def table_pressure(epsilon: Radian, angles: Radians, pressures: Pascals, cycle: Radian) -> Pascal:
+    return single_or_many(np.asarray(np.interp(epsilon, angles, pressures, period=cycle)))
 
 
 @record
@@ -154,12 +152,15 @@ class Cycle:
     notes: tuple[Text, ...]
     compression_end: Pascal | None = None
 
-    def pressure(self, epsilon: Radian, x: Metre) -> Pascal:
-        """The pressure at crank angles after firing, from 0 up to the cycle, where the piston's way is x: numbers or
-        arrays."""
+    @overload
+    def pressure(self, epsilon: float, x: float) -> float: ...
+    @overload
+    def pressure(self, epsilon: Array, x: Array) -> Array: ...
+    def pressure(self, epsilon: Any, x: Any) -> Any:
+        """The pressure at crank angles after firing, from 0 up to the cycle, where the piston's way is x."""
         g = self.given
         if isinstance(g, tuple):
-            return table_pressure(epsilon=epsilon, angles=each(g[0]), pressures=each(g[1]), cycle=self.length)
+            return table_pressure(epsilon=epsilon, angles=g[0], pressures=g[1], cycle=self.length)
         p_1 = compression(p_in=g.p_in, h_c=g.h_c, s=g.s, x=x, n_c=g.n_c)
         p_2 = expansion(p_max=g.p_max, h_c=g.h_c, x_p=g.x_p, x=x, n_e=g.n_e)
         return mixed_cycle(

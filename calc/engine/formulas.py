@@ -8,7 +8,7 @@ from TDC."""
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ..sheet.arrays import each
+from ..sheet.arrays import ComplexArray, Num
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, pi, sin, sqrt, tan, total
 from ..sheet.linked_array import gathered
@@ -16,10 +16,13 @@ from ..sheet.record import record
 from ..sheet.units import (
     CubicMetre,
     Kilogram,
+    Kilograms,
     Metre,
     MetrePerSecond,
     MetrePerSecond2,
+    Metres,
     Number,
+    Numbers,
     Pascal,
     Radian,
     RadPerSecond,
@@ -71,12 +74,12 @@ def given_rotating_mass(M_given: Kilogram) -> Kilogram:
 
 
 @formula("M_alt", "mathematics: mean over cylinders whose reciprocating masses differ", unit="g")
-def mean_reciprocating_mass(M_k: Kilogram, N: Number) -> Kilogram:
+def mean_reciprocating_mass(M_k: Kilograms, N: Number) -> Kilogram:
     return total(M_k) / N
 
 
 @formula("M_rot", "mathematics: mean over cylinders whose rotating masses differ", unit="g")
-def mean_rotating_mass(M_k: Kilogram, N: Number) -> Kilogram:
+def mean_rotating_mass(M_k: Kilograms, N: Number) -> Kilogram:
     return total(M_k) / N
 
 
@@ -123,7 +126,7 @@ def displacement(N: Number, D: Metre, s: Metre) -> CubicMetre:
 
 
 @formula("V_h", "definition of displacement, of cylinders whose strokes differ", unit="cm³")
-def displacement_of_unlike(D: Metre, s: Metre) -> CubicMetre:
+def displacement_of_unlike(D: Metre, s: Metres) -> CubicMetre:
     return pi / 4 * D**2 * total(s)
 
 
@@ -183,7 +186,7 @@ def relative_acceleration_two_term(alpha: Radian, lam: Number, delta: Number) ->
     "mathematics: crank angle of the smallest acceleration",
     shows="where a/(ω²·r) is smallest; at λ > ¼ before BDC",
 )
-def angle_of_smallest(a_rel: Number, alpha: Radian) -> Radian:
+def angle_of_smallest(a_rel: Numbers, alpha: Radian) -> Radian:
     return alpha
 
 
@@ -192,7 +195,7 @@ def angle_of_smallest(a_rel: Number, alpha: Radian) -> Radian:
     "crank angle of the largest speed (Finotti 2013, 2.1: there of two terms)",
     shows="where |v|/(ω·r) is largest",
 )
-def angle_of_fastest(v_rel: Number, alpha: Radian) -> Radian:
+def angle_of_fastest(v_rel: Numbers, alpha: Radian) -> Radian:
     return alpha
 
 
@@ -215,12 +218,12 @@ class Unlike:
     """What cylinders have that are not alike: arrays, (cylinders,), of what differs, and one number of what does
     not."""
 
-    reciprocating: Kilogram
-    rotating: Kilogram
-    radius: Metre
-    lambda_: Number
-    harmonics: tuple[complex, ...]  # as those of the engine
-    two_term: tuple[complex, ...]
+    reciprocating: Num
+    rotating: Num
+    radius: Num
+    lambda_: Num
+    harmonics: tuple[complex | ComplexArray, ...]  # as those of the engine
+    two_term: tuple[complex | ComplexArray, ...]
 
 
 def alone(engine: EngineInputs) -> Iterator[EngineInputs]:
@@ -244,7 +247,7 @@ def alone(engine: EngineInputs) -> Iterator[EngineInputs]:
         )
 
 
-def masses(engine: EngineInputs) -> tuple[Kilogram, Kilogram, tuple[Kilogram, Kilogram]]:
+def masses(engine: EngineInputs) -> tuple[Kilogram, Kilogram, tuple[Num, Num]]:
     """Reciprocating and rotating mass of a cylinder, and those of each: where they differ, the first two are their
     means.
 
@@ -273,8 +276,8 @@ def masses(engine: EngineInputs) -> tuple[Kilogram, Kilogram, tuple[Kilogram, Ki
         M_rot = M_rot if by_rod else given_rotating_mass(M_given=M_rot)
         return M_alt, M_rot, (M_alt, M_rot)
     n = engine.cylinders
-    M_alt, M_rot = _each(reciprocating, n), _each(rotating, n)
-    return mean_reciprocating_mass(M_k=M_alt, N=n), mean_rotating_mass(M_k=M_rot, N=n), (M_alt, M_rot)
+    of_each = _each(reciprocating, n), _each(rotating, n)
+    return mean_reciprocating_mass(M_k=of_each[0], N=n), mean_rotating_mass(M_k=of_each[1], N=n), of_each
 
 
 def _one(given: tuple[Kilogram, ...] | Kilogram) -> Kilogram:
@@ -282,5 +285,5 @@ def _one(given: tuple[Kilogram, ...] | Kilogram) -> Kilogram:
     return given[0] if isinstance(given, tuple) else given
 
 
-def _each(given: tuple[Kilogram, ...] | Kilogram, cylinders: int) -> Kilogram:
-    return each(gathered(given if isinstance(given, tuple) and len(given) == cylinders else (_one(given),) * cylinders))
+def _each(given: tuple[Kilogram, ...] | Kilogram, cylinders: int) -> Kilograms:
+    return gathered(given if isinstance(given, tuple) and len(given) == cylinders else (_one(given),) * cylinders)

@@ -8,16 +8,16 @@ from dataclasses import replace
 import numpy as np
 
 from ..library.catalogue import Material
-from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.formula import formula
-from ..sheet.functions import largest, modulus, pi, smallest
+from ..sheet.functions import largest, modulus, pi, single_or_many, smallest
 from ..sheet.linked_array import elements, gathered
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Text
-from ..sheet.units import Number, PhasorNumber, Radian
+from ..sheet.units import Number, Numbers, PhasorNumber, PhasorNumbers, Radian, Radians
 from ..sheet.value import about, based_on, trace
 from . import curves as engine_curves
 from . import formulas as f
@@ -39,13 +39,12 @@ TURNED = "inertia_torque"  # the figure of the inertia torque, where that of the
     "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)",
     shows="c_1 … c_8 of a/(ω²·r)",
 )
-def harmonics(a: Number) -> PhasorNumber:
+def harmonics(a: Numbers) -> PhasorNumbers:
     """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn
     (last axis)."""
-    points = many(a)
-    spectrum: ComplexArray = np.fft.rfft(points)[..., 1 : len(ORDERS) + 1] * 2 / points.shape[-1]
+    spectrum: ComplexArray = np.fft.rfft(a)[..., 1 : len(ORDERS) + 1] * 2 / a.shape[-1]
     real, imag = (np.where(np.abs(part) < 1e-12, 0.0, part) for part in (spectrum.real, spectrum.imag))
-    return each(real + 1j * imag)
+    return real + 1j * imag
 
 
 def points(lam: Number, delta: Number) -> int:
@@ -64,7 +63,7 @@ def firing_interval(strokes: Number, N: Number) -> Radian:
     "kinematics, crank angles between one firing and the next, over the working cycle",
     shows="the shortest of the firing intervals",
 )
-def shortest_interval(gaps: Radian, phi: Radian) -> Radian:
+def shortest_interval(gaps: Radians, phi: Radians) -> Radian:
     return float(np.min(gaps))
 
 
@@ -73,7 +72,7 @@ def shortest_interval(gaps: Radian, phi: Radian) -> Radian:
     "kinematics, crank angles between one firing and the next, over the working cycle",
     shows="the longest of the firing intervals",
 )
-def longest_interval(gaps: Radian, phi: Radian) -> Radian:
+def longest_interval(gaps: Radians, phi: Radians) -> Radian:
     return float(np.max(gaps))
 
 
@@ -89,7 +88,7 @@ def _peak(y: Array) -> tuple[Number, Radian]:
         slope, bend = np.sum(-n * term.imag, -1), np.sum(-(n**2) * term.real, -1)
         at = at - np.clip(slope / np.where(bend < 0, bend, -np.inf), -2 / size, 2 / size)
     highest = np.sum((c * np.exp(1j * n * at[..., None])).real, -1)
-    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
+    return single_or_many(highest), single_or_many(at) % (2 * np.pi)
 
 
 @formula(
@@ -97,18 +96,16 @@ def _peak(y: Array) -> tuple[Number, Radian]:
     "mathematics: largest value over the turn",
     shows="the largest of the points, refined on their Fourier series",
 )
-def turn_highest(y: Number) -> Number:
-    return _peak(many(y))[0]
+def turn_highest(y: Numbers) -> Number:
+    return _peak(y)[0]
 
 
 def _fastest(y: Array) -> tuple[Number, Radian]:
     """The largest magnitude over a turn and its angle; of two alike the first.  An offset makes one of the two strokes
     the quicker."""
     (down, at_down), (up, at_up) = _peak(y), _peak(-y)
-    first = down >= up * (1 - 1e-12)
-    if isinstance(down, float):
-        return (down, at_down) if first else (up, at_up)
-    return each(np.where(first, down, up)), each(np.where(first, at_down, at_up))
+    first = np.asarray(down >= up * (1 - 1e-12))
+    return single_or_many(np.where(first, down, up)), single_or_many(np.where(first, at_down, at_up))
 
 
 @formula(
@@ -116,8 +113,8 @@ def _fastest(y: Array) -> tuple[Number, Radian]:
     "mathematics: largest magnitude over the turn",
     shows="the largest magnitude of the points, refined on their series",
 )
-def turn_fastest(y: Number) -> Number:
-    return _fastest(many(y))[0]
+def turn_fastest(y: Numbers) -> Number:
+    return _fastest(y)[0]
 
 
 @formula(
@@ -125,8 +122,8 @@ def turn_fastest(y: Number) -> Number:
     "mathematics: smallest value over the turn",
     shows="the smallest of the points, refined on their Fourier series",
 )
-def turn_lowest(y: Number) -> Number:
-    return -_peak(many(-y))[0]
+def turn_lowest(y: Numbers) -> Number:
+    return -_peak(-y)[0]
 
 
 def values(engine: EngineInputs) -> EngineResult:
@@ -139,31 +136,31 @@ def values(engine: EngineInputs) -> EngineResult:
     phi_0 = f.tdc_angle(delta=delta, lam=lam)
     stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
     if cylinders:
-        volume = f.displacement_of_unlike(D=engine.bore, s=each(gathered(cylinder.stroke for cylinder in cylinders)))
+        volume = f.displacement_of_unlike(D=engine.bore, s=gathered(cylinder.stroke for cylinder in cylinders))
     else:
         volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
     mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
     p_me, P_e = None, engine.rated_power
     if P_e is not None:
         p_me = f.brake_mean_pressure(P_e=P_e, strokes=engine.strokes, V_h=volume, n=engine.rated_speed)
-    alpha = each(np.arange(size := points(lam, delta), dtype=float) * (2 * np.pi / size))
+    alpha = np.arange(size := points(lam, delta), dtype=float) * (2 * np.pi / size)
     beta = f.rod_angle(lam=column(lam), alpha=alpha, delta=column(delta))
     speed = f.relative_speed(alpha=alpha, beta=beta)
     exact = f.relative_acceleration(alpha=alpha, beta=beta, lam=column(lam))
     fastest = f.piston_speed(v_rel=turn_fastest(y=speed), omega=omega, r=engine.crank_radius)
-    at_fastest = f.angle_of_fastest(v_rel=speed, alpha=based_on(_fastest(many(speed))[1], speed))
+    at_fastest = f.angle_of_fastest(v_rel=speed, alpha=based_on(_fastest(speed)[1], speed))
     a_max = f.acceleration(a_rel=turn_highest(y=exact), omega=omega, r=engine.crank_radius)
     a_min = f.acceleration(a_rel=turn_lowest(y=exact), omega=omega, r=engine.crank_radius)
-    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=based_on(_peak(many(-exact))[1], exact))
-    spectrum = phasors(harmonics(exact))
+    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=based_on(_peak(-exact)[1], exact))
+    spectrum = harmonics(exact)
     c_n = elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0))
     two_term = (based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2)))
     unlike = Unlike(*of_each, engine.crank_radius, lam, c_n, two_term) if engine.unlike else None
     if unlike is not None and cylinders:
         unlike = replace(
             unlike,
-            radius=each(gathered(engine.crank_radii or ())),
-            lambda_=each(gathered(cylinder.lambda_ for cylinder in cylinders)),
+            radius=gathered(engine.crank_radii or ()),
+            lambda_=gathered(cylinder.lambda_ for cylinder in cylinders),
             harmonics=_beside(cylinder.harmonics for cylinder in cylinders),
             two_term=_beside(cylinder.two_term for cylinder in cylinders),
         )
@@ -196,9 +193,9 @@ def _alone(number: int, cylinder: EngineInputs) -> EngineResult:
         return values(cylinder)
 
 
-def _beside(of_each: Iterable[tuple[complex, ...]]) -> tuple[complex, ...]:
+def _beside(of_each: Iterable[tuple[complex, ...]]) -> tuple[ComplexArray, ...]:
     """The harmonics of the cylinders side by side."""
-    return tuple(each(based_on(np.array(c_n), *c_n)) for c_n in zip(*of_each))
+    return tuple(based_on(np.array(c_n), *c_n) for c_n in zip(*of_each))
 
 
 def _named(cylinders: Iterable[EngineResult]) -> dict[str, Cylinder]:
@@ -221,7 +218,7 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         e = values(engine)
         fires = firing(engine, e.crank)
         interval = firing_interval(strokes=engine.strokes, N=engine.cylinders)
-        gaps, phi = each(fires.intervals), each(e.crank.phi)
+        gaps, phi = fires.intervals, e.crank.phi
         shortest, longest = shortest_interval(gaps=gaps, phi=phi), longest_interval(gaps=gaps, phi=phi)
         with about(Text("torque")):
             turning, curves, assumed = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)

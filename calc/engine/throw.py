@@ -7,16 +7,17 @@ in the sense of rotation, radial towards the crank axis."""
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import Any, Protocol, overload
 
 import numpy as np
 
 from ..library.catalogue import Material
-from ..sheet.arrays import Array, BoolArray, each, many
+from ..sheet.arrays import Array, BoolArray, Num
 from ..sheet.check import Check, check
 from ..sheet.linked_array import item
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
-from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Radian
+from ..sheet.units import UNITS, Metre, Newton, NewtonMetre
 from ..sheet.value import about, based_on, untraced
 from . import cycle as c
 from . import formulas as f
@@ -39,6 +40,15 @@ PLACES = {"pin": Text("pin"), "journal": Text("journal")}
 SPAN = (0.8, 1.1)
 FIT = (0.01, 0.3)  # of the notch factors, ρ/d
 SAME_STRESS = 1e-9
+
+
+class Rods(Protocol):
+    """`Rod` of many cylinders (last axis) or crank angles."""
+
+    @property
+    def tangential_force(self) -> Array: ...
+    @property
+    def radial_force(self) -> Array: ...
 
 
 class _Throw:
@@ -68,7 +78,11 @@ class _Throw:
                     ratio = t.relative_fillet(rho=throw.fillet_radius, d=d)
                     self.notch[place] = ratio, t.notch_bending(rho_d=ratio), t.notch_torsion(rho_d=ratio)
 
-    def rod(self, fires: Radian, epsilon: Radian) -> Rod:
+    @overload
+    def rod(self, fires: float, epsilon: float) -> Rod: ...
+    @overload
+    def rod(self, fires: Array, epsilon: Num) -> Rods: ...
+    def rod(self, fires: Any, epsilon: Any) -> Any:
         """The forces of the cylinders that fire at `fires`, at crank angles ε of the engine."""
         engine, e = self.engine, self.e
         angle = c.own_angle(epsilon=epsilon, fires=fires, cycle=self.length)
@@ -200,11 +214,11 @@ def _over_the_cycle(crank: _Throw) -> Array:
 def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray) -> Forces:
     """Tangential and radial force on every pin, and the torque from in front of it: (angles, cylinders)."""
     with untraced():
-        rods = crank.rod(each(crank.fires), each(_over_the_cycle(crank)[:, None]))
-    tangential = many(rods.tangential_force)
+        rods = crank.rod(crank.fires, _over_the_cycle(crank)[:, None])
+    tangential = rods.tangential_force
     return (
         tangential @ shared.T,
-        many(rods.radial_force) @ shared.T,
+        rods.radial_force @ shared.T,
         tangential @ in_front.T * crank.engine.crank_radius,
     )
 
@@ -212,10 +226,10 @@ def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray
 def _positions(crank: _Throw, shared: BoolArray) -> Array:
     """The crank angles of the two positions (first axis) for each cylinder."""
     epsilon = _over_the_cycle(crank)
-    fires = each(crank.fires)
-    size = c.amounts(many(crank.rod(fires, each(epsilon[:, None])).tangential_force) @ shared.T)
+    fires = crank.fires
+    size = c.amounts(crank.rod(fires, epsilon[:, None]).tangential_force @ shared.T)
     between = np.array([c.highest(epsilon, column)[0] for column in size.T])
-    there = c.amounts(np.einsum("kj,kj->k", crank.rod(fires, each(between[:, None])).tangential_force, shared))
+    there = c.amounts(np.einsum("kj,kj->k", crank.rod(fires, between[:, None]).tangential_force, shared))
     largest = np.where(there >= size.max(0), between, epsilon[size.argmax(0)])
     return np.stack([largest, crank.fires])
 
@@ -223,20 +237,20 @@ def _positions(crank: _Throw, shared: BoolArray) -> Array:
 def _stress_of_all(crank: _Throw, shared: BoolArray, in_front: BoolArray, angles: Array) -> Array:
     """Von Mises stress by position, cylinder and place: pin and journal nominal, then at their fillets (NaN where these
     are not given)."""
-    rods = crank.rod(each(crank.fires), each(angles[:, :, None]))
+    rods = crank.rod(crank.fires, angles[:, :, None])
     F_t, F_r = (np.einsum("pkj,kj->pk", part, shared) for part in (rods.tangential_force, rods.radial_force))
     T_v = np.einsum("pkj,kj->pk", rods.tangential_force, in_front) * crank.engine.crank_radius
-    _, *sections = crank.sections(each(F_t), each(F_r), each(T_v))
-    notch = [np.full(F_t.shape, np.nan) if part.notch_stress is None else many(part.notch_stress) for part in sections]
-    return np.stack([*(many(part.von_mises) for part in sections), *notch], -1)
+    _, *sections = crank.sections(F_t, F_r, T_v)
+    notch = [np.full(F_t.shape, np.nan) if part.notch_stress is None else part.notch_stress for part in sections]
+    return np.stack([*(part.von_mises for part in sections), *notch], -1)
 
 
 def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front: BoolArray, words: str) -> Position:
     """Cylinder k at one crank angle, recorded."""
     with untraced():
-        others = many(crank.rod(each(crank.fires), epsilon).tangential_force)
+        others = crank.rod(crank.fires, epsilon).tangential_force
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
-        T_v = t.torque_in_front(F_t=based_on(each(others[in_front]), epsilon, *crank.load), r=crank.engine.crank_radius)
+        T_v = t.torque_in_front(F_t=based_on(others[in_front], epsilon, *crank.load), r=crank.engine.crank_radius)
         rod = crank.rod(item(crank.fires[k]), epsilon)
     F_t, F_r = rod.tangential_force, rod.radial_force
     for j in np.flatnonzero(shared):

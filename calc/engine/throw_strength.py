@@ -8,13 +8,13 @@ import numpy as np
 
 from ..library import fatigue
 from ..library.catalogue import Material
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, power, sqrt, tan, total
 from ..sheet.quantity import result, value
 from ..sheet.text import Text
-from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
+from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Newtons, Number, Pascal, Radian, RadPerSecond
 from ..sheet.value import about, based_on, untraced
 from .inputs import ThrowInputs
 
@@ -62,7 +62,7 @@ def reaction(F_t: Newton, F_r: Newton) -> Newton:
 
 
 @formula("T_v", "statics, torque through the front journal: sum over the cylinders on the throws in front")
-def torque_in_front(F_t: Newton, r: Metre) -> NewtonMetre:
+def torque_in_front(F_t: Newtons, r: Metre) -> NewtonMetre:
     return total(F_t) * r
 
 
@@ -223,22 +223,22 @@ def _worst(
 ) -> tuple[float, str, int, tuple[float, float, float, float]]:
     """Of one place: the largest equivalent amplitude, its cylinder from 0, and amplitudes and means of bending and
     torsion there."""
-    F_t, F_r, T_v = map(each, forces)
+    F_t, F_r, T_v = forces
     pin = place == "pin"
     arm = throw.journal_length / 2 + (throw.web_thickness if pin else 0.0)
     d = throw.pin_diameter if pin else throw.journal_diameter
     _, K_b, K_t = factors
-    radial = many(K_b * bending_stress(M=F_r / 2 * arm, d=d))
-    tangential = many(K_b * bending_stress(M=F_t / 2 * arm, d=d))
+    radial = K_b * bending_stress(M=F_r / 2 * arm, d=d)
+    tangential = K_b * bending_stress(M=F_t / 2 * arm, d=d)
     torsion = pin_torsion(F_t=F_t, r=r, T_v=T_v) if pin else journal_torsion(F_t=F_t, r=r, T_v=T_v)
-    tau = many(K_t * torsion_stress(T=torsion, d=d))
+    tau = K_t * torsion_stress(T=torsion, d=d)
     around = np.arange(AROUND) * np.pi / AROUND
     sigma = radial[..., None] * np.cos(around) + tangential[..., None] * np.sin(around)  # (angles, cylinders, around)
     sigma_a, tau_a = np.ptp(sigma, 0) / 2, (np.ptp(tau, 0) / 2)[:, None]
     # the point opposite is pulled
     sigma_m, tau_m = (np.abs(sigma.max(0) + sigma.min(0)) / 2, np.abs(tau.max(0) + tau.min(0))[:, None] / 2)
-    a, m = amplitude(sigma=each(sigma_a), tau=each(tau_a)), mean(sigma=each(sigma_m), tau=each(tau_m))
-    equal = many(fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=M))
+    a, m = amplitude(sigma=sigma_a, tau=tau_a), mean(sigma=sigma_m, tau=tau_m)
+    equal = fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=M)
     k, point = np.unravel_index(int(equal.argmax()), equal.shape)
     at = sigma_a[k, point], tau_a[k, 0], sigma_m[k, point], tau_m[k, 0]
     return float(equal.max()), place, int(k), (float(at[0]), float(at[1]), float(at[2]), float(at[3]))

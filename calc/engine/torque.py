@@ -14,10 +14,10 @@ from typing import TypedDict, overload
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, Num
 from ..sheet.deferred import Later, Many
 from ..sheet.formula import formula
-from ..sheet.functions import cis, modulus, pi, resultant
+from ..sheet.functions import modulus, pi, resultant
 from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Series, axis_label
@@ -28,10 +28,13 @@ from ..sheet.units import (
     Metre,
     Newton,
     NewtonMetre,
+    NewtonMetres,
     Number,
     Pascal,
     PhasorNewtonMetre,
+    PhasorNewtonMetres,
     Radian,
+    Radians,
     RadPerSecond,
     Watt,
 )
@@ -116,13 +119,13 @@ WORK = Text("energy, indicated work of the cycle: virtual work of the gas force"
 
 
 @formula("T_hi", "mathematics: largest of the points of the cycle, its corners among them", shows="largest T(ε)")
-def highest(T: NewtonMetre) -> NewtonMetre:
-    return float(many(T).max())
+def highest(T: NewtonMetres) -> NewtonMetre:
+    return float(T.max())
 
 
 @formula("T_lo", "mathematics: smallest of the points of the cycle, its corners among them", shows="smallest T(ε)")
-def lowest(T: NewtonMetre) -> NewtonMetre:
-    return float(many(T).min())
+def lowest(T: NewtonMetres) -> NewtonMetre:
+    return float(T.min())
 
 
 @formula("|T|", "mathematics: amount of the torque at the crank angle where it is largest")
@@ -181,16 +184,16 @@ def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
     shows="t_1 … t_8 of T_k over one turn, times Σ e^(−i·n·f_k)",
     names={"fires": "f"},
 )
-def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
+def torque_harmonics(T_k: NewtonMetres, fires: Radians) -> PhasorNewtonMetres:
     """Complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
     return _turned_harmonics(T_k, fires)
 
 
-def _turned_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
-    turned = cis(each(-np.arange(1, ORDERS + 1)[:, None] * many(fires)))
-    single = each((np.fft.rfft(many(T_k), axis=0) * (2 / len(many(T_k))))[1 : ORDERS + 1])
-    harmonics = phasors(single * resultant(turned) if np.ndim(single) == 1 else resultant(single * turned))
-    return each(np.where(np.abs(harmonics) < 1e-12 * np.max(np.abs(T_k), initial=0.0), 0.0, harmonics))
+def _turned_harmonics(T_k: Array, fires: Array) -> ComplexArray:
+    turned = np.exp(-1j * np.arange(1, ORDERS + 1)[:, None] * fires)
+    single = (np.fft.rfft(T_k, axis=0) * (2 / len(T_k)))[1 : ORDERS + 1]
+    harmonics = single * resultant(turned) if np.ndim(single) == 1 else resultant(single * turned)
+    return np.where(np.abs(harmonics) < 1e-12 * np.max(np.abs(T_k), initial=0.0), 0.0, harmonics)
 
 
 @formula(
@@ -199,7 +202,7 @@ def _turned_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     shows="Σ e^(−i·n·f_k)·t_1 … t_8 of T_k over one turn",
     names={"fires": "f"},
 )
-def torque_harmonics_of_unlike(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
+def torque_harmonics_of_unlike(T_k: NewtonMetres, fires: Radians) -> PhasorNewtonMetres:
     """`T_k`: at the points of a turn, of each cylinder from its own dead centre."""
     return _turned_harmonics(T_k, fires)
 
@@ -210,9 +213,9 @@ def harmonic_amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
 
 
 @formula("W_i", Text("{work}, one cylinder", work=WORK), shows="∮ F_G·r·v_rel dε over the cycle")
-def indicated_work(T_k: NewtonMetre, epsilon: Radian) -> NewtonMetre:
+def indicated_work(T_k: NewtonMetres, epsilon: Radians) -> NewtonMetre:
     """From the gas torque of one cylinder at the points of the cycle."""
-    return float(c.running(many(epsilon), many(T_k))[-1])
+    return float(c.running(epsilon, T_k)[-1])
 
 
 @formula("p_mi", "definition of the indicated mean pressure", unit="bar")
@@ -230,29 +233,27 @@ def mean_torque(N: Number, W_i: NewtonMetre, strokes: Number) -> NewtonMetre:
     "dynamics, flywheel: largest fluctuation of the energy about its mean course",
     shows="max − min over the cycle of ∫(T − T_m)dε",
 )
-def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> NewtonMetre:
-    energy = c.running(many(epsilon), many(T - T_m))
-    return c.highest(many(epsilon), energy)[1] + c.highest(many(epsilon), -energy)[1]
+def energy_fluctuation(epsilon: Radians, T: NewtonMetres, T_m: NewtonMetre) -> NewtonMetre:
+    energy = c.running(epsilon, T - T_m)
+    return c.highest(epsilon, energy)[1] + c.highest(epsilon, -energy)[1]
 
 
 # --- torque at any crank angles
 
 
 @overload
-def at(
-    engine: EngineInputs, e: EngineResult, gas: None, fires: Radian, epsilon: Radian
-) -> tuple[None, NewtonMetre, Newton]: ...
+def at(engine: EngineInputs, e: EngineResult, gas: None, fires: Num, epsilon: Num) -> tuple[None, Array, Array]: ...
 @overload
+def at(engine: EngineInputs, e: EngineResult, gas: Cycle, fires: Num, epsilon: Num) -> tuple[Array, Array, Array]: ...
 def at(
-    engine: EngineInputs, e: EngineResult, gas: Cycle, fires: Radian, epsilon: Radian
-) -> tuple[NewtonMetre, NewtonMetre, Newton]: ...
-def at(
-    engine: EngineInputs, e: EngineResult, gas: Cycle | None, fires: Radian, epsilon: Radian
-) -> tuple[NewtonMetre | None, NewtonMetre, Newton]:
+    engine: EngineInputs, e: EngineResult, gas: Cycle | None, fires: Num, epsilon: Num
+) -> tuple[Array | None, Array, Array]:
     """Gas torque (None without gas), inertia torque and inertia force of each cylinder (last axis) at crank angles
     ε."""
     length = gas.length if gas else TURN
-    M_alt, r, lam = e.reciprocating_mass, engine.crank_radius, e.lambda_
+    M_alt: Num = e.reciprocating_mass
+    r: Num = engine.crank_radius
+    lam: Num = e.lambda_
     if e.unlike is not None and np.ndim(fires):  # of one cylinder the mean mass, where they differ
         M_alt, r, lam = e.unlike.reciprocating, e.unlike.radius, e.unlike.lambda_
     angle = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
@@ -310,30 +311,34 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
     """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder, or each, over
     a turn."""
     epsilon = np.arange(POINTS + 1, dtype=float) * (TURN / POINTS)
-    d, fires = engine.cylinder_offset, each(firing)
+    d, fires = engine.cylinder_offset, firing
     with about(Text("inertia torque of one cylinder")):
         if e.unlike is None:
-            _, cylinder_torque, F_I = at(engine, e, None, 0.0, each(epsilon[:-1]))
+            _, cylinder_torque, F_I = at(engine, e, None, 0.0, epsilon[:-1])
         else:
-            _, cylinder_torque, F_I = at(engine, e, None, each(np.zeros(engine.cylinders)), each(epsilon[:-1, None]))
+            _, cylinder_torque, F_I = at(engine, e, None, np.zeros(engine.cylinders), epsilon[:-1, None])
         on_block = reaction(T=cylinder_torque, d=d, F_I=F_I)
     turned = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * firing)
 
-    def together(T_k: NewtonMetre) -> Array:
-        spectrum = np.fft.rfft(many(T_k), axis=0)
+    def together(T_k: Array) -> Array:
+        spectrum = np.fft.rfft(T_k, axis=0)
         whole = np.fft.irfft(spectrum * turned.sum(1) if e.unlike is None else (spectrum * turned).sum(1), POINTS)
         return np.append(whole, whole[0])
 
     whole, block = together(cylinder_torque), together(on_block)
     with about(Text("largest inertia torque")):
         peak = amount(
-            T=inertia_torque(
-                T_k=at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), cylinder_torque))[1]
+            T=item(
+                inertia_torque(
+                    T_k=at(
+                        engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), cylinder_torque)
+                    )[1]
+                )
             )
         )
     with about(Text("largest torque reaction of the inertia forces")):
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
-        peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
+        peak_block = amount(T=reaction(T=item(inertia_torque(T_k=T_I)), d=d, F_I=item(inertia_sum(F_k=F_I))))
     with about(Text("inertia torque")):
         t = _harmonics(cylinder_torque, fires)
         orders = _amplitudes(t, Text("Inertia torque"), "T_")
@@ -361,8 +366,8 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
     ), curve
 
 
-def _harmonics(T_k: NewtonMetre, fires: Radian) -> ComplexArray:
-    return phasors((torque_harmonics if np.ndim(T_k) == 1 else torque_harmonics_of_unlike)(T_k=T_k, fires=fires))
+def _harmonics(T_k: Array, fires: Array) -> ComplexArray:
+    return (torque_harmonics if np.ndim(T_k) == 1 else torque_harmonics_of_unlike)(T_k=T_k, fires=fires)
 
 
 def _amplitudes(t: ComplexArray, words: str, symbol: str) -> dict[str, Stated]:
@@ -384,16 +389,16 @@ def _gas(
     inertia: TorqueResult,
 ) -> TorqueResult:
     """What the gas gives beside the inertia forces: work, peaks, mean and fluctuation."""
-    fires, points = each(firing), c.points(cycle, firing)
-    epsilon = each(points)
+    fires, points = firing, c.points(cycle, firing)
+    epsilon = points
     with about(Text("all cylinders over the cycle")):
-        of_gas, of_inertia, force = at(engine, e, cycle, fires, each(points[:, None]))
+        of_gas, of_inertia, force = at(engine, e, cycle, fires, points[:, None])
         gas_only = gas_torque(T_k=of_gas)
         whole = whole_torque(T_G=gas_only, T_I=inertia_torque(T_k=of_inertia))
     with untraced():
-        best = _angle_of_peak(engine, e, cycle, fires, points, many(gas_only), inertia=False)
-        on_block = reaction(T=whole, d=engine.cylinder_offset, F_I=each(many(force).sum(-1)))
-        best_block = c.first_highest(points, c.amounts(many(on_block)))
+        best = _angle_of_peak(engine, e, cycle, fires, points, gas_only, inertia=False)
+        on_block = reaction(T=whole, d=engine.cylinder_offset, F_I=force.sum(-1))
+        best_block = c.first_highest(points, c.amounts(on_block))
     best, best_block = based_on(best, gas_only), based_on(best_block, whole, force)
     with about(Text("cylinder 1 over its cycle")):
         cylinder_torque, _, _ = at(engine, e, cycle, item(firing[0]), epsilon)  # its corners are among the points
@@ -401,15 +406,15 @@ def _gas(
     T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
     with about(Text("largest gas torque")):
         T_G_k = at(engine, e, cycle, fires, best)[0]
-        peak_gas = amount(T=gas_torque(T_k=T_G_k))
-    best = based_on(_angle_of_peak(engine, e, cycle, fires, points, many(whole), inertia=True), whole)
+        peak_gas = amount(T=item(gas_torque(T_k=T_G_k)))
+    best = based_on(_angle_of_peak(engine, e, cycle, fires, points, whole, inertia=True), whole)
     with about(Text("largest torque")):
         T_G_k, T_I_k, _ = at(engine, e, cycle, fires, best)
-        peak = amount(T=whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k)))
+        peak = amount(T=whole_torque(T_G=item(gas_torque(T_k=T_G_k)), T_I=item(inertia_torque(T_k=T_I_k))))
     with about(Text("largest torque reaction")):
         T_G_k, T_I_k, F_k = at(engine, e, cycle, fires, best_block)
-        both = whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k))
-        peak_block = amount(T=reaction(T=both, d=engine.cylinder_offset, F_I=inertia_sum(F_k=F_k)))
+        both = whole_torque(T_G=item(gas_torque(T_k=T_G_k)), T_I=item(inertia_torque(T_k=T_I_k)))
+        peak_block = amount(T=reaction(T=both, d=engine.cylinder_offset, F_I=item(inertia_sum(F_k=F_k))))
     with about(Text("all cylinders over the cycle")):
         T_hi, T_lo = highest(T=whole), lowest(T=whole)
     Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
@@ -438,7 +443,7 @@ def _gas(
 
 
 def _angle_of_peak(
-    engine: EngineInputs, e: EngineResult, cycle: Cycle, fires: Radian, epsilon: Array, torque: Array, *, inertia: bool
+    engine: EngineInputs, e: EngineResult, cycle: Cycle, fires: Array, epsilon: Array, torque: Array, *, inertia: bool
 ) -> float:
     """Where the amount of the gas torque, or of the whole, is largest: between the points, or at a corner that is one
     of them."""
@@ -446,7 +451,7 @@ def _angle_of_peak(
     between = c.first_highest(epsilon, size)
     with untraced():
         T_G, T_I, _ = at(engine, e, cycle, fires, between)
-    peak = c.amounts(many(T_G).sum() + (many(T_I).sum() if inertia else 0.0))
+    peak = c.amounts(T_G.sum() + (T_I.sum() if inertia else 0.0))
     return between if peak >= size.max() else float(epsilon[size.argmax()])
 
 
@@ -459,12 +464,12 @@ def _curves(
     epsilon = np.arange(round(cycle.length / DRAWN) + 1, dtype=float) * DRAWN
     degrees = np.degrees(epsilon)
     with untraced():
-        T_G, T_I, F_I = (many(part).sum(-1) for part in at(engine, e, cycle, each(firing), each(epsilon[:, None])))
-        on_block = many(reaction(T=each(T_G + T_I), d=engine.cylinder_offset, F_I=each(F_I)))
-        alpha = each(e.tdc_angle + epsilon)
+        T_G, T_I, F_I = (part.sum(-1) for part in at(engine, e, cycle, firing, epsilon[:, None]))
+        on_block = reaction(T=T_G + T_I, d=engine.cylinder_offset, F_I=F_I)
+        alpha = e.tdc_angle + epsilon
         beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
         x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-        p = many(cycle.pressure(each(epsilon), x))
+        p = cycle.pressure(epsilon, x)
     assert result.mean_torque is not None
     torque = Curve(
         "torque",
@@ -509,7 +514,7 @@ class OfDiagram(TypedDict):
 
 
 @formula("T_m", AREA, shows="∮T dε over the period")
-def mean(angles: Radian, T: NewtonMetre, period: Radian) -> NewtonMetre:
+def mean(angles: Radians, T: NewtonMetres, period: Radian) -> NewtonMetre:
     epsilon, torque = closed(angles, T, period)
     return float(np.sum((torque[1:] + torque[:-1]) * np.diff(epsilon)) / 2 / period)
 
@@ -517,7 +522,7 @@ def mean(angles: Radian, T: NewtonMetre, period: Radian) -> NewtonMetre:
 @formula(
     "ΔE", AREA, shows="max − min over the period of ∫(T − T_m)dε, which is largest and smallest where T passes T_m"
 )
-def fluctuation(angles: Radian, T: NewtonMetre, T_m: NewtonMetre, period: Radian) -> NewtonMetre:
+def fluctuation(angles: Radians, T: NewtonMetres, T_m: NewtonMetre, period: Radian) -> NewtonMetre:
     epsilon, torque = closed(angles, T, period)
     over = torque - T_m
     passes = np.flatnonzero(over[:-1] * over[1:] < 0)
@@ -533,7 +538,7 @@ def place(epsilon: Radian) -> Radian:
     return epsilon
 
 
-def closed(angles: Radian, T: NewtonMetre, period: Radian) -> tuple[Array, Array]:
+def closed(angles: Array, T: Array, period: Radian) -> tuple[Array, Array]:
     """The rows over one whole period, the first once more at its end."""
     epsilon, torque = np.asarray(angles), np.asarray(T)
     if period - (epsilon[-1] - epsilon[0]) > 1e-9:
@@ -545,8 +550,8 @@ def solve_diagram(
     rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J: KilogramMetre2 | None
 ) -> tuple[OfDiagram, Curve, Text]:
     """Values, figure and note of a torque diagram; `J`: of the flywheel."""
-    angles = each(gathered(row.angle for row in rows))
-    T = each(gathered(row.torque for row in rows))
+    angles = gathered(row.angle for row in rows)
+    T = gathered(row.torque for row in rows)
     T_m = mean(angles=angles, T=T, period=period)
     Delta_E = fluctuation(angles=angles, T=T, T_m=T_m, period=period)
     T_highest, T_lowest = highest(T=T), lowest(T=T)

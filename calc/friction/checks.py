@@ -21,7 +21,7 @@ from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
 from .mesh.loss import MeshLoss, loss_factor, solve_mesh
 from .mesh.mixed import THESIS
-from .mesh.path import array, line_load
+from .mesh.path import line_load
 from .models import MODELS, factor_apart
 from .power_balance import TrainDrive
 from .result import FrictionResult, MeshResult, by_regime
@@ -328,7 +328,7 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
     if friction.load_sharing == "linear":
         share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)
         w, _ = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
-        short_of_load = loss_factor(s=c.path.weight, w=array(share * w), V_s=c.motion.V_s, P=P)
+        short_of_load = loss_factor(s=c.path.weight, w=share * w, V_s=c.motion.V_s, P=P)
         yield Erratum(
             f"{id}.loss_factor",
             Text("Loss factor"),

@@ -5,12 +5,12 @@ path, and over λ."""
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from ..bearings.inputs import IN_WORDS
 from ..library import oils
-from ..sheet.arrays import each
 from ..sheet.errors import NoSolution
 from ..sheet.functions import pi
 from ..sheet.step import Curve, Series, Table, axis_label
@@ -172,8 +172,8 @@ def _stribeck(name: str, mesh: MeshResult) -> Iterator[Curve]:
     """Mean friction over λ at the torque of the design, slower and faster; none where a film gets too hot."""
     c, m = mesh.case, mesh.judged
     try:
-        at = replace(c, motion=motion(c.mesh, c.path, each(PACES * c.motion.omega_1 / (2 * pi))))
-        sweep = solve_mesh(at, each(PACES * m.load), mesh.by_regime is None)
+        at = replace(c, motion=motion(c.mesh, c.path, PACES * c.motion.omega_1 / (2 * pi)))
+        sweep = solve_mesh(at, PACES * m.load, mesh.by_regime is None)
     except NoSolution:
         return
     line = Series(
@@ -194,9 +194,9 @@ def _shear(d: TrainDrive) -> Curve:
     lines = [Series(Text("limit Λ·p"), p * 1e-9, oil.Lambda * p * 1e-6)]
     for T in (oil.T_m - 40, oil.T_m, oil.T_m + 40):
         eta = oil.lubricant.at(T).mu
-        alpha = oil.alpha_at(eta)
+        alpha: Any = oil.alpha_at(eta)
         if s.roelands and s.relieved:
-            alpha = slope_under_pressure(alpha_f=alpha, Z=roelands_index(alpha_f=alpha, eta_f=eta), p_m=each(p))
+            alpha = slope_under_pressure(alpha_f=alpha, Z=roelands_index(alpha_f=alpha, eta_f=eta), p_m=p)
         tau = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha)
         lines.append(
             Series(Text("Eyring stress at {T}", T=Amount(T, "°C")), p * 1e-9, np.broadcast_to(tau, p.shape) * 1e-6)

@@ -7,23 +7,24 @@ load is that of the bearings step; what the standing part adds over a turn close
 makes the gear force."""
 
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..bearings.inputs import IN_TITLES, IN_WORDS
 from ..bearings.loads import SECOND_ORDER, Response, answered, response
 from ..bearings.result import BearingsResult
+from ..bearings.routes.states import OperatingPoint
 from ..bearings.speeds import TURNING
 from ..countershaft.inputs import CountershaftInputs
 from ..countershaft.result import CountershaftResult, Standing
 from ..countershaft.supports import Gear, standing_of
 from ..countershaft.supports import ShaftDrive as GearDrive
 from ..library.lubricant import Lubricant
-from ..sheet.arrays import BoolArray, each, many
+from ..sheet.arrays import BoolArray, Num
 from ..sheet.formula import formula
 from ..sheet.text import Amount, Text
-from ..sheet.units import Celsius, Newton, RevPerSecond, Watt
+from ..sheet.units import Newton, Watt
 from ..sheet.value import about, untraced
 from .result import JournalResult
 
@@ -54,7 +55,7 @@ def bearing_loss(P_front: Watt, P_rear: Watt) -> Watt:
 class Journals:
     """The journals at one operating point or at many (`speed` of the shaft and `responses` then hold arrays)."""
 
-    def __init__(self, on: OnShaft, responses: dict[str, Response], speed: RevPerSecond) -> None:
+    def __init__(self, on: OnShaft, responses: dict[str, Response], speed: Any) -> None:
         self.on, self.responses, self.speed = on, responses, speed
         # at some point
         self.unsteady = {place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()}
@@ -65,7 +66,7 @@ class Journals:
             place: Response(**{name: x[some] if np.ndim(x) else x for name, x in vars(r).items()})
             for place, r in self.responses.items()
         }
-        return Journals(self.on, parts, each(many(self.speed)[some]))
+        return Journals(self.on, parts, self.speed[some])
 
     def standing(self, P: Watt | None) -> Standing | None:
         """What stands still where the shaft's gear takes in the power P."""
@@ -136,7 +137,7 @@ def journals_of(on: OnShaft) -> Journals:
     return Journals(on, responses, speed)
 
 
-def journals_at(on: OnShaft, ratio: float, T: Celsius, lubricant: Lubricant | None = None) -> Journals:
+def journals_at(on: OnShaft, ratio: Num, T: Num, lubricant: Lubricant | None = None) -> Journals:
     """At speeds `ratio` times that of the design, loads that turn growing with its square, and supply temperatures T,
     one each or arrays.
 
@@ -146,11 +147,12 @@ def journals_at(on: OnShaft, ratio: float, T: Celsius, lubricant: Lubricant | No
     with untraced():
         for place, bearing in on.bearings.bearings.items():
             turns = bearing.seat.inputs.load_speed_ratio == TURNING
+            duty: OperatingPoint[Any] = bearing.duty
             duty = replace(
-                bearing.duty,
-                load=bearing.duty.load * (ratio**2 if turns else ratio**0),
-                speed=bearing.duty.speed * ratio,
-                effective_speed=bearing.duty.effective_speed * ratio,
+                duty,
+                load=duty.load * (ratio**2 if turns else ratio**0),
+                speed=duty.speed * ratio,
+                effective_speed=duty.effective_speed * ratio,
                 supply_temperature=T,
             )
             seat = bearing.seat if lubricant is None else replace(bearing.seat, lubricant=lubricant)

@@ -20,7 +20,7 @@ from typing import TypeVar
 import numpy as np
 
 from ..library.contact import LUBRICANT_FACTOR, hertz_pressure, mean_friction, roughness_factor, sum_of_speeds
-from ..sheet.arrays import many
+from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.functions import along, exp, largest, log10, smallest
 from ..sheet.quantity import result, value
@@ -32,7 +32,7 @@ from ..sheet.value import based_on
 from .mesh.geometry import column, flat
 from .mesh.loss import MeshCase, MeshLoss, loss_factor, sliding_loss
 from .mesh.loss import mean_friction as mean_friction_of
-from .mesh.path import array, line_load, transverse_force
+from .mesh.path import line_load, transverse_force
 
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
 MICROMETRE: Metre = 1e-6
@@ -311,8 +311,8 @@ def of_xu_kahraman(c: MeshCase, P: Watt, H_V: Number) -> Regression | None:
 def of_benedict_kelley(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     w, w_f = _load(c, P)
     mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=based_on(2 * c.motion.u_e, c.motion.u_e))
-    bounded = (many(mu) <= 0.01) | (many(mu) >= 0.2)
-    share = float(np.mean(along(array(np.where(bounded, c.path.weight, 0.0))) / along(c.path.weight)))
+    bounded = (mu <= 0.01) | (mu >= 0.2)
+    share = float(np.mean(along(np.where(bounded, c.path.weight, 0.0)) / along(c.path.weight)))
     held = Text("held at its bounds on {share} % of the path", share=Amount(share * 100, form=".0f"))
     return _summed(c, P, w, mu, held if share > HELD else EMPTY)
 
@@ -322,13 +322,13 @@ def _line_load(c: MeshCase, P: Watt) -> NewtonPerMetre:
     return line_load_of(F_bt=F_bt, b=c.mesh.face_width)
 
 
-def _load(c: MeshCase, P: Watt) -> tuple[NewtonPerMetre, NewtonPerMetre]:
+def _load(c: MeshCase, P: Watt) -> tuple[Array, Array]:
     return line_load(
         c.mesh, c.path, transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius)
     )
 
 
-def _summed(c: MeshCase, P: Watt, w: NewtonPerMetre, mu: Number, outside: Text) -> Regression:
+def _summed(c: MeshCase, P: Watt, w: Array, mu: Array, outside: Text) -> Regression:
     P_s = sliding_loss(s=c.path.weight, mu=mu, w=w, V_s=c.motion.V_s)
     H_VL = loss_factor(s=c.path.weight, w=w, V_s=c.motion.V_s, P=P)
     return Regression(friction_mean=mean_friction_of(P_s=P_s, P=P, H_VL=H_VL), loss=P_s, outside=outside)

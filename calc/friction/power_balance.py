@@ -13,13 +13,12 @@ the other way.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial, reduce
-from typing import Protocol, overload
+from typing import Any, Protocol, overload
 
 import numpy as np
 
 from ..library.contact import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
 from ..library.lubricant import Lubricant
-from ..sheet.arrays import each, many
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.record import record
@@ -109,22 +108,22 @@ class Guess:
     passes, and after the first through none at no power."""
 
     def __init__(self) -> None:
-        self.P: Watt | None = None
-        self.loss: Watt = 0.0
-        self.slope: Number = 0.0
+        self.P: Any = None  # one number or, of many operating points, an array: so are the others
+        self.loss: Any = 0.0
+        self.slope: Any = 0.0
 
-    def at(self, P_out: Watt) -> Watt:
+    def at(self, P_out: Any) -> Any:
         if self.P is None:
             return P_out
         return (P_out + self.loss - self.slope * self.P) / (1 - self.slope)
 
-    def learn(self, P: Watt, loss: Watt) -> None:
+    def learn(self, P: Any, loss: Any) -> None:
         if self.P is not None:
             step = P - self.P
             slope = (loss - self.loss) / np.where(step == 0, 1.0, step)
-            self.slope = each(np.where(np.abs(step) > FINE * np.abs(P), np.clip(slope, -0.5, 0.9), self.slope))
+            self.slope = np.where(np.abs(step) > FINE * np.abs(P), np.clip(slope, -0.5, 0.9), self.slope)
         else:
-            self.slope = each(np.clip(loss / P, 0.0, 0.9))  # most of a loss grows with the power
+            self.slope = np.clip(loss / P, 0.0, 0.9)  # most of a loss grows with the power
         self.P, self.loss = P, loss
 
 
@@ -304,7 +303,7 @@ def drive(
 
 
 def require_temperature(T: Celsius) -> Celsius:
-    good = (many(T) > -60) & (many(T) < 400)  # NaN is not
+    good = (T > -60) & (T < 400)  # NaN is not
     if not np.all(good):
         wrong = float(np.ravel(T)[int(np.argmin(np.ravel(good)))])
         raise NoSolution(
@@ -381,6 +380,10 @@ def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
         )
 
 
+def _or_nothing(P: Watt | None) -> Watt:
+    return 0.0 if P is None else P
+
+
 def total_losses(d: TrainDrive, power: Watt | None = None) -> Watt:
     return losses_of(d, power).total
 
@@ -428,8 +431,16 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         P_D = _total(sums.seals, [wheel.seal_loss for wheel in wheels.values()])
         P_L = _total(sums.bearings, [wheel.bearing_loss for wheel in wheels.values()])
         P_X = _total(sums.other_losses, [wheel.other_loss for wheel in wheels.values()])
-        parts = dict(P_B=P_B, P_VZ=P_VZ, P_W=P_W, P_C=P_C, P_J=P_J, P_D=P_D, P_L=P_L, P_X=P_X)
-        P = sums.total_loss(**{name: 0.0 if part is None else part for name, part in parts.items()})
+        P = sums.total_loss(
+            P_B=_or_nothing(P_B),
+            P_VZ=_or_nothing(P_VZ),
+            P_W=_or_nothing(P_W),
+            P_C=_or_nothing(P_C),
+            P_J=_or_nothing(P_J),
+            P_D=_or_nothing(P_D),
+            P_L=_or_nothing(P_L),
+            P_X=_or_nothing(P_X),
+        )
         T_1 = torque(P=P_1, n=wheels[d.first].speed)
         b_e = d.friction.specific_fuel_consumption
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)

@@ -4,7 +4,7 @@ sliding."""
 
 import numpy as np
 
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, Radian
@@ -133,8 +133,8 @@ def _sliding(train: TrainResult, keys: list[str]) -> Curve:
         z_1, z_2, T = driver.teeth, driven.teeth, mesh.line_of_action
         rho: Array = np.linspace(mesh.sap_curvature_driver, T - mesh.sap_curvature_driven, ALONG)
         way = (rho - _pitch_point(mesh, driver, driven)) * MM
-        zeta_1 = many(f.specific_sliding(T, each(rho), z_1, z_2))
-        zeta_2 = many(f.specific_sliding(T, each(T - rho), z_2, z_1))
+        zeta_1 = f.specific_sliding(T, rho, z_1, z_2)
+        zeta_2 = f.specific_sliding(T, T - rho, z_2, z_1)
         series += [Series(Name(mesh.driver), way, zeta_1, variant), Series(Name(mesh.driven), way, zeta_2, variant)]
     title = Text("Specific sliding") if variants else Text("Specific sliding, {said}", said=titles[0])
     along = axis_label("way on the line of action from the pitch point", "mm")

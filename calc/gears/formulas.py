@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, joined, largest, pi, sin, sqrt, tan
 from ..sheet.text import Text
@@ -290,8 +290,8 @@ def angle_of_involute(involute: Number) -> Radian:
 
     0 where inv α is not above 0; in an array no number there.
     """
-    if np.ndim(involute):
-        return each(_angles_of_involutes(many(involute)))
+    if isinstance(involute, np.ndarray):
+        return _angles_of_involutes(involute)
     if involute <= 0:
         return 0.0
     t = involute + pi / 2

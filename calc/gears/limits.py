@@ -5,8 +5,8 @@ Lengths are in normal modules.  Where there are two, the first is hard and the o
 
 import numpy as np
 
-from ..sheet.arrays import each
 from ..sheet.formula import formula
+from ..sheet.functions import single_or_many
 from ..sheet.number import DIGITS
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre
@@ -34,7 +34,7 @@ def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
     """
     rho = T - rho_a
     reach = np.where(rho > 0, np.hypot(d_b / 2, rho), d_b / 2 + rho) - d_Ff / 2
-    return each(reach) if np.ndim(rho) else float(reach)
+    return single_or_many(np.asarray(reach))
 
 
 # --- words that several sentences of the gear train share

@@ -125,7 +125,7 @@ def _least_contact(
         for w in wheels
     ]
     starts = [f.start_of_active_profile(T, rho_a[1 - i], w.form_curvature) for i, w in enumerate(wheels)]
-    return f.transverse_contact_ratio(f.path_of_contact(T, *starts), system.base_pitch)
+    return f.transverse_contact_ratio(f.path_of_contact(T, starts[0], starts[1]), system.base_pitch)
 
 
 def _closest(a_w: Metre, tolerance: Metre, wheels: tuple[WheelResult, WheelResult]) -> dict[str, Metre]:

@@ -11,7 +11,7 @@ import numpy as np
 from ..engine.crank import crank, firing, pin_of_cylinder, places, throw_angles
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
-from ..sheet.arrays import Array, IndexArray, each, many
+from ..sheet.arrays import Array, IndexArray
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Table
@@ -61,14 +61,14 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     for k in range(n):
         keys = keys * n + place[:, k] % throws
     _, first, which = np.unique(keys, return_index=True, return_inverse=True)
-    residuals, angles = _left(imbalance, engine, e, place[first].astype(float))
+    residuals, angles = _left(imbalance, engine, e, place[first])
     best = (
         residuals
         if imbalance.crank_balance_fraction == 0.5
-        else _left(replace(imbalance, crank_balance_fraction=0.5), engine, e, place[first].astype(float))[0]
+        else _left(replace(imbalance, crank_balance_fraction=0.5), engine, e, place[first])[0]
     )
     left: Array = sum(
-        (many(o.force_peak + o.couple_peak / engine.cylinder_pitch) for o in best.values()), np.zeros(len(first))
+        (np.asarray(o.force_peak + o.couple_peak / engine.cylinder_pitch) for o in best.values()), np.zeros(len(first))
     )
     one, two = residuals[1], residuals[2]
     beside, half = _in_turn(engine, orders)
@@ -82,11 +82,11 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
         FiringOrder(
             order=tuple(orders[i].tolist()),
             crank_angles=angles[j],
-            force_1=float(many(one.force_peak)[j]),
-            couple_1_forward=float(many(one.couple_forward)[j]),
-            couple_1_backward=float(many(one.couple_backward)[j]),
-            force_2=float(many(two.force_peak)[j]),
-            couple_2=float(many(two.couple_peak)[j]),
+            force_1=float(np.asarray(one.force_peak)[j]),
+            couple_1_forward=float(np.asarray(one.couple_forward)[j]),
+            couple_1_backward=float(np.asarray(one.couple_backward)[j]),
+            force_2=float(np.asarray(two.force_peak)[j]),
+            couple_2=float(np.asarray(two.couple_peak)[j]),
             left=float(left[j]),
             neighbours=int(beside[i]),
             same_half=int(half[i]),
@@ -184,12 +184,12 @@ def _symmetric(n: int, strokes: int) -> Iterator[tuple[int, ...]]:
 
 
 def _left(
-    imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, place: Array
+    imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, place: IndexArray
 ) -> tuple[dict[int, Order], Array]:
     """All harmonic orders of many cranks at once, and their crank angles."""
     layout = crank(replace(engine, crank_angles=None, firing_order=tuple(range(1, engine.cylinders + 1))), e.tdc_angle)
     with untraced():
-        angles = many(throw_angles(psi=each(layout.psi), i=each(place), strokes=engine.strokes, N=engine.cylinders))
+        angles = throw_angles(psi=layout.psi, i=place, strokes=engine.strokes, N=engine.cylinders)
         every = replace(e, crank=replace(layout, phi=angles))
         judged = harmonics(e, imbalance.kinematics)
         return {

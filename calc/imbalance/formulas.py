@@ -13,6 +13,7 @@ from ..sheet.units import (
     KilogramMetre,
     KilogramMetre2,
     Metre,
+    Metres,
     Newton,
     NewtonMetre,
     Number,
@@ -20,6 +21,7 @@ from ..sheet.units import (
     PhasorNewtonMetre,
     PhasorNumber,
     Radian,
+    Radians,
     RadPerSecond,
 )
 
@@ -28,14 +30,28 @@ VECTORS = Text("Finotti 2013, 2.2.3 and 2.3.3")  # there of the first two orders
 
 @formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS), names={"m": "M_alt"})
 def force_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS), names={"m": "M_alt"})
 def force_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(cis(psi) * cis(-n * (phi - psi)))
 
@@ -48,9 +64,9 @@ def couple_forward(
     c_n: PhasorNumber,
     n: Number,
     theta_0: Radian,
-    z: Metre,
-    psi: Radian,
-    phi: Radian,
+    z: Metres,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
@@ -63,9 +79,9 @@ def couple_backward(
     c_n: PhasorNumber,
     n: Number,
     theta_0: Radian,
-    z: Metre,
-    psi: Radian,
-    phi: Radian,
+    z: Metres,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
@@ -77,7 +93,7 @@ def couple_backward(
     names={"m": "M_alt"},
 )
 def counterweight_force(
-    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radians
 ) -> PhasorNewton:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(cis(phi))
 
@@ -89,7 +105,7 @@ def counterweight_force(
     names={"m": "M_alt"},
 )
 def counterweight_couple(
-    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
+    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metres, phi: Radians
 ) -> PhasorNewtonMetre:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(z * cis(phi))
 
@@ -100,7 +116,7 @@ def counterweight_couple(
     names={"rho": "κ_rot"},
 )
 def rotating_force(
-    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radians
 ) -> PhasorNewton:
     return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(cis(phi))
 
@@ -109,7 +125,7 @@ def rotating_force(
     "C_rot", "dynamics: couple of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"}
 )
 def rotating_couple(
-    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
+    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, z: Metres, phi: Radians
 ) -> PhasorNewtonMetre:
     return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(z * cis(phi))
 

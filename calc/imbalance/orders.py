@@ -2,12 +2,12 @@
 """Forces and couples of one order, of one engine or of many: their vectors, their ellipses, and their peaks."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
-from ..sheet.arrays import each
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, resultant
 from ..sheet.quantity import group, result, value
@@ -15,6 +15,7 @@ from ..sheet.text import Text
 from ..sheet.units import (
     Kilogram,
     Metre,
+    Metres,
     Newton,
     NewtonMetre,
     Number,
@@ -24,6 +25,7 @@ from ..sheet.units import (
     PhasorNewtonMetre,
     PhasorNumber,
     Radian,
+    Radians,
     RadPerSecond,
 )
 from ..sheet.value import based_on
@@ -46,17 +48,17 @@ PINS = Text("Finotti 2013, 2.4: sum over the crankpins, here each with its own m
 BOBS = Text("Finotti 2013, 2.6: what the bobs lack of the equivalent masses, here each with its own mass and radius")
 
 
-def masses(e: EngineResult) -> tuple[Kilogram, Kilogram]:
+def masses(e: EngineResult) -> tuple[Any, Any]:
     """What reciprocates and what rotates: the masses that all cylinders have, or those of each."""
     return (e.reciprocating_mass, e.rotating_mass) if e.unlike is None else (e.unlike.reciprocating, e.unlike.rotating)
 
 
-def radius(engine: EngineInputs, e: EngineResult) -> Metre:
+def radius(engine: EngineInputs, e: EngineResult) -> Any:
     """The crank radius that all cylinders have, or that of each."""
     return engine.crank_radius if e.unlike is None else e.unlike.radius
 
 
-def harmonics(e: EngineResult, kinematics: str = "two_term") -> tuple[complex, ...]:
+def harmonics(e: EngineResult, kinematics: str = "two_term") -> tuple[Any, ...]:
     """The harmonics of a/(ω² r), those that all cylinders have or those of each."""
     source = e if e.unlike is None else e.unlike
     return source.harmonics if kinematics == "exact" else source.two_term
@@ -72,14 +74,28 @@ def measures(engine: EngineInputs, e: EngineResult) -> tuple[Metre, Number]:
 
 @formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS))
 def force_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewton:
     return 0.5 * omega**2 * cis(n * theta_0) * resultant(m * r * c_n * cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS))
 def force_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewton:
     return 0.5 * omega**2 * cis(-n * theta_0) * resultant(m * r * conj(c_n) * cis(psi) * cis(-n * (phi - psi)))
 
@@ -92,9 +108,9 @@ def couple_forward(
     c_n: PhasorNumber,
     n: Number,
     theta_0: Radian,
-    z: Metre,
-    psi: Radian,
-    phi: Radian,
+    z: Metres,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * cis(n * theta_0) * resultant(m * r * c_n * z * cis(psi) * cis(n * (phi - psi)))
 
@@ -107,48 +123,48 @@ def couple_backward(
     c_n: PhasorNumber,
     n: Number,
     theta_0: Radian,
-    z: Metre,
-    psi: Radian,
-    phi: Radian,
+    z: Metres,
+    psi: Radians,
+    phi: Radians,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * cis(-n * theta_0) * resultant(m * r * conj(c_n) * z * cis(psi) * cis(-n * (phi - psi)))
 
 
 @formula("F_κ", SHARE)
 def counterweight_force(
-    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radians
 ) -> PhasorNewton:
     return -kappa * omega**2 * cis(theta_0) * resultant(m * r * cis(phi))
 
 
 @formula("C_κ", SHARE)
 def counterweight_couple(
-    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
+    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metres, phi: Radians
 ) -> PhasorNewtonMetre:
     return -kappa * omega**2 * cis(theta_0) * resultant(m * r * z * cis(phi))
 
 
 @formula("F_rot", PINS, names={"rho": "κ_rot"})
 def rotating_force(
-    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radians
 ) -> PhasorNewton:
     return (1 - rho) * omega**2 * cis(theta_0) * resultant(M_rot * r * cis(phi))
 
 
 @formula("C_rot", PINS, names={"rho": "κ_rot"})
 def rotating_couple(
-    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
+    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, z: Metres, phi: Radians
 ) -> PhasorNewtonMetre:
     return (1 - rho) * omega**2 * cis(theta_0) * resultant(M_rot * r * z * cis(phi))
 
 
 @formula("U_cr", PINS, unit="kg·mm")
-def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorKilogramMetre:
+def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radians) -> PhasorKilogramMetre:
     return cis(theta_0) * resultant(M_eq * r * cis(phi))
 
 
 @formula("U·z_cr", PINS, unit="kg·mm²")
-def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian) -> PhasorKilogramMetre2:
+def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metres, phi: Radians) -> PhasorKilogramMetre2:
     return cis(theta_0) * resultant(M_eq * r * z * cis(phi))
 
 
@@ -157,19 +173,19 @@ def lacking_product(
     r: Metre,
     theta_0: Radian,
     M_eq: Kilogram,
-    z: Metre,
-    phi: Radian,
+    z: Metres,
+    phi: Radians,
     m_b: Kilogram,
     r_p: Metre,
-    z_p: Metre,
-    phi_p: Radian,
+    z_p: Metres,
+    phi_p: Radians,
 ) -> PhasorKilogramMetre2:
     return cis(theta_0) * (resultant(M_eq * r * z * cis(phi)) - resultant(m_b * r_p * z_p * cis(phi_p)))
 
 
 @formula("U", BOBS, unit="kg·mm", names={"r_p": "r_P", "phi_p": "φ_P"})
 def lacking_unbalance(
-    r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radian, m_b: Kilogram, r_p: Metre, phi_p: Radian
+    r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radians, m_b: Kilogram, r_p: Metre, phi_p: Radians
 ) -> PhasorKilogramMetre:
     return cis(theta_0) * (resultant(M_eq * r * cis(phi)) - resultant(m_b * r_p * cis(phi_p)))
 
@@ -216,7 +232,7 @@ def order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs
     a/(ω² r)."""
     alike, (m, M_rot) = e.unlike is None, masses(e)
     omega, r, theta_0 = e.angular_speed, radius(engine, e), e.crank.theta_0
-    phi, z, psi = each(e.crank.phi), each(e.crank.z), each(e.crank.psi)  # arrays enter the formulas here
+    phi, z, psi = e.crank.phi, e.crank.z, e.crank.psi  # arrays enter the formulas here
     F_f = F_f0 = (f.force_forward if alike else force_forward)(omega, m, r, c_n, float(n), theta_0, psi, phi)
     F_b = (f.force_backward if alike else force_backward)(omega, m, r, c_n, float(n), theta_0, psi, phi)
     C_f = C_f0 = (f.couple_forward if alike else couple_forward)(omega, m, r, c_n, float(n), theta_0, z, psi, phi)
@@ -265,4 +281,4 @@ def _axis(formula: Callable[[complex, complex], Radian], forward: complex, backw
     if not np.any(there):
         return None
     axis = formula(forward, backward)
-    return each(np.where(there, axis, np.nan)) if isinstance(axis, np.ndarray) else axis
+    return np.where(there, axis, np.nan) if isinstance(axis, np.ndarray) else axis

@@ -7,6 +7,7 @@ takes the one vector that turns like it; its unbalance takes the force, unbalanc
 force does."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from ..sheet.units import (
     KilogramMetre,
     KilogramMetre2,
     Metre,
+    Metres,
     Newton,
     NewtonMetre,
     Number,
@@ -29,6 +31,7 @@ from ..sheet.units import (
     PhasorNewton,
     PhasorNewtonMetre,
     Radian,
+    Radians,
     RadPerSecond,
 )
 from ..sheet.value import about, based_on
@@ -114,7 +117,7 @@ def equivalent_mass_of_shares(rho: Number, M_rot: Kilogram, kappa: Number, M_alt
     return rho * M_rot + kappa * M_alt
 
 
-def crank_masses(imbalance: ImbalanceInputs, e: EngineResult) -> Kilogram:
+def crank_masses(imbalance: ImbalanceInputs, e: EngineResult) -> Any:
     """What the crank's counterweights carry of each cylinder: one mass for all, or one for each where they differ, (…,
     cylinders)."""
     M_alt, M_rot = u.masses(e)
@@ -125,7 +128,7 @@ def crank_masses(imbalance: ImbalanceInputs, e: EngineResult) -> Kilogram:
 
 
 @formula("U_cr", "mathematics: sum of the crankpins' equivalent masses (Finotti 2013, 2.4)", unit="kg·mm")
-def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorKilogramMetre:
+def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radians) -> PhasorKilogramMetre:
     return M_eq * r * cis(theta_0) * resultant(cis(phi))
 
 
@@ -134,7 +137,7 @@ def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> P
     "mathematics: sum of the crankpins' equivalent masses, about mid-engine (Finotti 2013, 2.4)",
     unit="kg·mm²",
 )
-def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian) -> PhasorKilogramMetre2:
+def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metres, phi: Radians) -> PhasorKilogramMetre2:
     return M_eq * r * cis(theta_0) * resultant(z * cis(phi))
 
 
@@ -317,7 +320,7 @@ def remedies(
 
 
 def counterweights(
-    M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian, z: Metre, span: Metre, radius: Metre, unlike: bool = False
+    M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radians, z: Metres, span: Metre, radius: Metre, unlike: bool = False
 ) -> dict[str, Counterweight]:
     """The two counterweights, a span apart about mid-engine, that carry the equivalent masses of all crankpins.
 

@@ -14,7 +14,6 @@ from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..engine.solve import ORDERS
 from ..engine.solve import values as engine_values
-from ..sheet.arrays import each
 from ..sheet.deferred import Later
 from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
@@ -80,7 +79,7 @@ def values(
     one_couple = based_on(one_couple, one_force, engine.cylinder_pitch)
     with untraced():
         of = 1.0, e.angular_speed, u.masses(e)[0], r, crank.theta_0
-        phi, z = each(crank.phi), each(crank.z)
+        phi, z = crank.phi, crank.z
         whole_force = (f.counterweight_force if e.unlike is None else u.counterweight_force)(*of, phi)
         whole_couple = (f.counterweight_couple if e.unlike is None else u.counterweight_couple)(*of, z, phi)
     whole = based_on(whole_force, *of, phi), based_on(whole_couple, z, *of, phi)

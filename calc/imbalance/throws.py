@@ -13,13 +13,13 @@ import numpy as np
 from ..engine.crank import Crank, column
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
-from ..sheet.arrays import ComplexArray, each
+from ..sheet.arrays import ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant
 from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Series, Table
 from ..sheet.text import EMPTY, Amount, Text
-from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
+from ..sheet.units import Kilogram, Metre, Metres, Newton, NewtonMetre, Number, Radians, RadPerSecond
 from .orders import DUST, Order, harmonics, masses, measures, radius
 from .remedies import equivalent_mass
 
@@ -36,13 +36,13 @@ def centrifugal(m: Kilogram, omega: RadPerSecond, r: Metre) -> Newton:
 
 
 @formula("ΣF_c", POLYGON)
-def together(F_c: Newton, phi: Radian) -> Newton:
+def together(F_c: Newton, phi: Radians) -> Newton:
     """`F_c` of every throw, or the one that all have."""
     return modulus(resultant(F_c * cis(phi)))
 
 
 @formula("ΣM_c", POLYGON)
-def couple_together(F_c: Newton, z: Metre, phi: Radian) -> NewtonMetre:
+def couple_together(F_c: Newton, z: Metres, phi: Radians) -> NewtonMetre:
     return modulus(resultant(F_c * z * cis(phi)))
 
 
@@ -79,7 +79,7 @@ class Throws:
 
 def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     """Forces and couples of the throws.  Numbers of the engine may be arrays, an engine each."""
-    phi, z = each(e.crank.phi), each(e.crank.z)
+    phi, z = e.crank.phi, e.crank.z
     r, omega, M_rot, M_alt = measures(engine, e)[0], e.angular_speed, e.rotating_mass, e.reciprocating_mass
     M_eq = equivalent_mass(M_rot=M_rot, kappa=kappa, M_alt=M_alt)
     beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)

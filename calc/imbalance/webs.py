@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 from itertools import combinations
+from typing import Annotated
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..library.tolerances import grade_number, permitted_unbalance
-from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, Num
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant, total
 from ..sheet.linked_array import column, elements, gathered
@@ -28,16 +29,22 @@ from ..sheet.units import (
     Kilogram,
     KilogramMetre,
     KilogramMetre2,
+    KilogramMetres,
+    Kilograms,
     Metre,
+    Metres,
     Newton,
     NewtonMetre,
     PhasorKilogramMetre,
     PhasorKilogramMetre2,
-    PhasorMetre,
+    PhasorKilogramMetres,
+    PhasorMetres,
     PhasorNewton,
     PhasorNewtonMetre,
     PhasorSquareMetre,
+    PhasorSquareMetres,
     Radian,
+    Radians,
     RadPerSecond,
 )
 from ..sheet.value import about, based_on, untraced
@@ -72,11 +79,11 @@ SOURCE = Text(
     shows="least Σ|U_k|/r_d with ΣU_k = S, ΣU_k·z_k = C, U_k on the web's side away from its pin",
     unit="kg·mm",
 )
-def removed(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, z: Metre, psi: Radian) -> PhasorKilogramMetre:
+def removed(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, z: Metres, psi: Radians) -> PhasorKilogramMetres:
     """The unbalance to take away at every web; ψ are the directions opposite to the pins.  No numbers where it can not
     be done."""
     ends = np.concatenate([np.exp(1j * (psi - WITHIN)), np.exp(1j * (psi + WITHIN))])
-    places = np.tile(np.asarray(many(z)), 2)
+    places = np.tile(np.asarray(z), 2)
     arm = float(np.max(np.abs(places))) or 1.0
     rows = np.array([ends.real, ends.imag, ends.real * places / arm, ends.imag * places / arm])
     wanted = np.array([S.real, S.imag, C.real / arm, C.imag / arm])
@@ -91,7 +98,7 @@ def removed(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, z: Metre, psi: Radi
         share = np.zeros(ends.size)
         share[chosen[sound][best]] = np.maximum(shares[best], 0.0)
         unbalances = np.sum((share * ends).reshape(2, -1), axis=0)
-    return each(unbalances)
+    return unbalances
 
 
 @formula("m_k", "Finotti 2013, 2.6: mass to drill out of a web", unit="g")
@@ -100,7 +107,7 @@ def drilled(U: PhasorKilogramMetre, r_d: Metre) -> Kilogram:
 
 
 @formula("Σm_k", "mathematics: sum over the webs", unit="g")
-def in_all(m_k: Kilogram) -> Kilogram:
+def in_all(m_k: Kilograms) -> Kilogram:
     return total(m_k)
 
 
@@ -133,7 +140,7 @@ def drilling(
     nearest = [min(pins, key=lambda pin: abs(bodies[pin].z - bodies[k].z)) for k in webs]
     away = based_on(np.angle(-np.asarray(p)[nearest]), p)
     with about(Text("webs to drill")):
-        U = phasors(removed(S=S, C=C, z=each(based_on(np.asarray(z)[webs], z)), psi=each(away)))
+        U = removed(S=S, C=C, z=based_on(np.asarray(z)[webs], z), psi=away)
         if not np.all(np.isfinite(U)):
             return None, None
         drillings = {
@@ -141,27 +148,28 @@ def drilling(
             for k, u in zip(webs, (based_on(complex(u), U) for u in U))
             if abs(u) > DUST * float(np.sum(np.abs(U)))
         }
-        return drillings, in_all(m_k=each(gathered(web.mass for web in drillings.values())))
+        return drillings, in_all(m_k=gathered(web.mass for web in drillings.values()))
 
 
 # --- the crank on the machine
 
 TABLE = Text("Finotti 2013, 2.6: table of webs and pins, here for any throws")
+BobMass = Annotated[Num, "kg"]  # the same on every pin, or of each its own
 MACHINE = 2 * math.pi * 400 / 60  # rad/s of the balancing machine (Finotti 2013, 2.6)
 
 
 @formula("S", TABLE, unit="kg·mm")
-def unbalance(m: Kilogram, p: PhasorMetre) -> PhasorKilogramMetre:
+def unbalance(m: Kilograms, p: PhasorMetres) -> PhasorKilogramMetre:
     return resultant(m * p)
 
 
 @formula("P_U", TABLE, unit="kg·mm²")
-def product(m: Kilogram, p: PhasorMetre, z: Metre) -> PhasorKilogramMetre2:
+def product(m: Kilograms, p: PhasorMetres, z: Metres) -> PhasorKilogramMetre2:
     return resultant(m * p * z)
 
 
 @formula("m_S", "definition: mass of the crank's bodies as they are listed, with their bobs")
-def crank_mass(m: Kilogram, m_b: Kilogram) -> Kilogram:
+def crank_mass(m: Kilograms, m_b: Kilograms) -> Kilogram:
     return total(m) + total(m_b)
 
 
@@ -183,13 +191,13 @@ def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     shows="least norm of m − m_b with P_U = 0",
     unit="g",
 )
-def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
+def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetres) -> Kilograms:
     """One bob per pin.  For three throws the middle pin, which has no arm, keeps the common one.  `G`: p·z of each
     pin."""
     rows = np.array([np.real(G), np.imag(G)])
     left = C + m_b * np.sum(G)
     change: Array = np.linalg.lstsq(rows, -np.array([left.real, left.imag]), rcond=1e-9)[0]
-    return each(m_b + change)
+    return m_b + change
 
 
 @formula(
@@ -199,22 +207,21 @@ def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -
     unit="g",
 )
 def bobs_by_least_squares(
-    S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetre, G: PhasorSquareMetre, a: Metre
-) -> Kilogram:
+    S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetres, G: PhasorSquareMetres, a: Metre
+) -> Kilograms:
     """One bob per pin; `p` and `G` = p·z of each pin."""
     rows = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
     target = np.array([S.real, S.imag, C.real / a, C.imag / a])
     bobs: Array = np.linalg.lstsq(rows, -target, rcond=1e-9)[0]
-    return each(bobs)
+    return bobs
 
 
 @formula(
     "Δφ", "mathematics: largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|"
 )
-def pin_deviation(p: PhasorMetre, phi: Radian) -> Radian:
+def pin_deviation(p: PhasorMetres, phi: Radians) -> Radian:
     """`phi` of every pin from the throw that stands up; a pin without radius has no direction and is left out."""
-    listed = phasors(p)
-    return float(np.max(np.abs(np.angle(listed * np.exp(-1j * phi)))[np.abs(listed) > 0], initial=0.0))
+    return float(np.max(np.abs(np.angle(p * np.exp(-1j * phi)))[np.abs(p) > 0], initial=0.0))
 
 
 @formula("|S|", "mathematics, length of the vector", unit="kg·mm")
@@ -248,7 +255,7 @@ def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     names={"z_p": "z_P", "phi_p": "φ_P"},
 )
 def lacking_product(
-    r: Metre, theta_0: Radian, M_eq: Kilogram, z: Metre, phi: Radian, m_b: Kilogram, z_p: Metre, phi_p: Radian
+    r: Metre, theta_0: Radian, M_eq: Kilogram, z: Metres, phi: Radians, m_b: BobMass, z_p: Metres, phi_p: Radians
 ) -> PhasorKilogramMetre2:
     """`M_eq` of every cylinder at z, φ less the bobs `m_b`, for which the crank's own webs are balanced, of every pin
     at z_P, φ_P."""
@@ -262,7 +269,7 @@ def lacking_product(
     names={"phi_p": "φ_P"},
 )
 def lacking_unbalance(
-    r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radian, m_b: Kilogram, phi_p: Radian
+    r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radians, m_b: BobMass, phi_p: Radians
 ) -> PhasorKilogramMetre:
     return r * cis(theta_0) * (M_eq * resultant(cis(phi)) - resultant(m_b * cis(phi_p)))
 
@@ -280,12 +287,12 @@ def wanted_force(U: PhasorKilogramMetre, omega: RadPerSecond) -> PhasorNewton:
 
 
 @formula("C_U", "dynamics: couple of unbalances that turn with the crank")
-def couple_of_unbalances(omega: RadPerSecond, U: KilogramMetre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
+def couple_of_unbalances(omega: RadPerSecond, U: KilogramMetres, z: Metres, gamma: Radians) -> PhasorNewtonMetre:
     return omega**2 * resultant(U * z * cis(gamma))
 
 
 @formula("F_U", "dynamics: force of unbalances that turn with the crank")
-def force_of_unbalances(omega: RadPerSecond, U: KilogramMetre, gamma: Radian) -> PhasorNewton:
+def force_of_unbalances(omega: RadPerSecond, U: KilogramMetres, gamma: Radians) -> PhasorNewton:
     return omega**2 * resultant(U * cis(gamma))
 
 
@@ -349,7 +356,8 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     if not imbalance.crank_bodies and imbalance.bob_mass is None and not imbalance.unbalances:
         return None
     omega = e.angular_speed
-    result, bob = WebsResult(), imbalance.bob_mass
+    result = WebsResult()
+    bob: Num | None = imbalance.bob_mass
     if imbalance.crank_bodies:
         with about(Text("crank on the balancing machine")):
             result, masses = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
@@ -362,11 +370,11 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
         with about(Text("pulley and flywheel")):
             M_eq = crank_masses(imbalance, e)
             of, r = (crank.theta_0, M_eq), u.radius(engine, e)
-            z, phi, z_p, phi_p = each(crank.z), each(crank.phi), each(crank.z[first]), each(crank.phi[..., first])
+            z, phi, z_p, phi_p = crank.z, crank.phi, crank.z[first], crank.phi[..., first]
             if e.unlike is None:
                 P, U = lacking_product(r, *of, z, phi, bob, z_p, phi_p), lacking_unbalance(r, *of, phi, bob, phi_p)
             else:
-                r_p = each(many(r)[first]) if np.ndim(r) else r
+                r_p = r[first] if np.ndim(r) else r
                 P, U = (
                     u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p),
                     u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p),
@@ -406,17 +414,15 @@ class _Machine:
         p_pin = self.p[self.pins]
         G = based_on(p_pin * self.z[self.pins], p_pin, self.z[self.pins])
         with about(Text("bare crank")):
-            S_0, C_0 = unbalance(m=self.m, p=each(self.p)), product(m=self.m, p=each(self.p), z=self.z)
+            S_0, C_0 = unbalance(m=self.m, p=self.p), product(m=self.m, p=self.p, z=self.z)
         self.bare = S_0, C_0
         together = based_on(complex(np.sum(G)), G)
         self.modes: dict[str, Array] = {}
         if abs(together.imag) > 1e-6 * float(np.sum(np.abs(G))) > 0:
             common = equal_bob(C=C_0, G=together)
             self.modes["equal"] = based_on(np.full(self.pins.size, common), common)
-            self.modes["per_pin"] = many(bobs_per_pin(m_b=common, C=C_0, G=each(G)))
-        self.modes["least_squares"] = many(
-            bobs_by_least_squares(S=S_0, C=C_0, p=each(p_pin), G=each(G), a=engine.cylinder_pitch)
-        )
+            self.modes["per_pin"] = bobs_per_pin(m_b=common, C=C_0, G=G)
+        self.modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
         self.mode = imbalance.bob_mode if imbalance.bob_mode in self.modes else "least_squares"
 
     def with_bobs(self, bobs: Array) -> tuple[complex, complex]:
@@ -424,12 +430,12 @@ class _Machine:
         m = based_on(np.concatenate([self.m, bobs]), self.m, bobs)
         p = based_on(np.concatenate([self.p, self.p[self.pins]]), self.p)
         z = based_on(np.concatenate([self.z, self.z[self.pins]]), self.z)
-        return unbalance(each(m), each(p)), product(each(m), each(p), each(z))
+        return unbalance(m, p), product(m, p, z)
 
 
 def _bodies(
     machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult
-) -> tuple[WebsResult, Kilogram]:
+) -> tuple[WebsResult, Array]:
     """The crank bare, with the bobs as stated, and with those found; and the masses of these."""
     masses = machine.modes[machine.mode]
     states = {"bare": _state(*machine.bare, imbalance, e)}
@@ -448,7 +454,7 @@ def _bodies(
         crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc
     )
     first = np.unique(pin_of_cylinder(engine, crank), return_index=True)[1]
-    deviation = pin_deviation(p=each(machine.p[machine.pins]), phi=each(throw[first]))
+    deviation = pin_deviation(p=machine.p[machine.pins], phi=throw[first])
     bobs = {
         str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}", short=True), bob)
         for j, bob in enumerate(elements(masses))
@@ -456,7 +462,7 @@ def _bodies(
     drill, drilled = drilling(imbalance, *turned_with, machine.p, machine.z)
     grade = imbalance.crank_balance_grade
     with about(Text("balance quality {grade}", grade=grade)):
-        m_S = crank_mass(m=machine.m, m_b=each(m_b))
+        m_S = crank_mass(m=machine.m, m_b=m_b)
         U_per = permitted_unbalance(G=grade_number(grade=grade), m_S=m_S, omega=e.angular_speed)
     return WebsResult(
         crank=states,
@@ -465,7 +471,7 @@ def _bodies(
         drill=drill,
         drilled_mass=drilled,
         permitted_unbalance=U_per,
-    ), each(masses)
+    ), masses
 
 
 def _state(S: complex, C: complex, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:

@@ -3,15 +3,14 @@
 
 from bisect import bisect_right
 from itertools import pairwise
-from typing import cast
+from typing import Generic, cast
 
 import numpy as np
 
+from ..sheet.arrays import Value
 from ..sheet.record import record
 from ..sheet.units import (
     Celsius,
-    JoulePerKilogramKelvin,
-    KilogramPerMetre3,
     Number,
     PascalSecond,
     PerKelvin,
@@ -42,13 +41,13 @@ from .oil_formulas import (
 
 
 @record
-class OilState:
-    """An oil at a temperature: kinematic and dynamic viscosity, density, specific heat."""
+class OilState(Generic[Value]):
+    """An oil at a temperature, or at many."""
 
-    nu: SquareMetrePerSecond
-    mu: PascalSecond
-    rho: KilogramPerMetre3
-    cp: JoulePerKilogramKelvin
+    nu: Value  # kinematic viscosity, m²/s
+    mu: Value  # dynamic viscosity, Pa·s
+    rho: Value  # kg/m³
+    cp: Value  # specific heat, J/(kg·K)
 
 
 class Lubricant:
@@ -101,7 +100,7 @@ class Lubricant:
             return viscosity_slope(nu_100=high, nu_40=low, c=self.c) > POLYMER_THICKENED
         return not self.constant and self.C_1 > POLYMER_THICKENED
 
-    def at(self, T: Celsius) -> OilState:
+    def at(self, T: Value) -> OilState[Value]:
         rho = density(rho_15=self.oil.rho15, T=T)
         if self.oil.viscosity is not None:
             mu = constant_viscosity(mu=self.oil.viscosity, T=T)
@@ -109,14 +108,14 @@ class Lubricant:
         nu = self.nu(T)
         return OilState(nu, dynamic_viscosity(nu=nu, rho=rho), rho, specific_heat(T=T))
 
-    def nu(self, T: Celsius) -> SquareMetrePerSecond:
-        """The kinematic viscosity by the line that holds at this temperature."""
+    def nu(self, T: Value) -> Value:
+        """The kinematic viscosity [m²/s] by the line that holds at a temperature [°C]."""
         if self.oil.viscosity is not None:
             return self.at(T).nu
         C_2, C_1 = self._line_at(T)
         return kinematic_viscosity(C_2=C_2, C_1=C_1, T=T, c=self.c)
 
-    def _line_at(self, T: Celsius) -> tuple[Number, Number]:
+    def _line_at(self, T: Value) -> tuple[Value | Number, Value | Number]:
         """Intercept and slope; of an array of temperatures an array each."""
         if not self.lines:
             return self.C_2, self.C_1

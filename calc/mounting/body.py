@@ -4,19 +4,21 @@
 The inertia is given or estimated; the roll axis is that about which the torque of the crank turns the engine."""
 
 import math
+from typing import Annotated
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.linked_array import gathered
 from ..sheet.units import (
     Kilogram,
-    KilogramMetre2,
-    Metre,
+    KilogramMetres2,
+    Kilograms,
     NewtonPerMetre,
     NewtonSecondPerMetre,
     Number,
+    Numbers,
     PhasorNewtonPerMetre,
     Radian,
     RadPerSecond,
@@ -34,8 +36,10 @@ DOFS = ("bounce", "lateral", "fore_aft", "yaw", "pitch", "roll")
     shows="diagonal J_x, J_y, J_z beside −∫xy dm …",
     unit="kg·m²",
 )
-def inertia_tensor(J: KilogramMetre2, J_c: KilogramMetre2) -> KilogramMetre2:
-    return each(tensor(J, J_c))  # type: ignore[arg-type]
+def inertia_tensor(
+    J: Annotated[tuple[float, ...], "kg·m²"], J_c: Annotated[tuple[float, ...], "kg·m²"]
+) -> KilogramMetres2:
+    return tensor(J, J_c)
 
 
 @formula(
@@ -45,41 +49,41 @@ def inertia_tensor(J: KilogramMetre2, J_c: KilogramMetre2) -> KilogramMetre2:
     shows="c·m·(b² + c²)/12 for each axis",
     unit="kg·m²",
 )
-def box_inertia(c: Number, m: Kilogram, sides: Metre) -> KilogramMetre2:
-    a, b, d = np.asarray(sides).tolist()
-    return each(np.diag(c * m / 12 * np.array([b * b + d * d, a * a + d * d, a * a + b * b])))
+def box_inertia(c: Number, m: Kilogram, sides: Annotated[tuple[float, ...], "m"]) -> KilogramMetres2:
+    a, b, d = sides
+    return np.diag(c * m / 12 * np.array([b * b + d * d, a * a + d * d, a * a + b * b]))
 
 
-def inertia(mounting: MountingInputs, share: float = BOX) -> KilogramMetre2:
+def inertia(mounting: MountingInputs, share: float = BOX) -> KilogramMetres2:
     """The tensor as given, or that of a box."""
     if mounting.inertia is None:
         assert mounting.dimensions is not None
-        return box_inertia(c=share, m=mounting.mass, sides=mounting.dimensions)  # type: ignore[arg-type]
+        return box_inertia(c=share, m=mounting.mass, sides=mounting.dimensions)
     coupling = mounting.inertia_coupling if mounting.inertia_coupling is not None else (0.0, 0.0, 0.0)
     if mounting.integral:
         coupling = based_on(tuple(-x for x in coupling), coupling)
-    return inertia_tensor(J=mounting.inertia, J_c=coupling)  # type: ignore[arg-type]
+    return inertia_tensor(J=mounting.inertia, J_c=coupling)
 
 
 @formula("M", "dynamics: mass matrix of a rigid body about its centre of gravity", shows="diag(m, m, m) with J")
-def mass_matrix(m: Kilogram, J: KilogramMetre2) -> Kilogram:
-    M = np.zeros((6, 6))
+def mass_matrix(m: Kilogram, J: KilogramMetres2) -> Kilograms:
+    M: Array = np.zeros((6, 6))
     M[:3, :3], M[3:, 3:] = np.eye(3) * float(m), np.asarray(J)
-    return each(M)
+    return M
 
 
 @formula(
     "e_T", "dynamics: axis about which a free body turns under a torque about the crank", shows="J⁻¹·e_z, of length 1"
 )
-def roll_axis(J: KilogramMetre2) -> Number:
+def roll_axis(J: KilogramMetres2) -> Numbers:
     solved = np.linalg.solve(np.asarray(J), np.array([0.0, 0.0, 1.0]))
     axis: Array = solved / np.linalg.norm(solved)
-    return each(axis)
+    return axis
 
 
 @formula("∠e_T", "geometry: between the torque roll axis and the crank", shows="arccos e_T·e_z")
-def roll_axis_angle(e_T: Number) -> Radian:
-    return float(np.arctan2(np.hypot(many(e_T)[0], many(e_T)[1]), many(e_T)[2]))
+def roll_axis_angle(e_T: Numbers) -> Radian:
+    return float(np.arctan2(np.hypot(e_T[0], e_T[1]), e_T[2]))
 
 
 def cross(r: Array) -> Array:
@@ -151,7 +155,7 @@ def static(mount: Mount) -> Array:
 
 def dynamic(mount: Mount) -> Array:
     """Along its own axes, without loss and without foundation."""
-    return many(dynamic_stiffness(k=each(gathered(mount.stiffness)), d=mount.dynamic_ratio))
+    return dynamic_stiffness(k=gathered(mount.stiffness), d=mount.dynamic_ratio)
 
 
 def constant(spring: Mount | Support) -> bool:
@@ -166,14 +170,14 @@ def foundation(mount: Mount) -> ComplexArray | None:
     if mount.foundation is None:
         return None
     k_f = np.broadcast_to(np.asarray(mount.foundation, dtype=float), (3,))
-    return phasors(lossy(k=each(k_f), eta=mount.foundation_loss or 0.0))
+    return lossy(k=k_f, eta=mount.foundation_loss or 0.0)
 
 
 def at_rest(mount: Mount) -> ComplexArray:
     """For the modes: dynamic, with its loss factor, on the foundation; no damper and no growth with frequency."""
-    k = phasors(lossy(k=each(dynamic(mount)), eta=mount.eta))
+    k = lossy(k=dynamic(mount), eta=mount.eta)
     k_f = foundation(mount)
-    return k if k_f is None else phasors(in_series(k=each(k), k_f=each(k_f)))
+    return k if k_f is None else in_series(k=k, k_f=k_f)
 
 
 def real_at_rest(mount: Mount) -> Array:
@@ -182,15 +186,15 @@ def real_at_rest(mount: Mount) -> Array:
     if mount.foundation is None:
         return k
     k_f: Array = np.broadcast_to(np.asarray(mount.foundation, dtype=float), (3,))
-    return np.real(phasors(in_series(k=each(k), k_f=each(k_f))))
+    return np.real(in_series(k=k, k_f=k_f))
 
 
 def own(spring: Mount | Support, Omega: Array) -> ComplexArray:
     """k* of the mount itself along its own axes (frequencies, 3)."""
     k = dynamic(spring) if isinstance(spring, Mount) else np.asarray(spring.stiffness, dtype=float)
     if spring.damping:
-        return phasors(damped(k=each(k), Omega=each(Omega[:, None]), c=spring.damping))
-    k_star = phasors(lossy(k=each(k), eta=spring.eta))
+        return damped(k=k, Omega=Omega[:, None], c=spring.damping)
+    k_star = lossy(k=k, eta=spring.eta)
     if isinstance(spring, Mount) and spring.frequency_dependence == "fractional":
         rise = (Omega / (2 * math.pi * REFERENCE)) ** exponent(eta=spring.eta)
         return np.asarray(rise)[:, None] * k_star
@@ -202,7 +206,7 @@ def with_foundation(mount: Mount, k: ComplexArray, R: Array, Omega: Array) -> Co
     """The stiffness between engine and frame in engine axes (frequencies, 3, 3), from k* along the own axes."""
     k_f = foundation(mount)
     if k_f is not None:
-        k = phasors(in_series(k=each(k), k_f=each(k_f)))
+        k = in_series(k=k, k_f=k_f)
     if not mount.mobility:
         turned: ComplexArray = (R * k[:, None, :]) @ R.T
         return turned

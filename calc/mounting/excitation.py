@@ -5,13 +5,27 @@ a(t) = Re{â·e^{inωt}}, t = 0 at the firing TDC of cylinder 1; n in halves for
 imbalance step that turns backward enters conjugated: without that the vertical couple of a three-cylinder would lie
 flat."""
 
+from typing import Annotated
+
 import numpy as np
 
 from ..imbalance.orders import Order
-from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, modulus
-from ..sheet.units import Metre, Newton, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, Radian
+from ..sheet.units import (
+    Metre,
+    NewtonMetre,
+    Newtons,
+    Number,
+    Numbers,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    PhasorNewtonMetres,
+    PhasorNewtons,
+    Radian,
+    Radians,
+)
 from ..sheet.value import based_on
 
 HIGHEST = 8
@@ -112,14 +126,14 @@ def couple_ratio(C: PhasorNewtonMetre, C_left: PhasorNewtonMetre) -> Number:
     shows="2/N·Σ T_k(ε_j)·e^(−i·n·ε_j), N = 7200; T_k of the mixed cycle as the engine has it",
 )
 def one_cylinder(
-    basis: NewtonMetre, p_max: Newton, p_2: Newton, p_ex: Newton, p_in: Newton, p_case: Newton
-) -> PhasorNewtonMetre:
+    basis: PhasorNewtonMetres, p_max: Newtons, p_2: Newtons, p_ex: Newtons, p_in: Newtons, p_case: Newtons
+) -> PhasorNewtonMetres:
     """The torque is linear in the pressures: `basis` holds what each of them does, so that many speeds cost no more
     than one."""
     at = np.asarray(basis)
     parts = np.stack(np.broadcast_arrays(p_max, p_2, p_ex, p_in, p_case), -1)[..., None]
     torque: ComplexArray = np.sum(parts * at, -2)
-    return each(torque)
+    return torque
 
 
 @formula(
@@ -130,14 +144,14 @@ def one_cylinder(
     names={"fires": "f"},
 )
 def all_cylinders(
-    t_one: PhasorNewtonMetre, t_inertia: PhasorNewtonMetre, spread: Number, fires: Radian, n: Number
-) -> PhasorNewtonMetre:
-    turned = np.exp(-1j * np.asarray(n)[:, None] * many(fires))
+    t_one: PhasorNewtonMetres, t_inertia: PhasorNewtonMetres, spread: Numbers, fires: Radians, n: Numbers
+) -> PhasorNewtonMetres:
+    turned = np.exp(-1j * np.asarray(n)[:, None] * fires)
     sums = (turned * (1 + np.asarray(spread))).sum(-1)
     sums[np.abs(sums) < 1e-12 * turned.shape[1]] = 0.0
-    torque = phasors(t_one) * sums + phasors(t_inertia)
+    torque: ComplexArray = t_one * sums + t_inertia
     torque = np.where(np.abs(torque) < 1e-12 * np.abs(torque).max(-1, keepdims=True), 0.0, torque)
-    return each(torque)
+    return torque
 
 
 @formula("T_n", "mathematics: amplitude of one order of the torque on the crank")
@@ -149,8 +163,11 @@ def amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
 
 
 @formula("M̂_G", "statics: the same force and moment about the centre of gravity", shows="M̂ − r_G × F̂")
-def about_gravity(F: PhasorNewton, M: PhasorNewtonMetre, r_G: Metre) -> PhasorNewtonMetre:
-    return each(phasors(M) - np.cross(np.asarray(r_G), phasors(F)))
+def about_gravity(
+    F: PhasorNewtons, M: PhasorNewtonMetres, r_G: Annotated[tuple[float, ...], "m"]
+) -> PhasorNewtonMetres:
+    moment: ComplexArray = M - np.cross(np.asarray(r_G), F)
+    return moment
 
 
 def strength(F: ComplexArray, M: ComplexArray, rho: float) -> Array:
@@ -189,10 +206,8 @@ def moving(n: Array, orders: dict[str, Order], *, bare: bool) -> Moving:
 
 def turning_wrench(moving: Moving, roll: ComplexArray) -> ComplexArray:
     """Forces and moments about the origin from the vectors that turn (orders, 6)."""
-    F_f, F_b, C_f, C_b = (each(part) for part in moving)
+    F_f, F_b, C_f, C_b = (part for part in moving)
     X, Y = vertical(p=F_f, m=F_b), horizontal(p=F_f, m=F_b)
     M_x, M_y = moment_about_x(p=C_f, m=C_b), moment_about_y(p=C_f, m=C_b)
     zero = np.zeros(roll.size, dtype=complex)
-    return based_on(
-        np.stack([phasors(X), phasors(Y), zero, phasors(M_x), phasors(M_y), roll], -1), X, Y, M_x, M_y, roll
-    )
+    return based_on(np.stack([X, Y, zero, M_x, M_y, roll], -1), X, Y, M_x, M_y, roll)

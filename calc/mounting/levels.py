@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, each
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import sqrt
 from ..sheet.record import record
-from ..sheet.units import Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonMetre, Number
+from ..sheet.units import Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonMetre, Newtons, Number
 from ..sheet.value import based_on
 from . import standards
 from .inputs import MountingInputs, Point
@@ -50,7 +50,7 @@ def force(F: Newton) -> Newton:
 
 def _rms(x: float) -> float:
     rms = np.sqrt(np.sum(np.square(np.abs(x)), -1) / 2)
-    return each(rms) if rms.ndim else float(rms)
+    return rms if rms.ndim else float(rms)
 
 
 @formula(
@@ -88,9 +88,8 @@ KINDS: tuple[tuple[Any, Any], ...] = (
 
 
 @formula("ΣF", "mathematics: root of the sum of squares of the mounts' rms forces", shows="√(Σ F_j²)")
-def force_sum(F: Newton) -> Newton:
-    total = np.sqrt(np.sum(np.square(F), -1))
-    return each(total) if total.ndim else float(total)
+def force_sum(F: Newtons) -> Newton:
+    return float(np.sqrt(np.sum(np.square(F), -1)))
 
 
 @formula(
@@ -102,7 +101,7 @@ def force_sum(F: Newton) -> Newton:
 def deflection_peak(delta: Metre) -> Metre:
     """Of lines of orders 1, 2, … of the cycle (…, axes, orders)."""
     peak = peaks(np.asarray(delta)).max(-1)
-    return each(peak) if peak.ndim else float(peak)
+    return peak if peak.ndim else float(peak)
 
 
 @formula(

@@ -8,14 +8,14 @@ import math
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, each, many
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import atan, pi, power, sqrt, tan
 from ..sheet.linked_array import elements
 from ..sheet.quantity import Stated
 from ..sheet.record import record
 from ..sheet.text import Text
-from ..sheet.units import Hertz, Kilogram, KilogramMetre2, Metre, NewtonPerMetre, Number, Radian, RevPerSecond
+from ..sheet.units import Hertz, Hertzes, Kilogram, KilogramMetre2, Metre, NewtonPerMetre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on, link_of, linked
 from . import body, modes
 from . import body as rigid_body
@@ -133,12 +133,12 @@ def four_yaw(k_y: NewtonPerMetre, c: Metre, k_z: NewtonPerMetre, b: Metre, J_x: 
     unit="Hz",
     shows="√λ/2π of [[4·k, 4·k·h], [4·k·h, 4·(k·h² + k_x·a²)]] on diag(m, J)",
 )
-def four_coupled(k: NewtonPerMetre, k_x: NewtonPerMetre, h: Metre, a: Metre, m: Kilogram, J: KilogramMetre2) -> Hertz:
+def four_coupled(k: NewtonPerMetre, k_x: NewtonPerMetre, h: Metre, a: Metre, m: Kilogram, J: KilogramMetre2) -> Hertzes:
     """Lateral with roll (a = b), fore and aft with pitch (a = c)."""
     K = np.array([[4 * k, 4 * k * h], [4 * k * h, 4 * (k * h**2 + k_x * a**2)]])
     root = np.sqrt(np.array([m, J]))
     coupled: Array = np.sqrt(np.linalg.eigvalsh(K / np.outer(root, root))) / (2 * np.pi)
-    return each(coupled)
+    return coupled
 
 
 # --- excitation
@@ -159,23 +159,23 @@ def lowest_order(orders: Array, wrench: ComplexArray, rho: float) -> float | Non
 class Matrices:
     """Of the engine on rigid ground: stiffness at rest, its loss, masses; and the modes that they have."""
 
-    K: float  # arrays, by the door of formulas
-    K_loss: float
-    M: float
-    J: float
+    K: Array
+    K_loss: Array
+    M: Array
+    J: Array
     found: Modes
     energies: list[list[float]]  # by coordinate and mode
 
 
-def matrices(mounting: MountingInputs, free: System, J: float) -> Matrices:
+def matrices(mounting: MountingInputs, free: System, J: Array) -> Matrices:
     """Raises NoSolution where the mounts leave the engine a motion."""
     mounts = mounting.mounts
-    B, R = each(based_on(free.between, mounting.centre_of_gravity)), each(free.axes)
+    B, R = based_on(free.between, mounting.centre_of_gravity), free.axes
     k, loss = (np.stack([of(mount) for mount in mounts]) for of in (rigid_body.real_at_rest, rigid_body.loss_at_rest))
-    K = modes.stiffness_matrix(k=each(based_on(k, mounts)), B=B, R=R)
-    K_loss = modes.stiffness_matrix(k=each(based_on(loss, mounts)), B=B, R=R)
+    K = modes.stiffness_matrix(k=based_on(k, mounts), B=B, R=R)
+    K_loss = modes.stiffness_matrix(k=based_on(loss, mounts), B=B, R=R)
     M = body.mass_matrix(m=mounting.mass, J=J)
-    solved = modes.modes(many(K), many(M))
+    solved = modes.modes(K, M)
     phi = modes.shapes(K=K, M=M)
     p = based_on(np.asarray(M) @ np.asarray(phi), phi, M)
     E = [[modes.energy(phi=_of(phi, j, i), p=_of(p, j, i)) for i in range(6)] for j in range(6)]
@@ -185,8 +185,8 @@ def matrices(mounting: MountingInputs, free: System, J: float) -> Matrices:
 def of_modes(m: Matrices) -> dict[str, Mode]:
     """Mode by mode, slowest first."""
     squares, losses = (
-        elements(many(modes.eigenvalues(K=m.K, M=m.M))),
-        elements(many(modes.mode_loss(K_loss=m.K_loss, K=m.K, M=m.M))),
+        elements(modes.eigenvalues(K=m.K, M=m.M)),
+        elements(modes.mode_loss(K_loss=m.K_loss, K=m.K, M=m.M)),
     )
     E = m.energies
     shares = {
@@ -204,7 +204,7 @@ HEADLINES = {"roll": 1, "bounce": 2}  # what stands for the step
 PURE = {dof: Text("Energy of the mode named {dof} in it", dof=words) for dof, words in DOF_WORDS.items()}
 
 
-def _of(x: float, *place: int) -> float:
+def _of(x: Array, *place: int) -> float:
     """One number of an array, with the array's link."""
     return linked(float(np.asarray(x)[place]), link_of(x))
 
@@ -251,7 +251,7 @@ def window(mounting: MountingInputs, driven: EngineWrenches, m: Matrices, mode_v
     ceilings = {}
     speeds = np.array([float(mounting.idle_speed)])
     wrench = driven.wrench(speeds, driven.torque(speeds))[0]
-    rho = body.radius_of_gyration(float(mounting.mass), many(m.J))
+    rho = body.radius_of_gyration(float(mounting.mass), m.J)
     for name in ("half", "shaft"):
         order = (
             None

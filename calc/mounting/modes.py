@@ -8,13 +8,13 @@ from itertools import permutations
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, IndexArray, each
+from ..sheet.arrays import Array, ComplexArray, IndexArray
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import pi, sqrt
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
-from ..sheet.units import Hertz, Kilogram, NewtonPerMetre, Number, PerSecond2
+from ..sheet.units import Hertz, Kilograms, NewtonsPerMetre, Number, Numbers, PerSecond2, PerSeconds2
 from .body import DOFS
 from .inputs import DOF_WORDS
 
@@ -24,11 +24,11 @@ MIXED = 0.6  # energy below which a name alone says too little
 
 
 @formula("K", "dynamics: stiffness of all mounts about the centre of gravity", shows="Σ Bᵀ·R·diag(k)·Rᵀ·B")
-def stiffness_matrix(k: NewtonPerMetre, B: Number, R: Number) -> NewtonPerMetre:
+def stiffness_matrix(k: NewtonsPerMetre, B: Numbers, R: Numbers) -> NewtonsPerMetre:
     """`k` along own axes (mounts, 3), `B` how each mount moves with the body, `R` its axes."""
     D = np.swapaxes(np.asarray(R), 1, 2) @ np.asarray(B)
     stiffness: Array = np.einsum("jai,ja,jab->ib", D, np.asarray(k), D)
-    return each(stiffness)
+    return stiffness
 
 
 @formula(
@@ -36,8 +36,8 @@ def stiffness_matrix(k: NewtonPerMetre, B: Number, R: Number) -> NewtonPerMetre:
     "dynamics: squared angular frequencies of a rigid body's free vibration on springs",
     shows="eigenvalues of K·φ = ω²·M·φ, ascending",
 )
-def eigenvalues(K: NewtonPerMetre, M: Kilogram) -> PerSecond2:
-    return each(eigen(np.asarray(K), np.asarray(M))[0])
+def eigenvalues(K: NewtonsPerMetre, M: Kilograms) -> PerSeconds2:
+    return eigen(np.asarray(K), np.asarray(M))[0]
 
 
 @formula("f", "definition of the frequency", unit="Hz", names={"omega2": "ω²"})
@@ -50,9 +50,9 @@ def frequency(omega2: PerSecond2) -> Hertz:
     "dynamics: squared angular frequencies of a rigid body's free vibration on springs",
     shows="K·φ = ω²·M·φ with φᵀ·M·φ = 1, a column for each mode",
 )
-def shapes(K: NewtonPerMetre, M: Kilogram) -> Number:
+def shapes(K: NewtonsPerMetre, M: Kilograms) -> Numbers:
     phi = eigen(np.asarray(K), np.asarray(M))[1]
-    return each(np.where(np.abs(phi) > DUST * np.abs(phi).max(-1, keepdims=True), phi, 0.0))
+    return np.where(np.abs(phi) > DUST * np.abs(phi).max(-1, keepdims=True), phi, 0.0)
 
 
 @formula(
@@ -68,10 +68,10 @@ def energy(phi: Number, p: Number) -> Number:
 
 
 @formula("η_i", "definition of the loss factor of a mode", shows="φᵀ·Im K*·φ/ω²")
-def mode_loss(K_loss: NewtonPerMetre, K: NewtonPerMetre, M: Kilogram) -> Number:
+def mode_loss(K_loss: NewtonsPerMetre, K: NewtonsPerMetre, M: Kilograms) -> Numbers:
     values, phi = eigen(np.asarray(K), np.asarray(M))
     losses: Array = np.einsum("im,ij,jm->m", phi, np.asarray(K_loss), phi) / values
-    return each(losses)
+    return losses
 
 
 @formula(
@@ -80,13 +80,13 @@ def mode_loss(K_loss: NewtonPerMetre, K: NewtonPerMetre, M: Kilogram) -> Number:
     shows="(φ_iᵀ·M·q_T)²/(q_Tᵀ·M·q_T)",
     unit="%",
 )
-def roll_shares(K: NewtonPerMetre, M: Kilogram) -> Number:
+def roll_shares(K: NewtonsPerMetre, M: Kilograms) -> Numbers:
     mass = np.asarray(M)
     _, phi = eigen(np.asarray(K), mass)
     q = np.zeros(6)
     q[3:] = np.linalg.solve(mass[3:, 3:], np.array([0.0, 0.0, 1.0]))
     shares: Array = (phi.T @ mass @ q) ** 2 / (q @ mass @ q)
-    return each(shares)
+    return shares
 
 
 def eigen(K: Array, M: Array) -> tuple[Array, Array]:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, each
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import Described
 from ..sheet.record import record
@@ -166,7 +166,7 @@ def _mounts(
     whole = mapped(l.force, F.reshape(*F.shape[:3], -1), source=lines.source)
     peaks = mapped(l.deflection_peak, lines.deflection, source=lines.source, axes=2)
     by_order = mapped(l.force, np.moveaxis(F[:, shown][..., existing], -1, -2), source=lines.source)
-    sums = [[l.force_sum(F=each(gathered(of_variant))) for of_variant in of_operation] for of_operation in whole]
+    sums = [[l.force_sum(F=gathered(of_variant)) for of_variant in of_operation] for of_operation in whole]
     together = described(Text("Forces of all mounts"), "N", "ΣF")
     for i, (name, _, _) in enumerate(rows):
         for v, variant in enumerate(driven.variants):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..sheet.arrays import Array, each
+from ..sheet.arrays import Array
 from ..sheet.quantity import Stated
 from ..sheet.text import Text
 from ..sheet.value import based_on
@@ -139,10 +139,12 @@ def _day(result: MountingResult, name: str, role: str, v: int, which: list[int],
     operations = list(result.operations.values())
     of = [operations[i][result.drive.variants[v]][name] for i in which]
     if role == "hand":
-        a = [_number(level.weighted) for level in of]
-        return standards.hand_arm(a=each(based_on(np.array(a), a)), T=each(hours))
+        whole = [_number(level.weighted) for level in of]
+        a: Array = np.array(whole)
+        return standards.hand_arm(a=based_on(a, whole), T=hours)
     axes = [[_number(x) for x in (level.weighted_x, level.weighted_y, level.weighted_z)] for level in of]
-    return standards.whole_body(a=each(based_on(np.array(axes), axes, lines.source)), T=each(hours))
+    a = np.array(axes)
+    return standards.whole_body(a=based_on(a, axes, lines.source), T=hours)
 
 
 def _number(x: float | None) -> float:

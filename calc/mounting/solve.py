@@ -8,7 +8,7 @@ from functools import partial
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..imbalance.result import ImbalanceResult
-from ..sheet.arrays import many
+from ..sheet.arrays import Array
 from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.linked_array import gathered
@@ -56,16 +56,16 @@ def solve(
     )
 
 
-def values(mounting: MountingInputs, driven: EngineWrenches, J: float) -> MountingResult:
+def values(mounting: MountingInputs, driven: EngineWrenches, J: Array) -> MountingResult:
     """Every number of the step, of an engine with this inertia tensor."""
-    free = system(mounting, many(J), frame=False)
+    free = system(mounting, J, frame=False)
     m = modal.matrices(mounting, free, J)
     mode_values = modal.of_modes(m)
     rest = statics.at_rest(mounting, free)
     rows = operating(mounting, driven.engine)
     speeds = gathered(speed for _, speed, _ in rows)
     torque = driven.torque(speeds)
-    whole = free if mounting.chassis is None else system(mounting, many(J))
+    whole = free if mounting.chassis is None else system(mounting, J)
     lines = levels(whole, driven, speeds, torque)
     frequency, there = modal.frequencies(m, mode_values), existing(driven, lines)
     rows_critical = crossings(mounting, driven, there, frequency)
@@ -87,7 +87,7 @@ def values(mounting: MountingInputs, driven: EngineWrenches, J: float) -> Mounti
         own="shaft" if "shaft" in driven.variants else "half",
         speeds={name: (speed, hours) for name, speed, hours in rows},
         mode_data=m.found,
-        stiffness=(many(m.K), many(m.M)),
+        stiffness=(m.K, m.M),
         system=whole,
         drive=driven,
         levels=lines,

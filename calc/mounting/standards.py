@@ -2,11 +2,12 @@
 """What standards say of vibration: which of them applies to this engine, grades of severity, what people feel."""
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 
 from ..library.table_file import TableRow, house_table
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, sqrt
 from ..sheet.record import record
@@ -16,7 +17,9 @@ from ..sheet.units import (
     Metre,
     MetrePerSecond,
     MetrePerSecond2,
+    MetresPerSecond2,
     Number,
+    Numbers,
     PhasorHertz,
     PhasorNumber,
     RevPerSecond,
@@ -127,8 +130,8 @@ def grade(s: Metre, v: MetrePerSecond, a: MetrePerSecond2) -> Number:
         np.asarray(a) / (two_pi * t["corner_high_Hz"]),
     )
     worst = sizes.max(-1)
-    graded = np.where(np.isfinite(worst), grades[np.searchsorted(limits, worst * (1 - 1e-12))], np.nan)
-    return each(graded) if graded.ndim else float(graded)
+    graded: Any = np.where(np.isfinite(worst), grades[np.searchsorted(limits, worst * (1 - 1e-12))], np.nan)
+    return graded if graded.ndim else float(graded)
 
 
 def in_band(f: Array) -> Array:
@@ -182,7 +185,7 @@ def weight(H_h: PhasorNumber, H_l: PhasorNumber, H_t: PhasorNumber, H_s: PhasorN
 def weighted(W: Number, a: MetrePerSecond2) -> MetrePerSecond2:
     """Of the lines along the last axis."""
     level = np.sqrt(np.sum(np.square(np.asarray(W) * np.abs(a)), -1) / 2)
-    return each(level) if level.ndim else float(level)
+    return level if level.ndim else float(level)
 
 
 @formula(
@@ -201,7 +204,7 @@ def total_value(x: MetrePerSecond2, y: MetrePerSecond2, z: MetrePerSecond2) -> M
     unit="m/s²",
     shows="max{1.4·x, 1.4·y, z} of √(Σ a_w²·T/8 h)",
 )
-def whole_body(a: MetrePerSecond2, T: Number) -> MetrePerSecond2:
+def whole_body(a: MetresPerSecond2, T: Numbers) -> MetrePerSecond2:
     """`a`: (operations, axes), `T` hours of each."""
     energy = np.sqrt(np.sum(np.square(a) * np.asarray(T)[:, None], 0) / 8)
     return largest(largest(1.4 * float(energy[0]), 1.4 * float(energy[1])), float(energy[2]))
@@ -213,13 +216,13 @@ def whole_body(a: MetrePerSecond2, T: Number) -> MetrePerSecond2:
     unit="m/s²",
     shows="√(Σ a_v²·T/8 h)",
 )
-def hand_arm(a: MetrePerSecond2, T: Number) -> MetrePerSecond2:
+def hand_arm(a: MetresPerSecond2, T: Numbers) -> MetrePerSecond2:
     return float(np.sqrt(np.sum(np.square(a) * np.asarray(T)) / 8))
 
 
 def weights(name: str, f: Array) -> Array:
     """W_k, W_d ("Wk", "Wd") or W_h at any frequencies."""
     by: Filter = weighting(name)
-    s = each(1j * np.asarray(f, dtype=float))
-    step: complex = upward_step(s, *by.steps) if by.steps is not None else 1.0 + 0j
-    return many(weight(high_pass(s, by.f_1), low_pass(s, by.f_2), transition(s, by.f_3, by.Q_4, by.f_4), step))
+    s = 1j * np.asarray(f, dtype=float)
+    step: ComplexArray | complex = upward_step(s, *by.steps) if by.steps is not None else 1.0 + 0j
+    return weight(high_pass(s, by.f_1), low_pass(s, by.f_2), transition(s, by.f_3, by.Q_4, by.f_4), step)

@@ -4,12 +4,12 @@ it."""
 
 import numpy as np
 
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.linked_array import elements
 from ..sheet.quantity import Described, Stated
 from ..sheet.text import Text
-from ..sheet.units import Metre, Newton, NewtonMetre, NewtonPerMetre, Number, Radian
+from ..sheet.units import Metre, Metres, NewtonMetre, Newtons, NewtonsPerMetre, Number, Numbers, Radian
 from ..sheet.value import based_on, link_of, linked
 from .body import static
 from .inputs import MountingInputs
@@ -22,14 +22,15 @@ GRAVITY = 9.80665  # m/s²
 
 
 @formula("q_s", "statics: equilibrium on the static stiffness of the mounts", shows="K_s⁻¹·f")
-def rest(K_s: NewtonPerMetre, f: Newton) -> Metre:
-    return each(np.linalg.solve(np.asarray(K_s), np.asarray(f)))
+def rest(K_s: NewtonsPerMetre, f: Newtons) -> Metres:
+    q: Array = np.linalg.solve(np.asarray(K_s), np.asarray(f))
+    return q
 
 
 @formula("δ_s", "kinematics: deflection along the mount's own axes", shows="Rᵀ·B·q_s", unit="mm")
-def own_deflection(q_s: Metre, B: Number, R: Number) -> Metre:
+def own_deflection(q_s: Metres, B: Numbers, R: Numbers) -> Metres:
     deflection: Array = np.einsum("jba,jbc,c->ja", np.asarray(R), np.asarray(B), np.asarray(q_s))
-    return each(deflection)
+    return deflection
 
 
 @formula("δ_1", "definition: amount of the deflection along the first own axis", unit="mm")
@@ -38,29 +39,29 @@ def first_axis(delta_s: Metre) -> Metre:
 
 
 @formula("F_s", "statics: upward force of the mount on the engine", shows="−up·R·diag(k)·δ_s")
-def load(k: NewtonPerMetre, delta_s: Metre, R: Number, up: Number) -> Newton:
+def load(k: NewtonsPerMetre, delta_s: Metres, R: Numbers, up: Numbers) -> Newtons:
     """Of all mounts; below 0: it is pulled."""
     loads: Array = -np.einsum("jab,jb,a->j", np.asarray(R), np.asarray(k) * np.asarray(delta_s), np.asarray(up))
-    return each(loads)
+    return loads
 
 
 @formula("φ_s", "kinematics: roll about the crank, positive from up to the side", shows="θ_z of q_s")
-def roll(q_s: Metre) -> Radian:
+def roll(q_s: Metres) -> Radian:
     return float(np.asarray(q_s)[5])
 
 
 def at_rest(mounting: MountingInputs, s: System) -> Rest:
     """`s`: on rigid ground."""
     k = based_on(np.stack([static(mount) for mount in mounting.mounts]), mounting.mounts)
-    between = each(based_on(s.between, mounting.centre_of_gravity))
+    between = based_on(s.between, mounting.centre_of_gravity)
     up = np.asarray(mounting.up, dtype=float) / np.linalg.norm(mounting.up)
-    K_s = stiffness_matrix(k=each(k), B=between, R=each(s.axes))
+    K_s = stiffness_matrix(k=k, B=between, R=s.axes)
     weight = np.concatenate([-float(mounting.mass) * GRAVITY * up, np.zeros(3)])
-    q = rest(K_s=K_s, f=each(based_on(weight, mounting.mass)))
-    q_T = rest(K_s=K_s, f=each(np.array([0, 0, 0, 0, 0, 1.0])))
-    delta = own_deflection(q_s=q, B=between, R=each(s.axes))
-    by_torque = own_deflection(q_s=q_T, B=between, R=each(s.axes))
-    carried = load(k=each(k), delta_s=delta, R=each(s.axes), up=each(up))
+    q = rest(K_s=K_s, f=based_on(weight, mounting.mass))
+    q_T = rest(K_s=K_s, f=np.array([0, 0, 0, 0, 0, 1.0]))
+    delta = own_deflection(q_s=q, B=between, R=s.axes)
+    by_torque = own_deflection(q_s=q_T, B=between, R=s.axes)
+    carried = load(k=k, delta_s=delta, R=s.axes, up=up)
     return Rest(
         np.asanyarray(delta), np.asanyarray(by_torque), np.asanyarray(carried), np.asanyarray(q), np.asanyarray(q_T)
     )
@@ -84,7 +85,7 @@ def output(mounting: MountingInputs, driven: EngineWrenches, speeds: Array) -> t
 
 def published(mounting: MountingInputs, rest: Rest, out: tuple[float, ...]) -> Tree:
     """Mount by mount, and the roll of the engine under its weight and the largest mean torque."""
-    loads = elements(many(each(rest.load)))
+    loads = elements(rest.load)
     tree: Tree = {
         mount.name: StaticMount(
             deflection=first_axis(delta_s=linked(float(rest.deflection[j, 0]), link_of(rest.deflection))), load=loads[j]
@@ -93,7 +94,7 @@ def published(mounting: MountingInputs, rest: Rest, out: tuple[float, ...]) -> T
     }
     M_z = max(out, key=abs, default=0.0)
     q = based_on(rest.q + rest.q_by_torque * M_z, rest.q, rest.q_by_torque, M_z)
-    tree["roll"] = Stated(Described(Text("Static roll, from up to the side"), "°", "φ_s"), roll(q_s=each(q)))
+    tree["roll"] = Stated(Described(Text("Static roll, from up to the side"), "°", "φ_s"), roll(q_s=q))
     return tree
 
 

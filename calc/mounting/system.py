@@ -10,10 +10,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, each, phasors
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.record import record
-from ..sheet.units import Kilogram, PhasorMetre, PhasorNewton, PhasorNewtonPerMetre, RadPerSecond
+from ..sheet.units import Kilograms, PhasorMetres, PhasorNewtons, PhasorNewtonsPerMetre, RadiansPerSecond
 from ..sheet.value import based_on, link_of, linked
 from . import body
 from .body import displacement, mass_matrix
@@ -73,7 +73,7 @@ def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
     r_G = np.asarray(mounting.centre_of_gravity)
     arms = np.array([mount.position for mount in mounting.mounts]) - r_G
     M = np.eye(size)
-    M[:6, :6] = np.asarray(mass_matrix(m=mounting.mass, J=each(J)))
+    M[:6, :6] = np.asarray(mass_matrix(m=mounting.mass, J=J))
     static_frame = np.zeros((size, size), dtype=complex)
     between = np.zeros((len(arms), 3, size))
     supports = chassis.supports if chassis is not None else ()
@@ -83,9 +83,7 @@ def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
         if chassis is not None:
             between[j, :, 6:] = -_on_frame(chassis, mount.name, mount.position)
     if chassis is not None:
-        M[6:12, 6:12] = np.asarray(
-            mass_matrix(m=chassis.mass, J=each(tensor(chassis.inertia, chassis.inertia_coupling)))
-        )
+        M[6:12, 6:12] = np.asarray(mass_matrix(m=chassis.mass, J=tensor(chassis.inertia, chassis.inertia_coupling)))
         for i, mode in enumerate(modes):
             static_frame[12 + i, 12 + i] = (2 * math.pi * mode.frequency) ** 2 * (1 + 1j * mode.loss_factor)
         for j, support in enumerate(supports):
@@ -121,20 +119,20 @@ def moves(s: System, point: Point) -> Array:
 
 
 @formula("q̂", "dynamics: steady state of a linear system under harmonic wrenches", shows="(K* − Ω²·M)⁻¹·f̂")
-def steady_state(K: PhasorNewtonPerMetre, M: Kilogram, f: PhasorNewton, Omega: RadPerSecond) -> PhasorMetre:
+def steady_state(K: PhasorNewtonsPerMetre, M: Kilograms, f: PhasorNewtons, Omega: RadiansPerSecond) -> PhasorMetres:
     """`f`: (frequencies, cases, 6) on the engine; `K`: one matrix, or one for each frequency.  None of a resonance
     without loss."""
-    stiff, mass, force, w = phasors(K), np.asarray(M), phasors(f), np.asarray(Omega)
-    if stiff.ndim == 2:
-        return each(_by_modes(stiff, mass, force, w))
-    D = stiff - (w**2)[:, None, None] * mass
-    right = np.zeros((w.size, mass.shape[0], force.shape[1]), dtype=complex)
-    right[:, :6] = np.swapaxes(force, 1, 2)
+    mass, w = np.asarray(M), np.asarray(Omega)
+    if K.ndim == 2:
+        return _by_modes(K, mass, f, w)
+    D = K - (w**2)[:, None, None] * mass
+    right = np.zeros((w.size, mass.shape[0], f.shape[1]), dtype=np.complex128)
+    right[:, :6] = np.swapaxes(f, 1, 2)
     try:
         response = np.linalg.solve(D, right)
     except np.linalg.LinAlgError:
         response = np.stack([_one(d, r) for d, r in zip(D, right)])
-    return each(np.swapaxes(response, 1, 2))
+    return np.swapaxes(response, 1, 2)
 
 
 def _one(D: ComplexArray, right: ComplexArray) -> ComplexArray:
@@ -191,17 +189,17 @@ def respond(s: System, Omega: Array, f: ComplexArray) -> Response:
     own_stiffness, whole = s.mount_stiffness(at)
     K = s.stiffness(whole, at)
     K_given = based_on(K[0] if s.constant else K, s.source)
-    q = steady_state(K=each(K_given), M=each(based_on(s.M, s.source)), f=each(f), Omega=each(Omega))
-    between = np.einsum("jac,fvc->jfva", s.between, phasors(q))
+    q = steady_state(K=K_given, M=based_on(s.M, s.source), f=f, Omega=Omega)
+    between = np.einsum("jac,fvc->jfva", s.between, q)
     force = np.einsum("jfab,jfvb->jfva", np.broadcast_to(whole, (len(whole), Omega.size, 3, 3)), between)
     deflection = np.einsum("jba,jfvb->jfva", s.axes, force) / own_stiffness[:, :, None, :]
-    return Response(Omega, linked(phasors(q), link_of(q)), force, deflection)
+    return Response(Omega, linked(q, link_of(q)), force, deflection)
 
 
 def respond_at(s: System, Omega: Array, f: ComplexArray) -> ComplexArray:
     """The displacements alone, frequency by frequency."""
     _, whole = s.mount_stiffness(Omega)
-    return phasors(steady_state(K=each(s.stiffness(whole, Omega)), M=each(s.M), f=each(f), Omega=each(Omega)))
+    return steady_state(K=s.stiffness(whole, Omega), M=s.M, f=f, Omega=Omega)
 
 
 def transmitted(s: System, r: Response) -> tuple[ComplexArray, ComplexArray]:

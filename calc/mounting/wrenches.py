@@ -20,7 +20,7 @@ from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..engine.torque import prepare
 from ..imbalance.result import ImbalanceResult
-from ..sheet.arrays import Array, ComplexArray, IndexArray, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, IndexArray
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
@@ -98,20 +98,18 @@ def _arms(engine: EngineInputs, e: EngineResult, cycle: Cycle) -> tuple[Array, A
     """Sample angles, what 1 Pa does there on the crank, over half the samples, and the piston's way."""
     epsilon: Array = np.arange(x.SAMPLES, dtype=float) * (float(cycle.length) / x.SAMPLES)
     with untraced():
-        alpha = each(e.tdc_angle + epsilon)
+        alpha = e.tdc_angle + epsilon
         beta = kinematics.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
-        v_rel = many(kinematics.relative_speed(alpha=alpha, beta=beta))
-        way = many(c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta))
-        arm = many(
-            c.torque_of(F=c.gas_force(p=1.0, p_case=0.0, D=engine.bore), r=engine.crank_radius, v_rel=each(v_rel))
-        )
+        v_rel = kinematics.relative_speed(alpha=alpha, beta=beta)
+        way = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+        arm = c.torque_of(F=c.gas_force(p=1.0, p_case=0.0, D=engine.bore), r=engine.crank_radius, v_rel=v_rel)
     return epsilon, arm * (2.0 / x.SAMPLES), way
 
 
 def of_table(engine: EngineInputs, e: EngineResult, cycle: Cycle, n: Array) -> ComplexArray:
     epsilon, arm, way = _arms(engine, e, cycle)
     with untraced():
-        p = many(cycle.pressure(each(epsilon), each(way))) - float(cycle.crankcase)
+        p = cycle.pressure(epsilon, way) - float(cycle.crankcase)
     return _together(_turning(tuple(n.tolist()), float(cycle.length)) @ (arm * p))
 
 
@@ -156,25 +154,23 @@ def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *
     p_max, p_in, p_ex = (over([float(getattr(g, key)) for _, g in cycles]) for key in ("p_max", "p_in", "p_ex"))
     p_case, eps_p = over([float(cycle.crankcase) for cycle, _ in cycles]), over([float(g.eps_p) for _, g in cycles])
     with untraced():
-        alpha = each(e.tdc_angle + eps_p)
+        alpha = e.tdc_angle + eps_p
         beta = kinematics.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
-        x_p = many(c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta))
+        x_p = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
     g = cycles[0][1]
     p_2 = p_max * (float(g.h_c) + x_p) ** float(g.n_e)
     until = np.searchsorted(b.epsilon, eps_p + INSIDE, side="right")
-    parts = np.empty((v.size, 5, b.fixed.shape[1]), dtype=complex)
+    parts = np.empty((v.size, 5, b.fixed.shape[1]), dtype=np.complex128)
     parts[:, 0], parts[:, 1] = b.up_to(until)
     parts[:, 2:] = b.fixed
     of = [part for _, g in cycles for part in (g.p_max, g.p_in, g.p_ex, g.eps_p, g.x_p, g.h_c, g.n_c, g.n_e)]
-    return phasors(
-        x.one_cylinder(
-            basis=each(parts),
-            p_max=based_on(each(p_max), *of),
-            p_2=each(p_2),
-            p_ex=each(p_ex),
-            p_in=each(p_in),
-            p_case=each(p_case),
-        )
+    return x.one_cylinder(
+        basis=parts,
+        p_max=based_on(p_max, *of),
+        p_2=p_2,
+        p_ex=p_ex,
+        p_in=p_in,
+        p_case=p_case,
     )
 
 
@@ -238,14 +234,12 @@ class EngineWrenches:
         of_masses = self.torque_of_masses * self._squares(speeds)[:, None]
         gas = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
         of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
-        return phasors(
-            x.all_cylinders(
-                t_one=each(gas),
-                t_inertia=each(of_masses),
-                spread=each(self.spread),
-                fires=each(self.fires),
-                n=each(self.orders),
-            )
+        return x.all_cylinders(
+            t_one=gas,
+            t_inertia=of_masses,
+            spread=self.spread,
+            fires=self.fires,
+            n=self.orders,
         )
 
     def strengths(self, wrench: ComplexArray | None, rho: float) -> Array:
@@ -308,8 +302,8 @@ def drive(
         variants.append(name)
     whole = based_on(np.stack(inertia), *inertia)
     whole[np.abs(whole) < 1e-12 * np.abs(whole).max(initial=0.0)] = 0.0
-    moment = x.about_gravity(F=each(whole[..., :3]), M=each(whole[..., 3:]), r_G=mounting.centre_of_gravity)  # type: ignore[arg-type]
-    at_gravity = based_on(np.concatenate([whole[..., :3], phasors(moment)], -1), moment)
+    moment = x.about_gravity(F=whole[..., :3], M=whole[..., 3:], r_G=mounting.centre_of_gravity)
+    at_gravity = based_on(np.concatenate([whole[..., :3], moment], -1), moment)
     gas = nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None
     apart = sorted({index(n, 1.0)} | ({index(n, round(abs(shaft.ratio)))} if shaft is not None else set()))
     return EngineWrenches(

@@ -16,10 +16,13 @@ import linecache
 import textwrap
 from collections.abc import Callable
 from functools import cache
-from typing import Generic, ParamSpec, TypeVar, get_type_hints
+from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar, get_type_hints, overload
 
 from .text import Text
 from .value import Equation, Line, LinkedFloat, linked, recorder, subject
+
+if TYPE_CHECKING:
+    from .arrays import AnyNumbers, Array, ComplexArray
 
 P = ParamSpec("P")
 R = TypeVar("R", covariant=True)
@@ -70,7 +73,17 @@ class Formula(Generic[P, R]):
     def shows(self) -> Text:
         return Text(self._shows)
 
-    def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
+    # What its annotations do not allow: with arrays in place of numbers a formula gives an array; with plain numbers
+    # (a name is misspelt, one is missing) nothing that anybody could use.
+    @overload
+    def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R: ...
+    @overload
+    def __call__(self, *args: complex, **kwargs: complex) -> None: ...  # type: ignore[overload-overlap]  # on purpose
+    @overload
+    def __call__(self: "Formula[..., float]", *args: "AnyNumbers", **kwargs: "AnyNumbers") -> "Array": ...
+    @overload
+    def __call__(self: "Formula[..., complex]", *args: "AnyNumbers", **kwargs: "AnyNumbers") -> "ComplexArray": ...
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
         value = self.function(*args, **kwargs)
         if (lines := recorder.get()) is not None:  # written out here: this is called a thousand times for one design
             given = {**dict(zip(self.parameters, args)), **kwargs} if args else kwargs
@@ -80,7 +93,7 @@ class Formula(Generic[P, R]):
             if type(plain) is float:  # as nearly all of them
                 number = LinkedFloat(plain)
                 number.link = line
-                return number  # type: ignore[return-value]
+                return number
             return linked(value, line)
         return value
 

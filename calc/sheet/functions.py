@@ -1,34 +1,42 @@
 # SPDX-License-Identifier: Apache-2.0
 """The functions that formulas may use: those of `math` and numpy by one name, the zero of a function, erf.
 
-A float goes to `math`, anything else to numpy.  They are typed float → float so that formulas stay readable to the type
-checker; arrays enter by the same door."""
+A float goes to `math`, anything else to numpy."""
 
 import math
 from collections.abc import Callable
-from typing import TypeVar, cast
+from typing import Any, Protocol, TypeVar, overload
 
 import numpy as np
 
-from .arrays import ComplexArray, phasors
+from .arrays import Array, ComplexArray, Num
 from .value import LinkedFloat
 
 pi = math.pi
-N = TypeVar("N", float, complex)
+Z = TypeVar("Z", float, complex, Array, ComplexArray)
 
 
-def _several(x: object) -> bool:
-    """Whether this is an array."""
-    return hasattr(x, "ndim") and not isinstance(x, (float, complex))
+class _Function(Protocol):
+    """Of a number a number, of an array an array."""
+
+    @overload
+    def __call__(self, x: float, /) -> float: ...
+    @overload
+    def __call__(self, x: Array, /) -> Array: ...
 
 
-def _both(scalar: Callable[[float], float], vector: Callable[[float], float]) -> Callable[[float], float]:
-    def function(x: float) -> float:
+def _both(scalar: Callable[[float], float], vector: Any) -> _Function:
+    def function(x: Any) -> Any:
         # no numpy number: it has other last digits
         return scalar(x) if type(x) is float or type(x) is LinkedFloat else vector(x)
 
     function.__name__ = scalar.__name__
     return function
+
+
+def _several(x: object) -> bool:
+    """Whether this is an array."""
+    return hasattr(x, "ndim") and not isinstance(x, (float, complex))
 
 
 sqrt = _both(math.sqrt, np.sqrt)
@@ -45,40 +53,58 @@ degrees = _both(math.degrees, np.degrees)
 asinh = _both(math.asinh, np.arcsinh)
 
 
-def inv(angle: float) -> float:
+@overload
+def inv(angle: float) -> float: ...
+@overload
+def inv(angle: Array) -> Array: ...
+def inv(angle: Any) -> Any:
     """The involute function inv α = tan α − α."""
     return tan(angle) - angle
 
 
-def cis(angle: float) -> complex:
+@overload
+def cis(angle: float) -> complex: ...
+@overload
+def cis(angle: Array) -> ComplexArray: ...
+def cis(angle: Any) -> Any:
     """The unit phasor e^{iα}."""
     plain = type(angle) in (float, LinkedFloat)
-    return complex(math.cos(angle), math.sin(angle)) if plain else cast(complex, np.exp(1j * angle))
+    return complex(math.cos(angle), math.sin(angle)) if plain else np.exp(1j * angle)
 
 
-def conj(z: complex) -> complex:
+def conj(z: Z) -> Z:
     return z.conjugate()
 
 
-def modulus(z: complex) -> float:
+@overload
+def modulus(z: complex) -> float: ...
+@overload
+def modulus(z: Array | ComplexArray) -> Array: ...
+def modulus(z: Any) -> Any:
     return abs(z)
 
 
-def imag(z: complex) -> float:
+@overload
+def imag(z: complex) -> float: ...
+@overload
+def imag(z: ComplexArray) -> Array: ...
+def imag(z: Any) -> Any:
     """The part 90° further in the sense of crank rotation."""
     return z.imag
 
 
-def argument(z: complex) -> float:
+@overload
+def argument(z: complex) -> float: ...
+@overload
+def argument(z: ComplexArray) -> Array: ...
+def argument(z: Any) -> Any:
     """The angle of a phasor from "up", in the sense of crank rotation [rad]; 0 for a phasor of zero length.
 
     Parts below 1e-12 of the length are dust of the last digits: 180° and not −180°, 0° and not 4e-15°.
     """
     dust = 1e-12 * abs(z)
     if _several(z):
-        return cast(
-            float, np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0))
-        )
+        return np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0))
     return math.atan2(z.imag if abs(z.imag) > dust else 0.0, z.real if abs(z.real) > dust else 0.0)
 
 
@@ -88,28 +114,36 @@ def power(x: float, y: float) -> float:
     return raised
 
 
-def total(x: N) -> N:
+@overload
+def total(x: float | Array) -> float: ...
+@overload
+def total(x: complex | ComplexArray) -> complex: ...
+def total(x: Any) -> Any:
     """Sum over all elements (masses, points of contact, …)."""
-    added: N = np.sum(x).item()
-    return added
+    return np.sum(x).item()
 
 
-def along(x: float) -> float:
+def single_or_many(x: Array) -> float:
+    """An array without axes as the number that it is; one of many points stays, as in every formula."""
+    number: float = x if x.ndim else x.item()  # type: ignore[assignment]
+    return number
+
+
+def along(x: Num) -> float:
     """Sum over the last axis, the positions of a path: a float of one operating point, an array of many."""
-    sums = np.sum(x, -1)
-    added: float = sums if sums.ndim else sums.item()
-    return added
+    return single_or_many(np.asarray(np.sum(x, -1)))
 
 
-def resultant(x: N) -> N:
+@overload
+def resultant(x: float | Array) -> float: ...
+@overload
+def resultant(x: complex | ComplexArray) -> complex: ...
+def resultant(x: Any) -> Any:
     """Sum over the last axis: the cylinders of one engine, or of each of many.
 
     Vectors that cancel in a direction give 0 there, not the dust of the last digits.
     """
-    return cast(N, _resultant(phasors(x) if _several(x) else np.asarray(x)))
-
-
-def _resultant(x: ComplexArray) -> object:
+    x = x if _several(x) else np.asarray(x)
     dust = 1e-12 * np.sum(np.abs(x), -1)
     if x.ndim > 1:
         total = np.sum(x, -1)
@@ -124,14 +158,17 @@ def _resultant(x: ComplexArray) -> object:
     return scalar if abs(scalar) > dust else abs(0.0 * scalar)  # NaN stays NaN
 
 
-def joined(a: N, b: N) -> N:
+@overload
+def joined(a: float, b: float) -> float: ...
+@overload
+def joined(a: complex, b: complex) -> complex: ...
+def joined(a: Any, b: Any) -> Any:
     """Sum of two numbers or vectors; where they cancel, 0 and not the dust of the last digits."""
     added = a + b
     dust = 1e-12 * (abs(a) + abs(b))
     if _several(added):
-        return cast(N, np.where(abs(added) > dust, added, 0.0))
-    kept: object = added if abs(added) > dust else 0j if isinstance(added, complex) else 0.0
-    return cast(N, kept)
+        return np.where(abs(added) > dust, added, 0.0)
+    return added if abs(added) > dust else 0j if isinstance(added, complex) else 0.0
 
 
 def largest(a: float, b: float) -> float:
@@ -142,7 +179,7 @@ def smallest(a: float, b: float) -> float:
     return np.minimum(a, b) if _several(a) or _several(b) else min(a, b)
 
 
-def rss(x: float) -> float:
+def rss(x: Num) -> float:
     """Root of the sum of squares."""
     return math.sqrt(np.sum(np.square(x)))
 
@@ -203,7 +240,11 @@ _VALUE = np.array([math.erf(x) for x in _GRID])
 _SLOPE = 2 / math.sqrt(math.pi) * np.exp(-(_GRID**2)) / STEPS  # per step
 
 
-def erf(x: float) -> float:
+@overload
+def erf(x: float) -> float: ...
+@overload
+def erf(x: Array) -> Array: ...
+def erf(x: Any) -> Any:
     """erf x; a float by `math`, an array by interpolation.  NaN stays NaN."""
     if type(x) in (float, LinkedFloat):
         return math.erf(x)
@@ -216,4 +257,4 @@ def erf(x: float) -> float:
     between = left + t * (
         _SLOPE[k] + t * (3 * rise - 2 * _SLOPE[k] - _SLOPE[k + 1] + t * (_SLOPE[k] + _SLOPE[k + 1] - 2 * rise))
     )
-    return np.copysign(np.where(np.isnan(size), size, between), x)  # type: ignore[return-value]
+    return np.copysign(np.where(np.isnan(size), size, between), x)

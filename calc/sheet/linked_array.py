@@ -2,7 +2,7 @@
 """Arrays that know where they came from: see `value.py`."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -10,8 +10,6 @@ from .value import KINDS, PLAIN, Link, joined_links, link_of, linked, recording
 
 if TYPE_CHECKING:
     from .arrays import Array, BoolArray, ComplexArray
-
-N = TypeVar("N", float, complex)
 
 
 class LinkedArray(np.ndarray):
@@ -129,7 +127,11 @@ def where(
     return linked_array(array, joined_links(parts), tuple(parts))
 
 
-def item(x: N) -> N:
+@overload
+def item(x: "float | Array") -> float: ...
+@overload
+def item(x: "complex | ComplexArray") -> complex: ...
+def item(x: Any) -> Any:
     """The one number of an array, or a numpy number, as a Python number with its link."""
     return linked(x.item(), link_of(x)) if isinstance(x, (np.ndarray, np.generic)) else x
 

@@ -4,12 +4,9 @@
 Inside the program every number is in SI (temperatures in °C, speeds in revolutions per second).  A `Unit` says how such
 a number is shown and which ending its key has in a design file: `mm` → `bore_mm`."""
 
-from typing import Annotated, TypeVar
+from typing import Annotated
 
-from .arrays import Array
-
-A = TypeVar("A", float, Array)
-
+from .arrays import Array, ComplexArray, IndexArray, Value
 
 # --- units as types: a float to the type checker, a unit to the formula
 
@@ -64,6 +61,41 @@ JoulePerKilogramKelvin = Annotated[float, "J/(kg·K)"]
 WattPerMetreKelvin = Annotated[float, "W/(m·K)"]
 NewtonPerMetreSecond = Annotated[float, "N/(m·s)"]  # heat index: load per length times speed
 
+# arrays and tuples, where a formula takes or gives nothing else
+
+MetreTuple = Annotated[tuple[float, ...], "m"]
+Numbers = Annotated[Array, ""]
+Places = Annotated[IndexArray, ""]
+Metres = Annotated[Array, "m"]
+SquareMetres = Annotated[Array, "m²"]
+Metres4 = Annotated[Array, "m⁴"]
+Kelvins = Annotated[Array, "K"]
+Kilograms = Annotated[Array, "kg"]
+KilogramsPerMetre = Annotated[Array, "kg/m"]
+KilogramMetres2 = Annotated[Array, "kg·m²"]
+Radians = Annotated[Array, "rad"]
+RadiansPerSecond = Annotated[Array, "rad/s"]
+Newtons = Annotated[Array, "N"]
+NewtonsPerMetre = Annotated[Array, "N/m"]
+NewtonMetres2 = Annotated[Array, "N·m²"]
+NewtonMetres = Annotated[Array, "N·m"]
+Hertzes = Annotated[Array, "1/s"]
+PerSeconds2 = Annotated[Array, "1/s²"]
+MetresPerSecond2 = Annotated[Array, "m/s²"]
+MetresPerSecond = Annotated[Array, "m/s"]
+WattsPerMetre = Annotated[Array, "W/m"]
+CelsiusArray = Annotated[Array, "°C"]
+Pascals = Annotated[Array, "Pa"]
+PhasorMetres = Annotated[ComplexArray, "m"]
+PhasorCubicMetres = Annotated[ComplexArray, "m³"]
+PhasorNewtons = Annotated[ComplexArray, "N"]
+KilogramMetres = Annotated[Array, "kg·m"]
+PhasorKilogramMetres = Annotated[ComplexArray, "kg·m"]
+PhasorSquareMetres = Annotated[ComplexArray, "m²"]
+PhasorNumbers = Annotated[ComplexArray, ""]
+PhasorNewtonMetres = Annotated[ComplexArray, "N·m"]
+PhasorNewtonsPerMetre = Annotated[ComplexArray, "N/m"]
+
 
 class Unit:
     """How a quantity is shown: `shown = inside / factor`; `suffix` ends its key in a design file."""
@@ -77,7 +109,7 @@ class Unit:
         """The number as the user sees it, without the last digits that the conversion itself makes."""
         return float(f"{inside / self.factor:.14g}")
 
-    def all_shown(self, inside: A) -> A:
+    def all_shown(self, inside: Value) -> Value:
         """The same for an array, with all its digits."""
         return inside / self.factor
 

@@ -20,8 +20,11 @@ Sources: J. W. Lund, ASME J. Tribology 109 (1987) 37-41 (the coefficients and wh
 Self-excited, stationary whirl orbits of a journal in a sleeve bearing, thesis, Rensselaer 1966 (threshold of the rigid
 shaft)."""
 
+from typing import Any, Generic
+
 import numpy as np
 
+from ...sheet.arrays import Value
 from ...sheet.formula import formula
 from ...sheet.functions import cos, modulus, pi, sin, sqrt
 from ...sheet.quantity import result, value
@@ -333,34 +336,34 @@ def film_loss(x: PhasorMetre, y: PhasorMetre, phi: Radian) -> Metre:
 
 
 @record
-class Coefficients:
+class Coefficients(Generic[Value]):
     """K_ij·c/F and C_ij·c·ω/F; floats, or arrays of many bearings.  c_yx is c_xy."""
 
-    k_xx: Number
-    k_xy: Number
-    k_yx: Number
-    k_yy: Number
-    c_xx: Number
-    c_xy: Number
-    c_yy: Number
+    k_xx: Value
+    k_xy: Value
+    k_yx: Value
+    k_yy: Value
+    c_xx: Value
+    c_xy: Value
+    c_yy: Value
 
 
 @result
-class Dynamics:
+class Dynamics(Generic[Value]):
     """Stiffness and damping of the film as judged, and the mass of shaft it can hold.
 
     `critical_mass` None: no mass makes the shaft unstable.  `whirl_ratio` and `threshold_speed` are there for a load
     that stands; under a load that turns with the shaft the threshold is that of the place in the load's frame, which no
     single speed marks, since the load grows with it."""
 
-    stiffness_xx: NewtonPerMetre = value("Stiffness along the load", "N/m", "K_xx")
-    stiffness_xy: NewtonPerMetre = value("Stiffness along the load, displaced across it", "N/m", "K_xy")
-    stiffness_yx: NewtonPerMetre = value("Stiffness across the load, displaced along it", "N/m", "K_yx")
-    stiffness_yy: NewtonPerMetre = value("Stiffness across the load", "N/m", "K_yy")
-    damping_xx: NewtonSecondPerMetre = value("Damping along the load", "N·s/m", "C_xx")
-    damping_xy: NewtonSecondPerMetre = value("Damping along the load, moving across it", "N·s/m", "C_xy")
-    damping_yx: NewtonSecondPerMetre = value("Damping across the load, moving along it", "N·s/m", "C_yx")
-    damping_yy: NewtonSecondPerMetre = value("Damping across the load", "N·s/m", "C_yy")
+    stiffness_xx: Value = value("Stiffness along the load", "N/m", "K_xx")
+    stiffness_xy: Value = value("Stiffness along the load, displaced across it", "N/m", "K_xy")
+    stiffness_yx: Value = value("Stiffness across the load, displaced along it", "N/m", "K_yx")
+    stiffness_yy: Value = value("Stiffness across the load", "N/m", "K_yy")
+    damping_xx: Value = value("Damping along the load", "N·s/m", "C_xx")
+    damping_xy: Value = value("Damping along the load, moving across it", "N·s/m", "C_xy")
+    damping_yx: Value = value("Damping across the load, moving along it", "N·s/m", "C_yx")
+    damping_yy: Value = value("Damping across the load", "N·s/m", "C_yy")
     whirl_ratio: Number | None = value("Whirl at the threshold over the speed", "", "γ", default=None)
     critical_mass: Kilogram | None = value(
         "Mass of shaft on this bearing that its film just holds", "kg", "m_c", default=None
@@ -369,15 +372,15 @@ class Dynamics:
 
 
 @record
-class Orbit:
+class Orbit(Generic[Value]):
     """The journal's ellipse about its place in the load's frame, to first order; floats or arrays."""
 
-    amplitude: Metre  # half the length
-    minor: Metre  # half the width
-    film_loss: Metre  # how far it comes towards the narrowest film
+    amplitude: Value  # half the length
+    minor: Value  # half the width
+    film_loss: Value  # how far it comes towards the narrowest film
 
 
-def coefficients(eps: Number, b: Number, phi: Radian | None = None) -> Coefficients:
+def coefficients(eps: Value, b: Value, phi: Value | None = None) -> Coefficients[Value]:
     """The coefficients over the load at ε and l/d; `phi`: φ where a line of the calculation has it already.  Floats or
     arrays.
 
@@ -411,16 +414,18 @@ def dynamics(
     omega = f.angular_speed(n=duty.effective_speed)
     n_F, sense = _load_speed(duty, seat)
     whirl = heaviest = threshold = None
-    film = dict(k_xx=k.k_xx, k_xy=k.k_xy, k_yx=k.k_yx, k_yy=k.k_yy, c_xx=k.c_xx, c_xy=k.c_xy, c_yy=k.c_yy)
     if n_F == 0.0:
-        k_eq = equivalent_stiffness(**film)
-        square = whirl_ratio_squared(k_eq=k_eq, **film)
+        k_eq = equivalent_stiffness(k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy)
+        square = whirl_ratio_squared(k_eq, k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy)
         if square > 0:
             whirl = whirl_ratio(square=square)
             heaviest = critical_mass(k_eq=k_eq, square=square, F=F, g=g, omega=omega)
             threshold = None if mass is None else threshold_speed(n_h=duty.effective_speed, m_c=heaviest, m=mass)
     else:
-        heaviest = critical_mass_turning(**film, F=F, g=g, omega=omega, Omega=relative_speed(sense=sense, n_F=n_F))
+        Omega = relative_speed(sense=sense, n_F=n_F)
+        heaviest = critical_mass_turning(
+            k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy, F=F, g=g, omega=omega, Omega=Omega
+        )
         heaviest = None if heaviest == float("inf") else heaviest
     across = damping_xy(c_xy=k.c_xy, F=F, g=g, omega=omega)
     return Dynamics(
@@ -448,13 +453,13 @@ def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficient
     return Coefficients(**terms)
 
 
-def orbit(film: Dynamics, R_0: Newton, phi: Radian, duty: OperatingPoint, seat: BearingCase) -> Orbit:
+def orbit(film: Dynamics[Value], R_0: Value, phi: Value, duty: OperatingPoint, seat: BearingCase[Any]) -> Orbit[Value]:
     """What a force that stands still does to a journal that is held by a turning load at the attitude angle φ."""
     n_F, sense = _load_speed(duty, seat)
     return orbit_of(film, R_0, relative_speed(sense=sense, n_F=n_F), phi)
 
 
-def orbit_of(film: Dynamics, R_0: Newton, Omega: RadPerSecond, phi: Radian, mass: Kilogram = 0.0) -> Orbit:
+def orbit_of(film: Dynamics[Value], R_0: Value, Omega: RadPerSecond, phi: Value, mass: Kilogram = 0.0) -> Orbit[Value]:
     """The same for a force that turns at Ω in the load's frame, positive in the sense in which the film is dragged.
 
     The shaft's inertia: what stands still is not accelerated, so that of the ellipse only the part that turns against
@@ -469,7 +474,7 @@ def orbit_of(film: Dynamics, R_0: Newton, Omega: RadPerSecond, phi: Radian, mass
     return Orbit(amplitude=major_axis(x=x, y=y), minor=minor_axis(x=x, y=y), film_loss=film_loss(x=x, y=y, phi=phi))
 
 
-def _load_speed(duty: OperatingPoint, seat: BearingCase) -> tuple[RevPerSecond, Number]:
+def _load_speed(duty: OperatingPoint, seat: BearingCase[Any]) -> tuple[RevPerSecond, Number]:
     """The load's speed n_F, and +1 where n_J + n_B − 2·n_F is positive, −1 where the film is dragged against the
     journal's sense."""
     i_F, i_B = seat.inputs.load_speed_ratio, seat.inputs.bush_speed_ratio or 0.0

@@ -23,13 +23,13 @@ from typing import Generic, NamedTuple, overload
 
 import numpy as np
 
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, Value
 from ...sheet.arrays import BoolArray as Mask
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Number, Radian
-from .reynolds import ECCENTRICITY_RANGE, EDGE_CLUSTERING, ITERATION_LIMIT, UNIFORM_SHARE, Value, solved_where_active
+from .reynolds import ECCENTRICITY_RANGE, EDGE_CLUSTERING, ITERATION_LIMIT, UNIFORM_SHARE, solved_where_active
 from .table import FilmRangeError, short_bearing_load
 
 # --- where the oil comes into a film that begins and ends there

@@ -21,16 +21,13 @@ Sources: O. Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; H. W. Swift, Proc. IC
 Schwimmlager, VDI (1933); A. A. Raimondi and J. Boyd, ASLE Transactions 1 (1958) 159-209 (the dimensionless groups)."""
 
 import math
-from typing import TypeVar
 
 import numpy as np
 
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, Value
 from ...sheet.arrays import BoolArray as Mask
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-
-Value = TypeVar("Value", float, Array)
 
 ECCENTRICITY_RANGE = (0.02, 0.98)
 LENGTH_RATIO_RANGE = (0.1, 2.0)  # and infinity

@@ -10,9 +10,9 @@ Sources: F. W. Ocvirk, NACA TN 2808 (1952); G. B. DuBois and F. W. Ocvirk, NACA 
 
 import numpy as np
 
-from ...sheet.arrays import Array, each
+from ...sheet.arrays import Array
 from ...sheet.formula import formula
-from ...sheet.functions import acos, atan, cos, pi, sin, sqrt
+from ...sheet.functions import acos, atan, cos, pi, sin, single_or_many, sqrt
 from ...sheet.text import Text
 from ...sheet.units import Number, Pascal, Radian
 
@@ -46,7 +46,7 @@ def eccentricity(S: Number, b: Number) -> Number:
         if not (np.abs(step) > STEP_LIMIT).any():
             break
     eps = 1 / np.sqrt(1 + np.exp(-u))
-    return each(eps) if eps.ndim else float(eps)
+    return single_or_many(np.asarray(eps))
 
 
 @formula("φ", OCVIRK)
@@ -148,4 +148,4 @@ def blocked_arc(eps: Number, p_s: Pascal, p_max: Pascal) -> Radian:
     or array."""
     first, last = blocked_ends(eps, p_s / p_max)
     arc = last - first
-    return each(arc) if arc.ndim else float(arc)
+    return single_or_many(np.asarray(arc))

@@ -25,13 +25,13 @@ from typing import Generic, Literal, Protocol, TypeAlias, cast, overload
 
 import numpy as np
 
-from ...sheet.arrays import Array, IndexArray
+from ...sheet.arrays import Array, IndexArray, Value
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Number, Radian
 from . import short_bearing
-from .reynolds import Value, friction_variable
+from .reynolds import friction_variable
 
 __all__ = ["FilmPoint", "FilmRangeError", "eccentricity_from", "film_at", "film_slopes", "sommerfeld_range"]
 

@@ -6,12 +6,12 @@ The own solution of Reynolds' equation judges; the others are shown beside it on
 the notes, the spread and what is published read it there, in the order in which the functions stand here."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from ...library.journal_rules import specific_load
 from ...library.lubricant import OilState
-from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
@@ -33,7 +33,7 @@ from . import din31652, flow, supply
 from . import raimondi_boyd as rb
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts, Seized
 
-Route = Callable[[BearingCase, OperatingPoint, float], Film]
+Route = Callable[[BearingCase[Any], OperatingPoint[Any], Any], Film[Any]]
 WhyOff = Callable[[Film, float], Text]
 FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
 SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
@@ -132,20 +132,20 @@ def _branches_meet_once(film: Film, ratio: float) -> Text:
 @bearing_route(
     "reynolds", Text("Reynolds' equation"), brief=Name("Reynolds"), why_off=lambda film, ratio: EMPTY, listed=0
 )
-def own_cold(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+def own_cold(seat: BearingCase[Any], duty: OperatingPoint[Any], rise: Any) -> Film[Any]:
     """The program's own solution of Reynolds' equation on the clearance as given, to compare with the source's
     methods."""
     return _reynolds(seat, duty, rise, warm=False)
 
 
-def own_warm(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+def own_warm(seat: BearingCase[Any], duty: OperatingPoint[Any], rise: Any) -> Film[Any]:
     """The program's own solution on the clearance at the film's mean temperature: what the design is judged by."""
     return _reynolds(seat, duty, rise, warm=True)
 
 
 def _reynolds(
-    seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: bool, without_length: bool = False
-) -> Film:
+    seat: BearingCase[Any], duty: OperatingPoint[Any], rise: Any, *, warm: bool, without_length: bool = False
+) -> Film[Any]:
     """By the table, or `without_length` in closed form.  Numbers: what has no film raises (Seized, FilmRangeError).
     Arrays: it is nan."""
     b = seat.bearing
@@ -177,7 +177,7 @@ def _reynolds(
         )
         p_rel = pressure_ratio(eps=eps, b=ratio)
     else:
-        eps = each(eccentricity_from(np.where(many(g) > 0, S, np.nan), ratio, outside="nan"))
+        eps = eccentricity_from(np.where(g > 0, S, np.nan), ratio, outside="nan")
         state = film_at(eps, ratio, outside="nan")
         phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
     f_v = _friction_variable(duty, So, eps, phi)
@@ -196,7 +196,7 @@ def _with_grooves(
     duty: OperatingPoint,
     grooves: Feeds,
     T: float,
-    oil: OilState,
+    oil: OilState[Any],
     g: float,
     psi: float,
     p: float,
@@ -228,9 +228,7 @@ def _with_grooves(
                 EMPTY,
                 Text("choose sizes with a hole"),
             )
-        eps = each(
-            grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), ratios.item(), grooves, outside="nan")
-        )
+        eps = grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), ratios.item(), grooves, outside="nan")
         state = grooved.film_at(eps, ratios.item(), grooves)
         phi, q_s, p_rel, land = state.attitude, state.side_flow, state.pressure_ratio, state.sheared
     f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
@@ -389,7 +387,7 @@ def _film(
     seat: BearingCase,
     duty: OperatingPoint,
     T: float,
-    oil: OilState,
+    oil: OilState[Any],
     g: float,
     psi: float,
     p: float,

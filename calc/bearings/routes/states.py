@@ -1,29 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a film is asked and what it answers: the seat, the duty, the film.
 
-Every number may be an array (many bearings, corners, speeds at once); then the film's are, with nan where there is
-none."""
+Every number may be an array (many bearings, corners, speeds at once), which `[Any]` says; then the film's are, with nan
+where there is none."""
+
+from dataclasses import replace
+from typing import Any, Generic
 
 from ...library.lubricant import Lubricant, OilState
+from ...sheet.arrays import Value
 from ...sheet.quantity import result, value
 from ...sheet.record import record
-from ...sheet.units import Celsius, CubicMetrePerSecond, Kelvin, Metre, Number, Pascal, Radian, Watt
 from .. import formulas as f
 from ..film.grooved import Feed, Feeds
 from ..inputs import BearingInputs, BearingsInputs
 
 
 @record
-class BearingCase:
+class BearingCase(Generic[Value]):
     """One bearing with all that decides its film but speed, load and supply."""
 
     bearing: BearingInputs
     inputs: BearingsInputs
     lubricant: Lubricant
-    clearance: float  # at the reference temperature
+    clearance: Value  # at the reference temperature
     journal_expansion: float
     housing_expansion: float
-    viscosity_factor: float | None = None  # on the oil's viscosity, at a corner of its tolerance
+    viscosity_factor: Value | None = None  # on the oil's viscosity, at a corner of its tolerance
 
     @property
     def grooves(self) -> Feeds | None:
@@ -39,7 +42,7 @@ class BearingCase:
         arc, share = 2 * i.axial_groove_width / b.diameter, i.axial_groove_length / b.length
         return Feeds(tuple(Feed(float(angle), float(arc), float(share)) for angle in i.axial_groove_angles))
 
-    def clearance_at(self, T: float) -> float:
+    def clearance_at(self, T: Any) -> Any:
         return f.clearance_at(
             g=self.clearance,
             d=self.bearing.diameter,
@@ -50,7 +53,7 @@ class BearingCase:
             T_ref=self.inputs.clearance_reference_temperature,
         )
 
-    def oil_at(self, T: float) -> OilState:
+    def oil_at(self, T: Any) -> OilState[Any]:
         oil = self.lubricant.at(T)
         if self.viscosity_factor is None:
             return oil
@@ -59,41 +62,46 @@ class BearingCase:
         )
 
 
+def resized(seat: BearingCase[Any], **sizes: Any) -> BearingCase[Any]:
+    """The case of a bearing of another `diameter` or `length`, a number or an array of them."""
+    return replace(seat, bearing=replace(seat.bearing, **sizes))
+
+
 @record
-class OperatingPoint:
+class OperatingPoint(Generic[Value]):
     """What a bearing has to do at one moment: load, journal speed, hydrodynamic speed and sliding speed over it, oil
     supply."""
 
-    load: float
-    speed: float
-    effective_speed: float
-    sliding_ratio: float
-    supply_temperature: float
-    supply_pressure: float
+    load: Value
+    speed: Value
+    effective_speed: Value
+    sliding_ratio: Value
+    supply_temperature: Value
+    supply_pressure: Value
 
 
 @result
-class Film:
+class Film(Generic[Value]):
     """The state of a film, and the temperature rise that its friction and its flow make.  `clearance`: at which it
     runs."""
 
-    clearance: Metre = value("Clearance (diametral)", "µm", "g")
-    relative_clearance: Number = value("Relative clearance", "‰", "ψ")
-    specific_load: Pascal = value("Specific load", "MPa", "p")
-    sommerfeld: Number = value("Sommerfeld number (S; ISO, Falz: So)", "", "S")
-    eccentricity: Number = value("Eccentricity ratio", "", "ε")
-    film: Metre = value("Smallest film", "µm", "h_0")
-    friction_coefficient: Number = value("Coefficient of friction", "", "f")
-    friction_variable: Number = value("Friction variable", "", "f*")
-    friction_power: Watt = value("Friction power", "W", "P_f")
-    oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q")
-    temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT")
-    mean_temperature: Celsius = value("Mean temperature of the film", "°C", "T_m")
-    oil: OilState
-    attitude: Radian | None = value("Attitude angle", "°", "φ", default=None)
-    largest_pressure: Pascal | None = value("Largest film pressure", "MPa", "p_max", default=None)
-    side_flow: CubicMetrePerSecond | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)
-    supply_flow: CubicMetrePerSecond | None = value("of it driven by the supply pressure", "L/min", "Q_2", default=None)
+    clearance: Value = value("Clearance (diametral)", "µm", "g")
+    relative_clearance: Value = value("Relative clearance", "‰", "ψ")
+    specific_load: Value = value("Specific load", "MPa", "p")
+    sommerfeld: Value = value("Sommerfeld number (S; ISO, Falz: So)", "", "S")
+    eccentricity: Value = value("Eccentricity ratio", "", "ε")
+    film: Value = value("Smallest film", "µm", "h_0")
+    friction_coefficient: Value = value("Coefficient of friction", "", "f")
+    friction_variable: Value = value("Friction variable", "", "f*")
+    friction_power: Value = value("Friction power", "W", "P_f")
+    oil_flow: Value = value("Oil flow", "L/min", "Q")
+    temperature_rise: Value = value("Temperature rise", "K", "ΔT")
+    mean_temperature: Value = value("Mean temperature of the film", "°C", "T_m")
+    oil: OilState[Value]
+    attitude: Value | None = value("Attitude angle", "°", "φ", default=None)
+    largest_pressure: Value | None = value("Largest film pressure", "MPa", "p_max", default=None)
+    side_flow: Value | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)
+    supply_flow: Value | None = value("of it driven by the supply pressure", "L/min", "Q_2", default=None)
 
 
 class Seized(ValueError):

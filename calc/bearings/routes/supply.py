@@ -3,9 +3,10 @@
 swept by it."""
 
 from math import pi
+from typing import Any
 
 from ...library.lubricant import OilState
-from ...sheet.arrays import Array, each, many
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text
 from ...sheet.value import based_on
@@ -39,8 +40,8 @@ def bare_length(inputs: BearingsInputs, l: Array) -> Array:
 
 
 def supply_flow(
-    seat: BearingCase, duty: OperatingPoint, psi: float, eps: float, oil: OilState, *, opposite: bool = False
-) -> float:
+    seat: BearingCase[Any], duty: OperatingPoint[Any], psi: Any, eps: Any, oil: OilState[Any], *, opposite: bool = False
+) -> Any:
     """Q₂, what the supply pressure drives through the bearing.
 
     `opposite`: as the source has it, a hole in the seat that is always opposite the load, even where the load turns.
@@ -73,7 +74,7 @@ def supply_flow(
     return flow.supply_flow(d=d, psi=psi, p_s=p_s, mu=oil.mu, q_2=q_2)
 
 
-def _at_grooves(inputs: BearingsInputs, eps: float) -> float:
+def _at_grooves(inputs: BearingsInputs, eps: Any) -> Any:
     """E of all axial grooves, each as a pocket of its length at its angle."""
     angles = inputs.axial_groove_angles or ()
     first, *others = (flow.at_angle(eps=eps, delta=based_on(delta, angles)) for delta in angles)
@@ -82,7 +83,7 @@ def _at_grooves(inputs: BearingsInputs, eps: float) -> float:
     return first
 
 
-def _groove_factor(inputs: BearingsInputs, eps: float, d: float, l: float) -> float:
+def _groove_factor(inputs: BearingsInputs, eps: Any, d: Any, l: Any) -> Any:
     width = _given(inputs.groove_width)
     if inputs.groove_arc is None:
         return flow.groove_factor(eps=eps, d=d, l=l, b_G=width)
@@ -98,7 +99,7 @@ def _given(x: float | None) -> float:
     return 0.0 if x is None else x
 
 
-def _through_shaft(duty: OperatingPoint, oil: OilState, d: float) -> float:
+def _through_shaft(duty: OperatingPoint[Any], oil: OilState[Any], d: Any) -> Any:
     p = flow.pressure_through_shaft(p_s=duty.supply_pressure, rho=oil.rho, omega=f.angular_speed(n=duty.speed), d=d)
     if isinstance(p, float):
         if p <= 0:
@@ -111,5 +112,5 @@ def _through_shaft(duty: OperatingPoint, oil: OilState, d: float) -> float:
                 Text("raise the supply pressure or feed through the seat"),
             )
         return p
-    arrives = many(p) > 0
-    return each(p * arrives / arrives)  # nan where nothing arrives
+    arrives = p > 0
+    return p * arrives / arrives  # nan where nothing arrives

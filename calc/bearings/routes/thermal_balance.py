@@ -9,11 +9,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 
 from ...library.lubricant import OilState
-from ...sheet.arrays import Array, IndexArray, each, many
+from ...sheet.arrays import Array, IndexArray, Num
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.functions import root
 from ...sheet.text import Amount, Text
@@ -22,7 +23,7 @@ from .. import formulas as f
 from ..film.table import FilmRangeError
 from . import supply
 from .routes import Route, own_cold, own_warm
-from .states import BearingCase, Film, OperatingPoint, OutsideBalance, Seized
+from .states import BearingCase, Film, OperatingPoint, OutsideBalance, Seized, resized
 
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
 BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was found, with heat left over, has no balance
@@ -41,7 +42,8 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
 
     @cache  # the ends of the bracket are asked for more than once
     def excess(rise: float) -> float:
-        return route(seat, duty, rise).temperature_rise - rise
+        film: Film = route(seat, duty, rise)
+        return film.temperature_rise - rise
 
     with untraced():
         try:
@@ -145,8 +147,13 @@ def _reachable(excess: Callable[[float], float], low: float, high: float) -> flo
 
 
 def settled(
-    seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hottest: float = HOTTEST, tolerance: float = 1e-7
-) -> Film:
+    seat: BearingCase[Any],
+    duty: OperatingPoint[Any],
+    *,
+    warm: bool = True,
+    hottest: float = HOTTEST,
+    tolerance: float = 1e-7,
+) -> Film[Array]:
     """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there
     is no film.
 
@@ -155,15 +162,15 @@ def settled(
     seat, duty = unlinked(seat), unlinked(duty)
     route = own_warm if warm else own_cold
     shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
-    seat, duty = _each(seat, duty, lambda x: each(np.broadcast_to(x, shape).ravel()))
+    seat, duty = _each(seat, duty, lambda x: np.broadcast_to(x, shape).ravel())
     every = np.arange(math.prod(shape))
 
-    def film_at(rise: Array, some: IndexArray) -> Film:
-        asked = (seat, duty) if some.size == every.size else _each(seat, duty, lambda x: each(many(x)[some]))
-        return route(*asked, each(rise))
+    def film_at(rise: Array, some: IndexArray) -> Film[Array]:
+        asked = (seat, duty) if some.size == every.size else _each(seat, duty, lambda x: x[some])
+        return route(*asked, rise)
 
     def excess(rise: Array, some: IndexArray) -> Array:
-        return np.asarray(many(film_at(rise, some).temperature_rise) - rise)
+        return np.asarray(film_at(rise, some).temperature_rise - rise)
 
     low, high = np.zeros(every.size), np.full(every.size, hottest)
     f_high, before = np.full(every.size, np.nan), np.zeros(every.size)
@@ -202,7 +209,7 @@ def settled(
             left = left[~(gone | (np.abs(f_x) <= tolerance * (1 + x)) | (b - a <= tolerance))]
         film = film_at(rise, every)
         there = np.abs(film.temperature_rise - rise) <= ALMOST * (1 + rise)
-    return _over(film, lambda x: each(np.where(there, x, np.nan).reshape(shape)))
+    return _over(film, lambda x: np.where(there, x, np.nan).reshape(shape))
 
 
 def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hottest: float) -> tuple[Array, Array]:
@@ -229,17 +236,17 @@ def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hott
     return above, f_above
 
 
-def settled_together(asked: Sequence[tuple[BearingCase, OperatingPoint]]) -> list[Film]:
+def settled_together(asked: Sequence[tuple[BearingCase[Any], OperatingPoint[Any]]]) -> list[Film[Array]]:
     """`settled` for several questions about one bearing in one call, each of its own length: all but the arrays is that
     of the first."""
     seat, duty = asked[0]
     sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
 
-    def joined(of: Callable[[BearingCase, OperatingPoint], float]) -> float:
+    def joined(of: Callable[[BearingCase[Any], OperatingPoint[Any]], Any]) -> Array:
         numbers: Array = np.concatenate(
             [np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)]
         )
-        return each(numbers)
+        return numbers
 
     film = settled(
         replace(seat, clearance=joined(lambda s, _: s.clearance), viscosity_factor=joined(lambda s, _: _factor(s))),
@@ -254,14 +261,14 @@ def settled_together(asked: Sequence[tuple[BearingCase, OperatingPoint]]) -> lis
     )
     ends = np.cumsum(sizes)
     parts = [slice(end - size, end) for size, end in zip(sizes, ends.tolist())]
-    return [_over(film, lambda x, part=part: each(many(x)[part])) for part in parts]  # type: ignore[misc]
+    return [_over(film, lambda x, part=part: x[part]) for part in parts]  # type: ignore[misc]
 
 
-def _factor(seat: BearingCase) -> float:
+def _factor(seat: BearingCase[Any]) -> Any:
     return 1.0 if seat.viscosity_factor is None else seat.viscosity_factor
 
 
-def _numbers(seat: BearingCase, duty: OperatingPoint) -> tuple[float, ...]:
+def _numbers(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[Num, ...]:
     b = seat.bearing
     return (
         b.diameter,
@@ -276,21 +283,20 @@ def _numbers(seat: BearingCase, duty: OperatingPoint) -> tuple[float, ...]:
 
 
 def _each(
-    seat: BearingCase, duty: OperatingPoint, change: Callable[[float], float]
-) -> tuple[BearingCase, OperatingPoint]:
+    seat: BearingCase[Any], duty: OperatingPoint[Any], change: Callable[[Array], Array]
+) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
     """Case and operating point with their arrays changed; numbers stay."""
 
-    def changed(x: float) -> float:
+    def changed(x: Any) -> Any:
         return change(x) if np.ndim(x) else x
 
-    bearing = replace(seat.bearing, diameter=changed(seat.bearing.diameter), length=changed(seat.bearing.length))
+    seat = resized(seat, diameter=changed(seat.bearing.diameter), length=changed(seat.bearing.length))
     asked = {name: changed(x) for name, x in vars(duty).items()}
     factor = None if seat.viscosity_factor is None else changed(seat.viscosity_factor)
-    seat = replace(seat, bearing=bearing, clearance=changed(seat.clearance), viscosity_factor=factor)
-    return seat, OperatingPoint(**asked)
+    return replace(seat, clearance=changed(seat.clearance), viscosity_factor=factor), OperatingPoint(**asked)
 
 
-def _over(film: Film, change: Callable[[float], float]) -> Film:
+def _over(film: Film[Array], change: Callable[[Array], Array]) -> Film[Array]:
     """A film with its arrays changed, those of its oil too; what it does not have stays None."""
     numbers = {name: change(x) for name, x in vars(film).items() if name != "oil" and x is not None}
     return Film(oil=OilState(*(change(x) for x in vars(film.oil).values())), **numbers)

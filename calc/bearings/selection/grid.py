@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...library.journal_rules import heat_index, specific_load
-from ...sheet.arrays import Array, BoolArray, IndexArray, each
+from ...sheet.arrays import Array, BoolArray, IndexArray
 from ...sheet.quantity import keys
 from ...sheet.record import record
 from ...sheet.search import Judged, least, multiples
@@ -145,8 +145,8 @@ def _bearable(task: BearingTask, l: Array) -> Array:
     if not l.size:
         return l
     inputs, duty = task.seat.inputs, task.duty
-    p = specific_load(F=duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(inputs, l)))
-    W = heat_index(F=duty.load, n=duty.speed, l=each(l))
+    p = specific_load(F=duty.load, d=task.seat.bearing.diameter, l=supply.bare_length(inputs, l))
+    W = heat_index(F=duty.load, n=duty.speed, l=l)
     carries = least([task.rules["specific_load"].on(p), task.rules["heat_index"].on(W)]) >= 0
     return l[carries] if carries.any() else l[-1:]
 

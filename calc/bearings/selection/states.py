@@ -10,6 +10,7 @@ given, as the limits of the step do."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from ...countershaft.inputs import CountershaftInputs
 from ...countershaft.result import CountershaftResult
 from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
-from ...sheet.arrays import Array, IndexArray, each, many
+from ...sheet.arrays import Array, IndexArray, Num
 from ...sheet.check import Check
 from ...sheet.linked_array import column
 from ...sheet.record import record
@@ -29,7 +30,7 @@ from ..corners import widths
 from ..inputs import IN_WORDS as PLACE
 from ..inputs import PLACES
 from ..routes import supply
-from ..routes.states import BearingCase, OperatingPoint
+from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
 
 # --- words that the search uses over and over
@@ -98,12 +99,12 @@ class BearingRule:
     key: str
     check: Check
 
-    def on(self, value: float, limit: float | None = None, where: object = -1) -> Judged:
+    def on(self, value: Num, limit: Num | None = None, where: object = -1) -> Judged:
         """Candidates by this rule, from values in SI; `limit`, in SI as well, where it is that of each candidate.
         `where`: the index of the task's state that governs, or its name; −1: it has none."""
         units = UNITS[self.check.unit]
-        bound = self.check.limit if limit is None else units.all_shown(limit)
-        return judged(self, np.asarray(units.all_shown(value)), bound, self.check.sense, where)
+        bound = self.check.limit if limit is None else units.all_shown(np.asarray(limit))
+        return judged(self, units.all_shown(np.asarray(value)), bound, self.check.sense, where)
 
 
 def check_of(judgement: Judged, index: Index) -> Check:
@@ -343,35 +344,36 @@ def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises:
     l, g = np.broadcast_arrays(np.asarray(length, dtype=float), np.asarray(clearance, dtype=float))
     axes = (slice(None), *(None,) * l.ndim)
     side, oil, times = (column(task.states, name)[axes] for name in ("side", "oil", "times"))
-    seat, duty = task.seat, task.duty
+    seat: BearingCase[Any] = task.seat
+    duty: OperatingPoint[Any] = task.duty
     band = sum(widths(seat.inputs, seat.bearing.diameter)) / 2
     at = replace(
-        seat,
-        bearing=replace(seat.bearing, length=each(l[None])),
-        clearance=each(g[None] + side * band),
-        viscosity_factor=each(1 + oil * seat.inputs.viscosity_tolerance),
+        resized(seat, length=l[None]),
+        clearance=g[None] + side * band,
+        viscosity_factor=1 + oil * seat.inputs.viscosity_tolerance,
     )
     with np.errstate(all="ignore"):
         film = settled(
-            at, replace(duty, load=each(duty.load * times)), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED
+            at, replace(duty, load=duty.load * times), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED
         )
     viscosity = np.broadcast_to(film.oil.mu, np.shape(film.film))
-    rise, power, flow = many(film.temperature_rise), many(film.friction_power)[0], many(film.oil_flow)[0]
-    return States(l, g, many(film.film), rise, viscosity, power, flow)
+    rise, power, flow = film.temperature_rise, film.friction_power[0], film.oil_flow[0]
+    return States(l, g, film.film, rise, viscosity, power, flow)
 
 
 def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
     """Every rule on candidates that are solved.  `slope`: of the journal in its seat."""
-    seat, duty, rule = task.seat, task.duty, task.rules
+    seat: BearingCase[Any] = task.seat
+    duty, rule = task.duty, task.rules
     inputs, d = seat.inputs, seat.bearing.diameter
-    l, g = each(states.length), each(states.clearance)
-    bare = each(supply.bare_length(inputs, states.length))
+    l, g = states.length, states.clearance
+    bare = supply.bare_length(inputs, states.length)
     once = sum(state.times == 1 for state in task.states)
     with np.errstate(all="ignore"):
         films, doubled, rise = states.film[:once], states.film[once:], states.rise[:once]
         edge = f.film_at_edge(h_0=films.min(axis=0), theta=slope, l=l)
         p = specific_load(F=duty.load, d=d, l=bare)
-        n_T = many(f.transition_speed(p=p, mu=each(states.viscosity[:once]), d=d))
+        n_T = f.transition_speed(p=p, mu=states.viscosity[:once], d=d)
         least = f.least_speed(k=task.speed_factor, n_T=n_T.max(axis=0))
         cold = replace(seat, clearance=g - sum(widths(inputs, d)) / 2).clearance_at(inputs.lowest_temperature)
         left = cold if task.corners else replace(seat, clearance=g).clearance_at(inputs.lowest_temperature)
@@ -389,7 +391,7 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
             rule["heat_index"].on(heat_index(F=duty.load, n=duty.speed, l=l)),
             rule["length_ratio"].on(ratio),
             rule["length_ratio_usual"].on(ratio),
-            rule["transition"].on(each(np.full(np.shape(least), duty.effective_speed)), least, _where(n_T, "max")),
+            rule["transition"].on(np.full(np.shape(least), duty.effective_speed), least, _where(n_T, "max")),
             rule["clearance_cold"].on(left, where=TIGHT if task.corners else -1),
         ]
         return judged if task.corners else [*judged, rule["clearance_cold_corner"].on(cold, where=TIGHT)]
@@ -398,7 +400,7 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
 def usual(task: BearingTask, clearance: Array) -> Judged | None:
     """The relative clearance against that of the application; None: it has none."""
     rule, d = task.rules.get(USUAL), task.seat.bearing.diameter
-    return None if rule is None else rule.on(f.relative_clearance(g=each(clearance), d=d))
+    return None if rule is None else rule.on(f.relative_clearance(g=clearance, d=d))
 
 
 def without_rise(task: BearingTask) -> Judged:
@@ -416,6 +418,6 @@ def _where(numbers: Array, way: str) -> IndexArray:
 def mckee(task: BearingTask, states: States) -> Array:
     """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
     p = specific_load(
-        F=task.duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(task.seat.inputs, states.length))
+        F=task.duty.load, d=task.seat.bearing.diameter, l=supply.bare_length(task.seat.inputs, states.length)
     )
-    return many(f.mckee_number(mu=each(states.viscosity[0]), n_h=task.duty.effective_speed, p=p))
+    return f.mckee_number(mu=states.viscosity[0], n_h=task.duty.effective_speed, p=p)

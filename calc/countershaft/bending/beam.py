@@ -12,7 +12,6 @@ positive direction makes it so between two supports: M = −E·I·θ'.  All numb
 
 import math
 from collections.abc import Sequence
-from typing import cast
 
 import numpy as np
 
@@ -110,7 +109,8 @@ def _nodes(ends: Array, places: Array, longest: Metre) -> Array:
 
 
 def _nearest(z: Array, places: Array) -> IndexArray:
-    return cast(IndexArray, np.abs(z[None, :] - places[:, None]).argmin(1))
+    nearest: IndexArray = np.abs(z[None, :] - places[:, None]).argmin(1)
+    return nearest
 
 
 def beam(
@@ -193,9 +193,9 @@ def displaced(beam: Beam, omega: RadPerSecond = 0.0) -> ComplexArray:
     # two real columns: a complex side would make K complex
     loads = np.stack([beam.f.real[beam.free], beam.f.imag[beam.free]], 1)
     columns = np.linalg.solve(beam.K[free] - omega**2 * beam.M[free], loads)
-    u = np.zeros(beam.f.size, dtype=complex)
+    u = np.zeros(beam.f.size, dtype=np.complex128)
     u[beam.free] = columns[:, 0] + 1j * columns[:, 1]
-    return cast(ComplexArray, u)
+    return u
 
 
 def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:

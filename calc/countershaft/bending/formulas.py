@@ -4,30 +4,38 @@
 All formulas take arrays, an element for each piece; faces at z, bearings at z_B.  θ is the rotation of the section,
 that of the journal."""
 
-from typing import cast
-
 import numpy as np
 
-from ...sheet.arrays import BoolArray
+from ...sheet.arrays import Array, BoolArray
 from ...sheet.formula import formula
 from ...sheet.functions import cos, largest, pi, sin, smallest
 from ...sheet.text import Text
 from ...sheet.units import (
-    Kilogram,
     KilogramMetre,
+    KilogramMetres,
     KilogramPerMetre,
     KilogramPerMetre3,
+    Kilograms,
+    KilogramsPerMetre,
     Metre,
     Metre4,
+    Metres,
+    Metres4,
+    MetreTuple,
     Newton,
     NewtonMetre,
     NewtonMetre2,
+    NewtonMetres,
+    NewtonMetres2,
+    Newtons,
     Number,
     Pascal,
     PhasorCubicMetre,
-    PhasorNewton,
     PhasorNewtonPerMetre,
+    PhasorNewtons,
+    PhasorNewtonsPerMetre,
     Radian,
+    Radians,
     RadPerSecond,
     RevPerSecond,
     SquareMetre,
@@ -71,9 +79,8 @@ def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
     unit="mm⁴",
     shows="π·r_0⁴/4 of a sector, I of a full section",
 )
-def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
-    inertia = np.where(sector, pi * r_0**4 / 4, I)
-    return cast(Metre4, inertia)
+def core_inertia(I: Metres4, r_0: Metres, sector: BoolArray) -> Metres4:
+    return np.where(sector, pi * r_0**4 / 4, I)
 
 
 @formula(
@@ -138,20 +145,19 @@ def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) 
     names={"mu": "ρ_l", "omega": "ω_S"},
 )
 def slopes(
-    EI: NewtonMetre2,
-    S_s: Newton,
-    mu: KilogramPerMetre,
-    q: PhasorNewtonPerMetre,
-    F: PhasorNewton,
-    m: Kilogram,
+    EI: NewtonMetres2,
+    S_s: Newtons,
+    mu: KilogramsPerMetre,
+    q: PhasorNewtonsPerMetre,
+    F: PhasorNewtons,
+    m: Kilograms,
     omega: RadPerSecond,
-    z: Metre,
-    z_B: Metre,
+    z: Metres,
+    z_B: MetreTuple,
     u: Bent,
-) -> Radian:
+) -> Radians:
     """`u` is the solution for the other arguments, from which the moments are taken too."""
-    angles = np.abs(u.slopes)
-    return cast(Radian, angles)
+    return np.abs(u.slopes)
 
 
 @formula(
@@ -161,13 +167,13 @@ def slopes(
     names={"mu": "ρ_l"},
 )
 def natural_frequency(
-    EI: NewtonMetre2,
-    S_s: Newton,
-    mu: KilogramPerMetre,
-    j: KilogramMetre,
-    m: Kilogram,
-    z: Metre,
-    z_B: Metre,
+    EI: NewtonMetres2,
+    S_s: Newtons,
+    mu: KilogramsPerMetre,
+    j: KilogramMetres,
+    m: Kilograms,
+    z: Metres,
+    z_B: MetreTuple,
     model: Beam,
 ) -> RevPerSecond:
     """The lowest natural frequency of bending in the weaker plane; `model` is made of the other arguments."""
@@ -181,7 +187,7 @@ def natural_frequency(
     names={"mu": "ρ_l"},
 )
 def natural_frequency_without_rotary(
-    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
+    EI: NewtonMetres2, S_s: Newtons, mu: KilogramsPerMetre, m: Kilograms, z: Metres, z_B: MetreTuple, model: Beam
 ) -> RevPerSecond:
     """To compare with beams that leave it out."""
     return b.natural_frequency(model) / (2 * pi)
@@ -194,15 +200,15 @@ def natural_frequency_without_rotary(
     names={"mu": "ρ_l", "omega": "ω_S"},
 )
 def largest_moment(
-    EI: NewtonMetre2,
-    S_s: Newton,
-    mu: KilogramPerMetre,
-    q: PhasorNewtonPerMetre,
-    F: PhasorNewton,
-    m: Kilogram,
+    EI: NewtonMetres2,
+    S_s: Newtons,
+    mu: KilogramsPerMetre,
+    q: PhasorNewtonsPerMetre,
+    F: PhasorNewtons,
+    m: Kilograms,
     omega: RadPerSecond,
-    z: Metre,
-    z_B: Metre,
+    z: Metres,
+    z_B: MetreTuple,
     u: Bent,
 ) -> NewtonMetre:
     return float(np.abs(u.moment).max())
@@ -214,13 +220,14 @@ def moment_place(u: Bent) -> Metre:
 
 
 @formula("M", FINITE, shows=Text("largest |M| on each piece, from {turning}", turning=TURNING))
-def piece_moments(z_1: Metre, z_2: Metre, u: Bent) -> NewtonMetre:
-    """The pieces reach from z_1 to z_2: arrays."""
+def piece_moments(z_1: Metres, z_2: Metres, u: Bent) -> NewtonMetres:
+    """The pieces reach from z_1 to z_2."""
     ends = np.stack([z_1, z_2], 1)
     at_ends = np.abs(u.moment_at(ends)).max(1)
     size = np.abs(u.moment)
     within = (u.moment_z[None, :] >= ends[:, :1]) & (u.moment_z[None, :] <= ends[:, 1:])
-    return cast(NewtonMetre, np.maximum(at_ends, np.where(within, size[None, :], 0.0).max(1)))
+    moments: Array = np.maximum(at_ends, np.where(within, size[None, :], 0.0).max(1))
+    return moments
 
 
 @formula("M_h", FINITE, shows="|M| at the shoulder")
@@ -242,16 +249,16 @@ def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
 def limiting_share(
     theta_lim: Radian,
     E: Pascal,
-    I_0: Metre4,
-    I: Metre4,
-    S_s: Newton,
-    mu: KilogramPerMetre,
-    q: PhasorNewtonPerMetre,
-    F: PhasorNewton,
-    m: Kilogram,
+    I_0: Metres4,
+    I: Metres4,
+    S_s: Newtons,
+    mu: KilogramsPerMetre,
+    q: PhasorNewtonsPerMetre,
+    F: PhasorNewtons,
+    m: Kilograms,
     omega: RadPerSecond,
-    z: Metre,
-    z_B: Metre,
+    z: Metres,
+    z_B: MetreTuple,
     eta: Number,
 ) -> Number:
     """`eta` is the root itself, found from the other arguments."""

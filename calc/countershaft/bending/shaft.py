@@ -22,25 +22,18 @@ from ...library import fatigue
 from ...library import fatigue as notch
 from ...library.catalogue import Material
 from ...library.journal_rules import SLOPE
-from ...sheet.arrays import Array, BoolArray, ComplexArray, each, many
+from ...sheet.arrays import Array, BoolArray, ComplexArray, Num
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column, gathered, item, where
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text
 from ...sheet.units import (
-    Kilogram,
-    KilogramMetre,
-    KilogramPerMetre,
     Metre,
-    Metre4,
     Newton,
     NewtonMetre,
-    NewtonMetre2,
     Number,
     Pascal,
-    PhasorNewton,
-    PhasorNewtonPerMetre,
     Radian,
     RadPerSecond,
     RevPerSecond,
@@ -67,14 +60,14 @@ def stresses(
     sector = np.array([p.half_angle is not None for p in outline.pieces])
     if sector.any():
         R, r_0 = (column(outline.pieces, name)[sector] for name in ("outer_radius", "core_radius"))
-        gamma = each(gathered(p.half_angle for p in outline.pieces if p.half_angle is not None))
+        gamma = gathered(p.half_angle for p in outline.pieces if p.half_angle is not None)
         S = based_on(np.abs(outline.moment[sector]), outline.moment[sector])
         A = outline.area[sector]
         c = where(sector, f.farthest_fibre(R=R, y=s.whole_centre(S=S, A_tot=A), r_0=r_0, gamma=gamma), c[~sector])
     start, end = column(outline.pieces, "start"), column(outline.pieces, "end")
     I = outline.inertia
     M = f.piece_moments(z_1=start, z_2=end, u=bent)
-    stress = many(f.bending_stress(M=M, c=each(c), I=each(I)))
+    stress = f.bending_stress(M=M, c=c, I=I)
     k, size = int(stress.argmax()), np.abs(bent.moment)
     z_M = f.moment_place(u=bent)
     here = [i for i in range(start.size) if start[i] - STEP <= z_M <= end[i] + STEP]
@@ -159,7 +152,7 @@ LEAST = 5e-3  # of the largest: a smaller force is not shown
 
 
 def resultants(
-    ends: Array, q: PhasorNewtonPerMetre, forces: tuple[Metre, PhasorNewton], back: complex
+    ends: Array, q: ComplexArray, forces: tuple[Array, ComplexArray], back: complex
 ) -> tuple[tuple[Metre, Newton], ...]:
     """Place and size of the loads along a plane: of neighbouring pieces that are loaded to the same side one together,
     at its middle.
@@ -251,14 +244,14 @@ class Bending:
 class _Given(TypedDict):
     """What the solution is found from, beside E·I."""
 
-    S_s: Newton
-    mu: KilogramPerMetre
-    q: PhasorNewtonPerMetre
-    F: PhasorNewton
-    m: Kilogram
+    S_s: Array
+    mu: Array
+    q: ComplexArray
+    F: ComplexArray
+    m: Array
     omega: RadPerSecond
-    z: Metre
-    z_B: Metre
+    z: Array
+    z_B: tuple[Metre, ...]
 
 
 @record
@@ -268,11 +261,11 @@ class _Shaft:
     outline: Outline
     ends: Array
     sector: BoolArray
-    places: Metre  # of the further elements
+    places: Array  # of the further elements
     positions: tuple[Metre, ...]
     given: _Given
 
-    def model(self, EI: NewtonMetre2, longest: Metre = FINE, rotary: KilogramMetre = 0.0) -> Beam:
+    def model(self, EI: Array, longest: Metre = FINE, rotary: Num = 0.0) -> Beam:
         x, places = self.given, self.places
         return beam(
             self.ends,
@@ -304,7 +297,7 @@ def bending(
     _places(outline, positions, extras)
     with about(Text("bending of the shaft")):
         shaft = _prepared(outline, material, omega, positions, extras)
-        I = each(outline.inertia)
+        I = outline.inertia
         EI = f.bending_stiffness(E=material.E, I=I)
         core = f.core_inertia(I=I, r_0=column(outline.pieces, "core_radius"), sector=shaft.sector)
         EI_s = _shared(material, core, effectiveness, I)
@@ -312,11 +305,11 @@ def bending(
     with about(Text("bending of the shaft, full stiffness")):
         stiff = shaft.model(EI)
         bent_stiff = replace(bend(stiff, omega), link=link_of((EI, given)))
-        slopes_stiff = many(f.slopes(EI=EI, **given, u=bent_stiff))
+        slopes_stiff = f.slopes(EI=EI, **given, u=bent_stiff)
     with about(Text("bending of the shaft")):
         model = stiff if effectiveness == 1 else shaft.model(EI_s)
         bent = bent_stiff if effectiveness == 1 else replace(bend(model, omega), link=link_of((EI_s, given)))
-        slopes = many(f.slopes(EI=EI_s, **given, u=bent))
+        slopes = f.slopes(EI=EI_s, **given, u=bent)
         M_max = f.largest_moment(EI=EI_s, **given, u=bent)
         frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
         stressed, notes = stresses(outline, bent, M_max, fillet_radius)
@@ -391,9 +384,9 @@ def _prepared(
 ) -> _Shaft:
     G = f.shear_modulus(E=material.E, nu=material.poisson)
     kappa = f.shear_coefficient(nu=material.poisson)
-    A, S = each(outline.area), each(outline.moment)
+    A, S = outline.area, outline.moment
     masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
-    forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else each(np.zeros(0, dtype=complex))
+    forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else np.zeros(0, dtype=complex)
     ends = gathered([*column(outline.pieces, "start"), outline.end])
     given = _Given(
         S_s=f.shear_stiffness(kappa=kappa, G=G, A=A),
@@ -402,30 +395,30 @@ def _prepared(
         F=forces,
         m=masses,
         omega=omega,
-        z=each(ends),
-        z_B=each(positions),
+        z=ends,
+        z_B=positions,
     )
     sector = np.array([p.half_angle is not None for p in outline.pieces])
     return _Shaft(outline=outline, ends=ends, sector=sector, places=z, positions=positions, given=given)
 
 
-def _shared(material: Material, core: Metre4, eta: Number, inertia: Metre4) -> NewtonMetre2:
+def _shared(material: Material, core: Array, eta: Number, inertia: Array) -> Array:
     """The bending stiffness with a share of what the sectors add to the core."""
     return f.bending_stiffness(E=material.E, I=f.shared_inertia(I_0=core, eta=eta, I=inertia))
 
 
 def _frequencies(
-    shaft: _Shaft, material: Material, core: Metre4, eta: Number, stiffnesses: tuple[NewtonMetre2, NewtonMetre2]
+    shaft: _Shaft, material: Material, core: Array, eta: Number, stiffnesses: tuple[Array, Array]
 ) -> tuple[RevPerSecond, RevPerSecond, RevPerSecond]:
     """The lowest natural frequency with the shared and with the whole stiffness, and the first without rotary inertia.
 
     Each in the weaker plane of the sections.
     """
     outline = shaft.outline
-    inertia = each(outline.inertia)
+    inertia = outline.inertia
     if shaft.sector.any():
         # π: the full cylinder
-        gamma = each(gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces))
+        gamma = gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces)
         side = f.sideways_inertia(
             R=column(outline.pieces, "outer_radius"), r_0=column(outline.pieces, "core_radius"), gamma=gamma
         )
@@ -438,7 +431,7 @@ def _frequencies(
     x = shaft.given
     S_s, mu, m, z, z_B = x["S_s"], x["mu"], x["m"], x["z"], x["z_B"]
 
-    def frequency(EI: NewtonMetre2) -> RevPerSecond:
+    def frequency(EI: Array) -> RevPerSecond:
         return f.natural_frequency(EI=EI, S_s=S_s, mu=mu, j=j, m=m, z=z, z_B=z_B, model=shaft.model(EI, rotary=j))
 
     first = frequency(shared)
@@ -450,7 +443,7 @@ def _frequencies(
 def _share_at_limit(
     shaft: _Shaft,
     E: Pascal,
-    core: Metre4,
+    core: Array,
     design: tuple[Number, Radian],
     whole: tuple[Number, Radian],
     limit: Radian = SLOPE,
@@ -462,7 +455,7 @@ def _share_at_limit(
     added = np.asarray(shaft.outline.inertia) - core
 
     def stiffer(eta: float) -> float:
-        model = shaft.model(each(E * (core + eta * added)), LONG)
+        model = shaft.model(E * (core + eta * added), LONG)
         slopes = np.abs(displaced(model, shaft.given["omega"])[model.pinned + 1])
         return 1 / float(slopes.max()) - 1 / limit if slopes.any() else math.inf
 
@@ -475,7 +468,7 @@ def _share_at_limit(
             break
         a, f_a, b = b, f_b, min(max(b - f_b * (b - a) / (f_b - f_a), LEAST_SHARE), 1.0)
         if abs(b - a) < 1e-5:  # the step after it is far smaller
-            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=each(shaft.outline.inertia), **shaft.given, eta=b)
+            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=shaft.outline.inertia, **shaft.given, eta=b)
         f_b = stiffer(b)
     return None
 

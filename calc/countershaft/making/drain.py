@@ -9,15 +9,13 @@ but it would not grip."""
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
-from typing import cast
 
 from ...library.table_file import house_table
-from ...sheet.arrays import each, many
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.quantity import result, value
 from ...sheet.text import EMPTY, Amount, Name, Text
-from ...sheet.units import CubicMetrePerSecond, Metre, Radian
+from ...sheet.units import CubicMetrePerSecond, Metre, MetreTuple, Radian
 from ...sheet.value import about, based_on
 from .inputs import Clamp, OilDrain, Sleeve, Union, thread
 
@@ -55,9 +53,9 @@ def sleeves() -> tuple[Sleeve, ...]:
     shows="largest nominal diameter at hand ≤ D_min",
     unit="mm",
 )
-def nominal(D_n: Metre, D_min: Metre) -> Metre:
+def nominal(D_n: MetreTuple, D_min: Metre) -> Metre:
     """`D_n`: the nominal diameters at hand.  Meaningful where at least one of them fits."""
-    return cast(Metre, max(size for size in many(D_n) if size <= D_min))
+    return max(size for size in D_n if size <= D_min)
 
 
 @formula(
@@ -66,8 +64,8 @@ def nominal(D_n: Metre, D_min: Metre) -> Metre:
     shows="opening beside D_n in the table of clamps",
     unit="mm",
 )
-def opening(D_n: Metre, nominals: Metre, openings: Metre) -> Metre:
-    return cast(Metre, max(o for size, o in zip(many(nominals), many(openings)) if size == D_n))
+def opening(D_n: Metre, nominals: MetreTuple, openings: MetreTuple) -> Metre:
+    return max(o for size, o in zip(nominals, openings) if size == D_n)
 
 
 @formula("Δ", Text("{rule}: what the opening exceeds the larger end of the hose by", rule=RULE), unit="mm")
@@ -81,9 +79,9 @@ def margin(D_o: Metre, D_max: Metre) -> Metre:
     shows="largest bore",
     unit="mm",
 )
-def widest_bore(bores: Metre, designation: str) -> Metre:
+def widest_bore(bores: MetreTuple, designation: str) -> Metre:
     """`bores`: of the unions at hand with the thread `designation`."""
-    return cast(Metre, max(many(bores)))
+    return max(bores)
 
 
 @formula(
@@ -93,9 +91,9 @@ def widest_bore(bores: Metre, designation: str) -> Metre:
     shows="largest bore",
     unit="mm",
 )
-def widest_sleeve(bores: Metre, designation: str) -> Metre:
+def widest_sleeve(bores: MetreTuple, designation: str) -> Metre:
     """`bores`: of the sleeves at hand whose ring fits the thread `designation`."""
-    return cast(Metre, max(many(bores)))
+    return max(bores)
 
 
 @formula(
@@ -141,7 +139,7 @@ def _pick(drain: OilDrain, at_hand: tuple[Clamp, ...]) -> tuple[Metre, Metre] | 
     large."""
     if min(clamp.nominal for clamp in at_hand) > drain.hose_min:
         return None
-    sizes, opens = each(tuple(clamp.nominal for clamp in at_hand)), each(tuple(clamp.opening for clamp in at_hand))
+    sizes, opens = tuple(clamp.nominal for clamp in at_hand), tuple(clamp.opening for clamp in at_hand)
     D_n = nominal(D_n=sizes, D_min=drain.hose_min)
     return D_n, opening(D_n=D_n, nominals=sizes, openings=opens)
 
@@ -152,7 +150,7 @@ def _widest_union(drain: OilDrain) -> tuple[tuple[Union, ...], Metre | None]:
     fitting = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
     if not fitting:
         return (), None
-    return fitting, widest_bore(bores=each(tuple(union.bore for union in fitting)), designation=drain.thread)
+    return fitting, widest_bore(bores=tuple(union.bore for union in fitting), designation=drain.thread)
 
 
 def _widest_sleeve(drain: OilDrain) -> tuple[Metre | None, Metre | None]:
@@ -161,7 +159,7 @@ def _widest_sleeve(drain: OilDrain) -> tuple[Metre | None, Metre | None]:
     fitting = tuple(s for s in drain.sleeves or sleeves() if -1e-9 < s.ring - diameter <= RING + 1e-9)
     if not fitting:
         return None, None
-    bore = widest_sleeve(bores=each(tuple(sleeve.bore for sleeve in fitting)), designation=drain.thread)
+    bore = widest_sleeve(bores=tuple(sleeve.bore for sleeve in fitting), designation=drain.thread)
     return bore, based_on(next(sleeve.end for sleeve in fitting if sleeve.bore == bore), bore)
 
 

@@ -11,11 +11,10 @@ the holes allow.  That may cost a shaft that is too light some of its couple."""
 import math
 from collections.abc import Iterator
 from random import Random
-from typing import cast
 
 import numpy as np
 
-from ...sheet.arrays import Array, ComplexArray, each, many, phasors
+from ...sheet.arrays import Array, ComplexArray
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
@@ -29,6 +28,7 @@ from ...sheet.units import (
     KilogramMetre,
     Metre,
     NewtonMetre,
+    NewtonMetres,
     Number,
     PhasorNewton,
     PhasorNewtonMetre,
@@ -98,9 +98,9 @@ def couple_error(m: NewtonMetre, e: NewtonMetre, gamma: NewtonMetre, z: NewtonMe
     "mathematics: order statistics of the shafts tried",
     shows="the smallest couple that the share p of the shafts does not exceed",
 )
-def percentile(C: NewtonMetre, p: Number) -> NewtonMetre:
+def percentile(C: NewtonMetres, p: Number) -> NewtonMetre:
     """`C` in rising order."""
-    ordered = many(C)
+    ordered = C
     return float(ordered[max(math.ceil(p * ordered.size) - 1, 0)].item())
 
 
@@ -166,11 +166,9 @@ class Target:
         """What a unit of unbalance at each mass (second axis) is in the two planes, over what is permitted there."""
         z, gamma = (column(masses, name) for name in ("z", "angle"))
         span = self.z_r - self.z_f
-        return cast(
-            ComplexArray,
-            np.stack([(self.z_r - z) / span / self.permitted_front, (z - self.z_f) / span / self.permitted_rear])
-            * np.exp(1j * gamma),
-        )
+        share = np.stack([(self.z_r - z) / span / self.permitted_front, (z - self.z_f) / span / self.permitted_rear])
+        influence: ComplexArray = share * np.exp(1j * gamma)
+        return influence
 
 
 def normal(random: Random, *shape: int) -> Array:
@@ -203,14 +201,15 @@ def sample(
     if extras:
         fixed = [np.broadcast_to(column(extras, name), (count, len(extras))) for name in NAMES]
         m, e, gamma, z = (np.hstack(pair) for pair in zip((m, e, gamma, z), fixed))
-    force = phasors(f.shaft_force(omega=omega, m=m, e=e, gamma=gamma))
-    couple = phasors(f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma))
+    force = f.shaft_force(omega=omega, m=m, e=e, gamma=gamma)
+    couple = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma)
     return force, couple, np.exp(1j * delta), impossible
 
 
 def worse(deviation: ComplexArray) -> Array:
     """The worse of the two planes, over what is permitted there."""
-    return cast(Array, np.abs(deviation).max(0))
+    larger: Array = np.abs(deviation).max(0)
+    return larger
 
 
 def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: float) -> Array:
@@ -294,7 +293,8 @@ def scattered(
 
 def _joint(influence: ComplexArray, taken: Array) -> ComplexArray:
     """What is taken off all masses together.  Not by `@`: for so few masses a BLAS call costs more than it saves."""
-    return cast(ComplexArray, np.einsum("...i,is->...s", influence, taken))
+    together: ComplexArray = np.einsum("...i,is->...s", influence, taken)
+    return together
 
 
 def _parts(
@@ -322,7 +322,7 @@ def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -
         with about(
             Text("shafts {when}, p = {percentiles}", when=when, percentiles=Amount(PERCENTILES[word], form="g"))
         ):
-            couples[f"{name}_{word}"] = percentile(C=each(ordered), p=PERCENTILES[word])
+            couples[f"{name}_{word}"] = percentile(C=ordered, p=PERCENTILES[word])
     return couples
 
 

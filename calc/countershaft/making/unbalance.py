@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 
 from ...library.tolerances import ISO, grade_number
-from ...sheet.arrays import Array, each
+from ...sheet.arrays import Array
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
@@ -25,6 +25,7 @@ from ...sheet.units import (
     KilogramPerMetre3,
     Metre,
     MetrePerSecond,
+    Metres,
     NewtonMetre,
     Number,
     Radian,
@@ -71,7 +72,7 @@ def hole_unbalance(m_c: Kilogram, e_c: Metre) -> KilogramMetre:
 
 
 @formula("z_m", "mathematics: mean distance of the eccentric masses from mid-shaft", unit="mm", names={"n": "n_h"})
-def mean_arm(z: Metre, n: Number) -> Metre:
+def mean_arm(z: Metres, n: Number) -> Metre:
     return total(modulus(z)) / n
 
 
@@ -124,7 +125,7 @@ def calibration(
         m_c = hole_mass(rho=rho, d_c=holes.diameter, h_c=holes.depth)
         e_c = hole_centroid_radius(R=R_outer, h_c=holes.depth)
         unbalance = hole_unbalance(m_c=m_c, e_c=e_c)
-        couple = hole_couple(U=unbalance, z_m=mean_arm(z=each(z), n=n), omega=omega)
+        couple = hole_couple(U=unbalance, z_m=mean_arm(z=z, n=n), omega=omega)
         whole = hole_range(N_c=holes.count, C=couple)
         share = range_share(C_c=whole, C_S=C_required) if C_required else None
         return HolesResult(

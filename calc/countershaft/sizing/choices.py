@@ -11,7 +11,6 @@ import numpy as np
 from ...imbalance.result import ImbalanceResult
 from ...library.catalogue import Material
 from ...library.journal_rules import specific_load
-from ...sheet.arrays import each, many
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.quantity import result, value
@@ -500,15 +499,15 @@ def front_curve(
             return None
         start = radius_needed(R=R, r_0=r_0, u=u) * (1 + 1e-9)
         ends = [f.radius_for(R=R, r_0=r_0, rho=densities[name], rho_m=heavy) for name in names]
-        radii = each(np.unique([*np.linspace(start, R, POINTS), *(end for end in ends if start < end < R)]))
-        least = each(masses(*left, heavy, radii, r_0, z_max))
+        radii = np.unique([*np.linspace(start, R, POINTS), *(end for end in ends if start < end < R)])
+        least = masses(*left, heavy, radii, r_0, z_max)
         series = {}
         for name in names:  # equal ρ·(R³ − r_0³): equal lengths and half-angles
             R_m = f.radius_for(R=radii, r_0=r_0, rho=heavy, rho_m=densities[name])
             m = f.mass_for(m=least, rho=heavy, rho_m=densities[name], R=radii, R_m=R_m, r_0=r_0)
-            fits = many(R_m) <= R * (1 + 1e-9)
+            fits = R_m <= R * (1 + 1e-9)
             if fits.sum() > 1:
-                series[name] = Series(Name(name), many(R_m)[fits] * 1e3, many(m)[fits])
+                series[name] = Series(Name(name), R_m[fits] * 1e3, m[fits])
     lines = tuple(series[name] for name in densities if name in series)
     return Curve(
         "mass_over_radius",

@@ -1,13 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """The formulas of sizing: a pure couple in closed form, any pair of sectors, what would be needed, what it costs."""
 
-from typing import cast
-
 import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.formula import formula
-from ...sheet.functions import argument, asin, cis, cos, joined, modulus, pi, power, resultant, sin, smallest, sqrt
+from ...sheet.functions import (
+    argument,
+    asin,
+    cis,
+    cos,
+    joined,
+    modulus,
+    pi,
+    power,
+    resultant,
+    sin,
+    single_or_many,
+    smallest,
+    sqrt,
+)
 from ...sheet.text import Text
 from ...sheet.units import (
     Euro,
@@ -26,7 +38,7 @@ from ...sheet.units import (
     SquareMetre,
 )
 from ..formulas import MASSES
-from .lengths import one
+from .lengths import least_lengths
 
 LEAST = Text("mathematics, least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b")
 MOMENTS = Text("dynamics, equilibrium of unbalances and of their moments about mid-shaft")
@@ -103,8 +115,7 @@ def pair_half_angle(K: SquareMetre, z_max: Metre) -> Radian:
         gamma = np.minimum(gamma + step, np.pi / 2)
         if not np.any(np.abs(step) > 1e-15):
             break
-    half_angles = gamma if np.ndim(gamma) else float(gamma)
-    return cast(Radian, half_angles)
+    return single_or_many(np.asarray(gamma))
 
 
 @formula("κ_q", LEAST)
@@ -179,17 +190,17 @@ SEARCH = Text("mathematics, least mass of two sectors together, by search over b
     shows="u = min over b_f, b_r of max(sin γ_f, sin γ_r)",
 )
 def utilisation(alpha: PhasorNumber, product: PhasorNumber) -> Number:
-    return one(alpha, product)[2]
+    return least_lengths(alpha, product)[2]
 
 
 @formula("b_f", SEARCH, shows="b_f, with b_r, from the least Σ γ·b that gives U_s and P_s", unit="mm")
 def front_length(alpha: PhasorNumber, product: PhasorNumber, z_max: Metre) -> Metre:
-    return one(alpha, product)[0] * z_max
+    return least_lengths(alpha, product)[0] * z_max
 
 
 @formula("b_r", SEARCH, shows="b_r, with b_f, from the least Σ γ·b that gives U_s and P_s", unit="mm")
 def rear_length(alpha: PhasorNumber, product: PhasorNumber, z_max: Metre) -> Metre:
-    return one(alpha, product)[1] * z_max
+    return least_lengths(alpha, product)[1] * z_max
 
 
 @formula("z_f", Text("{faces}: its middle", faces=FACES), unit="mm")

@@ -18,7 +18,6 @@ All functions take arrays of tasks, a row each.
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import cast
 
 import numpy as np
 
@@ -61,10 +60,11 @@ def amount(asked: Task, front: Array, rear: Array) -> Array:
 def utilisation(alpha: complex | ComplexArray, product: complex | ComplexArray) -> Array:
     """The least largest sin γ that serves: 1 is the limit of the envelope.  It is proportional to force and couple
     together."""
-    return cast(Array, _edge_minima(task(alpha, product))[1].min(-1))
+    least: Array = _edge_minima(task(alpha, product))[1].min(-1)
+    return least
 
 
-def lengths(alpha: complex, product: complex) -> tuple[Array, Array, Array]:
+def lengths(alpha: complex | ComplexArray, product: complex | ComplexArray) -> tuple[Array, Array, Array]:
     """β_f and β_r of least mass together, NaN where the envelope is too small; the utilisation."""
     asked = task(alpha, product)
     best, worst = _edge_minima(asked)
@@ -84,7 +84,7 @@ def serves_whole(alpha: complex, product: complex) -> bool:
 
 
 @lru_cache(maxsize=64)
-def one(alpha: complex, product: complex) -> tuple[float, float, float]:
+def least_lengths(alpha: complex, product: complex) -> tuple[float, float, float]:
     """The same for one task, remembered: three formulas ask for it."""
     front, rear, u = lengths(alpha, product)
     return float(front[0]), float(rear[0]), float(u[0])

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...draw.drawing import TOUCH
 from ...imbalance.result import ImbalanceResult
-from ...sheet.arrays import Array, BoolArray, each
+from ...sheet.arrays import Array, BoolArray, Num
 from ...sheet.errors import NoSolution
 from ...sheet.functions import root
 from ...sheet.linked_array import column
@@ -134,35 +134,33 @@ def too_narrow(gap: Metre | Array, fillet: Metre) -> BoolArray:
     return narrow
 
 
-def pair_masses(
-    C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
-) -> Array:
-    """The mass of both sectors for arrays of any of the arguments; NaN where the envelope is too small."""
+def pair_masses(C: Num, omega: RadPerSecond, rho: Num, R: Num, r_0: Num, z_max: Num) -> Array:
+    """The mass of both sectors [kg] for a couple C [N·m] at ω; density, radii and half-length in SI, any of them an
+    array.  NaN where the envelope is too small."""
     with untraced(), np.errstate(invalid="ignore", divide="ignore"):
-        rho, R, r_0, z_max = (each(np.asarray(x, dtype=float)) for x in (rho, R, r_0, z_max))
+        rho, R, r_0, z_max = (np.asarray(x, dtype=float) for x in (rho, R, r_0, z_max))
         K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
         fits = f.pair_utilisation(K=K, z_max=z_max) <= 1
-        possible = each(np.where(fits, K, np.nan))
+        possible = np.where(fits, K, np.nan)
         gamma = f.pair_half_angle(K=possible, z_max=z_max)
         b = f.pair_length(z_max=z_max, q=f.pair_ratio(gamma=gamma))
         masses = 2 * s.sector_mass(rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0), b=b)
         return np.where(K == 0, 0.0, masses)
 
 
-def masses(
-    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
-) -> Array:
-    """The mass of both sectors for a force as well: unbalance U, product P, of the sectors alone; arrays of one axis,
-    or numbers.
+def masses(U: complex, P: complex, rho: Num, R: Num, r_0: Num, z_max: Num) -> Array:
+    """The mass of both sectors for a force as well: unbalance U [kg·m], product P [kg·m²], of the sectors alone;
+    arrays of one axis, or numbers.
 
     NaN where the envelope is too small.  U and P are one task, or as many as there are envelopes; a pure couple takes
     the closed form."""
     if np.all(np.abs(U) * z_max <= DUST * np.abs(P)):
         return pair_masses(np.abs(P), 1.0, rho, R, r_0, z_max)
     with untraced():
-        k = each(np.asarray(f.unbalance_per_length(rho=rho, R=R, r_0=r_0)))
-    front, rear, _ = lengths.lengths(U / (k * z_max), P / (k * z_max**2))
-    amount = lengths.amount(lengths.task(U / (k * z_max), P / (k * z_max**2)), front, rear)
+        k = np.asarray(f.unbalance_per_length(rho=rho, R=R, r_0=r_0))
+    alpha, product = np.asarray(U / (k * z_max)), np.asarray(P / (k * z_max**2))
+    front, rear, _ = lengths.lengths(alpha, product)
+    amount = lengths.amount(lengths.task(alpha, product), front, rear)
     return rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount)
 
 

@@ -17,7 +17,7 @@ from ...bearings.film.table import eccentricity_from, film_at
 from ...library.journal_rules import specific_load
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import exp, largest, log10, pi, sin, sqrt
+from ...sheet.functions import exp, largest, log10, pi, sin, single_or_many, sqrt
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Celsius,
@@ -34,7 +34,6 @@ from ...sheet.units import (
     Watt,
 )
 from ..inputs import PlainBearing, RollingBearing
-from ..mesh.path import array
 
 PALMGREN = Text("Palmgren 1957 (SKF catalogues to 1989, ISO/TR 14179-2)")
 SKF = Text("SKF 2013")
@@ -233,13 +232,13 @@ TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this pr
 @formula("ε", TABLE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted; lighter loads: 0")
 def eccentricity(S: Number, b: Number) -> Number:
     eps = np.nan_to_num(eccentricity_from(np.asarray(S, dtype=float), b, outside="nan"))
-    return array(eps) if eps.ndim else float(eps)
+    return single_or_many(eps)
 
 
 @formula("φ", TABLE, shows="φ from the table of Reynolds' solutions at ε, l/d; π/2 where ε is 0")
 def attitude(eps: Number, b: Number) -> Radian:
     angle = np.nan_to_num(film_at(np.asarray(eps, dtype=float), b, outside="nan").attitude, nan=math.pi / 2)
-    return array(angle) if angle.ndim else float(angle)
+    return single_or_many(angle)
 
 
 @formula(

@@ -12,10 +12,12 @@ The thickest governs.  The friction source takes VE everywhere; at light load th
 All are for fully flooded, smooth line contact, with the oil at the temperature of the teeth.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ...library.lubricant import Lubricant
-from ...sheet.arrays import many
+from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.functions import largest, sqrt
 from ...sheet.record import record
@@ -33,7 +35,7 @@ from ...sheet.units import (
     WattPerMetreKelvin,
 )
 from ...sheet.value import based_on
-from .path import Cells, Motion, array
+from .path import Cells, Motion
 
 EXPONENT: Number = 0.56  # of the materials' parameter, line contact
 ELLIPTICAL: Number = 0.53  # that of elliptical contacts, which the friction source prints
@@ -139,15 +141,15 @@ class Oil:
     operating points have T_m and all that follows from it as columns."""
 
     lubricant: Lubricant
-    T_m: Celsius
-    eta_0: PascalSecond
-    alpha: PerPascal
-    beta: PerKelvin
-    k_f: WattPerMetreKelvin
+    T_m: Any
+    eta_0: Any
+    alpha: Any
+    beta: Any
+    k_f: Any
     Lambda: Number
     thickening: Number | None
 
-    def alpha_at(self, eta: PascalSecond) -> PerPascal:
+    def alpha_at(self, eta: Any) -> Any:
         alpha = self.lubricant.alpha(eta)
         return alpha if self.thickening is None else alpha * self.thickening
 
@@ -177,25 +179,26 @@ class MeshFilm:
     """The film at every position.  `lead` is the best of the other films over the rigid isoviscous one, `rigid` the
     share of the stretch for which the position stands in which that one governs."""
 
-    h: Metre
-    h_0: Metre  # where IR governs, its film before the thermal reduction
-    Phi: Number
-    G: Number
-    U: Number
-    W: Number
-    rigid: float
-    lead: Number
+    h: Array
+    h_0: Array  # where IR governs, its film before the thermal reduction
+    Phi: Array
+    G: Array
+    U: Array
+    W: Array
+    rigid: Array
+    lead: Array
 
 
 def film(
-    by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, cells: Cells, exponent: Number = EXPONENT
+    by_regime: bool, oil: Oil, motion: Motion, w: Array, p_H: Array, cells: Cells, exponent: Number = EXPONENT
 ) -> MeshFilm:
     """The film by regime, or with the EHL formula everywhere."""
     U = speed_parameter(eta_0=oil.eta_0, u_e=motion.u_e, E_r=motion.E_r, R=motion.R)
     G = materials_parameter(alpha=oil.alpha, E_r=motion.E_r)
     W = load_parameter(w=w, E_r=motion.E_r, R=motion.R)
     H = H_VE = film_elastic_piezoviscous(G=G, e=exponent, U=U, W=W)
-    rigid = lead = h_0 = array(np.zeros_like(w))
+    rigid: Array = np.zeros_like(w)
+    lead = h_0 = rigid
     if by_regime:
         H_IR = film_rigid_isoviscous(U=U, W=W)
         H_VR = film_rigid_piezoviscous(g_V=viscosity_group(W=W, G=G, U=U), U=U, W=W)
@@ -203,8 +206,8 @@ def film(
         H = governing_film(H_IR=H_IR, H_VR=H_VR, H_IE=H_IE, H_VE=H_VE)
         h_0 = rigid_film(H_IR=H_IR, R=motion.R)
         regimes = H_IR, H_VR, H_IE, H_VE
-        lead = largest(largest(H_VR, H_IE), H_VE) / H_IR
-        rigid = based_on(array(cells.below_zero(np.log(many(lead)))), *regimes)
+        lead = np.maximum(np.maximum(H_VR, H_IE), H_VE) / H_IR
+        rigid = based_on(cells.below_zero(np.log(lead)), *regimes)
         lead = based_on(lead, *regimes)
     L = thermal_loading(eta_0=oil.eta_0, beta=oil.beta, u_e=motion.u_e, k_f=oil.k_f)
     Phi_T = thermal_reduction(p_H=p_H, E_r=motion.E_r, L=L, S=motion.S)

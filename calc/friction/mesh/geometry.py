@@ -9,10 +9,10 @@ Whatever a mesh is asked may be one operating point, all numbers floats, or N at
 import math
 from dataclasses import fields
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
 from ...sheet.number import short
 from ...sheet.record import record
@@ -81,7 +81,7 @@ def sound(mesh: MeshGeometry) -> None:
                 )
 
 
-def require(what: Text, number: float, *, zero: bool = False) -> float:
+def require(what: Text, number: Any, *, zero: bool = False) -> Any:
     """The number, or the array of numbers, if all are finite and positive (or zero, where zero has a meaning)."""
     if type(number) in (float, LinkedFloat) and 0 < number < math.inf:
         return number
@@ -96,12 +96,12 @@ def require(what: Text, number: float, *, zero: bool = False) -> float:
     return number
 
 
-def column(x: float) -> float:
+def column(x: Any) -> Any:
     """One number as it is; an array of N operating points as a column, against which the positions of a path stand in a
     row."""
-    return x if np.ndim(x) == 0 else each(many(x)[:, None])
+    return x if np.ndim(x) == 0 else x[:, None]
 
 
-def flat(x: float) -> float:
+def flat(x: Any) -> Any:
     """The inverse of `column`."""
-    return x if np.ndim(x) == 0 else each(many(x)[:, 0])
+    return x if np.ndim(x) == 0 else x[:, 0]

@@ -9,6 +9,7 @@ what is assumed of oil and flanks may be arrays: N operating points in one call,
 
 from collections.abc import Callable
 from dataclasses import field, replace
+from typing import Any
 
 import numpy as np
 
@@ -21,33 +22,38 @@ from ...library.contact import (
     mean_pressure,
 )
 from ...library.lubricant import Lubricant
-from ...sheet.arrays import Array, each, many
+from ...sheet.arrays import Array, Num
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import along, sqrt
+from ...sheet.functions import along, single_or_many, sqrt
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import (
     Celsius,
+    CelsiusArray,
     Kelvin,
     Metre,
     MetrePerSecond,
-    NewtonPerMetre,
+    Metres,
+    MetresPerSecond,
+    NewtonsPerMetre,
     Number,
+    Numbers,
     Pascal,
+    Pascals,
     PascalSecond,
     PerPascal,
-    RevPerSecond,
     Watt,
     WattPerMetre,
+    WattsPerMetre,
 )
 from ...sheet.value import converged, recorder, unlinked, untraced
 from ..inputs import FrictionInputs
 from .film import EXPONENT, MeshFilm, Oil, film, oil_at
 from .geometry import MeshGeometry, column, flat, require
 from .mixed import THESIS, Surfaces, surfaces_of
-from .path import Motion, Path, array, line_load, motion, path, transverse_force
+from .path import Motion, Path, line_load, motion, path, transverse_force
 from .traction import HOTTEST, Traction, place, skin_temperature, traction
 
 # --- every formula, once
@@ -58,7 +64,7 @@ from .traction import HOTTEST, Traction, place, skin_temperature, traction
     Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS),
     names={"s": "Δs", "mu": "μ_z"},
 )
-def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> Watt:
+def sliding_loss(s: Metres, mu: Numbers, w: NewtonsPerMetre, V_s: MetresPerSecond) -> Watt:
     """s is the length of line for which a position stands; w is the load without its floor."""
     return along(s * mu * w * V_s)
 
@@ -69,7 +75,7 @@ def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -
     "governs",
     names={"s": "Δs", "r": "[IR]"},
 )
-def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
+def rolling_loss(s: Metres, q_R: WattsPerMetre, r: Numbers) -> Watt:
     return along(s * q_R * r)
 
 
@@ -78,7 +84,7 @@ def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
     "mathematics: mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added",
     names={"s": "Δs", "r": "[IR]"},
 )
-def rolling_estimate(s: Metre, q_E: WattPerMetre, r: Number) -> Watt:
+def rolling_estimate(s: Metres, q_E: WattsPerMetre, r: Numbers) -> Watt:
     return along(s * q_E * (1 - r))
 
 
@@ -88,7 +94,7 @@ def mesh_loss(P_s: Watt, P_R: Watt) -> Watt:
 
 
 @formula("H_VL", Text("{thesis}, eq. 6: loss factor, the load shared along the path", thesis=THESIS), names={"s": "Δs"})
-def loss_factor(s: Metre, w: NewtonPerMetre, V_s: MetrePerSecond, P: Watt) -> Number:
+def loss_factor(s: Metres, w: NewtonsPerMetre, V_s: MetresPerSecond, P: Watt) -> Number:
     return along(s * w * V_s) / P
 
 
@@ -119,24 +125,23 @@ def no_rolling_loss() -> Watt:
     return 0.0
 
 
-def extreme(which: Callable[..., Array], x: float) -> float:
+def extreme(which: Callable[..., Any], x: Array) -> float:
     """The smallest or largest along the path."""
-    values = which(x, axis=-1)
-    return each(values) if values.ndim else values.item()
+    return single_or_many(which(x, axis=-1))
 
 
 @formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
-def thinnest_film(h: Metre) -> Metre:
+def thinnest_film(h: Metres) -> Metre:
     return extreme(np.min, h)
 
 
 @formula("λ_min", "definition: smallest along the path", shows="smallest λ along the path")
-def least_film_ratio(lam: Number) -> Number:
+def least_film_ratio(lam: Numbers) -> Number:
     return extreme(np.min, lam)
 
 
 @formula("p_H,max", "definition: largest along the path", unit="MPa", shows="largest p_H along the path")
-def largest_pressure(p_H: Pascal) -> Pascal:
+def largest_pressure(p_H: Pascals) -> Pascal:
     return extreme(np.max, p_H)
 
 
@@ -151,12 +156,12 @@ def pressure_at_pitch_point(p_H: Pascal) -> Pascal:
 
 
 @formula("T_f,max", "definition: largest along the path", shows="largest T_f along the path")
-def hottest_film(T_f: Celsius) -> Celsius:
+def hottest_film(T_f: CelsiusArray) -> Celsius:
     return extreme(np.max, T_f)
 
 
 @formula("De_max", "definition: largest along the path", shows="largest De along the path")
-def largest_deborah(De: Number) -> Number:
+def largest_deborah(De: Numbers) -> Number:
     return extreme(np.max, De)
 
 
@@ -166,7 +171,7 @@ def largest_deborah(De: Number) -> Number:
     unit="%",
     names={"s": "Δs", "r": "[IR]"},
 )
-def rigid_share(s: Metre, r: Number) -> Number:
+def rigid_share(s: Metres, r: Numbers) -> Number:
     return along(s * r) / along(s)
 
 
@@ -241,7 +246,7 @@ def case(
     friction: FrictionInputs,
     mesh: MeshGeometry,
     oil: Oil,
-    n_1: RevPerSecond,
+    n_1: Num,
     warming: Warming | None = None,
     **fineness: int,
 ) -> MeshCase:
@@ -265,18 +270,18 @@ def case(
 class Local:
     """What the curves show, along the strip in the middle of the face, by rising x."""
 
-    x: Metre
-    p_H: Pascal
-    h: Metre
-    lam: Number
-    xi: Number
-    mu: Number
-    q: WattPerMetre
-    T_f: Celsius
-    w: NewtonPerMetre
-    V_s: MetrePerSecond
-    b_H: Metre
-    De: Number
+    x: Array
+    p_H: Array
+    h: Array
+    lam: Array
+    xi: Array
+    mu: Array
+    q: Array
+    T_f: Array
+    w: Array
+    V_s: Array
+    b_H: Array
+    De: Array
 
     def drawn(self, name: str) -> Array:
         """One of them to draw: film and friction only where a place is loaded, nan elsewhere."""
@@ -322,7 +327,7 @@ def closing_tooth_temperature(T: Celsius) -> Celsius:
     return T
 
 
-def solve_mesh(c: MeshCase, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
+def solve_mesh(c: MeshCase, P: Any, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
     """The loss of a mesh that takes in the power P, one or many."""
     require(c.mesh.power, P)
     if not c.estimated:
@@ -344,9 +349,7 @@ def warming_of(c: MeshCase, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
     return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
 
 
-def _steadied(
-    gap_at: Callable[[Celsius], Kelvin], T: Celsius, flattest: float, fail: Callable[[Kelvin, str], NoSolution]
-) -> None:
+def _steadied(gap_at: Callable[[Any], Any], T: Any, flattest: float, fail: Callable[[Any, str], NoSolution]) -> None:
     """Secant steps until the temperature that follows from T is T; `gap_at` is called last with that one.
 
     `flattest`: the largest slope of what follows that a step may trust; `fail` makes the exception of the last gap and
@@ -356,13 +359,13 @@ def _steadied(
         gap = gap_at(T)
         if np.all(np.abs(gap) <= SKIN):
             return
-        slope = 0.0
+        slope: Any = 0.0
         if before is not None:
             step = T - before[0]
-            slope = each(np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, flattest))
+            slope = np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, flattest)
         before = T, gap
         T = T + gap / (1 - slope)
-        if not np.all(many(T) < HOTTEST):
+        if not np.all(T < HOTTEST):
             raise fail(
                 gap, Text("above {hottest} °C, where the laws of the oil end", hottest=Amount(HOTTEST, form="g"))
             )
@@ -408,11 +411,11 @@ def power_lost(c: MeshCase, P: Watt, by_regime: bool, *, rolling: bool = True) -
 class Lost:
     """The two parts of the loss, with load, pressure, film and friction at every position, which they come of."""
 
-    P_s: Watt
-    P_R: Watt
-    w: NewtonPerMetre
-    b_H: Metre
-    p_H: Pascal
+    P_s: Any
+    P_R: Any
+    w: Array
+    b_H: Array
+    p_H: Array
     oil: Oil
     f: MeshFilm
     t: Traction
@@ -445,7 +448,7 @@ def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     oil = _skins(c, rubbing)
     f, t = rubbing(oil)
     P_s = sliding_loss(s=s, mu=t.mu, w=w, V_s=m.V_s)
-    if not np.any(many(f.rigid) > 0):
+    if not np.any(f.rigid > 0):
         P_R = no_rolling_loss()
     else:
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
@@ -459,7 +462,7 @@ def _solved(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss
     s, m = c.path.weight, c.motion
     P_s, P_R, w, p_H, oil, f, t = lost.P_s, lost.P_R, lost.w, lost.p_H, lost.oil, lost.f, lost.t
     estimate = None
-    if not np.all(many(f.rigid) == 1):
+    if not np.all(f.rigid == 1):
         q_E = ehl_rolling_power(alpha=oil.alpha, G=f.G, U=f.U, W=f.W, R=m.R, Phi=f.Phi, u_e=m.u_e)
         estimate = rolling_estimate(s=s, q_E=q_E, r=f.rigid)
     P_VZ = mesh_loss(P_s=P_s, P_R=P_R)
@@ -483,7 +486,7 @@ def _solved(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss
         deborah_max=largest_deborah(De=t.De),
         rigid_share=rigid_share(s=s, r=f.rigid),
         load=P,
-        local=Local(*(array(c.path.in_the_middle(x)) for x in along_path)),
+        local=Local(*(c.path.in_the_middle(x) for x in along_path)),
         lead_at_pitch=c.path.at_pitch_point(f.lead),
         thermal_reduction_min=extreme(np.min, f.Phi),
     )
@@ -498,14 +501,14 @@ def _skins(c: MeshCase, rubbing: Callable[[Oil], tuple[MeshFilm, Traction]]) -> 
     T_b = c.oil.T_m
     last: list[tuple[Oil, Traction]] = []
 
-    def gap_at(T: Celsius) -> Kelvin:
+    def gap_at(T: Any) -> Any:
         oil = c.oil.at(T) if last else c.oil
         _, t = rubbing(oil)
         last[:] = [(oil, t)]
         return skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2) - T
 
-    def fail(gap: Kelvin, reason: str) -> NoSolution:
-        where = Text("{place}: {reason}", place=place(c.path.x, many(gap), int(np.argmax(np.abs(gap)))), reason=reason)
+    def fail(gap: Any, reason: str) -> NoSolution:
+        where = Text("{place}: {reason}", place=place(c.path.x, gap, int(np.argmax(np.abs(gap)))), reason=reason)
         return NoSolution(
             Text("mesh {title}: temperature of the skins", title=c.mesh.title),
             where,
@@ -532,9 +535,9 @@ def losses(
     friction: FrictionInputs,
     mesh: MeshGeometry,
     lubricant: Lubricant,
-    T: Celsius,
-    n_1: RevPerSecond,
-    P: Watt,
+    T: Num,
+    n_1: Num,
+    P: Num,
     *,
     by_regime: bool = True,
     points: int = 0,
@@ -560,10 +563,10 @@ def losses(
     with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         for start in range(0, P_all.size, AT_ONCE):
             some = slice(start, start + AT_ONCE)
-            T, n_1, P = (each(x[some]) for x in (T_all, n_all, P_all))
-            c = case(friction, mesh, oil_at(lubricant, column(T)), n_1, points=points, strips=strips)
+            oil = oil_at(lubricant, column(T_all[some]))
+            c = case(friction, mesh, oil, n_all[some], points=points, strips=strips)
             try:
-                parts.append(solve_mesh(c, P, by_regime))
+                parts.append(solve_mesh(c, P_all[some], by_regime))
             except NoSolution as none:
                 among = (
                     Text("{tried} (counted from operating point {start})", tried=none.tried, start=start)
@@ -577,11 +580,11 @@ def losses(
 def _joined(parts: list[MeshLoss]) -> MeshLoss:
     """Results one after the other; a loss that none of some points has is one number for them all."""
     first, locals_ = parts[0], [part.local for part in parts]
-    columns = {
-        key: each(np.concatenate([getattr(part, key) for part in locals_])) for key in vars(first.local) if key != "x"
+    columns: dict[str, Any] = {
+        key: np.concatenate([getattr(part, key) for part in locals_]) for key in vars(first.local) if key != "x"
     }
-    joined = {
-        name: each(np.concatenate([np.broadcast_to(getattr(part, name), np.shape(part.load)) for part in parts]))
+    joined: dict[str, Any] = {
+        name: np.concatenate([np.broadcast_to(getattr(part, name), np.shape(part.load)) for part in parts])
         for name, value in vars(first).items()
         if name != "local" and value is not None
     }

@@ -31,7 +31,7 @@ offered."""
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -158,7 +158,7 @@ class LoadShare:
     """One law: its authors, and the share of the roughness from λ, the combined and the mean roughness."""
 
     title: Text
-    solid: Callable[[Number, Metre, Metre], Number]
+    solid: Callable[[Any, Metre, Metre], Any]
 
 
 LOAD_SHARES = {

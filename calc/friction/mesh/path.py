@@ -19,7 +19,7 @@ right to 1e-7 (1e-5 with smooth load sharing, whose floor makes one more kink), 
 
 import math
 from functools import cache
-from typing import cast
+from typing import Any
 
 import numpy as np
 
@@ -35,18 +35,20 @@ from ...library.contact import (
     sole_contact_begins,
     sole_contact_ends,
 )
-from ...sheet.arrays import Array, IndexArray, each, many
+from ...sheet.arrays import Array, IndexArray, Num
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
+from ...sheet.functions import acos, cos, largest, pi, sin, single_or_many, sqrt, tan
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Metre,
     MetrePerSecond,
+    Metres,
     Newton,
     NewtonPerMetre,
     Number,
+    Numbers,
     Pascal,
     Radian,
     RadPerSecond,
@@ -62,11 +64,6 @@ STRIPS = 21  # slices across a helical face, themselves at Gauss-Legendre points
 FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
 
 AGMA = Text("AGMA 925-A03")
-
-
-def array(x: Array | float) -> float:
-    """The one door by which arrays enter the formulas, which are typed float → float."""
-    return cast(float, np.asanyarray(x, dtype=np.float64))
 
 
 # --- how much of the stretch for which a position stands has a property that begins or ends between two positions
@@ -209,9 +206,9 @@ def transverse_force(P: Watt, omega_1: RadPerSecond, r_b1: Metre) -> Newton:
     "ISO/TR 15144-1, unmodified profile: two pairs always carry the whole load together",
     shows="1/3 → 2/3 from A to B, 1 from B to D, 2/3 → 1/3 from D to E",
 )
-def linear_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
+def linear_load_sharing(x: Metres, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Numbers:
     falling = np.where(x > C_D, (1 + (C_E - x) / (C_E - C_D)) / 3, 1.0)
-    return array(np.where(x < C_B, (1 + (x - C_A) / (C_B - C_A)) / 3, falling))
+    return np.where(x < C_B, (1 + (x - C_A) / (C_B - C_A)) / 3, falling)
 
 
 @formula(
@@ -219,8 +216,8 @@ def linear_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre
     "ISO/TR 15144-1, adequate tip relief of both wheels: two pairs always carry the whole load together",
     shows="0 → 1 from A to B, 1 from B to D, 1 → 0 from D to E",
 )
-def smooth_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
-    return array(np.where(x < C_B, (x - C_A) / (C_B - C_A), np.where(x > C_D, (C_E - x) / (C_E - C_D), 1.0)))
+def smooth_load_sharing(x: Metres, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Numbers:
+    return np.where(x < C_B, (x - C_A) / (C_B - C_A), np.where(x > C_D, (C_E - x) / (C_E - C_D), 1.0))
 
 
 @formula(
@@ -231,14 +228,15 @@ def smooth_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre
     shows="sum over all teeth in contact of the line that lies between A and E and on the face, over the moments of a "
     "mesh cycle",
 )
-def contact_length(s: Metre, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b: Radian) -> Metre:
+def contact_length(s: Metres, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b: Radian) -> Metres:
     """s: how far the line of one tooth has come since it entered at A; the others follow and precede it by base
     pitches."""
     cycle = np.asarray(s) % p_bt
     teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt) + 1)
     way = cycle[..., None] + teeth * p_bt
     on_face = np.minimum(way, g_alpha) - np.maximum(way - g_beta, 0.0)
-    return array(np.maximum(on_face, 0.0).sum(axis=-1) / math.sin(beta_b))
+    length: Array = np.maximum(on_face, 0.0).sum(axis=-1) / math.sin(beta_b)
+    return length
 
 
 @formula("w", "statics: load per length of the contact line", unit="N/mm", names={"X_Gamma": "X_Γ"})
@@ -282,9 +280,9 @@ class Path:
     epsilon_2: Number
     epsilon_alpha: Number
     epsilon_beta: Number
-    x: Metre
-    weight: Metre
-    carried: float
+    x: Array
+    weight: Array
+    carried: Array
     per_strip: int
     middle: IndexArray  # of the strip in the middle, by rising x
     cells: Cells
@@ -293,14 +291,13 @@ class Path:
     def marks(self) -> tuple[float, ...]:
         return self.C_A, self.C_B, self.C_C, self.C_D, self.C_E
 
-    def in_the_middle(self, x: float) -> Array:
+    def in_the_middle(self, x: Any) -> Any:
         """What an array has along the strip in the middle of the face, by rising x."""
-        return many(x)[..., self.middle]
+        return x[..., self.middle]
 
-    def at_pitch_point(self, x: float) -> float:
+    def at_pitch_point(self, x: Any) -> float:
         """The value that an array has at C: a float, or one for each of many operating points."""
-        values = many(x)[..., self.per_strip - 3]
-        return based_on(each(values) if values.ndim else values.item(), x)
+        return based_on(single_or_many(x[..., self.per_strip - 3]), x)
 
 
 @cache
@@ -383,7 +380,7 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         x, weight = np.hstack((x, marks[None, :])), width * mesh.face_width / p_bt
         share = linear_load_sharing if load_sharing == "linear" else smooth_load_sharing
         with np.errstate(divide="ignore", invalid="ignore"):  # at ε_α = 1 or 2 two of the points are one
-            carried = share(x=based_on(array(x.ravel()), *places), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
+            carried = share(x=based_on(x.ravel(), *places), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
     else:
         g_alpha, g_beta = (
             based_on(epsilon_alpha * p_bt, epsilon_alpha, p_bt),
@@ -394,7 +391,7 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         x, width, part, s = _strips(marks, g_alpha, g_beta, p_bt, points, strips)
         weight = width * part * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
         carried = contact_length(
-            s=based_on(array(s.ravel()), *places),
+            s=based_on(s.ravel(), *places),
             g_alpha=g_alpha,
             g_beta=g_beta,
             p_bt=p_bt,
@@ -416,8 +413,8 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         epsilon_2=epsilon_2,
         epsilon_alpha=epsilon_alpha,
         epsilon_beta=epsilon_beta,
-        x=based_on(array(x.ravel()), *places),
-        weight=based_on(array(weight.ravel()), *of_weight),
+        x=based_on(x.ravel(), *places),
+        weight=based_on(weight.ravel(), *of_weight),
         carried=carried,
         per_strip=x.shape[-1],
         middle=middle,
@@ -442,11 +439,11 @@ def _strips(
     return x, width_x, width[:, None] / g_beta, x - C_A + y[:, None]
 
 
-def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMetre, NewtonPerMetre]:
+def line_load(mesh: MeshGeometry, path: Path, F_bt: Any) -> tuple[Array, Array]:
     """The load per length at every position, and the same with its floor for film and pressure."""
     require(Text("mesh {title}: force", title=mesh.title), F_bt)
     if mesh.spur:
-        w = spur_line_load(X_Gamma=path.carried, F_bt=F_bt, b=mesh.face_width)
+        w: Array = spur_line_load(X_Gamma=path.carried, F_bt=F_bt, b=mesh.face_width)
         return w, floored_line_load(w=w, w_max=based_on(F_bt / mesh.face_width, F_bt, mesh.face_width))
     w = helical_line_load(F_bt=F_bt, beta_b=mesh.base_helix_angle, L=path.carried)
     return w, w
@@ -495,17 +492,17 @@ class Motion:
     """What the positions have whatever the load: angular speed of the driver, curvature and surface speeds, common
     modulus."""
 
-    omega_1: RadPerSecond
-    R: Metre
-    u_1: MetrePerSecond
-    u_2: MetrePerSecond
-    V_s: MetrePerSecond
-    u_e: MetrePerSecond
-    S: Number
+    omega_1: Any
+    R: Array
+    u_1: Array
+    u_2: Array
+    V_s: Array
+    u_e: Array
+    S: Array
     E_r: Pascal
 
 
-def motion(mesh: MeshGeometry, path: Path, n_1: RevPerSecond) -> Motion:
+def motion(mesh: MeshGeometry, path: Path, n_1: Num) -> Motion:
     """The kinematics of a mesh whose driver turns at n_1, one speed or many."""
     n = column(require(Text("mesh {title}: speed", title=mesh.title), n_1))
     omega_1 = driver_speed(n_1=n)

@@ -14,10 +14,11 @@ The friction heat warms the film, warm oil rubs less: at every position the film
 The skins of the teeth have the bulk temperature, unless the bodies' own resistance to heat is given (`loss.py`)."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array, many
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
@@ -39,7 +40,7 @@ from ...sheet.units import (
 from ...sheet.value import based_on, converged, untraced
 from .film import MeshFilm, Oil
 from .mixed import THESIS, KelvinMetrePerWatt, Surfaces, film_pressure, film_ratio, friction
-from .path import Motion, array
+from .path import Motion
 
 # Steel of the friction source's method: 46 W/(m·K), 7830 kg/m³, 465 J/(kg·K); the screening takes the 45 and 440 of its
 # standards.
@@ -207,19 +208,19 @@ ADVICE = Text(
 )
 
 
-def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius, x: Metre, subject: str) -> Celsius:
+def settled(warmed: Callable[[Array], Array], T_m: Any, highest: Array, x: Array, subject: str) -> Array:
     """The temperature T = warmed(T) at every position, each by itself, of one operating point or of many.
 
     Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside
     the bracket; a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position."""
     before: Array = np.broadcast_to(T_m, np.shape(highest))
-    gap_before = many(warmed(array(before))) - before
-    low, high = before, np.minimum(many(highest) + SLACK, HOTTEST)
+    gap_before = warmed(before) - before
+    low, high = before, np.minimum(highest + SLACK, HOTTEST)
     T: Array = np.minimum(before + gap_before, HOTTEST)
     for _ in range(PASSES):
-        gap = many(warmed(array(T))) - T
+        gap = warmed(T) - T
         if np.all(np.abs(gap) <= TOLERANCE):  # NaN never is
-            return array(T)
+            return T
         if np.any((gap > 0) & (T >= HOTTEST)):
             raise _beyond(x, np.where(T >= HOTTEST, gap, -np.inf), subject)
         low, high = np.where(gap > 0, T, low), np.where(gap < 0, T, high)
@@ -242,7 +243,7 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
     )
 
 
-def _beyond(x: Metre, gap: Array, subject: str) -> NoSolution:
+def _beyond(x: Array, gap: Array, subject: str) -> NoSolution:
     where = place(x, gap, int(np.argmax(gap)))
     tried = Text(
         "{where} it would be above {hottest} °C, where the laws of the oil end",
@@ -252,7 +253,7 @@ def _beyond(x: Metre, gap: Array, subject: str) -> NoSolution:
     return NoSolution(Text("{subject}: temperature of the film", subject=subject), tried, ADVICE)
 
 
-def place(x: Metre, gap: Array, worst: int) -> str:
+def place(x: Array, gap: Array, worst: int) -> str:
     """The position of one element, and of many operating points which it is."""
     point, position = divmod(worst, np.size(x))
     which = Text("operating point {point}, ", point=point) if gap.ndim > 1 else ""
@@ -268,24 +269,24 @@ def place(x: Metre, gap: Array, worst: int) -> str:
 class Rubbing:
     """What rubs by one law: coefficient, heat and its partition, film temperature, Deborah number."""
 
-    mu: Number
-    q: WattPerMetre
-    epsilon: Number
-    T_f: Celsius
-    De: Number
+    mu: Array
+    q: Array
+    epsilon: Array
+    T_f: Array
+    De: Array
 
 
 @record
 class Traction:
     """Friction at every position: film over roughness, load share of the solids, and what rubs."""
 
-    lam: Number
-    xi: Number
-    mu: Number
-    q: WattPerMetre
-    epsilon: Number
-    T_f: Celsius
-    De: Number
+    lam: Array
+    xi: Array
+    mu: Array
+    q: Array
+    epsilon: Array
+    T_f: Array
+    De: Array
 
 
 @record
@@ -296,24 +297,24 @@ class Contact:
     oil: Oil
     motion: Motion
     film: MeshFilm
-    w: NewtonPerMetre
-    w_f: NewtonPerMetre
-    p_m: Pascal
-    b_H: Metre
+    w: Array
+    w_f: Array
+    p_m: Array
+    b_H: Array
     surfaces: Surfaces
-    xi: Number
+    xi: Array
 
 
 def traction(
     oil: Oil,
     motion: Motion,
     film: MeshFilm,
-    w: NewtonPerMetre,
-    w_f: NewtonPerMetre,
-    p_m: Pascal,
-    b_H: Metre,
+    w: Array,
+    w_f: Array,
+    p_m: Array,
+    b_H: Array,
     s: Surfaces,
-    x: Metre,
+    x: Array,
     subject: str,
 ) -> Traction:
     """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its
@@ -324,17 +325,15 @@ def traction(
     lam = film_ratio(h=film.h, sigma=s.sigma)
     xi = s.mixing.solid(lam, s.sigma, s.Ra)
     at = Contact(oil, motion, film, w, w_f, p_m, b_H, s, xi)
-    rigid = many(film.rigid)
+    rigid = film.rigid
     if not np.any(rigid > 0):
-        return Traction(lam=lam, xi=xi, **vars(_elastic(at, array(np.ones_like(rigid)), x, subject)))
+        return Traction(lam=lam, xi=xi, **vars(_elastic(at, np.ones_like(rigid), x, subject)))
     thin = _rigid(at)
     if not np.any(rigid < 1):
         return Traction(lam=lam, xi=xi, **vars(thin))
-    thick = _elastic(at, array(np.where(rigid < 1, 1.0, 0.0)), x, subject)
+    thick = _elastic(at, np.where(rigid < 1, 1.0, 0.0), x, subject)
     both = {
-        name: based_on(
-            array(rigid * value + (1 - rigid) * getattr(thick, name)), film.rigid, value, getattr(thick, name)
-        )
+        name: based_on(rigid * value + (1 - rigid) * getattr(thick, name), film.rigid, value, getattr(thick, name))
         for name, value in vars(thin).items()
     }
     return Traction(lam=lam, xi=xi, **both)
@@ -352,14 +351,14 @@ def _rigid(c: Contact) -> Rubbing:
     return Rubbing(mu=mu, q=q, epsilon=epsilon, T_f=T_f, De=deborah(eta=c.oil.eta_0, u_e=m.u_e, a=a))
 
 
-def _elastic(c: Contact, there: Number, x: Metre, subject: str) -> Rubbing:
+def _elastic(c: Contact, there: Array, x: Array, subject: str) -> Rubbing:
     """Oil sheared between the flattened flanks, at the temperature that this makes.  `there`: 0 where no part of a
     stretch is elastic."""
     oil, m, film, s = c.oil, c.motion, c.film, c.surfaces
     epsilon, R_th = _heat(c, c.b_H)
     p_f = film_pressure(xi=c.xi, p_m=c.p_m) if s.relieved else c.p_m
 
-    def at(T_f: Celsius) -> Rubbing:
+    def at(T_f: Array) -> Rubbing:
         eta_f = oil.lubricant.at(T_f).mu
         alpha_f = oil.alpha_at(eta_f)
         if s.roelands:
@@ -382,7 +381,7 @@ def _elastic(c: Contact, there: Number, x: Metre, subject: str) -> Rubbing:
     return converged(closing_film_temperature, T_f, at, lambda rubs: rubs.T_f)
 
 
-def _heat(c: Contact, a: Metre) -> tuple[Number, KelvinMetrePerWatt]:
+def _heat(c: Contact, a: Array) -> tuple[Array, Array]:
     """The share of the heat that enters the driver, and the film's warming per heat, where it is made over the half
     width a."""
     s, m = c.surfaces, c.motion

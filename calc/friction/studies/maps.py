@@ -6,15 +6,16 @@ The journals' load grows with the square of the speed, their oil comes at the te
 are given stay. A train alone carries its torque at every speed."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array, each, many
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Number, RevPerSecond, Watt
+from ...sheet.units import Celsius, RevPerSecond, Watt
 from ...sheet.value import untraced
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
@@ -72,7 +73,7 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
     good = np.ones(grid_n.shape, dtype=bool)
     if on is not None:
         with untraced(), np.errstate(all="ignore"):
-            shaft = journals_at(on, each(ratio), each(grid_T))
+            shaft = journals_at(on, ratio, grid_T)
             good &= np.isfinite(shaft_loss(shaft, None))
     parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels")}
     missing = (
@@ -86,9 +87,7 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
     )
     if good.any():
         try:
-            losses = _losses(
-                d, power, shaft.only(good) if shaft is not None else None, each(ratio[good]), each(grid_T[good])
-            )
+            losses = _losses(d, power, shaft.only(good) if shaft is not None else None, ratio[good], grid_T[good])
             for name, values in parts.items():
                 values[good] = getattr(losses, name)
         except NoSolution as none:
@@ -102,7 +101,7 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
     )
 
 
-def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Number, T: Celsius) -> Losses:
+def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Any, T: Any) -> Losses:
     spur = all(mesh.spur for mesh in d.meshes.values())
     friction = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
     with untraced(), np.errstate(all="ignore"):
@@ -157,8 +156,8 @@ def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Tab
     b_e = d.friction.specific_fuel_consumption
     if b_e is not None:
         with untraced():
-            m_B = many(fuel(b_e=b_e, P=each(total)))
-            m_CO2 = many(carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=each(m_B)))
+            m_B = fuel(b_e=b_e, P=total)
+            m_CO2 = carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
         curves.append(
             Curve(
                 "over_speed_fuel",

@@ -7,10 +7,11 @@ program, and it says which."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array, each, many
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table, axis_label
@@ -123,7 +124,7 @@ def _numbers(d: TrainDrive, power: Watt | None) -> list[Swing]:
     together = _ends(d, power, at)
     P: list[Watt | None]
     if together is not None:
-        P = list(many(together))
+        P = list(together)
     else:  # some end has no solution: one by one then
         P = [_ends(d, power, {key: values[k : k + 1] for key, values in at.items()}) for k in range(2 * len(open_))]
     return [
@@ -132,18 +133,17 @@ def _numbers(d: TrainDrive, power: Watt | None) -> list[Swing]:
     ]
 
 
-def _ends(d: TrainDrive, power: Watt | None, ends: Mapping[str, Array]) -> Watt | None:
-    """The losses at many ends at once, `ends` holding every constant at each of them; None where one has no
+def _ends(d: TrainDrive, power: Watt | None, at: Mapping[str, Array]) -> Any:
+    """The losses at many ends at once, `at` holding every constant at each of them; None where one has no
     solution."""
-    f, at = d.friction, {key: each(values) for key, values in ends.items()}
-    open_ = replace(
-        f,
+    f = d.friction
+    open_: dict[str, Any] = dict(
         flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness),
         solid_friction=column(at["mu_s"]),
         mist_density=at["mist"],
         bulk_temperature=at.get("bulk", f.bulk_temperature),
     )
-    return _power(d, open_, power, Lambda=column(at["Lambda"]), thickening=column(at["thickening"]))
+    return _power(d, replace(f, **open_), power, Lambda=column(at["Lambda"]), thickening=column(at["thickening"]))
 
 
 def _number(P: Watt | None) -> Watt | None:

@@ -14,7 +14,7 @@ from math import sqrt
 
 import numpy as np
 
-from ...sheet.arrays import Array, each
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column, gathered
 from ...sheet.record import record
@@ -65,7 +65,7 @@ def centre_tolerance(mesh: Mesh) -> Metre:
     if mesh.tolerance is not None:
         return mesh.tolerance
     stack = stack_of(mesh)
-    return 0.0 if stack is None else b.tolerance_of_contributors(each(stack.fields))
+    return 0.0 if stack is None else b.tolerance_of_contributors(stack.fields)
 
 
 @record
@@ -221,7 +221,7 @@ def _backlash_at(
         d_w.append(f.working_diameter(a, wheel.teeth, mate.teeth))
         s_t = f.reference_thickness(system.m_n, x_E, system.alpha_n, system.beta)
         s_w.append(f.thickness_at(d_w[-1], s_t, wheel.reference_diameter, system.transverse_pressure_angle, alpha_wt))
-    j_wt = b.circumferential_backlash(d_w[0], pair[0].teeth, *s_w)
+    j_wt = b.circumferential_backlash(d_w[0], pair[0].teeth, s_w[0], s_w[1])
     j_bn = b.normal_backlash(j_wt, alpha_wt, system.base_helix_angle)
     return j_bn, j_wt, d_w[1]
 

@@ -13,11 +13,11 @@ from math import ceil
 
 import numpy as np
 
-from ...sheet.arrays import Array, each, many
+from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Metre, Number, Radian
+from ...sheet.units import Metre, Metres, Number, Radian, Radians
 from ...sheet.value import about, based_on
 from ..result import WheelResult
 from .case import EVEN, BacklashCase
@@ -33,10 +33,10 @@ BY_CHANCE = Text("mathematics, {trains} trains by chance", trains=TRAINS)
     unit="µm",
     shows="the largest backlash that the share p of the trains keeps",
 )
-def kept(j: Metre, p: Number) -> Metre:
+def kept(j: Metres, p: Number) -> Metre:
     """`j` (trains,) in rising order."""
-    size = many(j).size
-    return float(many(j)[size - ceil(p * size)])
+    size = j.size
+    return float(j[size - ceil(p * size)])
 
 
 @formula(
@@ -44,15 +44,15 @@ def kept(j: Metre, p: Number) -> Metre:
     Text("{by_chance}: free turn that a share of the trains keeps", by_chance=BY_CHANCE),
     shows="the smallest free turn that the share p of the trains does not exceed",
 )
-def not_exceeded(phi: Radian, p: Number) -> Radian:
+def not_exceeded(phi: Radians, p: Number) -> Radian:
     """`phi` (trains,) in rising order."""
-    return float(many(phi)[ceil(p * many(phi).size) - 1])
+    return float(phi[ceil(p * phi.size) - 1])
 
 
 @formula("p_jam", BY_CHANCE, unit="%", shows="trains with a backlash below 0, over all trains")
-def share_below_zero(j: Metre) -> Number:
+def share_below_zero(j: Metres) -> Number:
     """`j` (trains,) in rising order."""
-    return int(np.sum(many(j) < -DUST)) / many(j).size
+    return int(np.sum(j < -DUST)) / j.size
 
 
 @record
@@ -151,7 +151,7 @@ def of_mesh(m: BacklashCase, chance: Chance | None) -> dict[str, float]:
     """The values of one mesh; none where nothing in it varies."""
     if chance is None or m.key not in chance.smallest:
         return {}
-    j = each(chance.smallest[m.key])
+    j = chance.smallest[m.key]
     with about(Text("mesh {name}, by chance", name=m.name)):
         return dict(backlash_median=kept(j=j, p=0.5), backlash_99=kept(j=j, p=0.99), share_jammed=share_below_zero(j=j))
 
@@ -160,10 +160,10 @@ def of_train(last: str, chance: Chance | None) -> dict[str, float]:
     """The values of the train; none where nothing varies."""
     if chance is None:
         return {}
-    phi = each(chance.phase)
+    phi = chance.phase
     with about(Text("train, to {last}, by chance", last=last)):
         shares = {
             f"phase_error_{name}": not_exceeded(phi=phi, p=p)
             for name, p in (("median", 0.5), ("95", 0.95), ("99", 0.99))
         }
-        return dict(**shares, share_jammed=share_below_zero(j=each(chance.tightest)))
+        return dict(**shares, share_jammed=share_below_zero(j=chance.tightest))

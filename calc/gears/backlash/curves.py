@@ -5,10 +5,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ...sheet.arrays import each, many
+from ...sheet.arrays import Value
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre
+from ...sheet.units import Metre
 from ...sheet.value import untraced
 from ..inputs import GearsInputs
 from . import formulas as b
@@ -44,10 +44,7 @@ def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
             )
             lines = [(LIMITS["nominal"], T, "nominal"), (warmer, T + gears.wheels_warmer, "smallest")]
             lines += [(LIMITS[limit], T, limit) for limit in ("smallest", "largest")]  # the band
-            series = tuple(
-                Series(label, T, many(_at(m, alpha, each(T), each(wheels), limit)) * UM)
-                for label, wheels, limit in lines
-            )
+            series = tuple(Series(label, T, _at(m, alpha, T, wheels, limit) * UM) for label, wheels, limit in lines)
             _, warmest, smallest, _ = (line.y for line in series)
             ends = ((low, smallest[0]), (high, smallest[-1]), (high, warmest[-1]), (low, warmest[0]))  # what is judged
             states = tuple((at, float(j_bn)) for at, j_bn in ends)
@@ -80,13 +77,13 @@ def _ends(m: BacklashCase) -> dict[str, tuple[Metre, Metre, Metre]]:
     }
 
 
-def _at(m: BacklashCase, alpha: t.Expansions, housing: Celsius, wheels: Celsius, limit: str) -> Metre:
+def _at(m: BacklashCase, alpha: t.Expansions, housing: Value, wheels: Value, limit: str) -> Value:
     """Normal backlash at temperatures."""
     a, s_b1, s_b2 = _ends(m)[limit]
     grown = t.grown(m, alpha, housing, wheels)
     a_eff = b.effective_centre(a=a, eps_a=grown.centres, eps_g=grown.wheels)
     with np.errstate(invalid="ignore"):  # where the base circles overlap the curve has a gap
-        alpha_wt = np.arccos(m.touching / a_eff)
+        alpha_wt: Value = np.arccos(m.touching / a_eff)
     return t.warm(m, grown, alpha_wt, s_b1, s_b2)
 
 

@@ -9,7 +9,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import cos, inv, joined, pi, rss, sin, smallest, tan, total
 from ...sheet.quantity import result, value
 from ...sheet.text import Text
-from ...sheet.units import Celsius, Kelvin, Metre, NewtonMetre, Number, PerKelvin, Radian
+from ...sheet.units import Celsius, Kelvin, Metre, Metres, NewtonMetre, Number, Numbers, PerKelvin, Radian, Radians
 from ..formulas import ISO
 
 DUST: Metre = 1e-12  # a backlash below this is none
@@ -27,7 +27,7 @@ REFERENCE: Celsius = 20.0  # of all measures, ISO 1
     unit="mm",
     names={"T": "T_i"},
 )
-def tolerance_of_contributors(T: Metre) -> Metre:
+def tolerance_of_contributors(T: Metres) -> Metre:
     return rss(T) / 2
 
 
@@ -144,7 +144,7 @@ def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
     unit="µm",
     names={"T": "T_i"},
 )
-def worst_case(T: Metre) -> Metre:
+def worst_case(T: Metres) -> Metre:
     return total(T) / 2
 
 
@@ -154,7 +154,7 @@ def worst_case(T: Metre) -> Metre:
     unit="µm",
     names={"T": "T_i", "k": "k_i"},
 )
-def three_deviations(k: Number, T: Metre) -> Metre:
+def three_deviations(k: Numbers, T: Metres) -> Metre:
     """k is 1/2 for a position, 1/√2 for a fit and a runout, 1/√3 for a radial shift: elementary, after their
     distributions."""
     return 3 * rss(k * T) / 2
@@ -232,7 +232,7 @@ def deviation_at_shaft(phi_max: Radian, phi_j: Radian, z: Number, z_last: Number
     "mathematics: play at mid-tolerance and the root of squares of the meshes' deviations",
     names={"Delta_phi": "Δφ", "delta": "δφ"},
 )
-def phase_error_rss(Delta_phi: Radian, delta: Radian) -> Radian:
+def phase_error_rss(Delta_phi: Radian, delta: Radians) -> Radian:
     return Delta_phi + rss(delta)
 
 

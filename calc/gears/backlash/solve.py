@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ...library.catalogue import Material
-from ...sheet.arrays import each
 from ...sheet.check import Check
 from ...sheet.linked_array import gathered
 from ...sheet.record import record
@@ -127,7 +126,7 @@ def _stacked(m: BacklashCase) -> dict[str, float]:
     a_w = m.mesh.centre_distance
     reach = m.mesh.centre_tolerance
     if m.stack is not None:
-        fields, spread = each(m.stack.fields), each(m.stack.spread)
+        fields, spread = m.stack.fields, m.stack.spread
         with about(Text("mesh {name}, parts between the centres", name=m.name)):
             T_wc = b.worst_case(T=fields)
             values = dict(
@@ -186,7 +185,7 @@ def _train(
                 deviations.append(
                     b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=wheels[last].teeth)
                 )
-        rooted = b.phase_error_rss(Delta_phi=nominal, delta=each(gathered(deviations)))
+        rooted = b.phase_error_rss(Delta_phi=nominal, delta=gathered(deviations))
     with about(Text("train, to {last}, running", last=last)):
         warm = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_running for key in way})
     return TrainPlay(

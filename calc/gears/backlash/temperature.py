@@ -2,8 +2,10 @@
 """Backlash over temperature: housing and support carry the centres apart, each wheel grows by itself."""
 
 from collections.abc import Mapping
+from typing import Generic
 
 from ...library.catalogue import Material
+from ...sheet.arrays import Value
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Celsius, Metre, Number, PerKelvin, Radian
@@ -31,13 +33,13 @@ class Expansions:
 
 
 @record
-class Grown:
+class Grown(Generic[Value]):
     """Expansion of the centre distance, of each wheel, and of both base circles together."""
 
-    centres: Number
-    driver: Number
-    driven: Number
-    wheels: Number
+    centres: Value
+    driver: Value
+    driven: Value
+    wheels: Value
 
 
 @record
@@ -78,19 +80,19 @@ def expansions(
         )
 
 
-def grown(m: BacklashCase, alpha: Expansions, T_housing: Celsius, T_wheels: Celsius) -> Grown:
-    """At the temperatures of housing and wheels."""
+def grown(m: BacklashCase, alpha: Expansions, T_housing: Value, T_wheels: Value) -> Grown[Value]:
+    """At the temperatures of housing and wheels [°C]."""
     eps_a = b.expansion(alpha=alpha.centres, T=T_housing)
     eps_1, eps_2 = b.expansion(alpha=alpha.driver, T=T_wheels), b.expansion(alpha=alpha.driven, T=T_wheels)
     eps_g = b.expansion_of_wheels(eps_1=eps_1, eps_2=eps_2, d_b1=m.driver.base_diameter, d_b2=m.driven.base_diameter)
     return Grown(eps_a, eps_1, eps_2, eps_g)
 
 
-def change(m: BacklashCase, by: Grown) -> Metre:
+def change(m: BacklashCase, by: Grown[float]) -> Metre:
     return b.change_against_wheels(a_w=m.mesh.centre_distance, eps_a=by.centres, eps_g=by.wheels)
 
 
-def at_state(m: BacklashCase, by: Grown, a: Metre, s_b1: Metre, s_b2: Metre) -> AtState:
+def at_state(m: BacklashCase, by: Grown[float], a: Metre, s_b1: Metre, s_b2: Metre) -> AtState:
     """`a`, `s_b1`, `s_b2`: centre distance and thicknesses at the base circles, at 20 °C."""
     a_eff = b.effective_centre(a=a, eps_a=by.centres, eps_g=by.wheels)
     m.must_mesh(a_eff, Text("temperature, with the tolerance and runout,"))
@@ -98,7 +100,7 @@ def at_state(m: BacklashCase, by: Grown, a: Metre, s_b1: Metre, s_b2: Metre) -> 
     return AtState(warm(m, by, alpha_wt, s_b1, s_b2), alpha_wt, 1 + by.centres, 1 + min(by.driver, by.driven))
 
 
-def warm(m: BacklashCase, by: Grown, alpha_wt: Radian, s_b1: Metre, s_b2: Metre) -> Metre:
+def warm(m: BacklashCase, by: Grown[Value], alpha_wt: Value, s_b1: Metre, s_b2: Metre) -> Value:
     """`alpha_wt`: at the effective centre distance."""
     return b.warm_backlash(
         p_bt=m.system.base_pitch,

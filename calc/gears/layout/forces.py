@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from functools import reduce
 from typing import NamedTuple
 
-from ...sheet.arrays import each
 from ...sheet.deferred import Later
 from ...sheet.linked_array import gathered
 from ...sheet.step import Outcome
@@ -134,7 +133,7 @@ def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
             values["bearing_force_max"] = reduce(f.bearing_force_most, [part.transverse for part in parts])
         if hand:
             thrusts = gathered(part.thrust for part in parts)
-            values["thrust"] = f.thrust(F_m=each(thrusts)) if len(parts) > 1 else parts[0].thrust
+            values["thrust"] = f.thrust(F_m=thrusts) if len(parts) > 1 else parts[0].thrust
             values |= _tilting(parts, placed)
     return WheelForces(**values, hand=hand)
 

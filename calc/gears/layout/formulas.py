@@ -10,7 +10,17 @@ import math
 from ...sheet.formula import formula
 from ...sheet.functions import argument, cis, conj, cos, imag, joined, modulus, pi, resultant, sqrt, tan
 from ...sheet.text import Text
-from ...sheet.units import Metre, Newton, NewtonMetre, Number, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian
+from ...sheet.units import (
+    Metre,
+    Newton,
+    NewtonMetre,
+    Newtons,
+    Number,
+    PhasorMetre,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+)
 from ..formulas import ISO
 
 PLANE = Text("geometry in the plane")
@@ -312,7 +322,7 @@ def thrust_on_driver(F_x2: Newton) -> Newton:
 
 
 @formula("F_x", Text("{statics}: thrust of all meshes of a wheel", statics=STATICS), names={"F_m": "F_x,m"})
-def thrust(F_m: Newton) -> Newton:
+def thrust(F_m: Newtons) -> Newton:
     return resultant(F_m)
 
 

@@ -6,7 +6,6 @@ it is looked at.  Several: a grid that narrows around its best point, which foll
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from typing import cast
 
 import numpy as np
 
@@ -102,7 +101,8 @@ def along(
 def objective(states: States) -> Array:
     """The largest sliding, and what tells two equal ones apart."""
     meshes = np.array([states.largest_of(mesh) for mesh in states.contact_ratio])
-    return cast(Array, np.max(meshes, axis=0) + OTHERS * np.sum(meshes, axis=0))
+    largest: Array = np.max(meshes, axis=0) + OTHERS * np.sum(meshes, axis=0)
+    return largest
 
 
 def best(

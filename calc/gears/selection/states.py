@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...sheet.arrays import Array, each, many
+from ...sheet.arrays import Array, Num
 from ...sheet.record import record
 from ...sheet.search import Judged, judged, least
 from ...sheet.text import Name, Text
@@ -72,11 +72,11 @@ class _Circles:
     wheel: Wheel
     d: Metre
     d_b: Metre
-    d_a: Metre
-    d_f: Metre
-    rho_a: Metre
-    rho_F: Metre
-    d_Ff_E: Metre  # of the thinnest tooth
+    d_a: Array
+    d_f: Array
+    rho_a: Array
+    rho_F: Array
+    d_Ff_E: Array  # of the thinnest tooth
 
 
 def states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWheel | None = None) -> States:
@@ -100,7 +100,7 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWh
     circles, tips = {}, {}
     for wheel in gears.wheels:
         circles[wheel.name], tips[wheel.name] = _circles(
-            system, wheel, each(x[wheel.name]), each(k[wheel.name]), limits[wheel.name]
+            system, wheel, x[wheel.name], k[wheel.name], limits[wheel.name]
         )
     distances: dict[str, Array] = {}
     ratios: dict[str, Array] = {}
@@ -125,7 +125,7 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWh
     )
 
 
-def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -> tuple[_Circles, Array]:
+def _circles(s: ToothSystem, wheel: Wheel, x: Array, k: Array, x_min: Number) -> tuple[_Circles, Array]:
     alpha_t = s.transverse_pressure_angle
     d = f.reference_diameter(wheel.teeth, s.transverse_module)
     d_b = f.base_diameter(d, alpha_t)
@@ -148,37 +148,36 @@ def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -
         rho_F=f.curvature_at(d_Ff, d_b),
         d_Ff_E=thinnest,
     )
-    return circles, many(f.normal_thickness_at(s_at, s.beta, d_a, d))
+    return circles, f.normal_thickness_at(s_at, s.beta, d_a, d)
 
 
-def _form_diameter(s: ToothSystem, wheel: Wheel, x: Number, x_min: Number, d: Metre, d_b: Metre) -> Metre:
+def _form_diameter(s: ToothSystem, wheel: Wheel, x: Array, x_min: Number, d: Metre, d_b: Metre) -> Array:
     """By the closed form; below x_min and for a tool with protuberance from the trochoid, of many shifts between a few
     of them."""
     straight = f.form_diameter(
         d, s.transverse_pressure_angle, f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x), d_b
     )
-    shifts = many(x)
-    crossed = np.full(shifts.shape, True) if s.s_pr > 0 else shifts < x_min
+    crossed = np.full(x.shape, True) if s.s_pr > 0 else np.asarray(x < x_min)
     if not crossed.any():
         return straight
-    at = np.unique(shifts[crossed])
+    at = np.unique(x[crossed])
     if len(at) > NODES:
         at = np.linspace(at[0], at[-1], NODES)
     known = np.array([form_diameter_of_undercut(Cut(s, wheel.teeth, float(shift))) for shift in at])
-    return each(np.where(crossed, np.interp(shifts, at, known), straight))
+    return np.where(crossed, np.interp(x, at, known), straight)
 
 
-def _distance(s: ToothSystem, mesh: Mesh, circles: dict[str, _Circles], x: dict[str, Array]) -> Metre:
+def _distance(s: ToothSystem, mesh: Mesh, circles: dict[str, _Circles], x: dict[str, Array]) -> Num:
     if mesh.centre_distance is not None:
         return mesh.centre_distance
     z_1, z_2 = circles[mesh.driver].wheel.teeth, circles[mesh.driven].wheel.teeth
     alpha_t = s.transverse_pressure_angle
-    involute = f.working_involute(alpha_t, s.alpha_n, each(x[mesh.driver]), each(x[mesh.driven]), z_1, z_2)
+    involute = f.working_involute(alpha_t, s.alpha_n, x[mesh.driver], x[mesh.driven], z_1, z_2)
     return f.centre_distance(z_1, z_2, s.transverse_module, alpha_t, f.angle_of_involute(involute))
 
 
 def _mesh(
-    s: ToothSystem, key: str, a_w: Metre, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]
+    s: ToothSystem, key: str, a_w: Num, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]
 ) -> Array:
     """Fill the parts of one mesh in; gives its contact ratio."""
     sap, sliding, lpstc, margin, clearance = parts
@@ -186,17 +185,17 @@ def _mesh(
     T = f.line_of_action(a_w, f.working_pressure_angle(one.d_b, two.d_b, a_w))
     starts = {w.wheel.name: f.start_of_active_profile(T, m.rho_a, w.rho_F) for w, m in ((one, two), (two, one))}
     path = f.path_of_contact(T, starts[one.wheel.name], starts[two.wheel.name])
-    eps_alpha = many(f.transverse_contact_ratio(path, s.base_pitch))
+    eps_alpha = f.transverse_contact_ratio(path, s.base_pitch)
     single = (eps_alpha >= 1) & (eps_alpha < 2)
     for wheel, mate in ((one, two), (two, one)):
         at, z, z_m = (key, wheel.wheel.name), wheel.wheel.teeth, mate.wheel.teeth
         rho_A = starts[wheel.wheel.name]
         rho_B = f.lowest_single_contact(T, starts[mate.wheel.name], s.base_pitch)
-        sap[at] = many(f.diameter_at(wheel.d_b, rho_A))
+        sap[at] = f.diameter_at(wheel.d_b, rho_A)
         sliding[at] = np.where((rho_A > 0) & (path > 0), f.specific_sliding(T, rho_A, z, z_m), np.nan)
         lpstc[at] = np.where(single, f.specific_sliding(T, rho_B, z, z_m), np.nan)
-        margin[at] = many(above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E))
-        clearance[at] = many(f.tip_clearance(a_w, wheel.d_f, mate.d_a))
+        margin[at] = above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E)
+        clearance[at] = f.tip_clearance(a_w, wheel.d_f, mate.d_a)
     return eps_alpha
 
 

@@ -6,6 +6,7 @@ film at the edge knows the slope, and it does so in closed form: h − θ·l/2 �
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from ...bearings.film.dynamics import Dynamics, coefficients, orbit
 from ...bearings.film.table import FilmRangeError
 from ...bearings.loads import SMALL
 from ...bearings.routes import supply
-from ...bearings.routes.states import BearingCase, Film, OperatingPoint
+from ...bearings.routes.states import BearingCase, Film, OperatingPoint, resized
 from ...bearings.routes.thermal_balance import settled
 from ...bearings.selection.grid import (
     FEW,
@@ -33,7 +34,7 @@ from ...bearings.selection.variants import SUPPLIES, Variant
 from ...bearings.speeds import at_speeds, sweep_points
 from ...engine.inputs import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
-from ...sheet.arrays import Array, BoolArray, each, many
+from ...sheet.arrays import Array, BoolArray
 from ...sheet.record import record
 from ...sheet.search import multiples
 from ...sheet.units import Metre, Newton, Number, Radian, Watt
@@ -81,10 +82,10 @@ def over_speeds(
     rows, columns = (np.unique(np.linspace(0, n - 1, 2).astype(int)) for n in (g.size, length.size))
     seat, at = sweep_points(task.seat, task.duty.speed, bench, task.duty)
     rated = task.duty.speed if task.seat.inputs.speed_range is None else np.inf
-    governs = many(at.speed) <= rated * (1 + 1e-9)
+    governs = at.speed <= rated * (1 + 1e-9)
     sizes = _sized(seat, length[columns][None, :, None], g[rows][:, None, None])
     with np.errstate(all="ignore"):
-        films = np.where(governs, many(settled(sizes, at, hottest=HOT, tolerance=BALANCED).film), np.nan)
+        films = np.where(governs, settled(sizes, at, hottest=HOT, tolerance=BALANCED).film, np.nan)
     films = np.where(np.isnan(films), np.inf, films)
     held = corners[np.ix_(rows, columns)]
     near = np.isfinite(films.min(-1)) & (films.min(-1) < NEAR * held) & np.isfinite(held)
@@ -104,29 +105,31 @@ def over_a_turn(task: BearingTask, length: Array, g: Array, stands: Stands) -> A
     """The film over the orbit, as bearings/loads.py has it; where that is not known, under the largest load of
     the turn."""
     few, between = over_lengths(length)
-    seat, load = _sized(task.seat, few[None, :], g[:, None]), task.duty.load
+    seat = _sized(task.seat, few[None, :], g[:, None])
+    duty: OperatingPoint[Any] = task.duty
+    load = duty.load
     with np.errstate(all="ignore"):
-        film = settled(seat, task.duty, hottest=HOT, tolerance=BALANCED)
-        standing = np.where(np.isfinite(many(film.film)), stands.at(many(film.friction_power)), 0.0)
+        film = settled(seat, duty, hottest=HOT, tolerance=BALANCED)
+        standing = np.where(np.isfinite(film.film), stands.at(film.friction_power), 0.0)
         over = _over_orbit(film, task, seat, np.broadcast_to(few, standing.shape), standing)
         over = np.where(standing < SMALL * load, over, np.nan)
-        if (unknown := np.isnan(over) & np.isfinite(many(film.film))).any():
-            peak = settled(seat, replace(task.duty, load=each(load + standing)), hottest=HOT, tolerance=BALANCED)
-            over = np.where(unknown, many(peak.film), over)
+        if (unknown := np.isnan(over) & np.isfinite(film.film)).any():
+            peak = settled(seat, replace(duty, load=load + standing), hottest=HOT, tolerance=BALANCED)
+            over = np.where(unknown, peak.film, over)
     return between(over)
 
 
-def _over_orbit(film: Film, task: BearingTask, seat: BearingCase, length: Array, standing: Array) -> Array:
+def _over_orbit(film: Film[Array], task: BearingTask, seat: BearingCase[Any], length: Array, standing: Array) -> Array:
     """Not a number where there is no film, or none of which stiffness and damping are known."""
     inputs, duty = seat.inputs, task.duty
-    there = np.isfinite(many(film.film))
+    there = np.isfinite(film.film)
     over = np.full(there.shape, np.nan)
     eps, phi, h_0, g = (
-        each(np.broadcast_to(many(x), there.shape)[there])
+        np.broadcast_to(x, there.shape)[there]
         for x in (film.eccentricity, film.attitude if film.attitude is not None else np.nan, film.film, film.clearance)
     )
     bare = supply.bare_length(inputs, length[there])
-    ratio = f.length_ratio(l=each(bare / 2 if supply.lands(inputs) == 2 else bare), d=task.diameter)
+    ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=task.diameter)
     try:
         k = coefficients(eps, ratio, phi)
     except FilmRangeError:
@@ -143,13 +146,12 @@ def _over_orbit(film: Film, task: BearingTask, seat: BearingCase, length: Array,
         damping_yx=across,
         damping_yy=d.damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega),
     )
-    over[there] = f.film_over_turn(h_0=h_0, a_n=orbit(moving, each(standing[there]), phi, duty, seat).film_loss)
+    over[there] = f.film_over_turn(h_0=h_0, a_n=orbit(moving, standing[there], phi, duty, seat).film_loss)
     return over
 
 
-def _sized(seat: BearingCase, l: Array, g: Array) -> BearingCase:
-    clearance: Metre = each(g)
-    return replace(seat, bearing=replace(seat.bearing, length=each(l)), clearance=clearance)
+def _sized(seat: BearingCase[Any], l: Array, g: Array) -> BearingCase[Any]:
+    return replace(resized(seat, length=l), clearance=g)
 
 
 # --- the films at the corners, and what they bear

@@ -22,7 +22,7 @@ from ...countershaft.sizing import formulas as z
 from ...countershaft.sizing.sectors import NEAR, too_narrow
 from ...draw.drawing import TOUCH
 from ...library.catalogue import Material
-from ...sheet.arrays import Array, BoolArray, each, many
+from ...sheet.arrays import Array, BoolArray
 from ...sheet.record import record
 from ...sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RadPerSecond
 
@@ -170,22 +170,22 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
     place = place.reshape(F.shape)[0]  # of each pair of lengths
     with np.errstate(all="ignore"):
         r, f = core[:, None], faces[None, :]
-        K = many(z.couple_number(C=drive.couple, rho=material.density, omega=drive.omega, R=R, r_0=each(r)))
-        fits = (f > 0) & (many(z.pair_utilisation(K=each(K), z_max=each(f))) <= 1) & (r < R)
-        gamma = z.pair_half_angle(K=each(np.where(fits, K, np.nan)), z_max=each(f))
-        length = many(z.pair_length(z_max=each(f), q=z.pair_ratio(gamma=gamma)))
+        K = z.couple_number(C=drive.couple, rho=material.density, omega=drive.omega, R=R, r_0=r)
+        fits = (f > 0) & (z.pair_utilisation(K=K, z_max=f) <= 1) & (r < R)
+        gamma = z.pair_half_angle(K=np.where(fits, K, np.nan), z_max=f)
+        length = z.pair_length(z_max=f, q=z.pair_ratio(gamma=gamma))
         closed = too_narrow(2 * (f - length), drive.fillet)
-        gamma = each(np.where(closed, many(z.closed_half_angle(K=each(K), z_max=each(f))), many(gamma)))
+        gamma = np.where(closed, z.closed_half_angle(K=K, z_max=f), gamma)
         length = np.where(closed, f, length)
-        A, S = s.sector_area(gamma=gamma, R=R, r_0=each(r)), s.sector_moment(gamma=gamma, R=R, r_0=each(r))
-        area = s.whole_area(A=A, r_0=each(r))
-        I = s.sector_inertia(R=R, r_0=each(r), gamma=gamma, A_tot=area, y=s.whole_centre(S=S, A_tot=area))
-        whole = many(area)
+        A, S = s.sector_area(gamma=gamma, R=R, r_0=r), s.sector_moment(gamma=gamma, R=R, r_0=r)
+        area = s.whole_area(A=A, r_0=r)
+        I = s.sector_inertia(R=R, r_0=r, gamma=gamma, A_tot=area, y=s.whole_centre(S=S, A_tot=area))
+        whole = area
         gap = 2 * (f - length)
         if drive.holes is not None:
-            fits &= _drilled(drive.holes, R, r, length, many(gamma))
+            fits &= _drilled(drive.holes, R, r, length, gamma)
         I_0 = math.pi / 4 * r**4
-        EI = material.E * many(b.shared_inertia(I_0=each(I_0), eta=drive.effectiveness, I=I))
+        EI = material.E * b.shared_inertia(I_0=I_0, eta=drive.effectiveness, I=I)
         EI_0, GA, GA_0 = material.E * I_0, drive.shear * whole, drive.shear * math.pi * r**2
         load = drive.couple / (length * (2 * f - length))  # of each sector, per length
         R_1 = drive.couple / span

@@ -12,7 +12,7 @@ from calc.friction.mesh import film as films
 from calc.friction.mesh import traction as t
 from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
-from calc.friction.mesh.path import array, line_load, transverse_force
+from calc.friction.mesh.path import line_load, transverse_force
 from calc.solve import solve
 from tests.calc.friction.models import test_measured_gears as measured
 from tests.calc.friction.pairs import friction, oil, spur_pair, wheel
@@ -283,7 +283,7 @@ def test_the_other_misprints():
     row = next(row for row in ROWS if row.startswith("eq. 41"))
     assert ROWS[row][1] == shown(solve_mesh(replace(c, oil=kinematic), 100.0, False).loss)
     share = np.asarray(c.path.carried)
-    less = replace(c, path=replace(c.path, carried=array(np.where(share < 1, 0.99 * share, share))))
+    less = replace(c, path=replace(c.path, carried=np.asarray(np.where(share < 1, 0.99 * share, share))))
     found = solve_mesh(less, 100.0, False)
     row = next(row for row in ROWS if row.startswith("0.33"))
     assert f"(loss factor {shown(found.loss_factor)})" in row

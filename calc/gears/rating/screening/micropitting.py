@@ -9,7 +9,7 @@ others above 2 m/s (scope of ISO/TS 6336-22:2018)."""
 import numpy as np
 
 from ....library import contact as teeth
-from ....sheet.arrays import Array, many
+from ....sheet.arrays import Array, Value
 from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, power, sqrt
 from ....sheet.record import record
@@ -145,7 +145,14 @@ class WarmOil:
 
 
 def film(
-    path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int], places: PathPoint
+    path: Path,
+    load: ScreeningLoad,
+    oil: OilBath,
+    a: Metre,
+    b: Metre,
+    d: Metre,
+    z: tuple[int, int],
+    places: PathPoint[Array],
 ) -> MicropittingFilm:
     """The specific film thickness at the points of method B, the least of which counts, and along the path.
 
@@ -156,7 +163,7 @@ def film(
         thickness, _ = _local(path, load, warm, places)
     if thickness is None:
         return MicropittingFilm(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
-    along = many(thickness)
+    along = thickness
     place = list(marks)[np.argmin(along[: len(marks)])]
     h, p_dyn = _local(path, load, warm, path.at(marks[place]))
     assert h is not None
@@ -188,7 +195,7 @@ def _warm_oil(
     return WarmOil(oil, mu_m, T_M, alpha_M, oil.lubricant.at(T_M).mu, material_parameter(alpha_M=alpha_M, E_r=load.E_r))
 
 
-def _local(path: Path, load: ScreeningLoad, warm: WarmOil, at: PathPoint) -> tuple[Metre | None, Pascal]:
+def _local(path: Path, load: ScreeningLoad, warm: WarmOil, at: PathPoint[Value]) -> tuple[Value | None, Value]:
     """The film at a point or at many, and its Hertzian pressure; no film where a contact is too hot for the law of the
     oil."""
     p_dyn = hertz_pressure(E_r=load.E_r, w_t=load.w_t, X=at.X, rho_n=at.rho_n, beta_b=path.beta_b)

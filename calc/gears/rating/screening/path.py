@@ -7,16 +7,17 @@ circle, T_1T_2 at that of the driven wheel.  A: contact begins; B: the pair befo
 pair comes; E: contact ends. The pair is loaded alone from B to D."""
 
 from itertools import pairwise
+from typing import Generic
 
 import numpy as np
 
 from ....library import contact as line
-from ....sheet.arrays import Array, each
+from ....sheet.arrays import Array, Value
 from ....sheet.formula import formula
 from ....sheet.functions import largest, sin, smallest
 from ....sheet.record import record
 from ....sheet.text import Text
-from ....sheet.units import Metre, MetrePerSecond, Number, Radian
+from ....sheet.units import Metre, Number, Radian
 from ....sheet.value import based_on
 from ...result import MeshResult, ToothSystem, WheelResult
 
@@ -54,7 +55,7 @@ def load_share(rho_1: Metre, rho_A: Metre, rho_B: Metre, rho_D: Metre, rho_E: Me
     if isinstance(rho_1, float):
         return min(before if rho_1 < rho_B else after if rho_1 > rho_D else 1.0, 1.0)
     share = np.where(rho_1 < rho_B, before, np.where(rho_1 > rho_D, after, 1.0))
-    return each(np.clip(share, LIGHTEST, 1.0))  # the last digits of a contact ratio of 1 would make it nothing, or less
+    return np.clip(share, LIGHTEST, 1.0)  # the last digits of a contact ratio of 1 would make it nothing, or less
 
 
 @formula(
@@ -87,16 +88,16 @@ def wide_helical_share(X_but: Number, eps_alpha: Number) -> Number:
 
 
 @record
-class PathPoint:
-    """One point of the path, or many: curvatures, rolling speeds, load share."""
+class PathPoint(Generic[Value]):
+    """One point of the path, or many: curvatures [m], rolling speeds [m/s], load share."""
 
-    rho_1: Metre
-    rho_2: Metre
-    rho_rel: Metre
-    rho_n: Metre
-    v_1: MetrePerSecond
-    v_2: MetrePerSecond
-    X: Number
+    rho_1: Value
+    rho_2: Value
+    rho_rel: Value
+    rho_n: Value
+    v_1: Value
+    v_2: Value
+    X: Value
 
 
 class Path:
@@ -155,7 +156,7 @@ class Path:
         parts[2][0] *= 1 + BESIDE
         return based_on(np.concatenate(parts), self.A, self.B, self.D, self.E)
 
-    def at(self, rho_1: Metre) -> PathPoint:
+    def at(self, rho_1: Value) -> PathPoint[Value]:
         """A point, or an array of them."""
         rho_2 = line.driven_curvature(T=self.T, rho_1=rho_1)
         rho_rel = line.relative_radius(rho_1=rho_1, rho_2=rho_2)
@@ -163,7 +164,7 @@ class Path:
         v_1, v_2 = line.rolling_speed(n=self.n_1, rho=rho_1), line.rolling_speed(n=self.n_2, rho=rho_2)
         return PathPoint(rho_1, rho_2, rho_rel, rho_n, v_1, v_2, self._share(rho_1))
 
-    def _share(self, rho_1: Metre) -> Number:
+    def _share(self, rho_1: Value) -> Value:
         if self.way <= BESIDE * self.T:  # spur, or a helix too small to count
             return load_share(rho_1=rho_1, rho_A=self.A, rho_B=self.B, rho_D=self.D, rho_E=self.E, Q=self.Q)
         X_but = buttressing(rho_1=rho_1, rho_A=self.A, rho_E=self.E, way=self.way, eps_beta=self.eps_beta)

@@ -14,7 +14,7 @@ import numpy as np
 
 from ....library.catalogue import Material
 from ....library.contact import half_width
-from ....sheet.arrays import Array, each, many
+from ....sheet.arrays import Array, Value
 from ....sheet.errors import NoSolution
 from ....sheet.formula import formula
 from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
@@ -23,8 +23,10 @@ from ....sheet.text import Amount, Text
 from ....sheet.units import (
     Celsius,
     Kelvin,
+    Kelvins,
     Metre,
     MetrePerSecond,
+    Metres,
     Newton,
     NewtonPerMetre,
     Number,
@@ -120,7 +122,7 @@ def flash_temperature(
     Text("{iso} (24): mean flash temperature", iso=ISO),
     shows="mean of Θ_fl along the path of contact, from A to E",
 )
-def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
+def mean_flash_temperature(T_fl: Kelvins, rho_1: Metres) -> Kelvin:
     flash, place = np.asarray(T_fl), np.asarray(rho_1)
     area = np.sum((flash[1:] + flash[:-1]) * np.diff(place), -1) / 2
     return float(area / (place[-1] - place[0]))
@@ -182,7 +184,7 @@ def flash(
     b: Metre,
     alpha_wt: Radian,
     alpha_t: Radian,
-    places: PathPoint,
+    places: PathPoint[Array],
     n_p: Number,
     S_FZG: Number,
     X_W: Number,
@@ -196,13 +198,13 @@ def flash(
     mu_m = mean_friction(w_Bt=load.w_Bt, v=v, rho_relC=path.rho_relC, X_L=X_L, X_R=X_R)
     C_eff = deflection(K_A=load.K_A, F_t=load.F_t, b=b, alpha_t=alpha_t, c_gamma=c_gamma)
     with untraced():
-        temperatures = many(_local(path, load, mu_m, C_eff, places))
+        temperatures = _local(path, load, mu_m, C_eff, places)
     points = len(path.marks())
     along = based_on(temperatures[points:], mu_m, C_eff, load, path.depends_on)
-    rho_1 = many(places.rho_1)[points:]
+    rho_1 = places.rho_1[points:]
     hottest = based_on(rho_1[np.argmax(along)].item(), path.A, path.B, path.D, path.E)
     T_fl = _local(path, load, mu_m, C_eff, path.at(hottest))
-    T_flm = mean_flash_temperature(T_fl=each(along), rho_1=each(based_on(rho_1, path.A, path.E)))
+    T_flm = mean_flash_temperature(T_fl=along, rho_1=based_on(rho_1, path.A, path.E))
     T_M = bulk_temperature(T_oil=oil.T_oil, X_S=oil.X_S, X_mp=multiple_path_factor(n_p=n_p), T_flm=T_flm)
     T_B = contact_temperature(T_M=T_M, T_fl=T_fl)
     T_S = scuffing_temperature(X_W=X_W, X_L=X_L, S=S_FZG)
@@ -220,7 +222,7 @@ def flash(
     )
 
 
-def _local(path: Path, load: ScreeningLoad, mu_m: Number, C_eff: Metre, at: PathPoint) -> Kelvin:
+def _local(path: Path, load: ScreeningLoad, mu_m: Number, C_eff: Metre, at: PathPoint[Value]) -> Value:
     X_J = approach_factor(C_eff=C_eff, rho_C=path.C, rho_1=at.rho_1, g_alpha=based_on(path.E - path.A, path.E, path.A))
     w = local_load(X=at.X, K_Bgamma=load.K_Bgamma, w_t=load.w_t)
     b_H = half_width(w=w, rho_n=at.rho_n, E_r=load.E_r)
@@ -279,7 +281,7 @@ def screening(
         )
         with untraced():
             samples = path.samples()
-            places = path.at(each(np.concatenate([list(path.marks().values()), samples])))
+            places = path.at(np.concatenate([list(path.marks().values()), samples]))
     with about(Text("film of mesh {title}", title=title)):
         thin = film(path, load, oil, a, b, driver.pitch_diameter, z, places)
     with about(Text("flash temperature of mesh {title}", title=title)):
