@@ -11,7 +11,8 @@ from ..countershaft.inputs import CountershaftInputs
 from ..countershaft.making.inputs import Alternative, Cost, Support
 from ..engine.inputs import EngineInputs, ThrowInputs
 from ..friction.inputs import FrictionInputs, Scenario, Seal
-from ..gears.inputs import GearsInputs, Wheel
+from ..gears.inputs import GearsInputs
+from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
 from ..mounting.inputs import MountingInputs

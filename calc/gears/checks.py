@@ -13,9 +13,10 @@ from . import limits as p
 from .backlash.case import way_to
 from .backlash.checks import freed
 from .formulas import ISO
-from .inputs import GearsInputs, Mesh, Wheel
+from .inputs import GearsInputs, Mesh
 from .measures.solve import contact_checks
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
+from .wheel_inputs import Wheel
 
 SAME_RATIO = 1e-9
 DUST = 1e-12

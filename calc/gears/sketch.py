@@ -35,11 +35,12 @@ from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Number
 from ..sheet.value import untraced
 from .curves import pitch_point_view
-from .inputs import GearsInputs, Mesh, Wheel
+from .inputs import GearsInputs, Mesh
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
 from .profile.outline import Outline, Regions, regions
 from .result import MeshResult, TrainResult, WheelResult
+from .wheel_inputs import Wheel
 
 if TYPE_CHECKING:
     from ..design.model import Design

@@ -23,7 +23,7 @@ from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
 from .checks import speed_ratio_check
 from .formulas import speed_ratio as speed_ratio_of
-from .inputs import GearsInputs, Mesh, Wheel
+from .inputs import GearsInputs, Mesh
 from .layout.forces import forces
 from .layout.solve import ShaftInTrain, layout
 from .limits import EXTREME
@@ -39,6 +39,7 @@ from .rating.solve import rating
 from .result import TrainResult, working_circles
 from .train import settle, speeds, tooth_system
 from .wheel import solve_wheel
+from .wheel_inputs import Wheel
 
 __all__ = ["geometry", "merge", "not_rated", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
 

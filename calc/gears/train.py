@@ -10,10 +10,11 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, RevPerSecond
 from ..sheet.value import about, based_on, untraced
 from . import formulas as f
-from .inputs import GearsInputs, Mesh, Wheel
+from .inputs import GearsInputs, Mesh
 from .limits import mm
 from .profile.cut import tool_problem
 from .result import ToothSystem
+from .wheel_inputs import Wheel
 
 MOST_SHIFT = 6  # rule of this program: a distance that asks for more is wrong, or the teeth are
 CONTRADICTION = 1e-3  # two given shifts that differ by no more from those without backlash are meant to have none

@@ -16,7 +16,7 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
-from .inputs import GearsInputs, Wheel
+from .inputs import GearsInputs
 from .limits import mm
 from .measures import formulas as m
 from .measures.formulas import preferred_ball, seat
@@ -24,6 +24,7 @@ from .measures.result import Seat
 from .profile.cut import Cut, form_diameter_of_undercut
 from .rating.influence import inner_diameter
 from .result import End, ToothSystem, TrainResult, WheelResult
+from .wheel_inputs import Wheel
 
 
 @record

@@ -11,8 +11,9 @@ from ...sheet.quantity import dotted
 from ...sheet.remedy import Change, Remedy, change, remedy
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, Number
-from ..inputs import GearsInputs, Mesh, Wheel
+from ..inputs import GearsInputs, Mesh
 from ..result import WheelResult
+from ..wheel_inputs import Wheel
 from .case import BacklashCase
 from .chance import BY_CHANCE
 from .formulas import GUIDE, PlayResult

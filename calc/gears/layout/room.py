@@ -17,9 +17,10 @@ from ...sheet.remedy import by_key
 from ...sheet.text import Amount, Text, alternatives
 from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import about, based_on
-from ..inputs import GearsInputs, Mesh, Wheel
+from ..inputs import GearsInputs, Mesh
 from ..limits import mm
 from ..result import MeshResult, TrainResult
+from ..wheel_inputs import Wheel
 from . import formulas as f
 
 FREE = math.inf  # the clearance of a wheel that has nothing near it

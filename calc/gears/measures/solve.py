@@ -18,9 +18,10 @@ from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
 from ..formulas import ISO
-from ..inputs import GearsInputs, Wheel
+from ..inputs import GearsInputs
 from ..limits import mm
 from ..result import ToothSystem, WheelResult
+from ..wheel_inputs import Wheel
 from . import formulas as m
 from .result import Measured, MeasuresResult, Seat
 

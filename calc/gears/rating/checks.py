@@ -10,8 +10,9 @@ from ...sheet.quantity import dotted
 from ...sheet.remedy import by_key
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Kelvin, Metre, NewtonMetre, NewtonPerMetre, Number, Pascal
-from ..inputs import GearsInputs, Wheel
+from ..inputs import GearsInputs
 from ..result import MeshResult
+from ..wheel_inputs import Wheel
 from . import strength as iso6336
 from .classes import StrengthClass
 from .distribution import CLAUSE_7

@@ -17,7 +17,7 @@ from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import UNITS, Metre, Number, Pascal
 from ...sheet.value import about
-from ..inputs import Wheel
+from ..wheel_inputs import Wheel
 
 FILE = "gear_materials.toml"
 DEFAULT = "case-hardened"

@@ -13,10 +13,11 @@ from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text, listed, plural
 from ...sheet.units import Metre
-from ..inputs import GearsInputs, Wheel, wheel_key
+from ..inputs import GearsInputs, wheel_key
 from ..layout.positions import axes_apart
 from ..result import ToothSystem
 from ..train import Train, settle
+from ..wheel_inputs import Wheel
 
 STARTS = (None, 0.0, 0.25, 0.5, 1.0)  # shifts at which the train is settled once; None: that of the design
 STEP = 1e-3  # by which a free shift is moved to see who follows

@@ -18,11 +18,12 @@ from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Metre, RevPerSecond
-from ..inputs import GearsInputs, Mesh, Wheel, mesh_key, wheel_key
+from ..inputs import GearsInputs, Mesh, mesh_key, wheel_key
 from ..layout.result import WheelLayout
 from ..layout.solve import ShaftInTrain, layout
 from ..solve import geometry
 from ..train import tooth_system
+from ..wheel_inputs import Wheel
 from .free_shifts import HELD, settled
 from .tables import NOW, NUMBER
 

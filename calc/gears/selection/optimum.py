@@ -15,8 +15,9 @@ from ...sheet.quantity import described
 from ...sheet.record import record
 from ...sheet.search import Judged, governing, least, least_wanted, multiples, narrowed, stretch
 from ...sheet.text import SEMICOLON, Amount, Small, Text
-from ..inputs import GearsInputs, Wheel
+from ..inputs import GearsInputs
 from ..result import ToothSystem
+from ..wheel_inputs import Wheel
 from .free_shifts import Freedom
 from .states import HARD_CASE, UNDERCUT, USUAL, Bar, ShiftRule, States, judge, keeps, states
 

@@ -14,8 +14,9 @@ from ...sheet.progress import Progress, part, tell
 from ...sheet.record import record
 from ...sheet.search import Judged, governing, least, least_wanted, stretch
 from ...sheet.text import EMPTY, Name, Text
-from ..inputs import GearsInputs, Wheel
+from ..inputs import GearsInputs
 from ..train import tooth_system
+from ..wheel_inputs import Wheel
 from .free_shifts import Freedom, freedoms, settled
 from .optimum import GRID, Limit, ShiftCase, Slice, best, evaluated, limits, nothing, refined, slice_of, too_narrow
 from .states import HARD_CASE, USUAL, Bar, Place, States, eased, judge, states

@@ -17,11 +17,12 @@ from ...sheet.units import Metre, Number
 from .. import formulas as f
 from .. import limits as p
 from ..formulas import ISO
-from ..inputs import GearsInputs, Mesh, Wheel
+from ..inputs import GearsInputs, Mesh
 from ..limits import above_fillet
 from ..measures.formulas import generating_shift
 from ..profile.outline import Cut, form_diameter_of_undercut
 from ..result import ToothSystem
+from ..wheel_inputs import Wheel
 
 NODES = 33  # of the form diameter over the shift, where it comes from the tool's trochoid
 

@@ -9,7 +9,8 @@ import numpy as np
 from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SPACE, Amount, Name, Text, listed, plural
-from ..inputs import GearsInputs, Mesh, Wheel, mesh_key, wheel_key
+from ..inputs import GearsInputs, Mesh, mesh_key, wheel_key
+from ..wheel_inputs import Wheel
 from .free_shifts import Freedom
 from .optimum import GRID
 from .search import ShiftRow, ShiftsFound

@@ -13,7 +13,7 @@ from ...design.addresses import Table, address, as_list, quantities, quantity_of
 from ...design.model import Design
 from ...design.names import published
 from ...design.toml_file import Document
-from ...gears.inputs import Wheel
+from ...gears.wheel_inputs import Wheel
 from ...sheet.check import Check
 from ...sheet.errors import BadInput
 from ...sheet.quantity import ChangeWords, Quantity, described, dotted

@@ -19,8 +19,9 @@ from ...design.model import Design
 from ...design.names import PLACES, named
 from ...design.step_inputs import bearings_case
 from ...engine.result import EngineResult
-from ...gears.inputs import GearsInputs, Wheel, wheel_key
+from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.rating.classes import DEFAULT, class_names, strength_class
+from ...gears.wheel_inputs import Wheel
 from ...imbalance.result import ImbalanceResult
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...design.locks import locked
 from ...design.step_inputs import shaft_axis
-from ...gears.inputs import GearsInputs, Wheel, wheel_key
+from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.selection.free_shifts import freedoms, settled
 from ...gears.selection.idler import idlers, passed
 from ...gears.selection.optimum import ShiftCase, along
@@ -23,6 +23,7 @@ from ...gears.selection.search import ShiftRow, search
 from ...gears.selection.states import USUAL, Bar, States, eased, judge, states
 from ...gears.selection.tables import changes, freed
 from ...gears.train import tooth_system
+from ...gears.wheel_inputs import Wheel
 from ...sheet.arrays import Array
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution

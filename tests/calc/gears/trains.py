@@ -4,8 +4,9 @@ import math
 import tomllib
 from pathlib import Path
 
-from calc.gears.inputs import GearsInputs, Mesh, Wheel
+from calc.gears.inputs import GearsInputs, Mesh
 from calc.gears.solve import geometry
+from calc.gears.wheel_inputs import Wheel
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 SPEED = 2600 / 60
