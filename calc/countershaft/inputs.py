@@ -28,8 +28,7 @@ class EccentricMass:
     mass: float = quantity(
         "Mass",
         "kg",
-        low=0,
-        high=1000,
+        within=(0, 1000),
         symbol="m_i",
         usual=(0.05, 20),
         source=THUMB,
@@ -40,8 +39,7 @@ class EccentricMass:
     radius: float = quantity(
         "Radius of its centre of gravity",
         "mm",
-        low=0,
-        high=1000,
+        within=(0, 1000),
         symbol="e_i",
         help="Distance of its centre of gravity from the shaft's axis.",
         change=("mass further in", "mass further out"),
@@ -50,8 +48,7 @@ class EccentricMass:
     angle: float = quantity(
         "Angle",
         "°",
-        low=-720,
-        high=720,
+        within=(-720, 720),
         symbol="phi_i",
         step=1,
         help=ANGLE,
@@ -61,8 +58,7 @@ class EccentricMass:
     z: float = quantity(
         "Position",
         "mm",
-        low=-5000,
-        high=5000,
+        within=(-5000, 5000),
         symbol="z_i",
         help=FROM_MID_SHAFT,
         change=("mass elsewhere", "mass elsewhere"),
@@ -77,8 +73,7 @@ class Extra(EccentricMass):
     mass: float = quantity(
         "Mass",
         "kg",
-        low=-1000,
-        high=1000,
+        within=(-1000, 1000),
         symbol="m_i",
         help="Mass of the element; below zero it is removed, as by a hole.",
         repair="free",
@@ -89,8 +84,8 @@ class Extra(EccentricMass):
 class Section:
     """A stretch of the shaft: a full cylinder, or with a half-angle an eccentric sector on its core."""
 
-    from_: float = quantity("From", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
-    to: float = quantity("Up to", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
+    from_: float = quantity("From", "mm", within=(-5000, 5000), help=FROM_MID_SHAFT)
+    to: float = quantity("Up to", "mm", within=(-5000, 5000), help=FROM_MID_SHAFT)
     outer_radius: float = quantity(
         "Outer radius",
         "mm",
@@ -104,8 +99,7 @@ class Section:
         "Core radius",
         "mm",
         default=None,
-        low=0,
-        high=1000,
+        within=(0, 1000),
         symbol="r_0",
         help="Radius of the core inside a sector. Left out: 0.",
         repair="free",
@@ -120,7 +114,7 @@ class Section:
         help="Half of the angle that the sector spans. Left out: a full cylinder.",
         repair="free",
     )
-    angle: float | None = quantity("Angle of the sector's middle", "°", default=None, low=-720, high=720, help=ANGLE)
+    angle: float | None = quantity("Angle of the sector's middle", "°", default=None, within=(-720, 720), help=ANGLE)
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.to <= self.from_:
@@ -195,8 +189,7 @@ class Holes:
     )
     count: int = integer(
         "Holes on the whole shaft",
-        low=1,
-        high=1000,
+        within=(1, 1000),
         symbol="N_c",
         help="Shared evenly by the eccentric masses.",
         change=("fewer holes", "more holes"),
@@ -209,42 +202,38 @@ class Scatter:
     """What production makes of the drawing: standard deviations."""
 
     mass: float = quantity(
-        "Mass of each eccentric mass", "g", low=0, high=1e5, help="Standard deviation of the mass, for each by itself."
+        "Mass of each eccentric mass", "g", within=(0, 1e5), help="Standard deviation of the mass, for each by itself."
     )
     radius: float = quantity(
         "Radius of its centre of gravity",
         "mm",
-        low=0,
-        high=100,
+        within=(0, 100),
         help="Standard deviation of the radius, for each mass by itself.",
     )
     angle: float = quantity(
-        "Its angle", "°", low=0, high=90, help="Standard deviation of the angle, for each mass by itself."
+        "Its angle", "°", within=(0, 90), help="Standard deviation of the angle, for each mass by itself."
     )
     z: float = quantity(
         "Its position",
         "mm",
-        low=0,
-        high=1000,
+        within=(0, 1000),
         help="Standard deviation of the place along the shaft, for each mass by itself.",
     )
     timing: float = quantity(
         "Timing of the whole shaft by its teeth",
         "°",
         default=0.0,
-        low=0,
-        high=90,
+        within=(0, 90),
         help="Standard deviation of an angle that is common to all its masses.",
     )
     shafts: int = integer(
         "Shafts to try",
         default=10_000,
-        low=100,
-        high=1_000_000,
+        within=(100, 1_000_000),
         help="How many shafts are drawn by chance; more give steadier results.",
     )
     seed: int = integer(
-        "Seed of the random numbers", default=1, low=0, high=2**31, help="The same seed draws the same shafts again."
+        "Seed of the random numbers", default=1, within=(0, 2**31), help="The same seed draws the same shafts again."
     )
 
 
@@ -270,8 +259,7 @@ class CountershaftInputs:
     speed_ratio: float = quantity(
         "Speed ratio to the crank",
         default=-1.0,
-        low=-2,
-        high=2,
+        within=(-2, 2),
         symbol="i",
         source="Finotti 2013, 2.3.3",
         help="−1: crank speed, opposite sense. 1, 2 and −2 for shafts without [bearings] and [gears].",
@@ -287,8 +275,7 @@ class CountershaftInputs:
         "Bearing positions",
         "mm",
         count=(2, 9),
-        low=-5000,
-        high=5000,
+        within=(-5000, 5000),
         symbol="z_B",
         help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.",
         change=("shorter span", "longer span"),
@@ -300,8 +287,7 @@ class CountershaftInputs:
         "mm",
         default=None,
         count=(2, 2),
-        low=-5000,
-        high=5000,
+        within=(-5000, 5000),
         symbol="p_S",
         help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft "
         "raises a roll torque.",
@@ -331,8 +317,7 @@ class CountershaftInputs:
         "Core radius",
         "mm",
         default=None,
-        low=0,
-        high=1000,
+        within=(0, 1000),
         symbol="r_0",
         step=0.5,
         usual=(6, 80),
@@ -363,8 +348,7 @@ class CountershaftInputs:
         "Couple beyond the required one",
         "%",
         default=0.0,
-        low=-50,
-        high=50,
+        within=(-50, 50),
         symbol="x_o",
         usual=(0, 5),
         source="rule of this program, by the holes",
@@ -376,8 +360,7 @@ class CountershaftInputs:
         "Clearance for threading in",
         "mm",
         default=None,
-        low=0,
-        high=50,
+        within=(0, 50),
         symbol="c_R",
         usual=(0.2, 5),
         source=THUMB,
@@ -402,8 +385,7 @@ class CountershaftInputs:
     sector_effectiveness: float = quantity(
         "Stiffness share of the sectors",
         default=0.2,
-        low=0.1,
-        high=1,
+        within=(0.1, 1),
         symbol="eta",
         step=0.05,
         usual=(0.2, 0.4),
@@ -414,8 +396,7 @@ class CountershaftInputs:
         "Middle of the gear",
         "mm",
         default=None,
-        low=-5000,
-        high=5000,
+        within=(-5000, 5000),
         symbol="z_G",
         help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.",
         repair="free",

@@ -40,7 +40,7 @@ OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is 
 class Design:
     """Everything that a design file says, checked and in SI."""
 
-    schema: int = integer("Schema", low=1, high=SCHEMA)
+    schema: int = integer("Schema", within=(1, SCHEMA))
     name: str = text("Name of the design")
     note: str = text("Note", default="")
     author: str = text("Author", default="")

@@ -148,7 +148,7 @@ class Price:
         "Which", help='["IT6", "IT7"] of fits, [0.4, 0.6] of surfaces (journal, seat, µm), ["20CrNi4"] of materials.'
     )
     piece: float = quantity(
-        "Added to a piece", "€", low=-1e6, high=1e6, help="What this choice adds to the price of one piece."
+        "Added to a piece", "€", within=(-1e6, 1e6), help="What this choice adds to the price of one piece."
     )
 
 
@@ -168,9 +168,9 @@ class OptimiseInputs:
     objectives: list[str] | None = open_(
         "Objectives", default=None, help="Any of power, mass, seat, price, margin. Left out: all that are known."
     )
-    rows: int = integer("Drives that are solved whole and saved", default=60, low=1, high=2000)
+    rows: int = integer("Drives that are solved whole and saved", default=60, within=(1, 2000))
     seed: int = integer(
-        "Seed", default=1, low=0, high=2**31, help="Of the search without proof; the other has no chance in it."
+        "Seed", default=1, within=(0, 2**31), help="Of the search without proof; the other has no chance in it."
     )
     limits: list[str] | None = open_(
         "Findings that are limits here", default=None, help='Ids of checks, * for any: "bearings.*_corner".'

@@ -22,13 +22,12 @@ class PressurePoint:
     angle: float = quantity(
         "Crank angle",
         "°",
-        low=-360,
-        high=720,
+        within=(-360, 720),
         symbol="epsilon",
         help="Crank angle after the TDC at which this cylinder fires.",
     )
     pressure: float = quantity(
-        "Pressure", "bar", low=0, high=1000, symbol="p", help="Pressure in the cylinder at this angle, absolute."
+        "Pressure", "bar", within=(0, 1000), symbol="p", help="Pressure in the cylinder at this angle, absolute."
     )
 
 
@@ -83,8 +82,7 @@ class GasInputs:
         "Crankcase pressure",
         "bar",
         default=None,
-        low=0,
-        high=100,
+        within=(0, 100),
         symbol="p_case",
         usual=(0.8, 1.5),
         source=THUMB,
@@ -93,8 +91,7 @@ class GasInputs:
     compression_exponent: float | None = quantity(
         "Compression exponent",
         default=None,
-        low=1,
-        high=2,
+        within=(1, 2),
         symbol="n_c",
         usual=(1.25, 1.4),
         source=THUMB,
@@ -103,8 +100,7 @@ class GasInputs:
     expansion_exponent: float | None = quantity(
         "Expansion exponent",
         default=None,
-        low=1,
-        high=2,
+        within=(1, 2),
         symbol="n_e",
         usual=(1.2, 1.35),
         source=THUMB,
@@ -114,8 +110,7 @@ class GasInputs:
         "Peak pressure held for",
         "°",
         default=None,
-        low=0,
-        high=90,
+        within=(0, 90),
         symbol="epsilon_p",
         usual=(0, 30),
         source=THUMB,

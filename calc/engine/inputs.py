@@ -119,10 +119,10 @@ class TorquePoint:
     """One row of a torque diagram."""
 
     angle: float = quantity(
-        "Crank angle", "°", low=-1440, high=1440, symbol="epsilon", help="After the firing of cylinder 1."
+        "Crank angle", "°", within=(-1440, 1440), symbol="epsilon", help="After the firing of cylinder 1."
     )
     torque: float = quantity(
-        "Torque", "N·m", low=-1e9, high=1e9, symbol="T", help="Of the whole engine on its crank, + in its sense."
+        "Torque", "N·m", within=(-1e9, 1e9), symbol="T", help="Of the whole engine on its crank, + in its sense."
     )
 
 
@@ -216,8 +216,7 @@ class BenchPoint:
     speed: float = quantity(
         "Speed",
         "rpm",
-        low=1,
-        high=30000,
+        within=(1, 30000),
         symbol="n",
         help="Speed of the crank in this row of the bench run.",
         repair="asked",
@@ -225,8 +224,7 @@ class BenchPoint:
     oil_temperature: float = quantity(
         "Oil temperature",
         "°C",
-        low=-40,
-        high=200,
+        within=(-40, 200),
         symbol="T_in",
         usual=(60, 140),
         source=THUMB,
@@ -236,8 +234,7 @@ class BenchPoint:
     oil_pressure: float = quantity(
         "Oil pressure",
         "bar",
-        low=0,
-        high=100,
+        within=(0, 100),
         symbol="p_s",
         usual=(1, 6),
         source=THUMB,
@@ -255,14 +252,13 @@ class EngineInputs:
     )
     cylinders: int = integer(
         "Cylinders",
-        low=1,
-        high=16,
+        within=(1, 16),
         symbol="N",
         help="Number of cylinders, counted from the timing side.",
         fold=CYLINDERS,
     )
     strokes: int = integer(
-        "Strokes", low=2, high=4, step=2, help="4 for a four-stroke, 2 for a two-stroke engine.", fold=CYLINDERS
+        "Strokes", within=(2, 4), step=2, help="4 for a four-stroke, 2 for a two-stroke engine.", fold=CYLINDERS
     )
     bore: float = quantity(
         "Bore",
@@ -316,8 +312,7 @@ class EngineInputs:
         "Cylinder offset",
         "mm",
         default=0.0,
-        low=-500,
-        high=500,
+        within=(-500, 500),
         symbol="d",
         source="Finotti 2013, 2.1",
         help="Cylinder axis to crank axis; positive moves TDC to later crank angles. Usual up to 0.045 rod lengths.",
@@ -327,8 +322,7 @@ class EngineInputs:
         "Bank angle",
         "°",
         default=None,
-        low=0,
-        high=180,
+        within=(0, 180),
         symbol="V",
         usual=(45, 180),
         source=THUMB,
@@ -349,8 +343,7 @@ class EngineInputs:
         "Crank angles",
         "°",
         default=None,
-        low=-720,
-        high=720,
+        within=(-720, 720),
         symbol="phi",
         help="One per cylinder, of the pin it runs on; positive leads cylinder 1.",
         repair="asked",
@@ -360,8 +353,7 @@ class EngineInputs:
         "Axial positions",
         "mm",
         default=None,
-        low=-5000,
-        high=5000,
+        within=(-5000, 5000),
         symbol="z",
         help="One per cylinder, + towards the flywheel.",
         fold=CYLINDERS,
@@ -369,8 +361,7 @@ class EngineInputs:
     bank_of_cylinder: tuple[int, ...] | None = integers(
         "Bank of each cylinder",
         default=None,
-        low=0,
-        high=1,
+        within=(0, 1),
         help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2.",
         where=(layout, "vee", "boxer"),
         fold=CYLINDERS,
@@ -402,8 +393,7 @@ class EngineInputs:
         "Rod mass",
         "g",
         default=None,
-        low=0,
-        high=1e5,
+        within=(0, 1e5),
         symbol="M_B",
         usual=(200, 2000),
         source=THUMB,
@@ -413,8 +403,7 @@ class EngineInputs:
         "Rod CG to big end",
         "mm",
         default=None,
-        low=0,
-        high=4000,
+        within=(0, 4000),
         symbol="X_2",
         usual=(20, 120),
         source=THUMB,
@@ -425,8 +414,7 @@ class EngineInputs:
         "Big-end shells",
         "g",
         default=0.0,
-        low=0,
-        high=1e5,
+        within=(0, 1e5),
         symbol="M_shell",
         usual=(0, 500),
         source=THUMB,
@@ -445,8 +433,7 @@ class EngineInputs:
         "Rotating masses",
         "kg",
         default=None,
-        low=0,
-        high=1e6,
+        within=(0, 1e6),
         symbol="M_rot",
         help="At the crank radius: one for all cylinders, or one per cylinder. Left out: the rod's share and the "
         "shells.",
@@ -454,8 +441,7 @@ class EngineInputs:
     rated_speed: float = quantity(
         "Rated speed",
         "rpm",
-        low=1,
-        high=30000,
+        within=(1, 30000),
         symbol="n",
         usual=(1000, 13000),
         source=THUMB,

@@ -36,7 +36,7 @@ class OtherLoss:
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     power: float = quantity(
-        "Power", "W", low=0, high=1e6, symbol="P", help="Power that is lost there, known from elsewhere."
+        "Power", "W", within=(0, 1e6), symbol="P", help="Power that is lost there, known from elsewhere."
     )
 
 
@@ -56,7 +56,7 @@ class Seal:
         brief="diameter",
     )
     count: int = integer(
-        "Seals of this size", default=1, low=1, high=20, help="How many such seals the wheel's shaft has."
+        "Seals of this size", default=1, within=(1, 20), help="How many such seals the wheel's shaft has."
     )
     method: str = choice(
         "Method",
@@ -87,8 +87,7 @@ class RollingBearing:
         "Radial load of all of them together",
         "N",
         default=None,
-        low=0,
-        high=1e6,
+        within=(0, 1e6),
         symbol="F",
         help="What they carry together. Left out: by the teeth of its wheel.",
         repair="asked",
@@ -96,8 +95,7 @@ class RollingBearing:
     count: int = integer(
         "Bearings that share the load",
         default=1,
-        low=1,
-        high=8,
+        within=(1, 8),
         help="How many they are, sharing the radial load evenly.",
     )
     method: str = choice("Method", "palmgren", "skf", default="palmgren", help="skf: needs the series.")
@@ -113,8 +111,7 @@ class RollingBearing:
     f_0: float | None = quantity(
         "Factor f_0",
         default=None,
-        low=0,
-        high=50,
+        within=(0, 50),
         symbol="f_0",
         usual=(0.5, 24),
         source="Palmgren 1957, by type and lubrication",
@@ -123,8 +120,7 @@ class RollingBearing:
     f_1: float | None = quantity(
         "Factor f_1",
         default=None,
-        low=0,
-        high=0.05,
+        within=(0, 0.05),
         symbol="f_1",
         usual=(0.0001, 0.002),
         source="Palmgren 1957, by type",
@@ -178,8 +174,7 @@ class PlainBearing:
         "Load",
         "N",
         default=None,
-        low=0,
-        high=1e6,
+        within=(0, 1e6),
         symbol="F",
         help="Force of the wheel on its pin. Left out: by the teeth of its wheel.",
         repair="asked",
@@ -231,8 +226,7 @@ class Jet:
         "Speed of the jet along the teeth",
         "m/s",
         default=0.0,
-        low=-200,
-        high=200,
+        within=(-200, 200),
         symbol="v_j",
         help="Positive: the way the teeth go.",
     )
@@ -248,8 +242,7 @@ class Scenario:
         "Oil temperature",
         "°C",
         default=None,
-        low=-40,
-        high=200,
+        within=(-40, 200),
         symbol="T_oil",
         step=5,
         usual=(40, 130),
@@ -298,8 +291,7 @@ class FrictionInputs:
         "Oil temperature",
         "°C",
         default=None,
-        low=-40,
-        high=200,
+        within=(-40, 200),
         symbol="T_oil",
         step=5,
         usual=(40, 130),
@@ -312,8 +304,7 @@ class FrictionInputs:
         "Bulk temperature",
         "°C",
         default=None,
-        low=-40,
-        high=300,
+        within=(-40, 300),
         symbol="T_b",
         usual=(40, 150),
         source=THUMB,
@@ -330,8 +321,7 @@ class FrictionInputs:
     tip_relief_factor: float = quantity(
         "Tip relief factor of that estimate",
         default=1.0,
-        low=1,
-        high=10,
+        within=(1, 10),
         symbol="X_Ca",
         source="ISO/TR 15144-1",
         help="How much tip relief shares the load more evenly; 1: no tip relief.",
@@ -341,8 +331,7 @@ class FrictionInputs:
         "K/W",
         count=(1, 2),
         default=None,
-        low=0,
-        high=1000,
+        within=(0, 1000),
         symbol="M",
         source="Olver 1991, Olver and Spikes 1998",
         help="From flank to where the bulk temperature is known. One for both, or [driver, driven]. Left out: not "
@@ -384,8 +373,7 @@ class FrictionInputs:
     solid_friction: float | None = quantity(
         "Friction of peaks",
         default=None,
-        low=0,
-        high=1,
+        within=(0, 1),
         symbol="mu_s",
         step=0.005,
         usual=(0.05, 0.15),
@@ -411,8 +399,7 @@ class FrictionInputs:
         "Density of the oil mist",
         "kg/m³",
         default=24.0,
-        low=0.1,
-        high=1000,
+        within=(0.1, 1000),
         symbol="rho_m",
         usual=(1.2, 50),
         source="rule of this program; tests of Anderson and Loewenthal: 24",
@@ -446,8 +433,7 @@ class FrictionInputs:
         "°C",
         count=(1, 8),
         default=None,
-        low=-40,
-        high=200,
+        within=(-40, 200),
         help="Of losses over speed. Left out: four from 40 K below the oil's to 10 K above.",
     )
     map_speeds: tuple[float, ...] | None = series(

@@ -19,8 +19,7 @@ class Unbalance:
     unbalance: float = quantity(
         "Unbalance",
         "kg·mm",
-        low=0,
-        high=1e6,
+        within=(0, 1e6),
         symbol="U",
         help="Mass times the radius of its centre of gravity.",
         repair="free",
@@ -28,14 +27,13 @@ class Unbalance:
     angle: float = quantity(
         "Angle",
         "°",
-        low=-720,
-        high=720,
+        within=(-720, 720),
         symbol="gamma",
         help="With cylinder 1 at TDC, from up, in the sense of rotation.",
         repair="free",
     )
     z: float = quantity(
-        "Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel."
+        "Position", "mm", within=(-5000, 5000), symbol="z", help="From mid-engine, + towards the flywheel."
     )
 
 
@@ -44,28 +42,26 @@ class CrankBody:
     """A web, a counterweight or a pin of the crank, by its mass and centre of gravity."""
 
     name: str = text("Name", help="Letters, digits and -.")
-    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m", help="Mass of this web, counterweight or pin.")
+    mass: float = quantity("Mass", "kg", within=(0, 1000), symbol="m", help="Mass of this web, counterweight or pin.")
     x: float = quantity(
         "Centre of gravity, up",
         "mm",
-        low=-1000,
-        high=1000,
+        within=(-1000, 1000),
         symbol="x",
         help="Height of its centre of gravity, with the throw named above at TDC.",
     )
     y: float = quantity(
         "Centre of gravity, side",
         "mm",
-        low=-1000,
-        high=1000,
+        within=(-1000, 1000),
         symbol="y",
         help="90° further in the sense of crank rotation.",
     )
     z: float = quantity(
-        "Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel."
+        "Position", "mm", within=(-5000, 5000), symbol="z", help="From mid-engine, + towards the flywheel."
     )
     pin: int | None = integer(
-        "Crankpin", default=None, low=1, high=16, help="The number of the pin that this body is: a bob is added to it."
+        "Crankpin", default=None, within=(1, 16), help="The number of the pin that this body is: a bob is added to it."
     )
 
 
@@ -76,8 +72,7 @@ class ImbalanceInputs:
     crank_balance_fraction: float = quantity(
         "Share balanced on the crank",
         default=0.5,
-        low=-1,
-        high=2,
+        within=(-1, 2),
         symbol="kappa",
         step=0.05,
         usual=(0, 1),
@@ -90,8 +85,7 @@ class ImbalanceInputs:
     rotating_balance_fraction: float = quantity(
         "Rotating share balanced",
         default=1.0,
-        low=0,
-        high=2,
+        within=(0, 2),
         symbol="kappa_rot",
         step=0.05,
         usual=(0.5, 1),
@@ -133,8 +127,7 @@ class ImbalanceInputs:
         "mm",
         default=None,
         count=(2, 2),
-        low=-5000,
-        high=5000,
+        within=(-5000, 5000),
         symbol="p_f",
         help="[up, side] from the crank's, side 90° further in the sense of crank rotation: of the shaft of a pair "
         "that turns "
@@ -145,23 +138,20 @@ class ImbalanceInputs:
         "mm",
         default=None,
         count=(2, 2),
-        low=-5000,
-        high=5000,
+        within=(-5000, 5000),
         symbol="p_b",
         help="[up, side] from the crank's: of the shaft of a pair that turns against the crank.",
     )
     shaft_pair_order: int = integer(
         "Order of the pair",
         default=2,
-        low=1,
-        high=2,
+        within=(1, 2),
         help="Of the two shafts at these axes: 1 turns at ±1, 2 at ±2 times crank speed.",
     )
     crank_bodies_throw_at_tdc: int = integer(
         "Throw up in the list of bodies",
         default=1,
-        low=1,
-        high=16,
+        within=(1, 16),
         help="The cylinder whose throw stands up while the bodies' x and y are given.",
         fold=BODIES,
     )
@@ -180,8 +170,7 @@ class ImbalanceInputs:
         "Bob mass as stated",
         "kg",
         default=None,
-        low=0,
-        high=100,
+        within=(0, 100),
         symbol="m_b",
         source="Finotti 2013, 2.6",
         help="On each pin, on the balancing machine; left out, it is computed.",
@@ -193,8 +182,7 @@ class ImbalanceInputs:
         "Radius of the balancing holes",
         "mm",
         default=None,
-        low=5,
-        high=1000,
+        within=(5, 1000),
         symbol="r_d",
         source="Finotti 2013, 2.6",
         help="From the crank's axis to the middle of what is drilled out of a web: given, the webs to drill are found.",

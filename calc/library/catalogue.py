@@ -34,7 +34,7 @@ class Claim:
 class PrintedViscosity:
     """A dynamic viscosity that is printed somewhere, to be held against the oil's own law."""
 
-    temperature: float = quantity("Temperature", "°C", low=-40, high=200, symbol="T")
+    temperature: float = quantity("Temperature", "°C", within=(-40, 200), symbol="T")
     viscosity: float = quantity("Printed dynamic viscosity", "mPa·s", above=0, high=1e6, symbol="mu")
 
     def __str__(self) -> str:
@@ -49,8 +49,8 @@ class PrintedViscosity:
 class ViscosityRow:
     """One row of an oil's own table: its dynamic viscosity at a temperature."""
 
-    temperature: float = quantity("Temperature", "°C", low=-60, high=300, symbol="T")
-    viscosity: float = quantity("Dynamic viscosity", "mPa·s", low=0.5, high=1e6, symbol="mu")
+    temperature: float = quantity("Temperature", "°C", within=(-60, 300), symbol="T")
+    viscosity: float = quantity("Dynamic viscosity", "mPa·s", within=(0.5, 1e6), symbol="mu")
 
 
 @inputs
@@ -66,8 +66,7 @@ class Oil:
         "Kinematic viscosity at 40 °C",
         "mm²/s",
         default=None,
-        low=1,
-        high=1e5,
+        within=(1, 1e5),
         symbol="nu_40",
         help="With that at 100 °C. Left out: viscosities, or viscosity_mPas.",
     )
@@ -75,14 +74,13 @@ class Oil:
         "Kinematic viscosity at 100 °C",
         "mm²/s",
         default=None,
-        low=1,
-        high=1e4,
+        within=(1, 1e4),
         symbol="nu_100",
         help="With that at 40 °C. Left out: viscosities, or viscosity_mPas.",
     )
-    rho15: float = quantity("Density at 15 °C", "kg/m³", low=600, high=1300, symbol="rho_15")
+    rho15: float = quantity("Density at 15 °C", "kg/m³", within=(600, 1300), symbol="rho_15")
     base: str = choice("Base stock", "mineral", "PAO", "PAG", "ester", "MIL-L-7808", "MIL-L-23699")
-    conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, low=0.05, high=1.0, symbol="k_f")
+    conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, within=(0.05, 1.0), symbol="k_f")
     limiting_shear: float | None = quantity(
         "Limiting shear stress over pressure",
         default=None,
@@ -120,13 +118,12 @@ class Oil:
         "Borderline pumping temperature",
         "°C",
         default=None,
-        low=-80,
-        high=50,
+        within=(-80, 50),
         symbol="T_BP",
         help="Below it a pump does not get the oil to the bearings.",
     )
     pour_point: float | None = quantity(
-        "Pour point", "°C", default=None, low=-80, high=50, symbol="T_PP", help="Below it the oil stands."
+        "Pour point", "°C", default=None, within=(-80, 50), symbol="T_PP", help="Below it the oil stands."
     )
     printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
     source: str = text("Source", default="the user")
@@ -207,10 +204,10 @@ class Material:
     """A solid by what shaft, bearing and gear need of it."""
 
     name: str = text("Name")
-    E: float = quantity("Young's modulus", "GPa", low=1, high=1000)
-    poisson: float = quantity("Poisson's ratio", default=0.3, low=0.0, high=0.49, symbol="nu")
-    density: float = quantity("Density", "kg/m³", low=500, high=25000, symbol="rho")
-    expansion: float = quantity("Thermal expansion", "10⁻⁶/K", low=0, high=100, symbol="alpha")
+    E: float = quantity("Young's modulus", "GPa", within=(1, 1000))
+    poisson: float = quantity("Poisson's ratio", default=0.3, within=(0.0, 0.49), symbol="nu")
+    density: float = quantity("Density", "kg/m³", within=(500, 25000), symbol="rho")
+    expansion: float = quantity("Thermal expansion", "10⁻⁶/K", within=(0, 100), symbol="alpha")
     proof_stress: float | None = quantity(
         "Proof stress", "MPa", default=None, above=0, high=10000, symbol="R_p", help="Rp0.2, tension."
     )

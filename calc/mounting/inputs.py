@@ -81,7 +81,7 @@ class Mount:
 
     name: str = text("Name", help="Letters, digits and -.", decides=5)
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="asked", decides=6
+        "Position", "mm", count=(3, 3), within=(-10000, 10000), symbol="r", help=PLACE, repair="asked", decides=6
     )
     stiffness: tuple[float, ...] = series(
         "Static stiffness",
@@ -107,8 +107,7 @@ class Mount:
     loss_factor: float | None = quantity(
         "Loss factor",
         default=None,
-        low=0,
-        high=10,
+        within=(0, 10),
         symbol="eta",
         usual=(0.03, 0.2),
         source=THUMB,
@@ -119,8 +118,7 @@ class Mount:
         "Viscous damping",
         "N·s/mm",
         default=None,
-        low=0,
-        high=1e4,
+        within=(0, 1e4),
         symbol="c",
         help="Along each own axis, instead of a loss factor.",
     )
@@ -129,8 +127,7 @@ class Mount:
         "°",
         default=None,
         count=(3, 3),
-        low=-360,
-        high=360,
+        within=(-360, 360),
         help="[a, b, c] about the fixed axes: first x (up), then y (side), then z (crank).",
         repair="free",
     )
@@ -154,8 +151,7 @@ class Mount:
     foundation_loss: float | None = quantity(
         "Foundation's loss factor",
         default=None,
-        low=0,
-        high=10,
+        within=(0, 10),
         symbol="eta_f",
         help="Of the foundation itself; left out: 0.",
     )
@@ -207,7 +203,7 @@ class Support:
 
     name: str = text("Name", help="Letters, digits and -.")
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(3, 3), low=-20000, high=20000, symbol="r", help=PLACE, repair="asked"
+        "Position", "mm", count=(3, 3), within=(-20000, 20000), symbol="r", help=PLACE, repair="asked"
     )
     stiffness: tuple[float, ...] = series(
         "Dynamic stiffness", "N/mm", count=(3, 3), above=0, high=1e9, symbol="k", help="Along its own axes."
@@ -215,21 +211,19 @@ class Support:
     loss_factor: float | None = quantity(
         "Loss factor",
         default=None,
-        low=0,
-        high=10,
+        within=(0, 10),
         symbol="eta",
         help="Of the support; left out: 0.1, or none beside damping.",
     )
     damping: float | None = quantity(
-        "Viscous damping", "N·s/mm", default=None, low=0, high=1e4, symbol="c", help="Instead of a loss factor."
+        "Viscous damping", "N·s/mm", default=None, within=(0, 1e4), symbol="c", help="Instead of a loss factor."
     )
     turned: tuple[float, ...] | None = series(
         "Turned by",
         "°",
         default=None,
         count=(3, 3),
-        low=-360,
-        high=360,
+        within=(-360, 360),
         help="[a, b, c] about the fixed axes: first x, then y, then z.",
     )
 
@@ -249,7 +243,7 @@ class Move:
 
     name: str = text("Mount, point or support", help="Its name.")
     move: tuple[float, ...] = series(
-        "Moves by", count=(3, 3), low=-100, high=100, symbol="phi", help="In engine axes, in 1/√kg."
+        "Moves by", count=(3, 3), within=(-100, 100), symbol="phi", help="In engine axes, in 1/√kg."
     )
 
 
@@ -261,7 +255,7 @@ class FrameMode:
         "Frequency", "Hz", above=0, high=1000, symbol="f", help="Of the frame without the engine."
     )
     loss_factor: float = quantity(
-        "Loss factor", default=0.05, low=0, high=10, symbol="eta", help="Of the mode; left out: 0.05."
+        "Loss factor", default=0.05, within=(0, 10), symbol="eta", help="Of the mode; left out: 0.05."
     )
     shape: tuple[Move, ...] = tables("Shape", Move)
 
@@ -275,7 +269,7 @@ class Chassis:
 
     mass: float = quantity("Mass", "kg", above=0, high=1e7, symbol="m_c", help="Without the engine.")
     centre_of_gravity: tuple[float, ...] = series(
-        "Centre of gravity", "mm", count=(3, 3), low=-20000, high=20000, help=PLACE
+        "Centre of gravity", "mm", count=(3, 3), within=(-20000, 20000), help=PLACE
     )
     inertia: tuple[float, ...] = series(
         "Inertia",
@@ -291,8 +285,7 @@ class Chassis:
         "kg·m²",
         default=None,
         count=(3, 3),
-        low=-1e9,
-        high=1e9,
+        within=(-1e9, 1e9),
         help="[J_xy, J_yz, J_zx] of the tensor, −∫xy dm.",
     )
     supports: tuple[Support, ...] = tables("Supports", Support)
@@ -322,7 +315,7 @@ class Point:
 
     name: str = text("Name", help="Letters, digits and -.")
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(3, 3), low=-20000, high=20000, symbol="r", help=PLACE, repair="asked"
+        "Position", "mm", count=(3, 3), within=(-20000, 20000), symbol="r", help=PLACE, repair="asked"
     )
     on: str = choice("Stands on", "engine", "chassis", default="engine")
     role: str = choice(
@@ -342,7 +335,7 @@ class Operation:
     name: str = text("Name", help="Letters, digits and -.")
     speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n", help="Of the crank.", repair="asked")
     hours: float | None = quantity(
-        "Hours a day", default=None, low=0, high=DAY, symbol="T", help="For the daily exposure."
+        "Hours a day", default=None, within=(0, DAY), symbol="T", help="For the daily exposure."
     )
     peak_pressure: float | None = quantity(
         "Peak pressure",
@@ -375,13 +368,12 @@ class Operation:
         "Crankcase pressure",
         "bar",
         default=None,
-        low=0,
-        high=100,
+        within=(0, 100),
         symbol="p_case",
         help="At this speed, absolute; left out: that of [engine.gas].",
     )
     constant_pressure_angle: float | None = quantity(
-        "Peak pressure held for", "°", default=None, low=0, high=90, symbol="epsilon_p", help="Crank angle after TDC."
+        "Peak pressure held for", "°", default=None, within=(0, 90), symbol="epsilon_p", help="Crank angle after TDC."
     )
 
     @property
@@ -430,8 +422,7 @@ class MountingInputs:
         "Centre of gravity",
         "mm",
         count=(3, 3),
-        low=-10000,
-        high=10000,
+        within=(-10000, 10000),
         symbol="r_G",
         help=PLACE,
         decides=2,
@@ -452,8 +443,7 @@ class MountingInputs:
         "kg·m²",
         default=None,
         count=(3, 3),
-        low=-1e7,
-        high=1e7,
+        within=(-1e7, 1e7),
         symbol="J_xy",
         help="[J_xy, J_yz, J_zx] of the tensor, −∫xy dm; left out: 0.",
     )
@@ -489,12 +479,11 @@ class MountingInputs:
         "Direction upward",
         default=(1.0, 0.0, 0.0),
         count=(3, 3),
-        low=-1,
-        high=1,
+        within=(-1, 1),
         help="In engine axes; weight acts against it.",
     )
     forward: tuple[float, ...] = series(
-        "Direction forward", default=(0.0, 0.0, 1.0), count=(3, 3), low=-1, high=1, help="In engine axes, of the seat."
+        "Direction forward", default=(0.0, 0.0, 1.0), count=(3, 3), within=(-1, 1), help="In engine axes, of the seat."
     )
     rotation_seen_from_front: str = choice(
         "Rotation seen from the front",
@@ -515,7 +504,7 @@ class MountingInputs:
         help="Decides which standards for machines apply.",
     )
     machine_class: int | None = integer(
-        "Machine class", default=None, low=1, high=7, help="Of ISO 10816-6; left out: no verdict."
+        "Machine class", default=None, within=(1, 7), help="Of ISO 10816-6; left out: no verdict."
     )
     power: float | None = quantity(
         "Power",
@@ -537,16 +526,14 @@ class MountingInputs:
         "Output torque",
         "N·m",
         default=None,
-        low=-1e7,
-        high=1e7,
+        within=(-1e7, 1e7),
         symbol="T_out",
         help="Where it leaves the body; left out: the mean torque of the gas.",
     )
     output_ratio: float = quantity(
         "Ratio of the output",
         default=1.0,
-        low=-1000,
-        high=1000,
+        within=(-1000, 1000),
         symbol="i_out",
         help="Torque of the output over that of the crank.",
     )
@@ -555,8 +542,7 @@ class MountingInputs:
         "%",
         default=None,
         count=(1, 24),
-        low=-100,
-        high=100,
+        within=(-100, 100),
         symbol="epsilon_k",
         help="Of their gas torque: one number is a standard deviation, else one for each cylinder.",
     )
@@ -564,8 +550,7 @@ class MountingInputs:
         "Error of the shaft's couple",
         "%",
         default=None,
-        low=-100,
-        high=100,
+        within=(-100, 100),
         symbol="s",
         help="For the variant scatter; left out: from [countershaft.scatter].",
     )
@@ -573,13 +558,12 @@ class MountingInputs:
         "The shaft is late by",
         "°",
         default=None,
-        low=-180,
-        high=180,
+        within=(-180, 180),
         symbol="delta",
         help="For the variant scatter; left out: from the scatter of its angle and the backlash of the train.",
     )
     road_frequency: float = quantity(
-        "Road frequency", "Hz", default=6.0, low=0, high=1000, symbol="f_road", help="No mode should lie below it."
+        "Road frequency", "Hz", default=6.0, within=(0, 1000), symbol="f_road", help="No mode should lie below it."
     )
     rigid_up_to: float = quantity(
         "Rigid up to", "Hz", default=120.0, above=0, high=10000, help="Above it engine or frame bend."
@@ -588,8 +572,7 @@ class MountingInputs:
         "Transmissibility of the seat",
         default=(1.0, 1.0, 1.0),
         count=(3, 3),
-        low=0,
-        high=10,
+        within=(0, 10),
         help="[forward, side, up]; 1: what is felt is that of the rail.",
     )
     mounts: tuple[Mount, ...] = tables("Mounts", Mount, fold=MOUNTS)

@@ -156,6 +156,7 @@ class _AsTheyStand(TypedDict, total=False):
 class Said(_AsTheyStand, total=False):
     """What may be said of an input beside its label, unit and default."""
 
+    within: tuple[float, float]  # `low` and `high` in one
     help: str
     source: str
     negative: str
@@ -170,6 +171,7 @@ def _make(
     unit: str,
     default: T,
     *,
+    within: tuple[float, float] | None = None,
     help: str = "",
     source: str = "",
     negative: str = "",
@@ -181,6 +183,8 @@ def _make(
     free: bool = False,
     **options: Unpack[_AsTheyStand],
 ) -> T:
+    if within is not None:
+        options["low"], options["high"] = within
     what = Quantity(
         kind,
         Text(label),
@@ -210,8 +214,7 @@ def _where(choice: object, *words: object) -> Where:
 
 
 def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
-    """A number.  `low`, `high`, `above`, `usual`, `default` of the description are in the shown unit, except `default`
-    (SI)."""
+    """A number.  `low`, `high`, `above`, `within`, `usual` are in the shown unit, `default` in SI."""
     return _make("number", label, unit, default, **options)
 
 

@@ -121,8 +121,7 @@ class Bolts:
     )
     friction: float = quantity(
         "Coefficient of friction, thread and head",
-        low=0.02,
-        high=0.5,
+        within=(0.02, 0.5),
         symbol="mu",
         step=0.01,
         usual=(0.08, 0.16),
@@ -153,8 +152,7 @@ class Bolts:
     )
     count: int = integer(
         "Number of bolts",
-        low=2,
-        high=64,
+        within=(2, 64),
         symbol="N_b",
         help="Bolts that hold the support to the block, all alike.",
         change=("fewer bolts", "more bolts"),
@@ -177,8 +175,7 @@ class Bolts:
     joint_friction: float = quantity(
         "Coefficient of friction, support on block",
         default=0.12,
-        low=0.02,
-        high=0.8,
+        within=(0.02, 0.8),
         symbol="mu_T",
         step=0.01,
         usual=(0.1, 0.3),
@@ -344,8 +341,7 @@ class OilDrain:
         "Largest tilt of the machine",
         "°",
         default=None,
-        low=0,
-        high=90,
+        within=(0, 90),
         symbol="tau",
         step=1,
         source="Finotti 2013, 3.2.2",
@@ -368,8 +364,7 @@ class OilDrain:
         "%",
         default=(1.0, 1.0),
         count=(2, 2),
-        low=0,
-        high=100,
+        within=(0, 100),
         symbol="x",
         help="[front, rear]: what of each bearing's oil this drain takes. Left out: all of both.",
         repair="free",
@@ -444,8 +439,7 @@ class Support:
         "Stress under the bolts' preload, von Mises",
         "MPa",
         default=None,
-        low=0,
-        high=10000,
+        within=(0, 10000),
         source="Finotti 2013, 4.7 (in chapter 6)",
         help="From finite elements; the limit is the proof stress of the material.",
         repair="asked",
@@ -454,8 +448,7 @@ class Support:
         "Stress from the bearing loads alone, von Mises",
         "MPa",
         default=None,
-        low=0,
-        high=10000,
+        within=(0, 10000),
         source="Finotti 2013, 4.7 (in chapter 6)",
         help="From finite elements, without the bolts' preload; it turns with the shaft.",
         repair="asked",
@@ -480,7 +473,7 @@ class Part:
     """Parts of one kind in the assembly."""
 
     part: str = text("Part", help="What it is, in any words.")
-    count: int = integer("Number", default=1, low=1, high=10000, help="How many of them the assembly has.")
+    count: int = integer("Number", default=1, within=(1, 10000), help="How many of them the assembly has.")
 
 
 @inputs
@@ -491,17 +484,16 @@ class Alternative:
         "Material", help="A name from the table of materials or from [[material]].", catalogue="materials"
     )
     tooling: float = quantity(
-        "Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.2", help="Cost of dies and fixtures, paid once."
+        "Tooling", "€", within=(0, 1e9), source="Finotti 2013, 4.2", help="Cost of dies and fixtures, paid once."
     )
     piece: float = quantity(
-        "Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.2", help="Cost of one shaft in this material."
+        "Cost of a piece", "€", within=(0, 1e6), source="Finotti 2013, 4.2", help="Cost of one shaft in this material."
     )
     development: float = quantity(
         "Research and development",
         "€",
         default=0.0,
-        low=0,
-        high=1e9,
+        within=(0, 1e9),
         source="Finotti 2013, 4.2",
         help="Cost of research and development, paid once.",
     )
@@ -513,8 +505,7 @@ class Cost:
 
     pieces_per_year: int = integer(
         "Pieces per year",
-        low=1,
-        high=10**9,
+        within=(1, 10**9),
         symbol="N",
         source="Finotti 2013, 4.2",
         help="Shafts made in the first year, for which the cost is compared.",
