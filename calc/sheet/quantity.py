@@ -393,7 +393,7 @@ class Published:
     label: Text
     symbol: str
     inside: float
-    about: Described
+    about: Described = field(compare=False)  # the same object only where it was not sent to another process
     former: str = ""
     short: bool = False
     page_one: int = 0
