@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ...bearings.inputs import BearingInputs
 from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import LENGTH_STEP
 from ...bearings.selection.states import BearingTask
@@ -27,7 +28,7 @@ from ...sheet.value import recorded, untraced
 from ...solve import Results, solve
 from .combinations import DriveRows, Sizes, class_front, combinations
 from .films import Beside, Films, Stands, films, least_length, lengths
-from .problem import CORE, Problem
+from .problem import CORE, Problem, of_bearing
 from .shafts import ShaftSurroundings, with_turning
 from .solved_drive import Sized, journals_power, other_wheels, whole, written
 
@@ -54,9 +55,12 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
     """The document of a class with sizes that solve if any do: the largest seat, the shortest journals, the smallest
     core."""
     document = problem.start
-    seat = problem.sizes[f"bearings.{problem.seat}.diameter_mm"]
+    seat = problem.sizes[of_bearing(problem.seat, BearingInputs.diameter)]
     small = "front" if problem.seat == "rear" else "rear"
-    diameter = {problem.seat: max(seat or (0.0,)), small: max(problem.sizes[f"bearings.{small}.diameter_mm"] or (0.0,))}
+    diameter = {
+        problem.seat: max(seat or (0.0,)),
+        small: max(problem.sizes[of_bearing(small, BearingInputs.diameter)] or (0.0,)),
+    }
     bearings = problem.base.bearings
     assert bearings is not None
     wide = max(getattr(bearings, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) * 1e3
@@ -185,7 +189,7 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
         bearings.supply,
         Lubricant(bearings.in_bearings(design.oils[bearings.oil]), bearings.viscosity_law),
     )
-    seats = np.array(problem.sizes[f"bearings.{problem.seat}.diameter_mm"] or (0.0,)) * 1e-3
+    seats = np.array(problem.sizes[of_bearing(problem.seat, BearingInputs.diameter)] or (0.0,)) * 1e-3
     core = np.array(problem.sizes[CORE] or (0.0,)) * 1e-3
     R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
     longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
@@ -231,9 +235,9 @@ def _over_diameters(
     advice = [name for name in ADVICE if problem.binds(f"bearings.{place}.{name}")]
     ratios = task.rules["length_ratio_usual" if "length_ratio_usual" in advice else "length_ratio"].check.limit
     assert isinstance(ratios, tuple)
-    given = problem.sizes[f"bearings.{place}.length_mm"]
+    given = problem.sizes[of_bearing(place, BearingInputs.length)]
     kept_films: list[Films] = []
-    for d in problem.sizes[f"bearings.{place}.diameter_mm"] or ():
+    for d in problem.sizes[of_bearing(place, BearingInputs.diameter)] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
         l = (
             lengths(at, longest, ratios)

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ...bearings.inputs import BearingInputs
 from ...bearings.selection.grid import WIDEST
 from ...library.journal_rules import USUAL_LENGTH_RATIO
 from ...sheet.arrays import Array
@@ -19,7 +20,7 @@ from ...sheet.text import Text
 from ...solve import Results
 from .combinations import DriveRows, joined
 from .front import front, representatives
-from .problem import CORE, Problem
+from .problem import CORE, Problem, of_bearing
 from .search import FrontFound, FrontTable
 from .solved_drive import Sized, Whole, whole
 
@@ -129,12 +130,12 @@ class _Space:
         diameter."""
         problem, sizes = self.problem, self.problem.sizes
         small = "front" if problem.seat == "rear" else "rear"
-        seat = _at(sizes[f"bearings.{problem.seat}.diameter_mm"] or (), x[3])
-        below = tuple(d for d in sizes[f"bearings.{small}.diameter_mm"] or () if d <= seat + 1e-9)
+        seat = _at(sizes[of_bearing(problem.seat, BearingInputs.diameter)] or (), x[3])
+        below = tuple(d for d in sizes[of_bearing(small, BearingInputs.diameter)] or () if d <= seat + 1e-9)
         diameter = {problem.seat: seat, small: _at(below or (seat,), x[4])}
         length, clearance = {}, {}
         for place, (u, v) in {"front": (x[5], x[6]), "rear": (x[7], x[8])}.items():
-            d, given = diameter[place], sizes[f"bearings.{place}.length_mm"]
+            d, given = diameter[place], sizes[of_bearing(place, BearingInputs.length)]
             low, high = (ratio * d for ratio in USUAL_LENGTH_RATIO)
             low = max(low, self.widths[place] + LENGTH_STEP)
             length[place] = _at(given, u) if given else round((low + u * (high - low)) / LENGTH_STEP) * LENGTH_STEP

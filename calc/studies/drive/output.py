@@ -7,10 +7,11 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from ...bearings.inputs import BearingInputs
 from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Name, Text
 from ...sheet.version import VERSION
-from .problem import CORE, FITS, LIMITS, TIED, Problem
+from .problem import CORE, FITS, LIMITS, MATERIAL, OIL, SUPPLY_KEY, TIED, Problem, of_bearing
 from .search import FrontFound, key
 from .solved_drive import Whole
 
@@ -23,9 +24,9 @@ LABELS = {
 }
 UNIT = {"power": "W", "mass": "kg", "seat": "mm", "price": "€", "margin": "%"}
 CHOICES = {
-    "countershaft.material": Text("material"),
-    "bearings.oil": Text("oil"),
-    "bearings.supply": Text("supply"),
+    MATERIAL: Text("material"),
+    OIL: Text("oil"),
+    SUPPLY_KEY: Text("supply"),
     FITS: Text("fits"),
 }
 END = "⊣"  # a size at the end of its range: beyond it may be better
@@ -90,11 +91,7 @@ def word(choice: object) -> str:
 
 
 def _size(problem: Problem, s: Any, place: str) -> str:
-    end = (
-        END
-        if f"bearings.{place}.diameter_mm" in _ends(problem, {f"bearings.{place}.diameter_mm": s.diameter[place]})
-        else ""
-    )
+    end = END if _ends(problem, {of_bearing(place, BearingInputs.diameter): s.diameter[place]}) else ""
     return f"{s.diameter[place]:g}{end}×{s.length[place]:g}/{s.clearance[place]:g}"
 
 
@@ -109,7 +106,10 @@ def _surfaces(problem: Problem, pair: tuple[float, float] | None) -> str:
 
 def at_end(problem: Problem, drive: Whole) -> list[str]:
     """The keys whose range ends at this drive, where the range is a rule or the user's and no limit of the design."""
-    sizes = {CORE: drive.sized.core, **{f"bearings.{p}.diameter_mm": d for p, d in drive.sized.diameter.items()}}
+    sizes = {
+        CORE: drive.sized.core,
+        **{of_bearing(p, BearingInputs.diameter): d for p, d in drive.sized.diameter.items()},
+    }
     return _ends(problem, sizes)
 
 

@@ -10,8 +10,10 @@ from fnmatch import fnmatchcase
 from itertools import product
 from typing import Any
 
+from ...bearings.inputs import BearingInputs, BearingsInputs
 from ...bearings.selection.variants import SUPPLIES, placed
 from ...countershaft.inputs import THREADED, CountershaftInputs
+from ...countershaft.making.inputs import Support
 from ...design.addresses import quantity_of, value_at
 from ...design.locks import locked
 from ...design.model import Design
@@ -20,6 +22,7 @@ from ...design.toml_file import Document, design
 from ...library.tolerances import problem as fit_problem
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, InputError
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import Changes
 from ...sheet.search import multiples
@@ -33,23 +36,44 @@ ROOM = 0.1  # mm about the gear's tip in its seat
 LEAST_SHARE = 0.6  # of the design's smaller journal, where no gear goes through its seat; rule of this program
 MOST_CLASSES = 500
 MOST_VALUES = 1000  # of one range
-CORE, FITS, SURFACES = "countershaft.core_radius_mm", "bearings.fits", "bearings.surfaces"
-SIZES = (CORE, *(f"bearings.{place}.{name}_mm" for place in ("front", "rear") for name in ("diameter", "length")))
+
+
+def of_shaft(field: object) -> str:
+    """The key of a field of the shaft."""
+    return dotted(Design.countershaft, field)
+
+
+def of_bearing(place: str, field: object) -> str:
+    """The key of a field of one bearing."""
+    return dotted(Design.bearings, place, field)
+
+
+BOTH = ("front", "rear")
+CORE, MATERIAL = of_shaft(CountershaftInputs.core_radius), of_shaft(CountershaftInputs.material)
+SLOPE = dotted(Design.bearings, BearingsInputs.slope)
+OIL, SUPPLY_KEY = dotted(Design.bearings, BearingsInputs.oil), dotted(Design.bearings, BearingsInputs.supply)
+BOTH_FITS = (dotted(Design.bearings, BearingsInputs.journal_fit), dotted(Design.bearings, BearingsInputs.seat_fit))
+FITS, SURFACES = (
+    dotted(Design.bearings, "fits"),
+    dotted(Design.bearings, "surfaces"),
+)  # several keys that are chosen as one
+SIZES = (CORE, *(of_bearing(place, size) for place in BOTH for size in (BearingInputs.diameter, BearingInputs.length)))
+IN_STEPS = Text("is chosen in steps of 5 µm between what is left cold and the usual factor")
 TIED = {
-    "countershaft.outer_radius_mm": Text("follows from the largest journal, less the clearance for threading in"),
-    "countershaft.half_length_mm": Text("follows from the longer journal, less two fillets"),
-    "bearings.front.clearance_um": Text("is chosen in steps of 5 µm between what is left cold and the usual factor"),
-    "bearings.rear.clearance_um": Text("is chosen in steps of 5 µm between what is left cold and the usual factor"),
+    of_shaft(CountershaftInputs.outer_radius): Text(
+        "follows from the largest journal, less the clearance for threading in"
+    ),
+    of_shaft(CountershaftInputs.half_length): Text("follows from the longer journal, less two fillets"),
+    **{of_bearing(place, BearingInputs.clearance): IN_STEPS for place in BOTH},
 }
 WITHIN = {  # keys that a drive is given with another one
-    "bearings.journal_fit": FITS,
-    "bearings.seat_fit": FITS,
+    **dict.fromkeys(BOTH_FITS, FITS),
     **{
-        f"bearings.{place}.{part}_roughness_um": SURFACES
-        for place in ("front", "rear")
-        for part in ("journal", "housing")
+        of_bearing(place, surface): SURFACES
+        for place in BOTH
+        for surface in (BearingInputs.journal_roughness, BearingInputs.housing_roughness)
     },
-    **{f"bearings.{place}.clearance_factor": f"bearings.{place}.clearance_um" for place in ("front", "rear")},
+    **{of_bearing(place, BearingInputs.clearance_factor): of_bearing(place, BearingInputs.clearance) for place in BOTH},
 }
 WIDTHS = Text(
     'must be pairs of widths, journal and seat: ["IT6", "IT7"]; the clearance is searched for, and a fit with a place '
@@ -71,7 +95,7 @@ class Variables:
         for key in self.vary:
             if key in TIED:
                 self.wrong(key, Text("can not be varied: it {why}", why=TIED[key]))
-            elif key == "bearings.slope_mrad":
+            elif key == SLOPE:
                 self.wrong(key, Text("can not be varied: it is that of each shaft's own bending"))
             elif (within := WITHIN.get(key)) is not None and (within != SURFACES or self._surfaces_vary()):
                 self.wrong(key, Text("can not be varied: it is set with {key}", key=Name(within)))
@@ -121,20 +145,19 @@ class Variables:
         )
         through = self.tip if small == "front" else None  # the gear goes through the front seat
         least = through + 2 * ROOM if through is not None else LEAST_SHARE * diameters[small]
-        seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(LEAST_SEAT * diameters[self.seat], most))
+        seat_key, small_key = self._diameters()
+        seats = self.values(seat_key, _steps(LEAST_SEAT * diameters[self.seat], most))
         seats = tuple(d for d in seats if d <= most + 1e-9)
         sizes: dict[str, tuple[float, ...] | None] = {
             CORE: self.values(
                 CORE,
                 _steps(max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * R),
             ),
-            f"bearings.{self.seat}.diameter_mm": seats,
-            f"bearings.{small}.diameter_mm": self.values(
-                f"bearings.{small}.diameter_mm", _steps(least, max(seats, default=0.0))
-            ),
+            seat_key: seats,
+            small_key: self.values(small_key, _steps(least, max(seats, default=0.0))),
         }
         for place in ("front", "rear"):
-            key = f"bearings.{place}.length_mm"
+            key = of_bearing(place, BearingInputs.length)
             sizes[key] = self.values(key, ()) if key in self.vary else None
         for key in SIZES:
             if (why := locked(self.start.data, key)) and key not in self.vary:
@@ -143,14 +166,15 @@ class Variables:
         return sizes
 
     def bounded(self) -> dict[str, tuple[bool, bool]]:
-        small = "front" if self.seat == "rear" else "rear"
+        seat_key, small_key = self._diameters()
         most = min(self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
-        through = self.tip is not None and small == "front" and f"bearings.{small}.diameter_mm" not in self.vary
-        return {
-            CORE: (False, False),
-            f"bearings.{self.seat}.diameter_mm": (False, most < float("inf")),
-            f"bearings.{small}.diameter_mm": (through, True),
-        }
+        through = self.tip is not None and self.seat == "rear" and small_key not in self.vary
+        return {CORE: (False, False), seat_key: (False, most < float("inf")), small_key: (through, True)}
+
+    def _diameters(self) -> tuple[str, str]:
+        """The keys of the larger journal's and of the smaller one's."""
+        small = "front" if self.seat == "rear" else "rear"
+        return of_bearing(self.seat, BearingInputs.diameter), of_bearing(small, BearingInputs.diameter)
 
     def _widest_seat(self) -> float:
         support = self.shaft.support
@@ -178,15 +202,15 @@ class Variables:
         fits = [str(bearings.journal_fit), str(bearings.seat_fit)]
         supplies = [s for s, width in SUPPLIES.items() if getattr(bearings, width) is not None and s != bearings.supply]
         by_rule: dict[str, list[Any]] = {
-            "countershaft.material": [shaft.material, *(m for m in others if m != shaft.material)],
-            "bearings.oil": [bearings.oil],
-            "bearings.supply": [bearings.supply, *supplies],
+            MATERIAL: [shaft.material, *(m for m in others if m != shaft.material)],
+            OIL: [bearings.oil],
+            SUPPLY_KEY: [bearings.supply, *supplies],
             FITS: [fits, *(p.value for p in self.own.price if p.what == "fit" and p.value != fits)],
         }
         for key, values in by_rule.items():
             if key != FITS and (why := locked(self.start.data, key)):
                 del values[1:]
-                if key != "bearings.oil":
+                if key != OIL:
                     self.notes.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
         return by_rule
 
@@ -372,7 +396,7 @@ class Problem:
 def price(design: Design, choices: Mapping[str, Any], surface: tuple[float, float] | None) -> float | None:
     assert design.countershaft is not None
     cost = design.countershaft.cost
-    material = choices.get("countershaft.material", design.countershaft.material)
+    material = choices.get(MATERIAL, design.countershaft.material)
     alternative = next((a for a in cost.alternatives if a.material == material), None) if cost is not None else None
     if alternative is None or cost is None:
         return None
@@ -381,8 +405,8 @@ def price(design: Design, choices: Mapping[str, Any], surface: tuple[float, floa
         "fit": choices.get(FITS),
         "surface": list(surface) if surface is not None else None,
         "material": [material],
-        "supply": [choices.get("bearings.supply")],
-        "oil": [choices.get("bearings.oil")],
+        "supply": [choices.get(SUPPLY_KEY)],
+        "oil": [choices.get(OIL)],
     }
     return total + sum(entry.piece for entry in _optimise(design).price if chosen[entry.what] == entry.value)
 
@@ -499,19 +523,20 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
         THREADED if shaft.radial_clearance is None else shaft.radial_clearance
     )
     half = min(abs(z) - b.length / 2 for z, b in zip(shaft.bearing_positions, (bearings.front, bearings.rear)))
-    given = {"outer_radius_mm": R, "core_radius_mm": 0.4 * R, "half_length_mm": half - 2 * (shaft.fillet_radius or 0.0)}
     if shaft.mode != "size" and not shaft.sections:
-        for key, number in given.items():
-            if getattr(shaft, key.removesuffix("_mm")) is None or key != "core_radius_mm":
-                start[f"countershaft.{key}"] = round(number * 1e3, 6)
-        start["countershaft.mode"] = "size"
+        start[of_shaft(CountershaftInputs.outer_radius)] = round(R * 1e3, 6)
+        if shaft.core_radius is None:
+            start[CORE] = round(0.4 * R * 1e3, 6)
+        half -= 2 * (shaft.fillet_radius or 0.0)
+        start[of_shaft(CountershaftInputs.half_length)] = round(half * 1e3, 6)
+        start[of_shaft(CountershaftInputs.mode)] = "size"
         notes.append(Text("The masses are sized anew within the envelope of the journals (mode = size)."))
     if bearings.slope is not None:
-        start["bearings.slope_mrad"] = None
+        start[SLOPE] = None
         notes.append(Text("The slopes that are given are left out: those of each shaft's own bending are taken."))
     fits = (str(bearings.journal_fit), str(bearings.seat_fit))
     widths = placed(bearings)
-    start |= dict(zip(("bearings.journal_fit", "bearings.seat_fit"), widths or fits))
+    start |= dict(zip(BOTH_FITS, widths or fits))
     if widths:
         notes.append(
             Text(
@@ -523,7 +548,7 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
     support = shaft.support
     if support is not None and support.wall is not None and support.wall_at_seat is None:
         seat = max(bearings.front.diameter, bearings.rear.diameter) * 1e3
-        start["countershaft.support.wall_at_seat_mm"] = round(seat, 6)
+        start[dotted(Design.countershaft, CountershaftInputs.support, Support.wall_at_seat)] = round(seat, 6)
         notes.append(
             Text(
                 "The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.",

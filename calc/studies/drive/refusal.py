@@ -13,8 +13,10 @@ from typing import Any
 
 import numpy as np
 
+from ...bearings.inputs import BearingInputs
 from ...bearings.selection.states import ROUGHNESSES
 from ...bearings.selection.variants import ENGINE_OIL, FINEST, SUPPLY
+from ...countershaft.inputs import CountershaftInputs
 from ...design.model import Design
 from ...design.toml_file import design
 from ...library.lubricant import Lubricant
@@ -26,7 +28,7 @@ from ...sheet.text import EMPTY, Name, Text
 from ...sheet.value import untraced
 from .classes import NotClosed, class_with, sized
 from .combinations import DriveRows
-from .problem import FITS, SEAT_REACH, Problem
+from .problem import FITS, OIL, SEAT_REACH, SUPPLY_KEY, SURFACES, Problem, of_bearing, of_shaft
 from .search import FrontFound
 from .solved_drive import Whole, whole
 
@@ -92,8 +94,8 @@ def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
 
 def quick(problem: Problem) -> Problem:
     """The same with few diameters of the smaller journal, and no margin but the least."""
-    small = f"bearings.{'front' if problem.seat == 'rear' else 'rear'}.diameter_mm"
-    seat = f"bearings.{problem.seat}.diameter_mm"
+    small = of_bearing("front" if problem.seat == "rear" else "rear", BearingInputs.diameter)
+    seat = of_bearing(problem.seat, BearingInputs.diameter)
     values, seats = problem.sizes[small] or (), problem.sizes[seat] or ()
     few = values[:: max(1, math.ceil(len(values) / FEW))]
     sizes = {**problem.sizes, small: few, seat: seats[-1:]}
@@ -171,7 +173,7 @@ Requirement = tuple[Text, Callable[[], RefusalLine | None]]
 def _ways(problem: Problem) -> Iterator[Requirement]:
     shaft, bearings = problem.shaft, problem.base.bearings
     assert bearings is not None
-    seats = problem.sizes[f"bearings.{problem.seat}.diameter_mm"] or ()
+    seats = problem.sizes[of_bearing(problem.seat, BearingInputs.diameter)] or ()
     if seats:
         yield Text("a larger seat"), lambda: _seat(problem, max(seats))
     z = shaft.bearing_positions
@@ -179,7 +181,7 @@ def _ways(problem: Problem) -> Iterator[Requirement]:
         Text("bearings further apart"),
         lambda: _stretched(
             problem,
-            "countershaft.bearing_positions_mm",
+            of_shaft(CountershaftInputs.bearing_positions),
             0.1,
             lambda share: [round(x * 1e3 * (1 + share), 2) for x in z],
             lambda value: Text("{a} → {b} mm", a=Name(_list([x * 1e3 for x in z])), b=Name(_list(value))),
@@ -190,7 +192,7 @@ def _ways(problem: Problem) -> Iterator[Requirement]:
         Text("less couple beyond the required one"),
         lambda: _stretched(
             problem,
-            "countershaft.overdesign_percent",
+            of_shaft(CountershaftInputs.overdesign),
             0.05,
             lambda share: round(x_o - share * 100, 2),
             lambda value: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{value:g}")),
@@ -202,7 +204,7 @@ def _ways(problem: Problem) -> Iterator[Requirement]:
             Text("a smaller fillet"),
             lambda: _stretched(
                 problem,
-                "countershaft.fillet_radius_mm",
+                of_shaft(CountershaftInputs.fillet_radius),
                 0.8,
                 lambda share: round(r * (1 - share), 3),
                 lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")),
@@ -217,7 +219,7 @@ def _list(values: list[float]) -> str:
 
 def _seat(problem: Problem, now: float) -> RefusalLine | None:
     """The least larger seat; the wall beside it gives what it takes, and may be what is then broken."""
-    key = f"bearings.{problem.seat}.diameter_mm"
+    key = of_bearing(problem.seat, BearingInputs.diameter)
 
     def at(seat: float) -> Problem:
         reduced = quick(problem)
@@ -309,10 +311,10 @@ def _chosen(problem: Problem) -> Iterator[Requirement]:
             lambda: _smooth(reduced, (smooth, smooth)),
         )
     for name in _thicker(problem):
-        yield Text("the oil {name}", name=Name(name)), lambda name=name: _choice(reduced, "bearings.oil", name)  # type: ignore[misc]
+        yield Text("the oil {name}", name=Name(name)), lambda name=name: _choice(reduced, OIL, name)  # type: ignore[misc]
     for supply, width in (("groove", bearings.groove_width), ("pocket", bearings.pocket_width)):
-        if width is not None and supply not in problem.choices.get("bearings.supply", ()):
-            yield SUPPLY[supply], lambda supply=supply: _choice(reduced, "bearings.supply", supply)  # type: ignore[misc]
+        if width is not None and supply not in problem.choices.get(SUPPLY_KEY, ()):
+            yield SUPPLY[supply], lambda supply=supply: _choice(reduced, SUPPLY_KEY, supply)  # type: ignore[misc]
 
 
 def _thicker(problem: Problem) -> list[str]:
@@ -338,8 +340,4 @@ def _choice(problem: Problem, key: str, value: Any) -> RefusalLine | None:
 def _smooth(problem: Problem, pair: tuple[float, float]) -> RefusalLine | None:
     drive = _confirmed(replace(problem, surfaces=(pair,)))
     words = Name("/".join(f"{x:g}" for x in pair))
-    return (
-        None
-        if drive is None
-        else RefusalLine("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, drive.broken)
-    )
+    return None if drive is None else RefusalLine(SURFACES, Text("Ra {pair} µm", pair=words), EMPTY, drive.broken)

@@ -6,18 +6,24 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from ...bearings.inputs import BearingInputs
 from ...bearings.result import BearingsResult
+from ...countershaft.inputs import CountershaftInputs
 from ...countershaft.result import CountershaftResult
+from ...design.model import Design
 from ...design.toml_file import Document, design
+from ...engine.inputs import EngineInputs
+from ...friction.result import FrictionResult
 from ...gears.result import TrainResult
 from ...sheet.check import Check
 from ...sheet.errors import BadInput
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import Changes, digits
 from ...sheet.units import Kilogram, Watt
 from ...sheet.value import recorded
 from ...solve import Results, solve
-from .problem import CORE, FITS, Problem
+from .problem import BOTH, BOTH_FITS, CORE, FITS, Problem, of_bearing, of_shaft
 
 LARGE = 1e3  # a step without solution, and a hard end that is passed over, are lacks as large as this
 LEAST_LACK = 0.01  # of whatever is broken: by the less the fewer it is
@@ -54,7 +60,7 @@ def chosen(choices: Mapping[str, Any]) -> Changes:
     """The keys of a class as they stand in a design: fits are two of them."""
     changes = {key: value for key, value in choices.items() if key != FITS}
     if (fits := choices.get(FITS)) is not None:
-        changes |= {"bearings.journal_fit": fits[0], "bearings.seat_fit": fits[1]}
+        changes |= dict(zip(BOTH_FITS, fits))
     return changes
 
 
@@ -65,13 +71,21 @@ def changes(problem: Problem, sized: Sized) -> Changes:
     R = max(sized.diameter.values()) / 2 - problem.threaded
     positions = [abs(z) * 1e3 for z in problem.shaft.bearing_positions]
     half = min(z - sized.length[place] / 2 for z, place in zip(positions, ("front", "rear"))) - 2 * problem.fillet
-    changed |= {"countershaft.outer_radius_mm": digits(R), "countershaft.half_length_mm": digits(half)}
-    for place in ("front", "rear"):
-        at = f"bearings.{place}"
-        changed |= {f"{at}.diameter_mm": digits(sized.diameter[place]), f"{at}.length_mm": digits(sized.length[place])}
-        changed |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(sized.clearance[place])}
+    changed[of_shaft(CountershaftInputs.outer_radius)] = digits(R)
+    changed[of_shaft(CountershaftInputs.half_length)] = digits(half)
+    for place in BOTH:
+        here: dict[object, float | None] = {
+            BearingInputs.diameter: digits(sized.diameter[place]),
+            BearingInputs.length: digits(sized.length[place]),
+            BearingInputs.clearance_factor: None,
+            BearingInputs.clearance: digits(sized.clearance[place]),
+        }
         if sized.surface is not None:
-            changed |= {f"{at}.journal_roughness_um": sized.surface[0], f"{at}.housing_roughness_um": sized.surface[1]}
+            here |= {
+                BearingInputs.journal_roughness: sized.surface[0],
+                BearingInputs.housing_roughness: sized.surface[1],
+            }
+        changed |= {of_bearing(place, field): value for field, value in here.items()}
     return changed
 
 
@@ -135,10 +149,10 @@ def measured(
 def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
     """Over the duty cycle: the drive solved at each of its speeds, which changes no size."""
     rated = problem.base.engine.rated_speed * 60 if problem.base.engine is not None else 0.0
-    mean, before = 0.0, results
+    key, mean, before = dotted(Design.engine, EngineInputs.rated_speed), 0.0, results
     for ratio, share in problem.cycle:
         with recorded(False):
-            before = solve(design(document.with_value("engine.rated_speed_rpm", digits(rated * ratio))), before)
+            before = solve(design(document.with_value(key, digits(rated * ratio))), before)
         solved = all(before.outcomes[key].state in ("solved", "not_asked") for key in ("bearings", "friction"))
         mean += share * power(before) if solved else float("inf")
     return mean
@@ -161,7 +175,7 @@ def other_wheels(results: Results) -> Kilogram:
 
 def power(results: Results) -> Watt:
     """What the drive takes from the crank; without a train what both journals rub."""
-    published = results.values().get("friction.crank_power")
+    published = results.value(FrictionResult.crank_power)
     return float(published.inside) if published is not None else journals_power(results)
 
 

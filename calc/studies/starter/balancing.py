@@ -5,9 +5,11 @@ step's remedies."""
 from ...design.toml_file import Document, design
 from ...engine.result import EngineResult
 from ...imbalance.checks import FIRST, SECOND
+from ...imbalance.inputs import ImbalanceInputs
 from ...imbalance.remedies import SIGNIFICANT, BalancingRemedy
 from ...imbalance.result import ImbalanceResult
 from ...sheet.errors import NoSolution
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Kilogram
@@ -35,7 +37,8 @@ LABELS = {
     "second": Text("a pair at ±2ω"),
     "pair_and_second": Text("pairs at ±ω and ±2ω"),
 }
-IMBALANCE = {"crank_balance_fraction": 0.5, "kinematics": "exact"}  # where a design has none yet
+ON_CRANK = dotted(ImbalanceInputs.crank_balance_fraction)
+IMBALANCE = {ON_CRANK: 0.5, dotted(ImbalanceInputs.kinematics): "exact"}  # where a design has none yet
 
 
 @record

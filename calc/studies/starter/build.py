@@ -5,15 +5,18 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
+from ...countershaft.inputs import CountershaftInputs
 from ...design.addresses import as_table
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...engine.inputs import EngineInputs
 from ...engine.result import EngineResult
+from ...gears.inputs import GearsInputs
 from ...imbalance.result import ImbalanceResult
+from ...mounting.inputs import Mount, MountingInputs, Point
 from ...mounting.result import MountingResult
 from ...sheet.errors import BadInput, NoSolution
-from ...sheet.quantity import keys
+from ...sheet.quantity import dotted, keys
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre
 from ...sheet.value import recorded
@@ -21,7 +24,7 @@ from ...solve import Results, solve
 from . import balancing as which
 from . import shaft, train
 from . import shaft as journals
-from .writing import Section, mm, table, up, written
+from .writing import Section, head, mm, table, up, written
 
 # --- the engine on four mounts at its corners
 # Mass and size by rule of thumb, to be weighed and measured; stiffness for its six modes to lie between the road's
@@ -69,14 +72,14 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
     across = up(SHEAR * stiffness, 1.0)
     under: list[Section] = [
         (
-            "[[mounting.mounts]]",
+            head(Design.mounting, MountingInputs.mounts),
             {
-                "name": (f"{end}-{side}", ""),
-                "position_mm": (
+                Mount.name: (f"{end}-{side}", ""),
+                Mount.position: (
                     [mm(-2 * engine.crank_radius), mm(y * width / 2), mm(z * 0.4 * length)],
                     "assumed: corners, below the crank",
                 ),
-                "stiffness_N_mm": (
+                Mount.stiffness: (
                     [stiffness, across, across],
                     "assumed: the modes between the road and what shakes at idle",
                 ),
@@ -87,21 +90,24 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
     ]
     return [
         (
-            "[mounting]",
+            head(Design.mounting),
             {
-                "mass_kg": (mass, "assumed: 110 kg a litre, with liquids and flywheel; weigh it"),
-                "centre_of_gravity_mm": ([mm(up(0.12 * height, 5e-3)), 0.0, 0.0], "assumed: above the crank, midway"),
-                "dimensions_mm": (
+                MountingInputs.mass: (mass, "assumed: 110 kg a litre, with liquids and flywheel; weigh it"),
+                MountingInputs.centre_of_gravity: (
+                    [mm(up(0.12 * height, 5e-3)), 0.0, 0.0],
+                    "assumed: above the crank, midway",
+                ),
+                MountingInputs.dimensions: (
                     [mm(height), mm(width), mm(length)],
                     "assumed from stroke, rod, bore and pitch; the inertia follows",
                 ),
-                "idle_speed_rpm": (idle, "assumed: a third of the rated speed, 700 to 1000 rpm"),
+                MountingInputs.idle_speed: (idle, "assumed: a third of the rated speed, 700 to 1000 rpm"),
             },
         ),
         *under,
         (
-            "[[mounting.points]]",
-            {"name": ("top", ""), "position_mm": ([mm(up(0.7 * height, 5e-3)), 0.0, 0.0], "assumed: on the head")},
+            head(Design.mounting, MountingInputs.points),
+            {Point.name: ("top", ""), Point.position: ([mm(up(0.7 * height, 5e-3)), 0.0, 0.0], "assumed: on the head")},
         ),
     ]
 
@@ -156,7 +162,7 @@ def hindrance(document: Document, step: str) -> Text:
     if step not in SHAFT_STEPS[1:]:
         return EMPTY
     if given := as_table(document.data.get("countershaft")):
-        ratio = given.get("speed_ratio", -1)
+        ratio = given.get(dotted(CountershaftInputs.speed_ratio), -1)
         if isinstance(ratio, (int, float)) and ratio != -1:
             return Text(
                 "for a shaft that turns at {ratio} times crank speed no rules are known here",
@@ -195,11 +201,11 @@ def begun(document: Document) -> str:
 def choice_made(document: Document) -> str:
     """The id of the balancing that the design has now; "" where nothing is chosen yet."""
     if given := as_table(document.data.get("countershaft")):
-        ratio = given.get("speed_ratio", -1)
+        ratio = given.get(dotted(CountershaftInputs.speed_ratio), -1)
         return "shaft" if ratio == -1 else "pair" if ratio == 1 else "second"
     if "countershaft" not in as_table(document.data.get("without")):
         return ""
-    return "half" if as_table(document.data.get("imbalance")).get("crank_balance_fraction", 0.5) else "none"
+    return "half" if as_table(document.data.get("imbalance")).get(which.ON_CRANK, 0.5) else "none"
 
 
 # --- one step
@@ -210,7 +216,7 @@ def _imbalance(document: Document, balancing: str) -> Document:
     known = which.with_imbalance(document)
     share = _share(balancing or which.called_for(known), known)
     given = as_table(document.data.get("imbalance")) or which.IMBALANCE
-    return _put(document, {"imbalance": {**given, "crank_balance_fraction": share}})
+    return _put(document, {"imbalance": {**given, which.ON_CRANK: share}})
 
 
 def _share(balancing: str, known: Results) -> float:
@@ -275,12 +281,12 @@ def _bearings(document: Document) -> Document:
     # which asks for the oil of the bearings, as the wheels ask for their loss
     alone = document.with_value("friction", None)
     if "gears" in document.data:
-        alone = alone.with_value("gears.power_kW", 1.0)
+        alone = alone.with_value(dotted(Design.gears, GearsInputs.power), 1.0)
     try:
         sections = journals.bearings(alone, _results(alone))
     except journals.TooFast:
         return _without(document, {"bearings": ROLLING})
-    return _with(document.with_value("countershaft.journals", None), sections)
+    return _with(document.with_value(journals.OWN_JOURNALS, None), sections)
 
 
 def _none_reason(known: Results, balancing: str) -> str:

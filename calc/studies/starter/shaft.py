@@ -4,16 +4,16 @@
 The envelope has room to spare, and a core that keeps its journals straight."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 from itertools import product
 
 import numpy as np
 
+from ...bearings.inputs import BearingInputs, BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...bearings.selection.variants import Variant
 from ...countershaft import formulas as f
-from ...countershaft.inputs import Holes, Journal
+from ...countershaft.inputs import CountershaftInputs, Holes, Journal
 from ...countershaft.making.unbalance import calibration
 from ...countershaft.result import CountershaftResult
 from ...countershaft.sizing import formulas as sizes
@@ -30,13 +30,14 @@ from ...library.lubricant import Lubricant
 from ...sheet.check import THIN_MARGIN
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import gathered
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Amount, Text
 from ...sheet.units import Metre, Newton, NewtonPerMetreSecond, Radian, RadPerSecond, RevPerSecond
 from ...sheet.value import untraced
 from ...solve import Results, solve
 from .train import HOUSING, passing_seat, tip
-from .writing import Section, changed, down, mm, table, up
+from .writing import Rows, Section, changed, down, head, mm, table, up
 
 STEEL = "42CrMo4"
 UTILISATION = 0.75
@@ -179,31 +180,31 @@ def _drill(design: Design, todo: StarterTask, of: Envelope) -> Holes:
 def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: Holes) -> list[Section]:
     narrowest = f"assumed: the smallest with a utilisation up to {UTILISATION:g}; here {of.sized.utilisation:.2f}"
     more = "" if share == CORES[0] else f", not {CORES[0]:g}, to keep the journals' slopes below 0.2 mrad"
-    twin = {"pair": ("yes", "a mirrored second shaft turns the other way")} if pair else {}
+    twin: Rows = {CountershaftInputs.pair: ("yes", "a mirrored second shaft turns the other way")} if pair else {}
     apart = "as far apart as the row of cylinders is long, or 1.5 bores"
     return [
         (
-            "[countershaft]",
+            head(Design.countershaft),
             {
-                "mode": ("size", ""),
-                "material": (STEEL, "assumed: a usual shaft steel"),
-                "speed_ratio": (todo.ratio, ""),
+                CountershaftInputs.mode: ("size", ""),
+                CountershaftInputs.material: (STEEL, "assumed: a usual shaft steel"),
+                CountershaftInputs.speed_ratio: (todo.ratio, ""),
                 **twin,
-                "bearing_positions_mm": ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
-                "outer_radius_mm": (mm(of.outer), narrowest),
-                "core_radius_mm": (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
-                "half_length_mm": (mm(of.half_length), "assumed: two fillets short of the journals"),
-                "radial_clearance_mm": (mm(THREADED), "assumed: for threading in"),
-                "fillet_radius_mm": (mm(FILLET), "assumed"),
-                "overdesign_percent": (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
+                CountershaftInputs.bearing_positions: ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
+                CountershaftInputs.outer_radius: (mm(of.outer), narrowest),
+                CountershaftInputs.core_radius: (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
+                CountershaftInputs.half_length: (mm(of.half_length), "assumed: two fillets short of the journals"),
+                CountershaftInputs.radial_clearance: (mm(THREADED), "assumed: for threading in"),
+                CountershaftInputs.fillet_radius: (mm(FILLET), "assumed"),
+                CountershaftInputs.overdesign: (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
             },
         ),
         (
-            "[countershaft.holes]",
+            head(Design.countershaft, CountershaftInputs.holes),
             {
-                "diameter_mm": (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
-                "depth_mm": (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
-                "count": (holes.count, "assumed: two in each sector"),
+                Holes.diameter: (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
+                Holes.depth: (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
+                Holes.count: (holes.count, "assumed: two in each sector"),
             },
         ),
     ]
@@ -215,6 +216,7 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
 FITS: tuple[tuple[str, str] | None, ...] = (None, ("IT6", "IT6"))
+OWN_JOURNALS = dotted(Design.countershaft, CountershaftInputs.journals)  # which bearings have in their place
 FOUND = "assumed: by the search for bearings, so that every limit holds at the worst corner of the tolerances"
 BEARINGS = Text("bearings to begin with")
 
@@ -235,14 +237,18 @@ def bearings(document: Document, results: Results) -> list[Section]:
     length = _journal_length(load, made, rear, room)
     narrowest = max(front, min(up(length / BEARING[1], 0.5e-3), rear))
     oils = _oils(made)
-    base = document.with_value("countershaft.journals", None)  # the bearings have their sizes
+    base = document.with_value(OWN_JOURNALS, None)  # the bearings have their sizes
     tried: list[Text] = []
     for fits, oil in [
         *product(FITS[:1], oils),
         *product(FITS[1:], reversed(oils)),
     ]:  # closer fits with the oil that came nearest first
         for front in dict.fromkeys((narrowest, rear)):
-            sections = changed(_journal_sections(made, front, rear, length), {"bearings.oil": oil}, "assumed")
+            sections = changed(
+                _journal_sections(made, front, rear, length),
+                {dotted(Design.bearings, BearingsInputs.oil): oil},
+                "assumed",
+            )
             begun = design(Document({**base.data, **table(sections)}))
             own = begun.bearings
             assert own is not None
@@ -310,40 +316,38 @@ def _journal_length(load: Newton, made: Design, rear: Metre, room: Metre) -> Met
 
 def _journal_sections(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Section]:
     why = f"assumed: l/d of at least {BEARING[0]:g} at the rear, and a heat index up to 400 000 N·rpm/mm"
-    surfaces: Mapping[str, tuple[object, str]] = {
-        "journal_roughness_um": (0.2, "assumed: ground and lapped"),
-        "housing_roughness_um": (0.4, "assumed: finely bored"),
+    alike: Rows = {
+        BearingInputs.clearance_factor: (0.75, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"),
+        BearingInputs.journal_roughness: (0.2, "assumed: ground and lapped"),
+        BearingInputs.housing_roughness: (0.4, "assumed: finely bored"),
     }
     through = f"assumed: 1 mm above the gear's tip, or l/d of {BEARING[1]:g}"
-    clearance = ("clearance_factor", (0.75, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"))
     return [
         (
-            "[bearings]",
+            head(Design.bearings),
             {
-                "oil": (OILS[0], "assumed"),
-                "supply_temperature_C": (90.0, "assumed: gallery of a warm engine"),
-                "supply_pressure_bar": (4.0, "assumed"),
-                "supply": ("hole", ""),
-                "hole_diameter_mm": (5.0, "assumed"),
-                "housing_material": _housing(made),
+                BearingsInputs.oil: (OILS[0], "assumed"),
+                BearingsInputs.supply_temperature: (90.0, "assumed: gallery of a warm engine"),
+                BearingsInputs.supply_pressure: (4.0, "assumed"),
+                BearingsInputs.supply: ("hole", ""),
+                BearingsInputs.hole_diameter: (5.0, "assumed"),
+                BearingsInputs.housing_material: _housing(made),
             },
         ),
         (
-            "[bearings.front]",
+            head(Design.bearings, BearingsInputs.front),
             {
-                "diameter_mm": (mm(front), "assumed: that of the rear" if front == rear else through),
-                "length_mm": (mm(length), "assumed: that of the rear bearing"),
-                clearance[0]: clearance[1],
-                **surfaces,
+                BearingInputs.diameter: (mm(front), "assumed: that of the rear" if front == rear else through),
+                BearingInputs.length: (mm(length), "assumed: that of the rear bearing"),
+                **alike,
             },
         ),
         (
-            "[bearings.rear]",
+            head(Design.bearings, BearingsInputs.rear),
             {
-                "diameter_mm": (mm(rear), "assumed: the sectors and their clearance go through"),
-                "length_mm": (mm(length), why),
-                clearance[0]: clearance[1],
-                **surfaces,
+                BearingInputs.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
+                BearingInputs.length: (mm(length), why),
+                **alike,
             },
         ),
     ]

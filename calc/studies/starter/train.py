@@ -12,8 +12,10 @@ from itertools import pairwise, product
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
 from ...design.toml_file import Document, design
+from ...friction.inputs import FrictionInputs, RollingBearing
 from ...friction.result import FrictionResult
 from ...gears import formulas as g
+from ...gears.inputs import GearsInputs, Mesh, Wheel
 from ...sheet.check import URGENT
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.record import record
@@ -21,7 +23,7 @@ from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Radian
 from ...sheet.value import untraced
 from ...solve import Results, solve
-from .writing import Section, mm, table, up
+from .writing import Rows, Section, head, mm, table, up
 
 HELIX: Radian = math.radians(20)
 MODULES = (2.5e-3, 2.0e-3, 1.75e-3, 1.5e-3, 1.25e-3)
@@ -169,11 +171,8 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
 def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
     crank, central, idler = train.teeth
     as_r753 = train.teeth == WHEELS[0]
-    driven = (
-        {}
-        if power is None
-        else {"power_kW": (power, "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW")}
-    )
+    losses = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
+    driven: Rows = {} if power is None else {GearsInputs.power: (power, losses)}
     through = "assumed: the largest up to 2 whose wheel goes through the seats"
     wheels = {"crank": crank, "central": central, "idler": idler, "shaft": crank}
     usual = "assumed, as in the R753IE4" if as_r753 else "assumed: fewer, below the main resonance of the teeth"
@@ -184,37 +183,47 @@ def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
         "idler": "assumed: turns on a pin",
     }
 
-    def bore(name: str) -> dict[str, tuple[object, str]]:
+    def bore(name: str) -> Rows:
         if name not in bored:
             return {}
-        return {
-            "bore_diameter_mm": (float(round(BORE * wheels[name] * train.module * 1e3 / math.cos(HELIX))), bored[name])
-        }
+        diameter = float(round(BORE * wheels[name] * train.module * 1e3 / math.cos(HELIX)))
+        return {Wheel.bore_diameter: (diameter, bored[name])}
 
+    meshes: list[Section] = [
+        (
+            head(Design.gears, GearsInputs.meshes),
+            {
+                Mesh.driver: (driver, ""),
+                Mesh.driven: (driven, ""),
+                Mesh.tolerance: (TOLERANCE, "assumed: the allowances leave it a backlash"),
+            },
+        )
+        for driver, driven in pairwise(wheels)
+    ]
     return [
         (
-            "[gears]",
+            head(Design.gears),
             {
-                "normal_module_mm": (
+                GearsInputs.normal_module: (
                     mm(train.module),
                     through if as_r753 else "assumed: below the main resonance of the teeth",
                 ),
-                "pressure_angle_deg": (20.0, ""),
-                "helix_angle_deg": (round(math.degrees(HELIX), 6), "assumed"),
-                "face_width_mm": (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
-                "tool_addendum": (1.41, "assumed: the tool of the R753IE4"),
-                "tool_tip_radius": (0.2, "assumed"),
-                "housing_material": (_housing(design), "assumed: the block, as of the bearings"),
+                GearsInputs.pressure_angle: (20.0, ""),
+                GearsInputs.helix_angle: (round(math.degrees(HELIX), 6), "assumed"),
+                GearsInputs.face_width: (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
+                GearsInputs.tool_addendum: (1.41, "assumed: the tool of the R753IE4"),
+                GearsInputs.tool_tip_radius: (0.2, "assumed"),
+                GearsInputs.housing_material: (_housing(design), "assumed: the block, as of the bearings"),
                 **driven,
             },
         ),
         *(
             (
-                "[[gears.wheels]]",
+                head(Design.gears, GearsInputs.wheels),
                 {
-                    "name": (name, ""),
-                    "teeth": (teeth, why.get(name, usual)),
-                    "span_allowance_um": (
+                    Wheel.name: (name, ""),
+                    Wheel.teeth: (teeth, why.get(name, usual)),
+                    Wheel.span_allowance: (
                         ALLOWANCE,
                         "assumed: teeth shaved or ground, and free when the wheels are warmer",
                     ),
@@ -223,17 +232,7 @@ def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
             )
             for name, teeth in wheels.items()
         ),
-        *(
-            (
-                "[[gears.meshes]]",
-                {
-                    "driver": (driver, ""),
-                    "driven": (driven, ""),
-                    "tolerance_um": (TOLERANCE, "assumed: the allowances leave it a backlash"),
-                },
-            )
-            for driver, driven in pairwise(wheels)
-        ),
+        *meshes,
     ]
 
 
@@ -242,14 +241,14 @@ def _housing(design: Design) -> str:
 
 
 def _friction(design: Design, results: Results, flanks: float) -> list[Section]:
-    oil = (
-        {}
-        if design.bearings is not None
-        else {"oil": ("5W-40", "assumed"), "oil_temperature_C": (90.0, "assumed: gallery of a warm engine")}
-    )
+    oil: Rows = {
+        FrictionInputs.oil: ("5W-40", "assumed"),
+        FrictionInputs.oil_temperature: (90.0, "assumed: gallery of a warm engine"),
+    }
     words = {0.8: "assumed: ground", 0.4: "assumed: finely ground"}.get(flanks, "assumed: ground and polished")
+    surfaces: Rows = {FrictionInputs.flank_roughness: (flanks, words), FrictionInputs.load_sharing: ("linear", "")}
     return [
-        ("[friction]", {**oil, "flank_roughness_um": (flanks, words), "load_sharing": ("linear", "")}),
+        (head(Design.friction), (oil if design.bearings is None else {}) | surfaces),
         *([] if design.bearings is not None else _rolling(design, results)),
     ]
 
@@ -262,18 +261,18 @@ def _rolling(design: Design, results: Results) -> list[Section]:
     bore = up(2 * countershaft.core_radius, 5e-3)
     return [
         (
-            "[[friction.rolling_bearings]]",
+            head(Design.friction, FrictionInputs.rolling_bearings),
             {
-                "name": ("shaft-bearings", ""),
-                "wheel": ("shaft", ""),
-                "kind": ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
-                "bore_mm": (mm(bore), "assumed: the core, up to the next 5 mm"),
-                "outside_diameter_mm": (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
-                "load_N": (
+                RollingBearing.name: ("shaft-bearings", ""),
+                RollingBearing.wheel: ("shaft", ""),
+                RollingBearing.kind: ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
+                RollingBearing.bore: (mm(bore), "assumed: the core, up to the next 5 mm"),
+                RollingBearing.outside_diameter: (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
+                RollingBearing.load: (
                     float(math.ceil(shaft.reaction_front + shaft.reaction_rear)),
                     "of both bearings: the shaft's reactions",
                 ),
-                "count": (2, ""),
+                RollingBearing.count: (2, ""),
             },
         )
     ]

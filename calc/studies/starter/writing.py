@@ -8,17 +8,25 @@ import tomllib
 from collections.abc import Mapping
 
 from ...design.addresses import Table
+from ...sheet.quantity import described, dotted
 from ...sheet.units import Metre
 
 Row = tuple[object, str]  # the value in the unit of its key, and where it comes from; "" where nothing is to be said
-Section = tuple[str, dict[str, Row]]  # the header as TOML has it, and its rows
+Rows = dict[object, Row]  # by declared fields
+Section = tuple[str, Rows]  # the header as TOML has it, and its rows
 COLUMN = 31  # of the comments
+
+
+def head(*fields: object) -> str:
+    """The header of a table, or of an element of an array, from the declared fields on the way to it."""
+    array = described(fields[-1]).kind == "tables"
+    return f"[[{dotted(*fields)}]]" if array else f"[{dotted(*fields)}]"
 
 
 def written(sections: list[Section]) -> str:
     """As they stand in a file, comments from the same column on."""
     return "".join(
-        f"\n{header}\n" + "".join(_line(key, *row) for key, row in rows.items()) for header, rows in sections
+        f"\n{header}\n" + "".join(_line(dotted(key), *row) for key, row in rows.items()) for header, rows in sections
     )
 
 
@@ -34,7 +42,9 @@ def table(sections: list[Section]) -> Table:
 
 def changed(sections: list[Section], changes: Mapping[str, object], why: str) -> list[Section]:
     """The same with keys of single tables changed (`bearings.front.length_mm`); None takes one out."""
-    new_sections: list[Section] = [(header, dict(rows)) for header, rows in sections]
+    new_sections: list[Section] = [
+        (header, {dotted(field): row for field, row in rows.items()}) for header, rows in sections
+    ]
     by_table = {header.strip("[]"): rows for header, rows in new_sections}
     for key, value in changes.items():
         where, _, name = key.rpartition(".")
