@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps as designs a second, and their memory: `python -m bench.sweep [DESIGNS]`.
+"""Sweeps against single solves, and their memory: `python -m bench.sweep [DESIGNS]`.
 
 The imbalance alone, whole designs (imbalance to friction) on all cores, and the memory of the program while the table
-grows.  Rows of the whole designs are held to what `check` gives.  Ceilings: a whole design and core at most 1.15 × one
-untraced solve with its parsing, memory flat."""
+grows.  Rows of the whole designs are held to what `check` gives.  Seconds are those of all processors together.
+Ceilings: a whole design at most 1.15 × one untraced solve with its parsing, memory flat."""
 
 import csv
 import json
@@ -35,27 +35,29 @@ WANTED = ["imbalance.required_couple", "bearings.front.film", "friction.total_lo
 
 
 def swept(count: int, out: Path, *more: str) -> tuple[float, float]:
-    """Seconds that a sweep takes, and the most memory of one of its processes so far, MB."""
-    begun = time.perf_counter()
+    """Seconds of all processors that a sweep takes, and the most memory of one of its processes so far, MB."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     words = [sys.executable, "-m", "assistant", "sweep", DESIGN, "--hypercube", str(count), "-o", str(out), *more]
     subprocess.run(words, check=True, capture_output=True, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)})
-    return time.perf_counter() - begun, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return seconds, after.ru_maxrss / 1024
 
 
 def one_alone() -> float:
-    """Seconds of one solve with its parsing, the mean over some designs of the sweep."""
+    """Seconds of a processor of one solve with its parsing, the mean over some designs of the sweep."""
     document = read(Path(DESIGN))
     inputs = varied(document, OVER, drawn=True)
     rows = sampled(inputs, ALONE, hypercube=True).rows(0, ALONE)
     with recorded(False):
         solve(design(document), compared=False)  # what is made once
-        begun = time.perf_counter()
+        begun = time.process_time()
         for row in rows:
             changed = document
             for variable, number in zip(inputs, row):
                 changed = changed.with_value(variable.key, number)
             solve(design(changed), compared=False)
-    return (time.perf_counter() - begun) / ALONE
+    return (time.process_time() - begun) / ALONE
 
 
 def main() -> None:
@@ -70,8 +72,8 @@ def main() -> None:
         for designs in (count // 4, count):
             seconds, memory = swept(designs, out, "--vary", *OVER, "--values", *WANTED)
             print(
-                f"{designs} whole designs on {cores} cores: {seconds:.1f} s, a design and core "
-                f"{seconds * cores / designs / alone:.2f} x one alone, {memory:.0f} MB"
+                f"{designs} whole designs on {cores} cores: {seconds:.1f} s, a design {seconds / designs / alone:.2f} x one "
+                f"alone, {memory:.0f} MB"
             )
         rows = list(csv.DictReader(out.read_text(encoding="utf-8").splitlines()))
         for row in (rows[0], rows[count // 2], rows[-1]):

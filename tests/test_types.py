@@ -89,6 +89,23 @@ def test_no_two_arguments_of_a_call_can_be_swapped_and_no_field_misspelt(tmp_pat
     assert accepted({"as_it_is": ("", ast.unparse(read(SOLVE)))}, tmp_path) == [""]
 
 
+FORMULA_CALLS = {
+    "numbers": ("length_ratio(l=l, d=d) + 1.0", True),
+    "a_number_is_no_array": ("length_ratio(l=l, d=d).max()", False),
+    "an_array_in_place_of_a_number": ("length_ratio(l=lengths, d=d).max()", True),
+    "an_array_is_no_number": ("round(length_ratio(l=lengths, d=d), 3)", False),
+    "a_misspelt_argument": ("length_ratio(l=l, D=d) + 1.0", False),
+    "a_missing_argument": ("length_ratio(l=l) + 1.0", False),
+}
+
+
+@pytest.mark.slow
+def test_a_formula_of_numbers_is_one_of_arrays_too_and_its_arguments_are_held_to_its_own(tmp_path):
+    head = "import numpy as np\nfrom calc.bearings.formulas import length_ratio\nl, d, lengths = 1.0, 2.0, np.ones(3)\n"
+    calls = {name: (name, f"{head}result = {call}\n") for name, (call, _) in FORMULA_CALLS.items()}
+    assert accepted(calls, tmp_path) == [name for name, (_, fits) in FORMULA_CALLS.items() if fits]
+
+
 def test_an_input_that_may_be_left_out_is_typed_so():
     """Else the type checker takes what is done without it for unreachable, and checks none of it."""
     wrong, seen, classes = [], set(), [Design]

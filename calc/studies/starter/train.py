@@ -15,7 +15,8 @@ from ...design.toml_file import Document, design
 from ...friction.inputs import FrictionInputs, RollingBearing
 from ...friction.result import FrictionResult
 from ...gears import formulas as g
-from ...gears.inputs import GearsInputs, Mesh, Wheel
+from ...gears.inputs import GearsInputs, Mesh
+from ...gears.wheel_inputs import Wheel
 from ...sheet.check import URGENT
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.record import record
