@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from calc.design.toml_file import Document, design, read
 from calc.engine.inputs import EngineInputs
+from calc.sheet.check import grouped
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import dotted
 from calc.sheet.text import EMPTY, Amount, Text, plural
@@ -123,7 +125,6 @@ def finding(row: Beginning, memory: Memory) -> Finding:
 
 def _solved(path: Path, memory: Memory) -> "Results":
     """A design as it would be opened: with the edits that were kept."""
-    from calc.design.toml_file import Document, design, read
     from calc.solve import solve
 
     for kept in memory.left(path)[:1]:
@@ -134,8 +135,6 @@ def _solved(path: Path, memory: Memory) -> "Results":
 
 def _verdicts(results: "Results") -> list[Text]:
     """What a design comes to, in a few lines: what fails by its name, and how much is open."""
-    from calc.sheet.check import grouped
-
     rows = [group[0] for group in grouped(results.checks()) if group[0].open]
     fails = [check for check in rows if check.verdict == "fail"]
     unsolved = [outcome.reason for outcome in results.outcomes.values() if outcome.state == "no_solution"]
@@ -153,7 +152,6 @@ def _verdicts(results: "Results") -> list[Text]:
 
 def _shaking(id: str) -> Finding:
     """What the crank train of a shipped engine leaves, and what balancing it calls for."""
-    from calc.design.toml_file import Document, design
     from calc.engine.sketch import icon
     from calc.studies.starter.balancing import options, shakes_briefly, what_shakes, with_imbalance
 
