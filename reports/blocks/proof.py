@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from calc.design.addresses import value_at
-from calc.imbalance.result import ImbalanceResult
 from calc.sheet.check import Check, pattern_of, severity
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
@@ -23,7 +22,7 @@ from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text, with_unit
 from calc.sheet.units import UNITS
 from calc.sheet.value import Line
-from calc.studies.explain import shortened
+from calc.studies.explain import PROVEN, PROVEN_WHERE, shortened
 
 from ..context import Context, Element, Index, near
 from ..typesetting.boxes import Colour
@@ -47,28 +46,6 @@ FEW = 3  # elements of an array that are quoted one by one
 HELD = 4  # of one that holds, and of a value
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
-# Checks that are proven whatever their margin, each with the symbols that its proof must show however far back they
-# stand
-PROVEN: dict[str, tuple[str, ...]] = {
-    "gears.M.safety_contact": ("σ_H0", "K_H", "K_V", "K_Hβ", "K_Hα"),
-    "gears.W.safety_bending": ("σ_F0", "K_F", "K_V", "K_Fβ", "K_Fα"),
-    "countershaft.bolts.strength": (),
-    "countershaft.bolts.pressure": (),
-    "countershaft.balance_grade": (),
-    "countershaft.bending_stress": (),
-    "countershaft.notch_stress": (),
-    "countershaft.fatigue": (),
-    "countershaft.residual": (),
-    "countershaft.residual_force": (),
-    "engine.throw.fatigue": (),
-    "engine.throw.stress_pin": (),
-}
-
-# Of these only where this result is not 0: what a shaft has none of to balance, it needs no proof of
-PROVEN_WHERE: dict[str, object] = {
-    "countershaft.residual": ImbalanceResult.required_couple,
-    "countershaft.residual_force": ImbalanceResult.required_force,
-}
 
 Known = dict[str | Line, str]  # formula, and each of its lines that is shown → number of the proof that derives it
 

@@ -34,7 +34,7 @@ EXCUSED = {
     "calc/library/tolerances.py": "a column of the table of ISO 286",
     "calc/design/other_tables.py": "keys of [optimise.most], which is of free form",
     "calc/design/key_results.py": "ids of checks",
-    "reports/blocks/proof.py": "ids of checks",
+    "calc/studies/explain.py": "ids of checks",
     "calc/draw/sheet_data.py": "stands below the steps whose keys it reads",
     "calc/countershaft/sketch.py": "names inputs of the bearings, which stand above it",
 }
