@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The functions that formulas may use: those of `math` and numpy by one name, the zero of a function, erf.
 
-A float goes to `math`, anything else to numpy."""
+A float goes to `math`, anything else to numpy.  They are typed for numbers, as the formulas are that call them; those
+that formulas of arrays call are typed for both."""
 
 import math
 from collections.abc import Callable
-from typing import Any, Protocol, TypeVar, overload
+from typing import Any, Protocol, overload
 
 import numpy as np
 
@@ -13,7 +14,6 @@ from .arrays import Array, ComplexArray, Num
 from .value import LinkedFloat
 
 pi = math.pi
-Z = TypeVar("Z", float, complex, Array, ComplexArray)
 
 
 class _Function(Protocol):
@@ -53,11 +53,7 @@ degrees = _both(math.degrees, np.degrees)
 asinh = _both(math.asinh, np.arcsinh)
 
 
-@overload
-def inv(angle: float) -> float: ...
-@overload
-def inv(angle: Array) -> Array: ...
-def inv(angle: Any) -> Any:
+def inv(angle: float) -> float:
     """The involute function inv α = tan α − α."""
     return tan(angle) - angle
 
@@ -72,39 +68,32 @@ def cis(angle: Any) -> Any:
     return complex(math.cos(angle), math.sin(angle)) if plain else np.exp(1j * angle)
 
 
-def conj(z: Z) -> Z:
+def conj(z: complex) -> complex:
     return z.conjugate()
 
 
 @overload
 def modulus(z: complex) -> float: ...
 @overload
-def modulus(z: Array | ComplexArray) -> Array: ...
+def modulus(z: Array) -> Array: ...
 def modulus(z: Any) -> Any:
     return abs(z)
 
 
-@overload
-def imag(z: complex) -> float: ...
-@overload
-def imag(z: ComplexArray) -> Array: ...
-def imag(z: Any) -> Any:
+def imag(z: complex) -> float:
     """The part 90° further in the sense of crank rotation."""
     return z.imag
 
 
-@overload
-def argument(z: complex) -> float: ...
-@overload
-def argument(z: ComplexArray) -> Array: ...
-def argument(z: Any) -> Any:
+def argument(z: complex) -> float:
     """The angle of a phasor from "up", in the sense of crank rotation [rad]; 0 for a phasor of zero length.
 
     Parts below 1e-12 of the length are dust of the last digits: 180° and not −180°, 0° and not 4e-15°.
     """
     dust = 1e-12 * abs(z)
     if _several(z):
-        return np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0))
+        angles = np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0))
+        return single_or_many(angles)
     return math.atan2(z.imag if abs(z.imag) > dust else 0.0, z.real if abs(z.real) > dust else 0.0)
 
 
