@@ -207,7 +207,7 @@ class Local(Server):
             await socket.prepare(request)
             await session.start(*_size(*(_number(request.query.get(key, "")) for key in ("width", "height"))))
             async for message in socket:
-                decoded = _told(message)
+                decoded = _decoded(message)
                 if decoded[:1] == ["ping"] and len(decoded) == 2 and isinstance(decoded[1], str):
                     await socket.send_json(["pong", decoded[1][:100]])
                 else:
@@ -242,7 +242,7 @@ async def _guarded(request: web.Request, response: web.StreamResponse) -> None:
         response.headers.setdefault(name, value)
 
 
-def _told(message: Any) -> list[Any]:
+def _decoded(message: Any) -> list[Any]:
     """What a message says; nothing, if it is no list in JSON."""
     if message.type is not WSMsgType.TEXT:
         return []

@@ -197,7 +197,7 @@ def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known) 
                 for at in [index] if index else _all(needed):
                     number, unit = result(needed, at)
                     values.setdefault((symbol_of(needed), where), {})[context.say.number(number)] = unit
-    return [_told(symbol, where, numbers) for (symbol, where), numbers in values.items()]
+    return [_quoted_value(symbol, where, numbers) for (symbol, where), numbers in values.items()]
 
 
 def _all(line: Line) -> list[Index | None]:
@@ -206,7 +206,7 @@ def _all(line: Line) -> list[Index | None]:
     return [(i,) for i in range(shape[0])] if len(shape) == 1 and 1 < shape[0] <= FEW else [None]
 
 
-def _told(symbol: str, where: str, numbers: dict[str, str]) -> str:
+def _quoted_value(symbol: str, where: str, numbers: dict[str, str]) -> str:
     """The values of a symbol, of many the first and the last, and the number of the proof that derives it."""
     some = list(numbers)
     listed = "; ".join(some) if len(some) <= ALIKE else f"{some[0]} … {some[-1]}"
