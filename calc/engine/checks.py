@@ -27,9 +27,8 @@ def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> Iter
             IRREGULAR,
             "",
             Text(
-                "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; "
-                "running drives are kept "
-                "well below 1/20"
+                "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; running "
+                "drives are kept well below 1/20"
             ),
             Text("A larger inertia of the flywheel lowers it in proportion."),
         )
@@ -90,8 +89,7 @@ def _crank_ratio_check(e: EngineResult) -> Check:
         if lam < CRANK_RATIO[0]
         else Text(
             "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: "
-            "the R753IE4 of "
-            "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
+            "the R753IE4 of Finotti 2013, 2.5.3.1, lies above it with 0.3282."
         )
     )
     return check(

@@ -30,8 +30,7 @@ def notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[Text, .
         notes.append(
             Text(
                 "The crank radii differ: crank ratio, stroke and harmonics, speed and acceleration of the piston, and "
-                "its figures, are "
-                "those of cylinder 1; those of each stand under its number. The torque is that of all."
+                "its figures, are those of cylinder 1; those of each stand under its number. The torque is that of all."
             )
         )
     return tuple(notes)

@@ -386,8 +386,7 @@ def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Mate
         notes.append(
             Text(
                 "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a "
-                "web is not; "
-                "below ρ/d 0.03 published fits of them lie 10 % and more apart."
+                "web is not; below ρ/d 0.03 published fits of them lie 10 % and more apart."
             )
         )
     return tuple(note for note in notes if note)
@@ -435,8 +434,7 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
             forces,
             Text(
                 "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), "
-                "reactions of the journals, "
-                "torque from the throws in front."
+                "reactions of the journals, torque from the throws in front."
             ),
             covers=("engine.throw.largest_tangential.",),
         ),

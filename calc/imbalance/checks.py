@@ -31,9 +31,8 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
     )
     if abs(rho - 1) > 1e-9:
         forward = Text(
-            "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass "
-            "on the crank "
-            "(rotating_balance_fraction 1, crank_balance_fraction 0.5)."
+            "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass on "
+            "the crank (rotating_balance_fraction 1, crank_balance_fraction 0.5)."
         )
     elif (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
         forward = Text(
@@ -202,11 +201,9 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
         done = Text(" (as designed)") if shaft else EMPTY
         text = plural(
             "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turns backward, and "
-            "nothing on the crank can "
-            "take it.",
+            "nothing on the crank can take it.",
             "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turn backward, and "
-            "nothing on the crank can "
-            "take it.",
+            "nothing on the crank can take it.",
             n=_count(turns_backward),
             done=done,
             turns_backward=turns_backward,
@@ -251,9 +248,8 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
             proposed.append(
                 Text(
                     "Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}), because the "
-                    "crank's own webs lack it for the share {kappa}; give them as [[imbalance.unbalances]] to see "
-                    "what is "
-                    "left.",
+                    "crank's own webs lack it for the share {kappa}; give them as [[imbalance.unbalances]] to see what "
+                    "is left.",
                     missing=missing,
                     direction=direction,
                     kappa=Amount(kappa, form="g"),

@@ -124,8 +124,7 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
             Text("firing orders of {n} cylinders in this layout are not listed", n=n),
             Text(
                 "every order is tried for up to {all} cylinders; up to {some} those of symmetrical inline cranks, and "
-                "of two banks on "
-                "common (boxer: opposed) pins, where these fire evenly",
+                "of two banks on common (boxer: opposed) pins, where these fire evenly",
                 all=ALL,
                 some=SOME,
             ),
@@ -212,9 +211,8 @@ COLUMNS = (
 TITLE = Text("Evenly firing orders, the one that leaves least first")
 RANKED = Text(
     "Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the "
-    "crank; of equal ones "
-    "first where neighbours (their main bearing), then where cylinders of one half or bank (their intake), fire in "
-    "turn least often."
+    "crank; of equal ones first where neighbours (their main bearing), then where cylinders of one half or bank (their "
+    "intake), fire in turn least often."
 )
 
 

@@ -16,9 +16,8 @@ from .throws import verdict
 from .webs import UNDRILLED
 
 MIDDLE = Text(
-    "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
-    "plane only. A vertical "
-    "couple is a pair of vertical forces, one at either end."
+    "Couples are taken about the middle of the engine; where a force is left as well, they hold about that plane only. "
+    "A vertical couple is a pair of vertical forces, one at either end."
 )
 
 
@@ -59,8 +58,7 @@ def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum
             Text("method of Finotti 2013, 2.5.3.4"),
             Text(
                 "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed "
-                "and leave order 2 "
-                "untouched: the whole reciprocating mass acts."
+                "and leave order 2 untouched: the whole reciprocating mass acts."
             ),
         ),
     )

@@ -73,9 +73,8 @@ def height_difference(h_f: Metre, h_b: Metre) -> Metre:
 @formula(
     "Δh_0",
     Text(
-        "mathematics: least amount of a sum, the moment being linear in the height difference (two terms, inline "
-        "four: the rod length; "
-        "idea of unequal heights: Nakamura 1976, from memory)"
+        "mathematics: least amount of a sum, the moment being linear in the height difference (two terms, inline four: "
+        "the rod length; idea of unequal heights: Nakamura 1976, from memory)"
     ),
     names={"T": "T_RI+S", "F_f": "F_S⁺", "F_b": "F_S⁻"},
 )
@@ -158,9 +157,8 @@ def roll_check(pair: ShaftPair) -> Check:
             "rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces"
         ),
         Text(
-            "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs "
-            "higher than the other "
-            "where the height difference of the least roll is positive."
+            "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs higher "
+            "than the other where the height difference of the least roll is positive."
         ),
     )
 
@@ -218,9 +216,8 @@ def pair_table(pair: ShaftPair, n: int, remedy: dict[str, BalancingRemedy]) -> T
         ),
         Text(
             "Roll about the crank's axis on the block, T·cos(n·ε + phase), positive in the sense of rotation; ε from "
-            "TDC of cylinder 1. "
-            "Δh: the shaft that turns with the crank over the other. The gas torque is not in it: what is best under "
-            "load lies elsewhere."
+            "TDC of cylinder 1. Δh: the shaft that turns with the crank over the other. The gas torque is not in it: "
+            "what is best under load lies elsewhere."
         ),
         covers=("imbalance.shaft_pair.",),
     )

@@ -174,8 +174,7 @@ def verdict(throws: Throws, engine: EngineInputs, rho: Number) -> Text:
         return (
             Text(
                 "The bare throws are balanced statically, not dynamically: counterweights must take a couple of "
-                "{couple} N·m of the rotating "
-                "masses, and are taken to do so.",
+                "{couple} N·m of the rotating masses, and are taken to do so.",
                 couple=couple,
             )
             + only
@@ -184,8 +183,7 @@ def verdict(throws: Throws, engine: EngineInputs, rho: Number) -> Text:
         return (
             Text(
                 "The bare throws are not balanced statically: counterweights must take a force of {force} N of the "
-                "rotating masses, and are "
-                "taken to do so.",
+                "rotating masses, and are taken to do so.",
                 force=force,
             )
             + only
@@ -193,8 +191,7 @@ def verdict(throws: Throws, engine: EngineInputs, rho: Number) -> Text:
     return (
         Text(
             "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of "
-            "{force} N and a couple of "
-            "{couple} N·m of the rotating masses, and are taken to do so.",
+            "{force} N and a couple of {couple} N·m of the rotating masses, and are taken to do so.",
             force=force,
             couple=couple,
         )

@@ -63,8 +63,7 @@ WITHIN = math.radians(75.0)  # to either side of the direction opposite to the p
 MOST = 16  # webs of which the best choice is looked for
 UNDRILLED = Text(
     "Which webs to drill is not found: it takes the bodies of the crank with at least two webs, and an unbalance that "
-    "holes within "
-    "{degrees}° of the side away from the pins can take; else bobs or webs must change.",
+    "holes within {degrees}° of the side away from the pins can take; else bobs or webs must change.",
     degrees=round(math.degrees(WITHIN)),
 )
 SOURCE = Text(
