@@ -23,10 +23,7 @@ from . import cycle as c
 from . import formulas as f
 from . import throw_strength as t
 from .crank import sharing
-from .cycle import (
-    TURN,
-    Cycle,
-)
+from .cycle import TURN, Cycle
 from .gas import GasInputs
 from .inputs import EngineInputs, ThrowInputs
 from .result import CrankSection, EngineResult, Position, Rod, ThrowResult
@@ -216,11 +213,7 @@ def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray
     with untraced():
         rods = crank.rod(crank.fires, _over_the_cycle(crank)[:, None])
     tangential = rods.tangential_force
-    return (
-        tangential @ shared.T,
-        rods.radial_force @ shared.T,
-        tangential @ in_front.T * crank.engine.crank_radius,
-    )
+    return (tangential @ shared.T, rods.radial_force @ shared.T, tangential @ in_front.T * crank.engine.crank_radius)
 
 
 def _positions(crank: _Throw, shared: BoolArray) -> Array:

@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 
 from ..library.tolerances import BALANCE_GRADES
-from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
 # the folds of the form
@@ -88,8 +88,7 @@ class ImbalanceInputs:
         within=(0, 2),
         symbol="kappa_rot",
         step=0.05,
-        usual=(0.5, 1),
-        source=THUMB,
+        rule_of_thumb=(0.5, 1),
         help="Of the rotating masses, by the crank's counterweights.",
     )
     kinematics: str = choice(
@@ -104,8 +103,7 @@ class ImbalanceInputs:
         "Counterweights apart",
         "mm",
         default=None,
-        above=0,
-        high=10000,
+        above_up_to=(0, 10000),
         symbol="l",
         source="Finotti 2013, 2.4",
         help="Axial distance of two counterweights about mid-engine.",
@@ -115,8 +113,7 @@ class ImbalanceInputs:
         "Radius of the counterweights",
         "mm",
         default=None,
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="r_cw",
         source="Finotti 2013, 2.4",
         help="Radius of their centres of gravity from the crank's axis.",
