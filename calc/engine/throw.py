@@ -7,6 +7,7 @@ in the sense of rotation, radial towards the crank axis."""
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any, Protocol, overload
 
 import numpy as np
@@ -55,7 +56,9 @@ class _Throw:
         self, engine: EngineInputs, e: EngineResult, fires: Array, cycle: Cycle | None, throw: ThrowInputs
     ) -> None:
         self.engine, self.e, self.fires, self.cycle, self.throw = engine, e, fires, cycle, throw
+        self.shared, self.in_front = pins(engine, e)
         self.length = cycle.length if cycle else TURN
+        self.epsilon = c.points(cycle, fires) if cycle else np.linspace(0.0, TURN, 721)  # over the whole cycle
         self.load = (
             fires,
             e.lambda_,
@@ -74,6 +77,10 @@ class _Throw:
                 with about(Text("fillet of the {place}", place=PLACES[place])):
                     ratio = t.relative_fillet(rho=throw.fillet_radius, d=d)
                     self.notch[place] = ratio, t.notch_bending(rho_d=ratio), t.notch_torsion(rho_d=ratio)
+
+    def partners(self, k: int) -> list[int]:
+        """The other cylinders on the pin of cylinder k, all from 0."""
+        return [int(j) for j in np.flatnonzero(self.shared[k]) if j != k]
 
     @overload
     def rod(self, fires: float, epsilon: float) -> Rod: ...
@@ -171,18 +178,15 @@ def solve(
         with about(Text("gas cycle")):
             cycle = prepare(engine, e, gas)
     crank = _Throw(engine, e, firing, cycle, throw)
-    shared, in_front = pins(engine, e)
     with untraced():
-        angles = _positions(crank, shared)
-        worst = _stress_of_all(crank, shared, in_front, angles)
+        angles = _positions(crank)
+        worst = _stress_of_all(crank, angles)
     stress = np.nanmax(worst[..., :2], (0, 2))
     k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
     at = zip(POSITIONS.values(), (based_on(float(angles[0, k]), *crank.load), item(firing[k])))
-    largest, top = [_position(crank, k, epsilon, shared[k], in_front[k], words) for words, epsilon in at]
+    largest, top = [_position(crank, k, epsilon, words) for words, epsilon in at]
     material = materials.get(throw.material)
-    fatigue = judged(
-        _forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load
-    )
+    fatigue = judged(_forces_over_the_cycle(crank), crank.notch, throw, engine.crank_radius, material, crank.load)
     pin, journal = (crank.notch.get(place, (None, None, None)) for place in PLACES)
     result = ThrowResult(
         cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw),
@@ -195,81 +199,56 @@ def solve(
         top_dead_centre=top,
         fatigue=fatigue,
     )
-    return (
-        result,
-        tuple(_checks(crank, worst, material, fatigue)),
-        _notes(crank, result, shared[k], material),
-        _tables(result, worst),
-    )
+    checks = tuple(_checks(crank, worst, material, fatigue))
+    return result, checks, _notes(crank, result, material), _tables(result, worst)
 
 
-def _over_the_cycle(crank: _Throw) -> Array:
-    """Crank angles of the whole cycle."""
-    return c.points(crank.cycle, crank.fires) if crank.cycle else np.linspace(0.0, TURN, 721)
-
-
-def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray) -> Forces:
+def _forces_over_the_cycle(crank: _Throw) -> Forces:
     """Tangential and radial force on every pin, and the torque from in front of it: (angles, cylinders)."""
     with untraced():
-        rods = crank.rod(crank.fires, _over_the_cycle(crank)[:, None])
-    tangential = rods.tangential_force
-    return (tangential @ shared.T, rods.radial_force @ shared.T, tangential @ in_front.T * crank.engine.crank_radius)
+        rods = crank.rod(crank.fires, crank.epsilon[:, None])
+    F_t, F_r = rods.tangential_force, rods.radial_force
+    return F_t @ crank.shared.T, F_r @ crank.shared.T, F_t @ crank.in_front.T * crank.engine.crank_radius
 
 
-def _positions(crank: _Throw, shared: BoolArray) -> Array:
+def _positions(crank: _Throw) -> Array:
     """The crank angles of the two positions (first axis) for each cylinder."""
-    epsilon = _over_the_cycle(crank)
-    fires = crank.fires
+    epsilon, fires, shared = crank.epsilon, crank.fires, crank.shared
     size = c.amounts(crank.rod(fires, epsilon[:, None]).tangential_force @ shared.T)
     between = np.array([c.highest(epsilon, column)[0] for column in size.T])
     there = c.amounts(np.einsum("kj,kj->k", crank.rod(fires, between[:, None]).tangential_force, shared))
     largest = np.where(there >= size.max(0), between, epsilon[size.argmax(0)])
-    return np.stack([largest, crank.fires])
+    return np.stack([largest, fires])
 
 
-def _stress_of_all(crank: _Throw, shared: BoolArray, in_front: BoolArray, angles: Array) -> Array:
+def _stress_of_all(crank: _Throw, angles: Array) -> Array:
     """Von Mises stress by position, cylinder and place: pin and journal nominal, then at their fillets (NaN where these
     are not given)."""
     rods = crank.rod(crank.fires, angles[:, :, None])
-    F_t, F_r = (np.einsum("pkj,kj->pk", part, shared) for part in (rods.tangential_force, rods.radial_force))
-    T_v = np.einsum("pkj,kj->pk", rods.tangential_force, in_front) * crank.engine.crank_radius
+    F_t, F_r = (np.einsum("pkj,kj->pk", part, crank.shared) for part in (rods.tangential_force, rods.radial_force))
+    T_v = np.einsum("pkj,kj->pk", rods.tangential_force, crank.in_front) * crank.engine.crank_radius
     _, *sections = crank.sections(F_t, F_r, T_v)
     notch = [np.full(F_t.shape, np.nan) if part.notch_stress is None else part.notch_stress for part in sections]
     return np.stack([*(part.von_mises for part in sections), *notch], -1)
 
 
-def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front: BoolArray, words: str) -> Position:
+def _position(crank: _Throw, k: int, epsilon: float, words: str) -> Position:
     """Cylinder k at one crank angle, recorded."""
     with untraced():
-        others = crank.rod(crank.fires, epsilon).tangential_force
+        in_front = crank.rod(crank.fires, epsilon).tangential_force[crank.in_front[k]]
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
-        T_v = t.torque_in_front(F_t=based_on(others[in_front], epsilon, *crank.load), r=crank.engine.crank_radius)
+        T_v = t.torque_in_front(F_t=based_on(in_front, epsilon, *crank.load), r=crank.engine.crank_radius)
         rod = crank.rod(item(crank.fires[k]), epsilon)
     F_t, F_r = rod.tangential_force, rod.radial_force
-    for j in np.flatnonzero(shared):
-        if j == k:
-            continue
+    for j in crank.partners(k):
         with about(Text("cylinder {j} on the same pin, {words}", j=j + 1, words=words)):
             other = crank.rod(item(crank.fires[j]), epsilon)
             F_t = t.both_rods(F=F_t, F_other=other.tangential_force)
             F_r = t.both_rods(F=F_r, F_other=other.radial_force)
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
         R, pin, journal = crank.sections(F_t, F_r, T_v)
-    return Position(
-        crank_angle=rod.crank_angle,
-        gas_force=rod.gas_force,
-        inertia_force=rod.inertia_force,
-        piston_force=rod.piston_force,
-        rod_force=rod.rod_force,
-        side_thrust=rod.side_thrust,
-        tangential_force=F_t,
-        radial_force=F_r,
-        reaction_front=R,
-        reaction_rear=R,
-        torque_in_front=T_v,
-        pin=pin,
-        journal=journal,
-    )
+    on_pin = replace(rod, tangential_force=F_t, radial_force=F_r)
+    return Position(**vars(on_pin), reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal)
 
 
 # --- what is said about it
@@ -332,19 +311,18 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
         yield fatigue_check(fatigue, PLACES[fatigue.place])
 
 
-def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[Text, ...]:
+def _notes(crank: _Throw, result: ThrowResult, material: Material | None) -> tuple[Text, ...]:
     k = int(result.cylinder)
     notes = (
         []
         if crank.engine.cylinders == 1
         else [Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)]
     )
-    partners = [int(j) + 1 for j in np.flatnonzero(shared) if j + 1 != k]
-    if partners:
+    if partners := crank.partners(k - 1):
         notes.append(
             Text(
                 "Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.",
-                map=", ".join(map(str, partners)),
+                map=", ".join(str(j + 1) for j in partners),
             )
         )
     if crank.cycle is None:
