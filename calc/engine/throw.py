@@ -17,7 +17,7 @@ from ..sheet.arrays import Array, BoolArray, Num
 from ..sheet.check import Check, check
 from ..sheet.linked_array import item
 from ..sheet.step import Table
-from ..sheet.text import EMPTY, Name, Text
+from ..sheet.text import Name, Text
 from ..sheet.units import UNITS, Metre, Newton, NewtonMetre
 from ..sheet.value import about, based_on, untraced
 from . import cycle as c
@@ -200,7 +200,7 @@ def solve(
         fatigue=fatigue,
     )
     checks = tuple(_checks(crank, worst, material, fatigue))
-    return result, checks, _notes(crank, result, material), _tables(result, worst)
+    return result, checks, tuple(_notes(crank, result, material)), tuple(_tables(result, worst))
 
 
 def _forces_over_the_cycle(crank: _Throw) -> Forces:
@@ -311,138 +311,108 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
         yield fatigue_check(fatigue, PLACES[fatigue.place])
 
 
-def _notes(crank: _Throw, result: ThrowResult, material: Material | None) -> tuple[Text, ...]:
+def _notes(crank: _Throw, result: ThrowResult, material: Material | None) -> Iterator[Text]:
     k = int(result.cylinder)
-    notes = (
-        []
-        if crank.engine.cylinders == 1
-        else [Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)]
-    )
+    if crank.engine.cylinders > 1:
+        yield Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)
     if partners := crank.partners(k - 1):
-        notes.append(
-            Text(
-                "Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.",
-                map=", ".join(str(j + 1) for j in partners),
-            )
+        yield Text(
+            "Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.",
+            map=", ".join(str(j + 1) for j in partners),
         )
     if crank.cycle is None:
-        notes.append(Text("Throw: no gas is given; it is loaded by inertia alone."))
+        yield Text("Throw: no gas is given; it is loaded by inertia alone.")
     else:
-        notes.append(
-            Text(
-                "Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."
-            )
+        yield Text(
+            "Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."
         )
     if material is None or material.proof_stress is None:
-        notes.append(
-            Text(
-                "Throw: the proof stress of {material} is not known, so its stresses are not judged.",
-                material=crank.throw.material,
-            )
+        yield Text(
+            "Throw: the proof stress of {material} is not known, so its stresses are not judged.",
+            material=crank.throw.material,
         )
-    notes += [
-        Text(
-            "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals "
-            "beyond that is left out."
-        ),
-        Text(
-            "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' "
-            "stiffness are left out."
-        ),
-        EMPTY
-        if result.fatigue is not None
-        else Text("Throw: fatigue is not judged: it takes a fillet, and the material's kind and tensile strength."),
-    ]
+    yield Text(
+        "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals "
+        "beyond that is left out."
+    )
+    yield Text(
+        "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' "
+        "stiffness are left out."
+    )
+    if result.fatigue is None:
+        yield Text("Throw: fatigue is not judged: it takes a fillet, and the material's kind and tensile strength.")
     if crank.notch:
-        notes.append(
-            Text(
-                "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a "
-                "web is not; below ρ/d 0.03 published fits of them lie 10 % and more apart."
-            )
+        yield Text(
+            "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a "
+            "web is not; below ρ/d 0.03 published fits of them lie 10 % and more apart."
         )
-    return tuple(note for note in notes if note)
 
 
-def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
+def _tables(result: ThrowResult, worst: Array) -> Iterator[Table]:
     positions = tuple((words, getattr(result, key)) for key, words in POSITIONS.items())
     mega, cylinder = UNITS["MPa"].factor, int(result.cylinder)
-    names = ("F_G", "F_I", "F", "S", "N", "F_t", "F_r", "R_f", "R_r")
-    forces = tuple(
-        (
-            words,
-            math.degrees(p.crank_angle),
-            p.gas_force,
-            p.inertia_force,
-            p.piston_force,
-            p.rod_force,
-            p.side_thrust,
-            p.tangential_force,
-            p.radial_force,
-            p.reaction_front,
-            p.reaction_rear,
-            p.torque_in_front,
-        )
-        for words, p in positions
-    )
-    stresses = tuple(
-        (
-            Text("{place}, {position}", place=PLACES[place], position=words),
-            s.bending_moment,
-            s.torsion,
-            s.bending_stress / mega,
-            s.torsion_stress / mega,
-            s.von_mises / mega,
-            None if s.notch_stress is None else s.notch_stress / mega,
-        )
-        for words, p in positions
-        for place, s in (("pin", p.pin), ("journal", p.journal))
-    )
-    tables = [
-        Table(
-            "throw_forces",
-            Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
-            ((Text("position"), ""), (Text("ε_k"), "°"), *((Name(name), "N") for name in names), (Name("T_v"), "N·m")),
-            forces,
-            Text(
-                "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), "
-                "reactions of the journals, torque from the throws in front."
-            ),
-            covers=("engine.throw.largest_tangential.",),
-        ),
-        Table(
-            "throw_stresses",
-            Text("Stresses of the throw of cylinder {cylinder}", cylinder=cylinder),
+    forces = ("F_G", "F_I", "F", "S", "N", "F_t", "F_r", "R_f", "R_r")
+    yield Table(
+        "throw_forces",
+        Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
+        ((Text("position"), ""), (Text("ε_k"), "°"), *((Name(name), "N") for name in forces), (Name("T_v"), "N·m")),
+        tuple(
             (
-                (Text("section"), ""),
-                (Text("M"), "N·m"),
-                (Text("T"), "N·m"),
-                (Text("σ"), "MPa"),
-                (Text("τ"), "MPa"),
-                (Text("σ_v"), "MPa"),
-                (Text("σ_vk"), "MPa"),
-            ),
-            stresses,
-            Text("σ_v nominal; σ_vk at the fillet, where its radius is given."),
-            covers=("engine.throw.top_dead_centre.",),
-        ),
-    ]
-    if worst.shape[1] > 1:
-        tables.append(
-            Table(
-                "throws",
-                Text("Nominal von Mises stress of every throw"),
-                (
-                    (Text("throw"), ""),
-                    (Text("pin, F_t"), "MPa"),
-                    (Text("journal, F_t"), "MPa"),
-                    (Text("pin, TDC"), "MPa"),
-                    (Text("journal, TDC"), "MPa"),
-                ),
-                tuple(
-                    (Text("cylinder {k}", k=k + 1), *(float(s) / mega for s in worst[:, k, :2].ravel()))
-                    for k in range(worst.shape[1])
-                ),
-                Text("At its largest tangential force (F_t) and at its firing (TDC)."),
+                words,
+                math.degrees(p.crank_angle),
+                p.gas_force,
+                p.inertia_force,
+                p.piston_force,
+                p.rod_force,
+                p.side_thrust,
+                p.tangential_force,
+                p.radial_force,
+                p.reaction_front,
+                p.reaction_rear,
+                p.torque_in_front,
             )
+            for words, p in positions
+        ),
+        Text(
+            "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), "
+            "reactions of the journals, torque from the throws in front."
+        ),
+        covers=("engine.throw.largest_tangential.",),
+    )
+    moments, stresses = ("M", "T"), ("σ", "τ", "σ_v", "σ_vk")
+    yield Table(
+        "throw_stresses",
+        Text("Stresses of the throw of cylinder {cylinder}", cylinder=cylinder),
+        (
+            (Text("section"), ""),
+            *((Name(name), "N·m") for name in moments),
+            *((Name(name), "MPa") for name in stresses),
+        ),
+        tuple(
+            (
+                Text("{place}, {position}", place=PLACES[place], position=words),
+                s.bending_moment,
+                s.torsion,
+                s.bending_stress / mega,
+                s.torsion_stress / mega,
+                s.von_mises / mega,
+                None if s.notch_stress is None else s.notch_stress / mega,
+            )
+            for words, p in positions
+            for place, s in (("pin", p.pin), ("journal", p.journal))
+        ),
+        Text("σ_v nominal; σ_vk at the fillet, where its radius is given."),
+        covers=("engine.throw.top_dead_centre.",),
+    )
+    if worst.shape[1] > 1:
+        columns = Text("pin, F_t"), Text("journal, F_t"), Text("pin, TDC"), Text("journal, TDC")
+        yield Table(
+            "throws",
+            Text("Nominal von Mises stress of every throw"),
+            ((Text("throw"), ""), *((words, "MPa") for words in columns)),
+            tuple(
+                (Text("cylinder {k}", k=k + 1), *(float(s) / mega for s in worst[:, k, :2].ravel()))
+                for k in range(worst.shape[1])
+            ),
+            Text("At its largest tangential force (F_t) and at its firing (TDC)."),
         )
-    return tuple(tables)
