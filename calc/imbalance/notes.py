@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is to be known of the imbalance beside its numbers, and where the source goes wrong."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from ..engine.inputs import EngineInputs
 from ..sheet.quantity import dotted
@@ -23,17 +23,15 @@ MIDDLE = Text(
 
 def notes(
     imbalance: ImbalanceInputs, engine: EngineInputs, result: ImbalanceResult, bobs: Iterable[Text]
-) -> tuple[Text, ...]:
+) -> Iterator[Text]:
     """`bobs`: what is told of the bobs of the balancing machine."""
-    undrilled = imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None)
-    drilling = (UNDRILLED,) if undrilled else ()
-    return (
-        verdict(result.throw, engine, imbalance.rotating_balance_fraction),
-        *bobs,
-        *drilling,
-        MIDDLE,
-        *roll_notes(imbalance, result.shaft_pair),
-    )
+    yield verdict(result.throw, engine, imbalance.rotating_balance_fraction)
+    yield from bobs
+    if imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None):
+        yield UNDRILLED
+    yield MIDDLE
+    if result.shaft_pair is None:
+        yield from roll_notes(imbalance)
 
 
 def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:

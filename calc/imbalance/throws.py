@@ -18,7 +18,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant
 from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Series, Table
-from ..sheet.text import EMPTY, Amount, Text
+from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, Metre, Metres, Newton, NewtonMetre, Number, Radians, RadPerSecond
 from .orders import DUST, Order, harmonics, masses, measures, radius
 from .remedies import equivalent_mass
@@ -165,38 +165,28 @@ def verdict(throws: Throws, engine: EngineInputs, rho: Number) -> Text:
         return Text(
             "The bare throws are balanced statically and dynamically: their rotating masses need no counterweights."
         )
-    only = (
-        Text(" To a share of {rho} only (rotating_balance_fraction).", rho=Amount(rho, form="g"))
-        if abs(rho - 1) > 1e-9
-        else EMPTY
-    )
     if static:
-        return (
-            Text(
-                "The bare throws are balanced statically, not dynamically: counterweights must take a couple of "
-                "{couple} N·m of the rotating masses, and are taken to do so.",
-                couple=couple,
-            )
-            + only
+        text = Text(
+            "The bare throws are balanced statically, not dynamically: counterweights must take a couple of "
+            "{couple} N·m of the rotating masses, and are taken to do so.",
+            couple=couple,
         )
-    if dynamic:
-        return (
-            Text(
-                "The bare throws are not balanced statically: counterweights must take a force of {force} N of the "
-                "rotating masses, and are taken to do so.",
-                force=force,
-            )
-            + only
+    elif dynamic:
+        text = Text(
+            "The bare throws are not balanced statically: counterweights must take a force of {force} N of the "
+            "rotating masses, and are taken to do so.",
+            force=force,
         )
-    return (
-        Text(
+    else:
+        text = Text(
             "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of "
             "{force} N and a couple of {couple} N·m of the rotating masses, and are taken to do so.",
             force=force,
             couple=couple,
         )
-        + only
-    )
+    if abs(rho - 1) > 1e-9:
+        text += Text(" To a share of {rho} only (rotating_balance_fraction).", rho=Amount(rho, form="g"))
+    return text
 
 
 def systems_table(
