@@ -84,14 +84,13 @@ def _crank_ratio_check(e: EngineResult) -> Check:
         default=e.lambda_,
         key=lambda ratio: abs(ratio - sum(CRANK_RATIO) / 2),
     )
-    advice = (
-        Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
-        if lam < CRANK_RATIO[0]
-        else Text(
+    if lam < CRANK_RATIO[0]:
+        advice = Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
+    else:
+        advice = Text(
             "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: "
             "the R753IE4 of Finotti 2013, 2.5.3.1, lies above it with 0.3282."
         )
-    )
     return check(
         "engine.crank.lambda_usual",
         Text("Crank ratio λ"),

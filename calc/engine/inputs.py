@@ -107,39 +107,27 @@ def diagram_problems(
     """What is wrong with a torque diagram, with keys of [engine]."""
     if not rows:
         if period is not None:
-            yield (
-                dotted(EngineInputs.torque_period),
-                Text("belongs to a torque diagram, [[engine.torque]]; leave it out"),
-            )
+            reason = Text("belongs to a torque diagram, [[engine.torque]]; leave it out")
+            yield dotted(EngineInputs.torque_period), reason
         return
     if gas:
-        yield (
-            dotted(EngineInputs.torque),
-            Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]"),
-        )
+        reason = Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]")
+        yield dotted(EngineInputs.torque), reason
     if len(rows) < FEWEST_ROWS:
-        yield (
-            dotted(EngineInputs.torque),
-            Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS),
-        )
+        reason = Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS)
+        yield dotted(EngineInputs.torque), reason
     length = period if period is not None else strokes * pi
     shown = Amount(length / pi * 180, form="g")
     for i, row in enumerate(rows):
         if i and row.angle <= rows[i - 1].angle:
-            yield (
-                dotted(EngineInputs.torque, i, TorquePoint.angle),
-                Text("must be above that of the row before; a jump takes two rows, a hundredth of a degree apart"),
-            )
+            reason = Text("must be above that of the row before; a jump takes two rows, a hundredth of a degree apart")
+            yield dotted(EngineInputs.torque, i, TorquePoint.angle), reason
     if rows[-1].angle - rows[0].angle > length + SAME_ANGLE:
-        yield (
-            dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.angle),
-            Text("lies more than the period of {length}° behind the first row", length=shown),
-        )
+        reason = Text("lies more than the period of {length}° behind the first row", length=shown)
+        yield dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.angle), reason
     elif abs(rows[-1].angle - rows[0].angle - length) <= SAME_ANGLE and rows[-1].torque != rows[0].torque:
-        yield (
-            dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.torque),
-            Text("must be that of the first row, {length}° before it: the diagram closes", length=shown),
-        )
+        reason = Text("must be that of the first row, {length}° before it: the diagram closes", length=shown)
+        yield dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.torque), reason
 
 
 # --- the engine
@@ -482,17 +470,13 @@ class EngineInputs:
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
-            yield (
-                dotted(EngineInputs.rod_length),
-                Text("must be longer than crank radius plus cylinder offset: the crank could not turn"),
-            )
+            reason = Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
+            yield dotted(EngineInputs.rod_length), reason
         for k, radius in enumerate(self.crank_radii or (), 1):
             if radius >= self.rod_length:
                 mm = Amount(radius * 1e3, form="g")
-                yield (
-                    dotted(EngineInputs.crank_radii),
-                    Text("cylinder {k}: {mm} mm is not below rod_length_mm: the crank could not turn", k=k, mm=mm),
-                )
+                reason = Text("cylinder {k}: {mm} mm is not below rod_length_mm: the crank could not turn", k=k, mm=mm)
+                yield dotted(EngineInputs.crank_radii), reason
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
             yield dotted(EngineInputs.rod_cg_to_big_end), Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with
@@ -513,10 +497,8 @@ class EngineInputs:
         ):
             yield dotted(EngineInputs.firing_order), Text("must name each cylinder from 1 to {n} once", n=n)
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n > 12):
-            yield (
-                dotted(EngineInputs.crank_angles),
-                Text("needed here: give the crank angles, or the firing order of an evenly firing engine"),
-            )
+            reason = Text("needed here: give the crank angles, or the firing order of an evenly firing engine")
+            yield dotted(EngineInputs.crank_angles), reason
         if self.layout != "vee" and self.bank_angle:
             yield dotted(EngineInputs.bank_angle), Text("belongs to a vee engine; leave it out")
         if self.layout == "vee" and self.bank_angle is None:
@@ -543,15 +525,11 @@ class EngineInputs:
                         ),
                     )
         elif self.piston_mass is not None:
-            yield (
-                dotted(EngineInputs.piston_mass),
-                Text("reciprocating_masses_kg has its mass already; leave one of the two out"),
-            )
+            reason = Text("reciprocating_masses_kg has its mass already; leave one of the two out")
+            yield dotted(EngineInputs.piston_mass), reason
         if self.rotating_masses is not None and self.crankpin_bearing_mass:
-            yield (
-                dotted(EngineInputs.crankpin_bearing_mass),
-                Text("rotating_masses_kg has its mass already; leave one of the two out"),
-            )
+            reason = Text("rotating_masses_kg has its mass already; leave one of the two out")
+            yield dotted(EngineInputs.crankpin_bearing_mass), reason
         for key, masses in (
             (dotted(EngineInputs.reciprocating_masses), self.reciprocating_masses),
             (dotted(EngineInputs.rotating_masses), self.rotating_masses),
@@ -576,19 +554,13 @@ class EngineInputs:
         """Crank radii that differ, and what then has no one answer for all cylinders."""
         if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
             mm = Amount(self.crank_radius * 1e3, form="g")
-            yield (
-                dotted(EngineInputs.crank_radii),
-                Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm),
-            )
+            reason = Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm)
+            yield dotted(EngineInputs.crank_radii), reason
         if not self.unlike_radii:
             return
         if self.gas is not None:
-            yield (
-                dotted(EngineInputs.gas),
-                Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ"),
-            )
+            reason = Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ")
+            yield dotted(EngineInputs.gas), reason
         if self.cylinder_offset:
-            yield (
-                dotted(EngineInputs.cylinder_offset),
-                Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere"),
-            )
+            reason = Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere")
+            yield dotted(EngineInputs.cylinder_offset), reason

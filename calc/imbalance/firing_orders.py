@@ -254,8 +254,7 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
     """The design's own crank and order in the terms of the list."""
     judged = harmonics(e, imbalance.kinematics)
     with untraced():
-        residuals = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2}
-    one, two = residuals[1], residuals[2]
+        one, two = (order(n, judged[n - 1], imbalance, engine, e) for n in (1, 2))
     fires = firing(engine, e.crank).order
     beside, half = _in_turn(engine, np.array([fires], dtype=np.intp))
     return FiringOrder(

@@ -212,10 +212,8 @@ class ImbalanceInputs:
             (dotted(ImbalanceInputs.counterweight_span), self.counterweight_span, self.counterweight_radius),
         ):
             if given is None and other is not None:
-                yield (
-                    key,
-                    Text("needed with the other of the two: span and radius give the masses of the counterweights"),
-                )
+                reason = Text("needed with the other of the two: span and radius give the masses of the counterweights")
+                yield key, reason
         for key, axis, beside in (
             (dotted(ImbalanceInputs.forward_shaft_axis), self.forward_shaft_axis, self.backward_shaft_axis),
             (dotted(ImbalanceInputs.backward_shaft_axis), self.backward_shaft_axis, self.forward_shaft_axis),
@@ -224,10 +222,8 @@ class ImbalanceInputs:
                 yield key, Text("needed with the other of the two: the places of both shafts give the roll of the pair")
         pins = [body.pin for body in self.crank_bodies if isinstance(body.pin, int)]
         if self.crank_bodies and not pins:
-            yield (
-                dotted(ImbalanceInputs.crank_bodies),
-                Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there"),
-            )
+            reason = Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there")
+            yield dotted(ImbalanceInputs.crank_bodies), reason
         if sorted(pins) != list(range(1, len(pins) + 1)):
             yield (
                 dotted(ImbalanceInputs.crank_bodies),

@@ -34,21 +34,12 @@ def notes(
         yield from roll_notes(imbalance)
 
 
-def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
+def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> Iterator[Erratum]:
     """Where the thesis goes wrong that this chain follows: for designs with its kind of shaft."""
-    second = result.orders.get("order_2")
-    if (
-        second is None
-        or second.two_term is None
-        or not second.two_term.couple_peak_vertical
-        or not imbalance.crank_balance_fraction
-    ):
-        return ()
-    theirs = f.second_order_couple_of_finotti(
-        kappa=imbalance.crank_balance_fraction, C_2=second.two_term.couple_peak_vertical
-    )
-    return (
-        Erratum(
+    kappa, second = imbalance.crank_balance_fraction, result.orders["order_2"].two_term
+    if kappa and second is not None and second.couple_peak_vertical:
+        theirs = f.second_order_couple_of_finotti(kappa=kappa, C_2=second.couple_peak_vertical)
+        yield Erratum(
             dotted("imbalance", "order_2", Order.couple_peak_vertical),
             Text("Second-order couple"),
             float(theirs),
@@ -58,5 +49,4 @@ def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum
                 "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed "
                 "and leave order 2 untouched: the whole reciprocating mass acts."
             ),
-        ),
-    )
+        )
