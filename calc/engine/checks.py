@@ -105,18 +105,10 @@ def _crank_ratio_check(e: EngineResult) -> Check:
 
 def _firing_check(e: EngineResult) -> Check:
     """Of the interval that is furthest from the even one."""
-    assert (
-        e.firing_interval is not None
-        and e.firing_interval_shortest is not None
-        and e.firing_interval_longest is not None
-    )
-    uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
-    uneven = based_on(
-        uneven if uneven > DUST * TURN else 0.0,
-        e.firing_interval,
-        e.firing_interval_longest,
-        e.firing_interval_shortest,
-    )
+    even, shortest, longest = e.firing_interval, e.firing_interval_shortest, e.firing_interval_longest
+    assert even is not None and shortest is not None and longest is not None
+    uneven = max(longest - even, even - shortest)
+    uneven = based_on(uneven if uneven > DUST * TURN else 0.0, even, longest, shortest)
     return check(
         "engine.firing.even",
         Text("Deviation of a firing interval from the even one"),

@@ -150,11 +150,9 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
     proposed = []
     turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
     if turns_forward:
-        done = (
-            Text("as designed")
-            if abs(kappa - 0.5) < 1e-9
-            else Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
-        )
+        done = Text("as designed")
+        if abs(kappa - 0.5) >= 1e-9:
+            done = Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
         proposed.append(
             Text(
                 "Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), "
@@ -185,9 +183,8 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
         proposed.append(text)
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
     shafts = result.remedy.get("second_order_shafts")
-    if (
-        plus or minus
-    ) and shafts is not None:  # of a crank that is all but nought, little of λ counts, and no shaft is made for it
+    # of a crank that is all but nought, little of λ counts, and no shaft is made for it
+    if (plus or minus) and shafts is not None:
         both = _what(F_p + F_m, C_p + C_m, *second)
         left = plural(
             "{both} of second order is left at the peak; neither the crank nor a shaft at crank speed changes it.",

@@ -85,14 +85,11 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)
     force, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
     every, rest = column(force), column(more)
-    if e.unlike is not None:  # `one` and `more` are then those of the means
+    if e.unlike is not None:  # `force` and `more` are then those of the means
         (M_a, M_r), r = masses(e), radius(engine, e)
         every = centrifugal(m=M_r, omega=omega, r=r)
-        rest = centrifugal(
-            m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r),
-            omega=omega,
-            r=r,
-        )
+        carried = equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a)
+        rest = centrifugal(m=rotating_not_balanced(M_eq=carried, M_rot=M_r), omega=omega, r=r)
     return Throws(
         force=force,
         force_together=together(F_c=every, phi=phi),
@@ -111,19 +108,15 @@ def polygons(engine: EngineInputs, e: EngineResult, throws: Throws) -> tuple[Cur
     if engine.cylinders < 2 or not throws.force:
         return ()
     (M_alt, M_rot), r, c_2 = masses(e), radius(engine, e), harmonics(e, "exact")[1]
-    first = (throws.force if e.unlike is None else M_rot * r * e.angular_speed**2) * np.exp(
-        1j * (crank.theta_0 + crank.phi)
-    )
-    kinds = [(Text("throws: rotating masses, and order 1"), first)]
+    angles = crank.theta_0 + crank.phi
+    first = throws.force if e.unlike is None else M_rot * r * e.angular_speed**2
+    kinds = [(Text("throws: rotating masses, and order 1"), first * np.exp(1j * angles))]
     if not np.ptp(crank.psi) and np.any(c_2):
         second = M_alt * r * e.angular_speed**2 * c_2
-        kinds.append((Text("double angles: order 2"), second * np.exp(2j * (crank.theta_0 + crank.phi))))
+        kinds.append((Text("double angles: order 2"), second * np.exp(2j * angles)))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
     couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"
-    drawn = (
-        _polygon(*forces, [(name, vectors) for name, vectors in kinds]),
-        _polygon(*couples, [(n, v * crank.z) for n, v in kinds]),
-    )
+    drawn = _polygon(*forces, kinds), _polygon(*couples, [(name, vectors * crank.z) for name, vectors in kinds])
     return tuple(curve for curve in drawn if curve.series)
 
 

@@ -374,10 +374,8 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
                 P, U = lacking_product(r, *of, z, phi, bob, z_p, phi_p), lacking_unbalance(r, *of, phi, bob, phi_p)
             else:
                 r_p = r[first] if np.ndim(r) else r
-                P, U = (
-                    u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p),
-                    u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p),
-                )
+                P = u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p)
+                U = u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p)
             wanted = wanted_couple(P=P, omega=omega)
             result = replace(
                 result,
