@@ -27,9 +27,8 @@ def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> Iter
             IRREGULAR,
             "",
             Text(
-                "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; "
-                "running drives are kept "
-                "well below 1/20"
+                "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; running "
+                "drives are kept well below 1/20"
             ),
             Text("A larger inertia of the flywheel lowers it in proportion."),
         )
@@ -85,15 +84,13 @@ def _crank_ratio_check(e: EngineResult) -> Check:
         default=e.lambda_,
         key=lambda ratio: abs(ratio - sum(CRANK_RATIO) / 2),
     )
-    advice = (
-        Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
-        if lam < CRANK_RATIO[0]
-        else Text(
+    if lam < CRANK_RATIO[0]:
+        advice = Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
+    else:
+        advice = Text(
             "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: "
-            "the R753IE4 of "
-            "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
+            "the R753IE4 of Finotti 2013, 2.5.3.1, lies above it with 0.3282."
         )
-    )
     return check(
         "engine.crank.lambda_usual",
         Text("Crank ratio λ"),
@@ -108,18 +105,10 @@ def _crank_ratio_check(e: EngineResult) -> Check:
 
 def _firing_check(e: EngineResult) -> Check:
     """Of the interval that is furthest from the even one."""
-    assert (
-        e.firing_interval is not None
-        and e.firing_interval_shortest is not None
-        and e.firing_interval_longest is not None
-    )
-    uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
-    uneven = based_on(
-        uneven if uneven > DUST * TURN else 0.0,
-        e.firing_interval,
-        e.firing_interval_longest,
-        e.firing_interval_shortest,
-    )
+    even, shortest, longest = e.firing_interval, e.firing_interval_shortest, e.firing_interval_longest
+    assert even is not None and shortest is not None and longest is not None
+    uneven = max(longest - even, even - shortest)
+    uneven = based_on(uneven if uneven > DUST * TURN else 0.0, even, longest, shortest)
     return check(
         "engine.firing.even",
         Text("Deviation of a firing interval from the even one"),

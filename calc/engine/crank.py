@@ -66,20 +66,9 @@ def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Fi
     return Firing(order, angles, gaps, chosen)
 
 
-def most_even(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> Firing:
-    """The most even of all firings that a crank allows; among equals the usual one, or else the first by number."""
-    firings = evenest(phi, psi, strokes, usual)
-    note = Text(
-        "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give firing_order "
-        "for another.",
-        count=len(firings),
-    )
-    return replace(firings[0], chosen=note if len(firings) > 1 else EMPTY)
-
-
 def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:
-    """All the equally most even firings of a crank.  A four-stroke cylinder may fire at either of its two dead centres
-    in the cycle."""
+    """All the equally most even firings of a crank, the usual one first, the others by number.  A four-stroke cylinder
+    may fire at either of its two dead centres in the cycle."""
     cycle = strokes * math.pi
     n = phi.size
     ways = (strokes // 2) ** (n - 1)
@@ -173,9 +162,12 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     else:
         order = engine.firing_order or usual_order(n, engine.strokes) or tuple(range(1, n + 1))
         if engine.firing_order is None and n > 2:
-            chosen.append(
-                Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=_why(n, engine.strokes))
+            why = (
+                Text("the usual one of an inline engine with {n} cylinders", n=n)
+                if n == 3 or (engine.strokes == 4 and n in (4, 5, 6, 8))
+                else Text("of those that were tried it leaves the least, at λ = 0.3")
             )
+            chosen.append(Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=why))
         given_order: IndexArray = based_on(np.asarray(order), order)
         phi = throw_angles(psi=psi, i=places_in_order(order=given_order), strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
@@ -195,7 +187,15 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
     given = engine.firing_order or (usual if engine.crank_angles is None else None)
     first = given.index(1) if given else 0
     chosen = in_order(throws.phi, throws.psi, engine.strokes, given[first:] + given[:first]) if given else None
-    chosen = chosen or most_even(throws.phi, throws.psi, engine.strokes, usual or ())
+    if chosen is None:
+        chosen, *others = evenest(throws.phi, throws.psi, engine.strokes, usual or ())
+        if others:
+            note = Text(
+                "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give "
+                "firing_order for another.",
+                count=len(others) + 1,
+            )
+            chosen = replace(chosen, chosen=note)
     of = (throws.phi, throws.psi, engine.strokes, engine.firing_order)
     return replace(chosen, angles=based_on(chosen.angles, *of), intervals=based_on(chosen.intervals, *of))
 
@@ -226,15 +226,6 @@ def column(x: float) -> float:
     """The number of each engine as a column, so that it meets the cylinders or crank angles of a row; a single number
     as it is."""
     return x[..., None] if isinstance(x, np.ndarray) else x
-
-
-def _why(n: int, strokes: int) -> str:
-    usual = n <= 3 or (strokes == 4 and n in (4, 5, 6, 8))
-    return (
-        Text("the usual one of an inline engine with {n} cylinders", n=n)
-        if usual
-        else Text("of those that were tried it leaves the least, at λ = 0.3")
-    )
 
 
 def places(engine: EngineInputs) -> IndexArray:

@@ -7,24 +7,20 @@ import numpy as np
 from ..sheet.arrays import Array
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
-from ..sheet.units import Kilogram, Metre, Newton, Number, RadPerSecond
+from ..sheet.units import Metre, Newton
 from ..sheet.value import untraced
 from . import formulas as f
+from .result import EngineResult
 
 ANGLE = axis_label("crank angle α", "°")
 FORMS = (Text("exact"), Text("two terms"))
 
 
-def curves(
-    r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kilogram, harmonics: tuple[complex, ...]
-) -> tuple[Curve, ...]:
+def curves(r: Metre, e: EngineResult) -> tuple[Curve, ...]:
     """Way, speed and acceleration, exact beside the two terms of the textbooks, and what one cylinder puts on the
-    block.
-
-    `harmonics`: of a/(ω²·r), from order 1.
-    """
-    points = np.radians(np.arange(0.0, 361.0))
-    alpha = points
+    block."""
+    omega, lam, delta = e.angular_speed, e.lambda_, e.delta
+    alpha = np.radians(np.arange(0.0, 361.0))
     with untraced():
         beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
         motions = (
@@ -53,12 +49,12 @@ def curves(
                 f.relative_path_two_term(alpha=alpha, lam=lam, delta=delta),
             ),
         )
-    degrees = np.degrees(points)
+    degrees = np.degrees(alpha)
     drawn = [
         Curve(id, title, ANGLE, label, tuple(Series(words, degrees, y * scale) for words, y in zip(FORMS, forms)))
         for id, title, label, scale, *forms in motions
     ]
-    return (*drawn, _forces(points, motions[0][4], M_alt * r * omega**2, harmonics))
+    return (*drawn, _forces(alpha, motions[0][4], e.reciprocating_mass * r * omega**2, e.harmonics))
 
 
 def _forces(alpha: Array, relative: Array, scale: Newton, harmonics: tuple[complex, ...]) -> Curve:

@@ -7,11 +7,10 @@ are absolute; forces are positive towards the crank.  The simple cycle: compress
 for a while, expansion to BDC; a four-stroke engine exhausts and draws in at constant pressures between."""
 
 import math
-from typing import Any, overload
 
 import numpy as np
 
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, Value
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, joined, pi, power, single_or_many
 from ..sheet.record import record
@@ -152,28 +151,14 @@ class Cycle:
     notes: tuple[Text, ...]
     compression_end: Pascal | None = None
 
-    @overload
-    def pressure(self, epsilon: float, x: float) -> float: ...
-    @overload
-    def pressure(self, epsilon: Array, x: Array) -> Array: ...
-    def pressure(self, epsilon: Any, x: Any) -> Any:
+    def pressure(self, epsilon: Value, x: Value) -> Value:
         """The pressure at crank angles after firing, from 0 up to the cycle, where the piston's way is x."""
         g = self.given
         if isinstance(g, tuple):
             return table_pressure(epsilon=epsilon, angles=g[0], pressures=g[1], cycle=self.length)
         p_1 = compression(p_in=g.p_in, h_c=g.h_c, s=g.s, x=x, n_c=g.n_c)
         p_2 = expansion(p_max=g.p_max, h_c=g.h_c, x_p=g.x_p, x=x, n_e=g.n_e)
-        return mixed_cycle(
-            epsilon=epsilon,
-            p_1=p_1,
-            p_2=p_2,
-            p_max=g.p_max,
-            eps_p=g.eps_p,
-            eps_bdc=g.eps_bdc,
-            p_ex=g.p_ex,
-            p_in=g.p_in,
-            cycle=self.length,
-        )
+        return mixed_cycle(epsilon, p_1, p_2, g.p_max, g.eps_p, g.eps_bdc, g.p_ex, g.p_in, self.length)
 
 
 def widest_gap(corners: Array, length: Radian) -> tuple[Radian, Radian]:

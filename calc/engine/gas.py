@@ -4,7 +4,7 @@
 from collections.abc import Iterable, Iterator
 from math import pi
 
-from ..sheet.quantity import THUMB, dotted, inputs, quantity, tables
+from ..sheet.quantity import dotted, inputs, quantity, tables
 from ..sheet.text import Amount, Text
 
 FEWEST_POINTS = 8  # of a pressure table
@@ -39,43 +39,35 @@ class GasInputs:
         "Peak pressure",
         "bar",
         default=None,
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="p_max",
-        usual=(40, 220),
-        source=THUMB,
+        rule_of_thumb=(40, 220),
         help="Highest in the mixed (Sabathé) cycle, absolute.",
     )
     compression_ratio: float | None = quantity(
         "Compression ratio",
         default=None,
-        above=1,
-        high=50,
+        above_up_to=(1, 50),
         symbol="epsilon_c",
-        usual=(7, 23),
-        source=THUMB,
+        rule_of_thumb=(7, 23),
         help="Largest over smallest volume of a cylinder.",
     )
     intake_pressure: float | None = quantity(
         "Intake pressure",
         "bar",
         default=None,
-        above=0,
-        high=100,
+        above_up_to=(0, 100),
         symbol="p_in",
-        usual=(0.3, 3.5),
-        source=THUMB,
+        rule_of_thumb=(0.3, 3.5),
         help="Absolute, as compression begins. Left out: 1.0 bar.",
     )
     exhaust_pressure: float | None = quantity(
         "Exhaust pressure",
         "bar",
         default=None,
-        above=0,
-        high=100,
+        above_up_to=(0, 100),
         symbol="p_ex",
-        usual=(1, 4),
-        source=THUMB,
+        rule_of_thumb=(1, 4),
         help="In a four-stroke's exhaust, absolute. Left out: 1.1 bar.",
     )
     crankcase_pressure: float | None = quantity(
@@ -84,8 +76,7 @@ class GasInputs:
         default=None,
         within=(0, 100),
         symbol="p_case",
-        usual=(0.8, 1.5),
-        source=THUMB,
+        rule_of_thumb=(0.8, 1.5),
         help="Absolute, under the piston. Left out: 1.0 bar.",
     )
     compression_exponent: float | None = quantity(
@@ -93,8 +84,7 @@ class GasInputs:
         default=None,
         within=(1, 2),
         symbol="n_c",
-        usual=(1.25, 1.4),
-        source=THUMB,
+        rule_of_thumb=(1.25, 1.4),
         help="Of the polytropic compression. Left out: 1.35.",
     )
     expansion_exponent: float | None = quantity(
@@ -102,8 +92,7 @@ class GasInputs:
         default=None,
         within=(1, 2),
         symbol="n_e",
-        usual=(1.2, 1.35),
-        source=THUMB,
+        rule_of_thumb=(1.2, 1.35),
         help="Of the polytropic expansion. Left out: 1.28.",
     )
     constant_pressure_angle: float | None = quantity(
@@ -112,8 +101,7 @@ class GasInputs:
         default=None,
         within=(0, 90),
         symbol="epsilon_p",
-        usual=(0, 30),
-        source=THUMB,
+        rule_of_thumb=(0, 30),
         help="Crank angle after TDC. Left out: 10°.",
     )
     pressure: tuple[PressurePoint, ...] = tables(

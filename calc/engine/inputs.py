@@ -4,20 +4,7 @@
 from collections.abc import Iterable, Iterator
 from math import pi
 
-from ..sheet.quantity import (
-    THUMB,
-    choice,
-    dotted,
-    inputs,
-    integer,
-    integers,
-    keys,
-    quantity,
-    series,
-    table,
-    tables,
-    text,
-)
+from ..sheet.quantity import choice, dotted, inputs, integer, integers, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .gas import GasInputs, cycle_problems
 
@@ -36,55 +23,45 @@ class ThrowInputs:
     pin_diameter: float = quantity(
         "Crankpin diameter",
         "mm",
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="d_p",
-        usual=(20, 120),
-        source=THUMB,
+        rule_of_thumb=(20, 120),
         help="Diameter of the crankpin, solid and round.",
         repair="free",
     )
     pin_length: float = quantity(
         "Crankpin length",
         "mm",
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="l_p",
-        usual=(12, 90),
-        source=THUMB,
+        rule_of_thumb=(12, 90),
         help="Length of the crankpin between the webs.",
         repair="free",
     )
     journal_diameter: float = quantity(
         "Main journal diameter",
         "mm",
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="d_j",
-        usual=(20, 140),
-        source=THUMB,
+        rule_of_thumb=(20, 140),
         help="Diameter of the main journals, solid and round.",
         repair="free",
     )
     journal_length: float = quantity(
         "Main journal length",
         "mm",
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="l_j",
-        usual=(12, 90),
-        source=THUMB,
+        rule_of_thumb=(12, 90),
         help="Length of a main journal between the webs of two throws.",
         repair="free",
     )
     web_thickness: float = quantity(
         "Web thickness",
         "mm",
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="t_w",
-        usual=(6, 60),
-        source=THUMB,
+        rule_of_thumb=(6, 60),
         help="Thickness of a web along the crank axis.",
         repair="free",
     )
@@ -92,11 +69,9 @@ class ThrowInputs:
         "Fillet radius",
         "mm",
         default=None,
-        above=0,
-        high=500,
+        above_up_to=(0, 500),
         symbol="rho",
-        usual=(1, 8),
-        source=THUMB,
+        rule_of_thumb=(1, 8),
         help="Radius from pin and journal to the web. Left out: no notch stress.",
         repair="free",
     )
@@ -132,39 +107,27 @@ def diagram_problems(
     """What is wrong with a torque diagram, with keys of [engine]."""
     if not rows:
         if period is not None:
-            yield (
-                dotted(EngineInputs.torque_period),
-                Text("belongs to a torque diagram, [[engine.torque]]; leave it out"),
-            )
+            reason = Text("belongs to a torque diagram, [[engine.torque]]; leave it out")
+            yield dotted(EngineInputs.torque_period), reason
         return
     if gas:
-        yield (
-            dotted(EngineInputs.torque),
-            Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]"),
-        )
+        reason = Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]")
+        yield dotted(EngineInputs.torque), reason
     if len(rows) < FEWEST_ROWS:
-        yield (
-            dotted(EngineInputs.torque),
-            Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS),
-        )
+        reason = Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS)
+        yield dotted(EngineInputs.torque), reason
     length = period if period is not None else strokes * pi
     shown = Amount(length / pi * 180, form="g")
     for i, row in enumerate(rows):
         if i and row.angle <= rows[i - 1].angle:
-            yield (
-                dotted(EngineInputs.torque, i, TorquePoint.angle),
-                Text("must be above that of the row before; a jump takes two rows, a hundredth of a degree apart"),
-            )
+            reason = Text("must be above that of the row before; a jump takes two rows, a hundredth of a degree apart")
+            yield dotted(EngineInputs.torque, i, TorquePoint.angle), reason
     if rows[-1].angle - rows[0].angle > length + SAME_ANGLE:
-        yield (
-            dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.angle),
-            Text("lies more than the period of {length}° behind the first row", length=shown),
-        )
+        reason = Text("lies more than the period of {length}° behind the first row", length=shown)
+        yield dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.angle), reason
     elif abs(rows[-1].angle - rows[0].angle - length) <= SAME_ANGLE and rows[-1].torque != rows[0].torque:
-        yield (
-            dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.torque),
-            Text("must be that of the first row, {length}° before it: the diagram closes", length=shown),
-        )
+        reason = Text("must be that of the first row, {length}° before it: the diagram closes", length=shown)
+        yield dotted(EngineInputs.torque, len(rows) - 1, TorquePoint.torque), reason
 
 
 # --- the engine
@@ -226,8 +189,7 @@ class BenchPoint:
         "°C",
         within=(-40, 200),
         symbol="T_in",
-        usual=(60, 140),
-        source=THUMB,
+        rule_of_thumb=(60, 140),
         help="Oil in the main gallery at this speed.",
         repair="asked",
     )
@@ -236,8 +198,7 @@ class BenchPoint:
         "bar",
         within=(0, 100),
         symbol="p_s",
-        usual=(1, 6),
-        source=THUMB,
+        rule_of_thumb=(1, 6),
         help="Oil in the main gallery at this speed, above ambient.",
     )
 
@@ -263,32 +224,26 @@ class EngineInputs:
     bore: float = quantity(
         "Bore",
         "mm",
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="D",
-        usual=(50, 150),
-        source=THUMB,
+        rule_of_thumb=(50, 150),
         help="Diameter of the cylinders, on which the gas presses.",
         decides=1,
     )
     crank_radius: float = quantity(
         "Crank radius",
         "mm",
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="r",
-        usual=(20, 90),
-        source=THUMB,
+        rule_of_thumb=(20, 90),
         help="Half the stroke: from the crank's axis to the pin's.",
     )
     rod_length: float = quantity(
         "Rod length",
         "mm",
-        above=0,
-        high=4000,
+        above_up_to=(0, 4000),
         symbol="L",
-        usual=(80, 300),
-        source=THUMB,
+        rule_of_thumb=(80, 300),
         help=Text(
             "Between centres. λ = r/L is usually {low} to {high}; a longer rod lowers the second order.",
             low=Amount(CRANK_RATIO[0]),
@@ -300,11 +255,9 @@ class EngineInputs:
     cylinder_pitch: float = quantity(
         "Cylinder pitch",
         "mm",
-        above=0,
-        high=2000,
+        above_up_to=(0, 2000),
         symbol="a",
-        usual=(35, 200),
-        source=THUMB,
+        rule_of_thumb=(35, 200),
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
         decides=6,
     )
@@ -324,8 +277,7 @@ class EngineInputs:
         default=None,
         within=(0, 180),
         symbol="V",
-        usual=(45, 180),
-        source=THUMB,
+        rule_of_thumb=(45, 180),
         help="Between the banks of a vee engine; a boxer has 180°.",
         where=(layout, "vee", "boxer"),
         fold=CYLINDERS,
@@ -370,8 +322,7 @@ class EngineInputs:
         "Crank radii",
         "mm",
         default=None,
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="r_k",
         help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that "
         "one.",
@@ -381,11 +332,9 @@ class EngineInputs:
         "Piston mass",
         "g",
         default=None,
-        above=0,
-        high=1e5,
+        above_up_to=(0, 1e5),
         symbol="M_P",
-        usual=(150, 2000),
-        source=THUMB,
+        rule_of_thumb=(150, 2000),
         help="Mass of one piston with rings, pin and circlips.",
         decides=4,
     )
@@ -395,8 +344,7 @@ class EngineInputs:
         default=None,
         within=(0, 1e5),
         symbol="M_B",
-        usual=(200, 2000),
-        source=THUMB,
+        rule_of_thumb=(200, 2000),
         help="Mass of one rod with bush and screws, without big-end shells.",
     )
     rod_cg_to_big_end: float | None = quantity(
@@ -405,8 +353,7 @@ class EngineInputs:
         default=None,
         within=(0, 4000),
         symbol="X_2",
-        usual=(20, 120),
-        source=THUMB,
+        rule_of_thumb=(20, 120),
         help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds "
         "rotate.",
     )
@@ -416,16 +363,14 @@ class EngineInputs:
         default=0.0,
         within=(0, 1e5),
         symbol="M_shell",
-        usual=(0, 500),
-        source=THUMB,
+        rule_of_thumb=(0, 500),
         help="Mass of the shells of one big end; they rotate with the pin.",
     )
     reciprocating_masses: tuple[float, ...] | None = series(
         "Reciprocating masses",
         "kg",
         default=None,
-        above=0,
-        high=1e6,
+        above_up_to=(0, 1e6),
         symbol="M_alt",
         help="One for all cylinders, or one per cylinder. Left out: piston and the rod's share.",
     )
@@ -443,8 +388,7 @@ class EngineInputs:
         "rpm",
         within=(1, 30000),
         symbol="n",
-        usual=(1000, 13000),
-        source=THUMB,
+        rule_of_thumb=(1000, 13000),
         help="The speed at which forces and bearings are judged.",
         repair="asked",
         decides=5,
@@ -454,11 +398,9 @@ class EngineInputs:
         "Rated power",
         "kW",
         default=None,
-        above=0,
-        high=1e5,
+        above_up_to=(0, 1e5),
         symbol="P_e",
-        usual=(2, 600),
-        source=THUMB,
+        rule_of_thumb=(2, 600),
         help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the "
         "train's losses take.",
         repair="asked",
@@ -467,29 +409,19 @@ class EngineInputs:
         "Inertia of the flywheel",
         "kg·m²",
         default=None,
-        above=0,
-        high=1e5,
+        above_up_to=(0, 1e5),
         symbol="J",
-        usual=(0.005, 10),
-        source=THUMB,
+        rule_of_thumb=(0.005, 10),
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
         change=("lighter flywheel", "heavier flywheel"),
         repair="free",
     )
     bench: tuple[BenchPoint, ...] = tables(
-        "Bench run",
-        BenchPoint,
-        default=(),
-        help="Oil in the main gallery over speed.",
-        fold=GAS,
+        "Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed.", fold=GAS
     )
 
     gas: GasInputs | None = table(
-        "Gas",
-        GasInputs,
-        default=None,
-        help="Pressure in the cylinders: torque over the cycle.",
-        fold=GAS,
+        "Gas", GasInputs, default=None, help="Pressure in the cylinders: torque over the cycle.", fold=GAS
     )
     torque: tuple[TorquePoint, ...] = tables(
         "Torque over the crank angle",
@@ -502,18 +434,13 @@ class EngineInputs:
         "Period of the torque",
         "°",
         default=None,
-        above=0,
-        high=1440,
+        above_up_to=(0, 1440),
         symbol="epsilon_T",
         help="After which the diagram repeats itself. Left out: the cycle, 720° of a four-stroke engine.",
         fold=GAS,
     )
     throw: ThrowInputs | None = table(
-        "Crank throw",
-        ThrowInputs,
-        default=None,
-        help="Pin, journal and web: stresses of the crank.",
-        fold=GAS,
+        "Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank.", fold=GAS
     )
 
     @property
@@ -543,17 +470,13 @@ class EngineInputs:
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
-            yield (
-                dotted(EngineInputs.rod_length),
-                Text("must be longer than crank radius plus cylinder offset: the crank could not turn"),
-            )
+            reason = Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
+            yield dotted(EngineInputs.rod_length), reason
         for k, radius in enumerate(self.crank_radii or (), 1):
             if radius >= self.rod_length:
                 mm = Amount(radius * 1e3, form="g")
-                yield (
-                    dotted(EngineInputs.crank_radii),
-                    Text("cylinder {k}: {mm} mm is not below rod_length_mm: the crank could not turn", k=k, mm=mm),
-                )
+                reason = Text("cylinder {k}: {mm} mm is not below rod_length_mm: the crank could not turn", k=k, mm=mm)
+                yield dotted(EngineInputs.crank_radii), reason
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
             yield dotted(EngineInputs.rod_cg_to_big_end), Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with
@@ -574,10 +497,8 @@ class EngineInputs:
         ):
             yield dotted(EngineInputs.firing_order), Text("must name each cylinder from 1 to {n} once", n=n)
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n > 12):
-            yield (
-                dotted(EngineInputs.crank_angles),
-                Text("needed here: give the crank angles, or the firing order of an evenly firing engine"),
-            )
+            reason = Text("needed here: give the crank angles, or the firing order of an evenly firing engine")
+            yield dotted(EngineInputs.crank_angles), reason
         if self.layout != "vee" and self.bank_angle:
             yield dotted(EngineInputs.bank_angle), Text("belongs to a vee engine; leave it out")
         if self.layout == "vee" and self.bank_angle is None:
@@ -604,15 +525,11 @@ class EngineInputs:
                         ),
                     )
         elif self.piston_mass is not None:
-            yield (
-                dotted(EngineInputs.piston_mass),
-                Text("reciprocating_masses_kg has its mass already; leave one of the two out"),
-            )
+            reason = Text("reciprocating_masses_kg has its mass already; leave one of the two out")
+            yield dotted(EngineInputs.piston_mass), reason
         if self.rotating_masses is not None and self.crankpin_bearing_mass:
-            yield (
-                dotted(EngineInputs.crankpin_bearing_mass),
-                Text("rotating_masses_kg has its mass already; leave one of the two out"),
-            )
+            reason = Text("rotating_masses_kg has its mass already; leave one of the two out")
+            yield dotted(EngineInputs.crankpin_bearing_mass), reason
         for key, masses in (
             (dotted(EngineInputs.reciprocating_masses), self.reciprocating_masses),
             (dotted(EngineInputs.rotating_masses), self.rotating_masses),
@@ -637,19 +554,13 @@ class EngineInputs:
         """Crank radii that differ, and what then has no one answer for all cylinders."""
         if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
             mm = Amount(self.crank_radius * 1e3, form="g")
-            yield (
-                dotted(EngineInputs.crank_radii),
-                Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm),
-            )
+            reason = Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm)
+            yield dotted(EngineInputs.crank_radii), reason
         if not self.unlike_radii:
             return
         if self.gas is not None:
-            yield (
-                dotted(EngineInputs.gas),
-                Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ"),
-            )
+            reason = Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ")
+            yield dotted(EngineInputs.gas), reason
         if self.cylinder_offset:
-            yield (
-                dotted(EngineInputs.cylinder_offset),
-                Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere"),
-            )
+            reason = Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere")
+            yield dotted(EngineInputs.cylinder_offset), reason

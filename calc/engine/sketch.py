@@ -127,6 +127,12 @@ def _pins(throws: Iterable[Throw]) -> list[tuple[Radian, str]]:
     return [(angle, "·".join(numbers)) for angle, numbers in pins]
 
 
+def _arch(middle: Metre, width: Metre, bottom: Metre, top: Metre) -> tuple[Point, ...]:
+    """Up one side, across, and down the other."""
+    left, right = middle - width / 2, middle + width / 2
+    return (left, bottom), (left, top), (right, top), (right, bottom)
+
+
 def _number(symbol: str, length: Metre) -> Text:
     return Text("{symbol} {number}", symbol=Name(symbol), number=Amount(length * 1000))
 
@@ -146,8 +152,7 @@ def _end_view(engine: EngineInputs, throws: list[Throw]) -> Iterator[Mark]:
     banks = {throw.bank: throw for throw in reversed(throws)}
     for bank, throw in banks.items():
         x, y = throw.piston
-        bottom, top = throw.dead[0] - SKIRT * bore, throw.dead[1] + (CROWN + HEAD) * bore
-        block = ((x - bore / 2, bottom), (x - bore / 2, top), (x + bore / 2, top), (x + bore / 2, bottom))
+        block = _arch(x, bore, throw.dead[0] - SKIRT * bore, throw.dead[1] + (CROWN + HEAD) * bore)
         yield Polyline(CONTEXT, tuple(_turned(corner, bank) for corner in block), key=BORE)
         crown = [
             _turned(corner, bank)
@@ -218,19 +223,11 @@ def _row(engine: EngineInputs, throws: list[Throw]) -> Sketch:
         pin, piston = up * throw.pin[1], up * throw.piston[1]
         crown = rectangle(z - bore / 2, piston - up * SKIRT * bore, z + bore / 2, piston + up * CROWN * bore)
         marks += [
-            Polyline(
-                CONTEXT,
-                ((z - bore / 2, bottom), (z - bore / 2, top), (z + bore / 2, top), (z + bore / 2, bottom)),
-                key=BORE,
-            ),
+            Polyline(CONTEXT, _arch(z, bore, bottom, top), key=BORE),
             Area(OUTLINE, (crown,), key=BORE),
             Polyline(OUTLINE, crown, closed=True, key=BORE),
             Polyline(OUTLINE, ((z, pin), (z, piston - up * SKIRT * bore)), key=ROD),
-            Polyline(
-                OUTLINE,
-                ((z - bore / 5, 0.0), (z - bore / 5, pin), (z + bore / 5, pin), (z + bore / 5, 0.0)),
-                key=RADIUS,
-            ),
+            Polyline(OUTLINE, _arch(z, 2 * bore / 5, 0.0, pin), key=RADIUS),
             Words(WORDS, (z, piston), str(throw.number), side="centre"),
         ]
     first, last = min(t.z for t in throws) - 0.65 * bore, max(t.z for t in throws) + 0.65 * bore

@@ -15,20 +15,18 @@ from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, pi, single_or_many, smallest
 from ..sheet.linked_array import elements, gathered
 from ..sheet.quantity import Described, Stated
-from ..sheet.step import Curve, Outcome, Table
+from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
 from ..sheet.units import Number, Numbers, PhasorNumber, PhasorNumbers, Radian, Radians
 from ..sheet.value import about, based_on, trace
 from . import curves as engine_curves
 from . import formulas as f
 from . import throw, torque
-from . import torque as torque_formulas
 from .checks import checks
 from .crank import Firing, column, crank, firing, pin_of_cylinder
-from .formulas import Unlike, alone, masses
 from .inputs import EngineInputs
 from .notes import notes
-from .result import Cylinder, EngineResult, ThrowResult, TorqueResult
+from .result import Cylinder, EngineResult, ThrowResult
 
 ORDERS = range(1, 9)
 TURNED = "inertia_torque"  # the figure of the inertia torque, where that of the whole is given
@@ -128,8 +126,11 @@ def turn_lowest(y: Numbers) -> Number:
 
 def values(engine: EngineInputs) -> EngineResult:
     """Masses, kinematics and harmonics.  A number of the engine may be an array, an engine each: so are the results."""
-    reciprocating, rotating, of_each = masses(engine)
-    cylinders = [_alone(k, single) for k, single in enumerate(alone(engine), 1)] if engine.unlike_radii else []
+    reciprocating, rotating, of_each = f.masses(engine)
+    cylinders = []
+    for k, single in enumerate(f.alone(engine) if engine.unlike_radii else (), 1):
+        with about(Text("cylinder {n}", n=k)):
+            cylinders.append(values(single))
     lam = f.crank_ratio(r=engine.crank_radius, L=engine.rod_length)
     delta = f.offset_ratio(d=engine.cylinder_offset, L=engine.rod_length)
     omega = f.angular_speed(n=engine.rated_speed)
@@ -155,14 +156,14 @@ def values(engine: EngineInputs) -> EngineResult:
     spectrum = harmonics(exact)
     c_n = elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0))
     two_term = (based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2)))
-    unlike = Unlike(*of_each, engine.crank_radius, lam, c_n, two_term) if engine.unlike else None
-    if unlike is not None and cylinders:
-        unlike = replace(
-            unlike,
-            radius=gathered(engine.crank_radii or ()),
-            lambda_=gathered(cylinder.lambda_ for cylinder in cylinders),
-            harmonics=_beside(cylinder.harmonics for cylinder in cylinders),
-            two_term=_beside(cylinder.two_term for cylinder in cylinders),
+    unlike = f.Unlike(*of_each, engine.crank_radius, lam, c_n, two_term) if engine.unlike else None
+    if cylinders:
+        unlike = f.Unlike(
+            *of_each,
+            gathered(engine.crank_radii or ()),
+            gathered(cylinder.lambda_ for cylinder in cylinders),
+            _beside(cylinder.harmonics for cylinder in cylinders),
+            _beside(cylinder.two_term for cylinder in cylinders),
         )
     return EngineResult(
         reciprocating_mass=reciprocating,
@@ -184,13 +185,8 @@ def values(engine: EngineInputs) -> EngineResult:
         unlike=unlike,
         harmonics=c_n,
         two_term=two_term,
-        cylinder=_named(cylinders) if cylinders else None,
+        cylinder={str(k): _of_one(cylinder) for k, cylinder in enumerate(cylinders, 1)} or None,
     )
-
-
-def _alone(number: int, cylinder: EngineInputs) -> EngineResult:
-    with about(Text("cylinder {n}", n=number)):
-        return values(cylinder)
 
 
 def _beside(of_each: Iterable[tuple[complex, ...]]) -> tuple[ComplexArray, ...]:
@@ -198,18 +194,15 @@ def _beside(of_each: Iterable[tuple[complex, ...]]) -> tuple[ComplexArray, ...]:
     return tuple(based_on(np.array(c_n), *c_n) for c_n in zip(*of_each))
 
 
-def _named(cylinders: Iterable[EngineResult]) -> dict[str, Cylinder]:
-    return {
-        str(k): Cylinder(
-            lambda_=cylinder.lambda_,
-            stroke=cylinder.stroke,
-            mean_piston_speed=cylinder.mean_piston_speed,
-            piston_speed_max=cylinder.piston_speed_max,
-            acceleration_max=cylinder.acceleration_max,
-            acceleration_min=cylinder.acceleration_min,
-        )
-        for k, cylinder in enumerate(cylinders, 1)
-    }
+def _of_one(cylinder: EngineResult) -> Cylinder:
+    return Cylinder(
+        lambda_=cylinder.lambda_,
+        stroke=cylinder.stroke,
+        mean_piston_speed=cylinder.mean_piston_speed,
+        piston_speed_max=cylinder.piston_speed_max,
+        acceleration_max=cylinder.acceleration_max,
+        acceleration_min=cylinder.acceleration_min,
+    )
 
 
 def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None) -> Outcome[EngineResult]:
@@ -223,10 +216,18 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         with about(Text("torque")):
             turning, curves, assumed = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
             if engine.torque:
-                turning, curves, assumed = _given_torque(engine, e, turning, curves[0], assumed[0])
+                turning, curve, repeats = torque.solve_diagram(engine, e, turning)
+                curves, assumed = (curve, replace(curves[0], id=TURNED)), (assumed[0], repeats)
         with about(Text("harmonics of the piston's acceleration")):
             named = _harmonics(e)
-        stressed, strength, more, tables = _throw(engine, e, fires, turning, materials or {})
+        stressed: ThrowResult | None = None
+        strength: tuple[Check, ...] = ()
+        more: tuple[Text, ...] = ()
+        tables: tuple[Table, ...] = ()
+        if engine.throw is not None:
+            stressed, strength, more, tables = throw.solve(
+                engine, e, fires.angles, engine.gas, engine.throw, materials or {}, turning.cycle
+            )
     e = replace(
         e,
         firing_interval=interval,
@@ -237,41 +238,15 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         harmonic=named,
     )
 
-    def drawn() -> tuple[Curve, ...]:
-        return engine_curves.curves(
-            engine.crank_radius, e.angular_speed, e.lambda_, e.delta, e.reciprocating_mass, e.harmonics
-        )
-
     return Outcome(
         "engine",
         result=e,
         checks=(*checks(engine, e, turning), *strength),
         lines=tuple(lines),
-        curves=Later(lambda: (*drawn(), *curves)),
+        curves=Later(lambda: (*engine_curves.curves(engine.crank_radius, e), *curves)),
         tables=Later(lambda: (_crank_table(engine, e, fires), *tables)),
         notes=(*notes(engine, e, fires), *assumed, *more),
     )
-
-
-def _given_torque(
-    engine: EngineInputs, e: EngineResult, turning: TorqueResult, turned: Curve, note: Text
-) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
-    """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
-    cycle = based_on(engine.strokes * np.pi, engine.strokes)
-    period = engine.torque_period if engine.torque_period is not None else cycle
-    diagram, curve, repeats = torque_formulas.solve_diagram(
-        engine.torque, period, e.angular_speed, engine.flywheel_inertia
-    )
-    return replace(turning, **diagram), (curve, replace(turned, id=TURNED)), (note, repeats)
-
-
-def _throw(
-    engine: EngineInputs, e: EngineResult, fires: Firing, turning: TorqueResult, materials: Mapping[str, Material]
-) -> tuple[ThrowResult | None, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]:
-    """Stresses of a crank throw, where one is described."""
-    if engine.throw is None:
-        return None, (), (), ()
-    return throw.solve(engine, e, fires.angles, engine.gas, engine.throw, materials, turning.cycle)
 
 
 @formula("|c_n|", "mathematics: amplitude of one order of a/(ω²·r)")
@@ -292,34 +267,22 @@ def _harmonics(e: EngineResult) -> dict[str, Stated]:
 
 def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
     """Cylinder by cylinder, where everything stands: what the layout was taken for."""
-    pin = pin_of_cylinder(engine, e.crank)
-    degrees = [np.round(np.degrees(x), 4) + 0.0 for x in (e.crank.psi, e.crank.phi, fires.angles)]
-    radii = engine.crank_radii or ()
-    rows = tuple(
-        (
-            float(k + 1),
-            float(degrees[0][k]),
-            float(degrees[1][k]),
-            float(pin[k] + 1),
-            *(float(r) * 1e3 for r in radii[k : k + 1]),
-            float(e.crank.z[k]) * 1e3,
-            float(degrees[2][k]),
-        )
-        for k in range(engine.cylinders)
-    )
+    bank, throw, fires_at = (np.round(np.degrees(x), 4) + 0.0 for x in (e.crank.psi, e.crank.phi, fires.angles))
+    columns = [
+        (Text("cylinder"), "", np.arange(1.0, engine.cylinders + 1)),
+        (Text("bank"), "°", bank),
+        (Text("throw"), "°", throw),
+        (Text("pin"), "", pin_of_cylinder(engine, e.crank) + 1.0),
+        (Text("r"), "mm", np.array(engine.crank_radii or ()) * 1e3),
+        (Text("z"), "mm", np.asarray(e.crank.z) * 1e3),
+        (Text("fires at"), "°", fires_at),
+    ]
+    given = [column for column in columns if column[2].size]
     return Table(
         "crank",
         Text("The crank and its cylinders"),
-        (
-            (Text("cylinder"), ""),
-            (Text("bank"), "°"),
-            (Text("throw"), "°"),
-            (Text("pin"), ""),
-            *(((Text("r"), "mm"),) if radii else ()),
-            (Text("z"), "mm"),
-            (Text("fires at"), "°"),
-        ),
-        rows,
+        tuple((label, unit) for label, unit, _ in given),
+        tuple(zip(*(numbers.tolist() for *_, numbers in given))),
         Text(
             "Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards "
             "the flywheel."

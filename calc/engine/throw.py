@@ -7,6 +7,7 @@ in the sense of rotation, radial towards the crank axis."""
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any, Protocol, overload
 
 import numpy as np
@@ -16,17 +17,14 @@ from ..sheet.arrays import Array, BoolArray, Num
 from ..sheet.check import Check, check
 from ..sheet.linked_array import item
 from ..sheet.step import Table
-from ..sheet.text import EMPTY, Name, Text
+from ..sheet.text import Name, Text
 from ..sheet.units import UNITS, Metre, Newton, NewtonMetre
 from ..sheet.value import about, based_on, untraced
 from . import cycle as c
 from . import formulas as f
 from . import throw_strength as t
 from .crank import sharing
-from .cycle import (
-    TURN,
-    Cycle,
-)
+from .cycle import TURN, Cycle
 from .gas import GasInputs
 from .inputs import EngineInputs, ThrowInputs
 from .result import CrankSection, EngineResult, Position, Rod, ThrowResult
@@ -58,7 +56,9 @@ class _Throw:
         self, engine: EngineInputs, e: EngineResult, fires: Array, cycle: Cycle | None, throw: ThrowInputs
     ) -> None:
         self.engine, self.e, self.fires, self.cycle, self.throw = engine, e, fires, cycle, throw
+        self.shared, self.in_front = pins(engine, e)
         self.length = cycle.length if cycle else TURN
+        self.epsilon = c.points(cycle, fires) if cycle else np.linspace(0.0, TURN, 721)  # over the whole cycle
         self.load = (
             fires,
             e.lambda_,
@@ -77,6 +77,10 @@ class _Throw:
                 with about(Text("fillet of the {place}", place=PLACES[place])):
                     ratio = t.relative_fillet(rho=throw.fillet_radius, d=d)
                     self.notch[place] = ratio, t.notch_bending(rho_d=ratio), t.notch_torsion(rho_d=ratio)
+
+    def partners(self, k: int) -> list[int]:
+        """The other cylinders on the pin of cylinder k, all from 0."""
+        return [int(j) for j in np.flatnonzero(self.shared[k]) if j != k]
 
     @overload
     def rod(self, fires: float, epsilon: float) -> Rod: ...
@@ -174,18 +178,15 @@ def solve(
         with about(Text("gas cycle")):
             cycle = prepare(engine, e, gas)
     crank = _Throw(engine, e, firing, cycle, throw)
-    shared, in_front = pins(engine, e)
     with untraced():
-        angles = _positions(crank, shared)
-        worst = _stress_of_all(crank, shared, in_front, angles)
+        angles = _positions(crank)
+        worst = _stress_of_all(crank, angles)
     stress = np.nanmax(worst[..., :2], (0, 2))
     k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
     at = zip(POSITIONS.values(), (based_on(float(angles[0, k]), *crank.load), item(firing[k])))
-    largest, top = [_position(crank, k, epsilon, shared[k], in_front[k], words) for words, epsilon in at]
+    largest, top = [_position(crank, k, epsilon, words) for words, epsilon in at]
     material = materials.get(throw.material)
-    fatigue = judged(
-        _forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load
-    )
+    fatigue = judged(_forces_over_the_cycle(crank), crank.notch, throw, engine.crank_radius, material, crank.load)
     pin, journal = (crank.notch.get(place, (None, None, None)) for place in PLACES)
     result = ThrowResult(
         cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw),
@@ -198,85 +199,56 @@ def solve(
         top_dead_centre=top,
         fatigue=fatigue,
     )
-    return (
-        result,
-        tuple(_checks(crank, worst, material, fatigue)),
-        _notes(crank, result, shared[k], material),
-        _tables(result, worst),
-    )
+    checks = tuple(_checks(crank, worst, material, fatigue))
+    return result, checks, tuple(_notes(crank, result, material)), tuple(_tables(result, worst))
 
 
-def _over_the_cycle(crank: _Throw) -> Array:
-    """Crank angles of the whole cycle."""
-    return c.points(crank.cycle, crank.fires) if crank.cycle else np.linspace(0.0, TURN, 721)
-
-
-def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray) -> Forces:
+def _forces_over_the_cycle(crank: _Throw) -> Forces:
     """Tangential and radial force on every pin, and the torque from in front of it: (angles, cylinders)."""
     with untraced():
-        rods = crank.rod(crank.fires, _over_the_cycle(crank)[:, None])
-    tangential = rods.tangential_force
-    return (
-        tangential @ shared.T,
-        rods.radial_force @ shared.T,
-        tangential @ in_front.T * crank.engine.crank_radius,
-    )
+        rods = crank.rod(crank.fires, crank.epsilon[:, None])
+    F_t, F_r = rods.tangential_force, rods.radial_force
+    return F_t @ crank.shared.T, F_r @ crank.shared.T, F_t @ crank.in_front.T * crank.engine.crank_radius
 
 
-def _positions(crank: _Throw, shared: BoolArray) -> Array:
+def _positions(crank: _Throw) -> Array:
     """The crank angles of the two positions (first axis) for each cylinder."""
-    epsilon = _over_the_cycle(crank)
-    fires = crank.fires
+    epsilon, fires, shared = crank.epsilon, crank.fires, crank.shared
     size = c.amounts(crank.rod(fires, epsilon[:, None]).tangential_force @ shared.T)
     between = np.array([c.highest(epsilon, column)[0] for column in size.T])
     there = c.amounts(np.einsum("kj,kj->k", crank.rod(fires, between[:, None]).tangential_force, shared))
     largest = np.where(there >= size.max(0), between, epsilon[size.argmax(0)])
-    return np.stack([largest, crank.fires])
+    return np.stack([largest, fires])
 
 
-def _stress_of_all(crank: _Throw, shared: BoolArray, in_front: BoolArray, angles: Array) -> Array:
+def _stress_of_all(crank: _Throw, angles: Array) -> Array:
     """Von Mises stress by position, cylinder and place: pin and journal nominal, then at their fillets (NaN where these
     are not given)."""
     rods = crank.rod(crank.fires, angles[:, :, None])
-    F_t, F_r = (np.einsum("pkj,kj->pk", part, shared) for part in (rods.tangential_force, rods.radial_force))
-    T_v = np.einsum("pkj,kj->pk", rods.tangential_force, in_front) * crank.engine.crank_radius
+    F_t, F_r = (np.einsum("pkj,kj->pk", part, crank.shared) for part in (rods.tangential_force, rods.radial_force))
+    T_v = np.einsum("pkj,kj->pk", rods.tangential_force, crank.in_front) * crank.engine.crank_radius
     _, *sections = crank.sections(F_t, F_r, T_v)
     notch = [np.full(F_t.shape, np.nan) if part.notch_stress is None else part.notch_stress for part in sections]
     return np.stack([*(part.von_mises for part in sections), *notch], -1)
 
 
-def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front: BoolArray, words: str) -> Position:
+def _position(crank: _Throw, k: int, epsilon: float, words: str) -> Position:
     """Cylinder k at one crank angle, recorded."""
     with untraced():
-        others = crank.rod(crank.fires, epsilon).tangential_force
+        in_front = crank.rod(crank.fires, epsilon).tangential_force[crank.in_front[k]]
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
-        T_v = t.torque_in_front(F_t=based_on(others[in_front], epsilon, *crank.load), r=crank.engine.crank_radius)
+        T_v = t.torque_in_front(F_t=based_on(in_front, epsilon, *crank.load), r=crank.engine.crank_radius)
         rod = crank.rod(item(crank.fires[k]), epsilon)
     F_t, F_r = rod.tangential_force, rod.radial_force
-    for j in np.flatnonzero(shared):
-        if j == k:
-            continue
+    for j in crank.partners(k):
         with about(Text("cylinder {j} on the same pin, {words}", j=j + 1, words=words)):
             other = crank.rod(item(crank.fires[j]), epsilon)
             F_t = t.both_rods(F=F_t, F_other=other.tangential_force)
             F_r = t.both_rods(F=F_r, F_other=other.radial_force)
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
         R, pin, journal = crank.sections(F_t, F_r, T_v)
-    return Position(
-        crank_angle=rod.crank_angle,
-        gas_force=rod.gas_force,
-        inertia_force=rod.inertia_force,
-        piston_force=rod.piston_force,
-        rod_force=rod.rod_force,
-        side_thrust=rod.side_thrust,
-        tangential_force=F_t,
-        radial_force=F_r,
-        reaction_front=R,
-        reaction_rear=R,
-        torque_in_front=T_v,
-        pin=pin,
-        journal=journal,
-    )
+    on_pin = replace(rod, tangential_force=F_t, radial_force=F_r)
+    return Position(**vars(on_pin), reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal)
 
 
 # --- what is said about it
@@ -339,141 +311,108 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
         yield fatigue_check(fatigue, PLACES[fatigue.place])
 
 
-def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[Text, ...]:
+def _notes(crank: _Throw, result: ThrowResult, material: Material | None) -> Iterator[Text]:
     k = int(result.cylinder)
-    notes = (
-        []
-        if crank.engine.cylinders == 1
-        else [Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)]
-    )
-    partners = [int(j) + 1 for j in np.flatnonzero(shared) if j + 1 != k]
-    if partners:
-        notes.append(
-            Text(
-                "Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.",
-                map=", ".join(map(str, partners)),
-            )
+    if crank.engine.cylinders > 1:
+        yield Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)
+    if partners := crank.partners(k - 1):
+        yield Text(
+            "Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.",
+            map=", ".join(str(j + 1) for j in partners),
         )
     if crank.cycle is None:
-        notes.append(Text("Throw: no gas is given; it is loaded by inertia alone."))
+        yield Text("Throw: no gas is given; it is loaded by inertia alone.")
     else:
-        notes.append(
-            Text(
-                "Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."
-            )
+        yield Text(
+            "Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."
         )
     if material is None or material.proof_stress is None:
-        notes.append(
-            Text(
-                "Throw: the proof stress of {material} is not known, so its stresses are not judged.",
-                material=crank.throw.material,
-            )
+        yield Text(
+            "Throw: the proof stress of {material} is not known, so its stresses are not judged.",
+            material=crank.throw.material,
         )
-    notes += [
-        Text(
-            "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals "
-            "beyond that is left out."
-        ),
-        Text(
-            "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' "
-            "stiffness are left out."
-        ),
-        EMPTY
-        if result.fatigue is not None
-        else Text("Throw: fatigue is not judged: it takes a fillet, and the material's kind and tensile strength."),
-    ]
+    yield Text(
+        "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals "
+        "beyond that is left out."
+    )
+    yield Text(
+        "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' "
+        "stiffness are left out."
+    )
+    if result.fatigue is None:
+        yield Text("Throw: fatigue is not judged: it takes a fillet, and the material's kind and tensile strength.")
     if crank.notch:
-        notes.append(
-            Text(
-                "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a "
-                "web is not; "
-                "below ρ/d 0.03 published fits of them lie 10 % and more apart."
-            )
+        yield Text(
+            "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a "
+            "web is not; below ρ/d 0.03 published fits of them lie 10 % and more apart."
         )
-    return tuple(note for note in notes if note)
 
 
-def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
+def _tables(result: ThrowResult, worst: Array) -> Iterator[Table]:
     positions = tuple((words, getattr(result, key)) for key, words in POSITIONS.items())
     mega, cylinder = UNITS["MPa"].factor, int(result.cylinder)
-    names = ("F_G", "F_I", "F", "S", "N", "F_t", "F_r", "R_f", "R_r")
-    forces = tuple(
-        (
-            words,
-            math.degrees(p.crank_angle),
-            p.gas_force,
-            p.inertia_force,
-            p.piston_force,
-            p.rod_force,
-            p.side_thrust,
-            p.tangential_force,
-            p.radial_force,
-            p.reaction_front,
-            p.reaction_rear,
-            p.torque_in_front,
-        )
-        for words, p in positions
-    )
-    stresses = tuple(
-        (
-            Text("{place}, {position}", place=PLACES[place], position=words),
-            s.bending_moment,
-            s.torsion,
-            s.bending_stress / mega,
-            s.torsion_stress / mega,
-            s.von_mises / mega,
-            None if s.notch_stress is None else s.notch_stress / mega,
-        )
-        for words, p in positions
-        for place, s in (("pin", p.pin), ("journal", p.journal))
-    )
-    tables = [
-        Table(
-            "throw_forces",
-            Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
-            ((Text("position"), ""), (Text("ε_k"), "°"), *((Name(name), "N") for name in names), (Name("T_v"), "N·m")),
-            forces,
-            Text(
-                "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), "
-                "reactions of the journals, "
-                "torque from the throws in front."
-            ),
-            covers=("engine.throw.largest_tangential.",),
-        ),
-        Table(
-            "throw_stresses",
-            Text("Stresses of the throw of cylinder {cylinder}", cylinder=cylinder),
+    forces = ("F_G", "F_I", "F", "S", "N", "F_t", "F_r", "R_f", "R_r")
+    yield Table(
+        "throw_forces",
+        Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
+        ((Text("position"), ""), (Text("ε_k"), "°"), *((Name(name), "N") for name in forces), (Name("T_v"), "N·m")),
+        tuple(
             (
-                (Text("section"), ""),
-                (Text("M"), "N·m"),
-                (Text("T"), "N·m"),
-                (Text("σ"), "MPa"),
-                (Text("τ"), "MPa"),
-                (Text("σ_v"), "MPa"),
-                (Text("σ_vk"), "MPa"),
-            ),
-            stresses,
-            Text("σ_v nominal; σ_vk at the fillet, where its radius is given."),
-            covers=("engine.throw.top_dead_centre.",),
-        ),
-    ]
-    if worst.shape[1] > 1:
-        tables.append(
-            Table(
-                "throws",
-                Text("Nominal von Mises stress of every throw"),
-                (
-                    (Text("throw"), ""),
-                    (Text("pin, F_t"), "MPa"),
-                    (Text("journal, F_t"), "MPa"),
-                    (Text("pin, TDC"), "MPa"),
-                    (Text("journal, TDC"), "MPa"),
-                ),
-                tuple(
-                    (Text("cylinder {k}", k=k + 1), *(float(s) / mega for s in worst[:, k, :2].ravel()))
-                    for k in range(worst.shape[1])
-                ),
-                Text("At its largest tangential force (F_t) and at its firing (TDC)."),
+                words,
+                math.degrees(p.crank_angle),
+                p.gas_force,
+                p.inertia_force,
+                p.piston_force,
+                p.rod_force,
+                p.side_thrust,
+                p.tangential_force,
+                p.radial_force,
+                p.reaction_front,
+                p.reaction_rear,
+                p.torque_in_front,
             )
+            for words, p in positions
+        ),
+        Text(
+            "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), "
+            "reactions of the journals, torque from the throws in front."
+        ),
+        covers=("engine.throw.largest_tangential.",),
+    )
+    moments, stresses = ("M", "T"), ("σ", "τ", "σ_v", "σ_vk")
+    yield Table(
+        "throw_stresses",
+        Text("Stresses of the throw of cylinder {cylinder}", cylinder=cylinder),
+        (
+            (Text("section"), ""),
+            *((Name(name), "N·m") for name in moments),
+            *((Name(name), "MPa") for name in stresses),
+        ),
+        tuple(
+            (
+                Text("{place}, {position}", place=PLACES[place], position=words),
+                s.bending_moment,
+                s.torsion,
+                s.bending_stress / mega,
+                s.torsion_stress / mega,
+                s.von_mises / mega,
+                None if s.notch_stress is None else s.notch_stress / mega,
+            )
+            for words, p in positions
+            for place, s in (("pin", p.pin), ("journal", p.journal))
+        ),
+        Text("σ_v nominal; σ_vk at the fillet, where its radius is given."),
+        covers=("engine.throw.top_dead_centre.",),
+    )
+    if worst.shape[1] > 1:
+        columns = Text("pin, F_t"), Text("journal, F_t"), Text("pin, TDC"), Text("journal, TDC")
+        yield Table(
+            "throws",
+            Text("Nominal von Mises stress of every throw"),
+            ((Text("throw"), ""), *((words, "MPa") for words in columns)),
+            tuple(
+                (Text("cylinder {k}", k=k + 1), *(float(s) / mega for s in worst[:, k, :2].ravel()))
+                for k in range(worst.shape[1])
+            ),
+            Text("At its largest tangential force (F_t) and at its firing (TDC)."),
         )
-    return tuple(tables)

@@ -10,7 +10,7 @@ with θ the angle of throw 1 from up."""
 
 import math
 from dataclasses import replace
-from typing import TypedDict, overload
+from typing import overload
 
 import numpy as np
 
@@ -41,20 +41,9 @@ from ..sheet.units import (
 from ..sheet.value import about, based_on, untraced
 from . import cycle as c
 from . import formulas as f
-from .cycle import (
-    TURN,
-    WIDE,
-    Cycle,
-    MixedCycle,
-    clearance_height,
-    compression_end,
-    crank_angle,
-    dead_centre_angle,
-    piston_way,
-    widest_gap,
-)
+from .cycle import TURN, Cycle
 from .gas import COMPRESSION, CRANKCASE, EXHAUST, EXPANSION, HELD, INTAKE, GasInputs
-from .inputs import EngineInputs, TorquePoint
+from .inputs import EngineInputs
 from .result import EngineResult, TorqueResult
 
 # --- the gas of an engine's cylinders: its cycle from what the design says, and what is taken for numbers left out
@@ -75,8 +64,8 @@ def prepare(engine: EngineInputs, e: EngineResult, gas: GasInputs) -> Cycle:
         angles = gathered(point.angle for point in gas.pressure)
         pressures = gathered(point.pressure for point in gas.pressure)
         corners = based_on(np.sort(np.mod(angles, length)), angles)
-        from_, gap = widest_gap(corners, length)
-        if gap > WIDE:
+        from_, gap = c.widest_gap(corners, length)
+        if gap > c.WIDE:
             start, end = math.degrees(from_), math.degrees(from_ + gap)
             notes.append(
                 Text(
@@ -96,15 +85,15 @@ def prepare(engine: EngineInputs, e: EngineResult, gas: GasInputs) -> Cycle:
     n_c = taken(gas.compression_exponent, COMPRESSION, Text("A compression exponent of 1.35"))
     n_e = taken(gas.expansion_exponent, EXPANSION, Text("An expansion exponent of 1.28"))
     eps_p = taken(gas.constant_pressure_angle, HELD, Text("A peak pressure held for 10° of crank angle"))
-    eps_bdc = dead_centre_angle(delta=e.delta, lam=e.lambda_)
-    h_c = clearance_height(s=e.stroke, eps_c=gas.compression_ratio)
-    p_c = compression_end(p_in=p_in, eps_c=gas.compression_ratio, n_c=n_c)
-    alpha = crank_angle(phi_0=e.tdc_angle, epsilon=eps_p)
+    eps_bdc = c.dead_centre_angle(delta=e.delta, lam=e.lambda_)
+    h_c = c.clearance_height(s=e.stroke, eps_c=gas.compression_ratio)
+    p_c = c.compression_end(p_in=p_in, eps_c=gas.compression_ratio, n_c=n_c)
+    alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=eps_p)
     beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
-    x_p = piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+    x_p = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
     corners = np.unique([0.0, eps_p, eps_bdc, length - TURN, length - TURN + eps_bdc])
     corners = based_on(corners, eps_p, eps_bdc, engine.strokes)
-    given = MixedCycle(e.stroke, gas.peak_pressure, p_in, p_ex, n_c, n_e, eps_p, eps_bdc, h_c, x_p)
+    given = c.MixedCycle(e.stroke, gas.peak_pressure, p_in, p_ex, n_c, n_e, eps_p, eps_bdc, h_c, x_p)
     return Cycle(length, crankcase, corners, given, tuple(notes), p_c)
 
 
@@ -271,11 +260,11 @@ def at(
 
 
 def solve(
-    engine: EngineInputs, e: EngineResult, firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
+    engine: EngineInputs, e: EngineResult, fires: Array, gas: GasInputs | None, J: KilogramMetre2 | None
 ) -> tuple[TorqueResult, Many[Curve], tuple[Text, ...]]:
-    """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad],
-    over the cycle."""
-    inertia, curve = _inertia(engine, e, firing)
+    """The torque of one engine.  `fires`: the crank angles, after cylinder 1's, at which the cylinders fire [rad],
+    over the cycle; `J`: of the flywheel."""
+    inertia, curve = _inertia(engine, e, fires)
     notes = [
         Text(
             "The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in "
@@ -296,29 +285,29 @@ def solve(
         cycle = prepare(engine, e, gas)
     notes += cycle.notes
     notes.append(Text("The torque is the indicated one: friction, valve gear and auxiliaries are not taken off."))
-    if flywheel_inertia is not None:
+    if J is not None:
         notes.append(
             Text(
                 "Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque "
                 "all the time."
             )
         )
-    result = _gas(engine, e, firing, cycle, flywheel_inertia, inertia)
-    return result, Later(lambda: _curves(engine, e, firing, cycle, result)), tuple(notes)
+    result = _gas(engine, e, fires, cycle, J, inertia)
+    return result, Later(lambda: _curves(engine, e, fires, cycle, result)), tuple(notes)
 
 
-def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[TorqueResult, Curve]:
+def _inertia(engine: EngineInputs, e: EngineResult, fires: Array) -> tuple[TorqueResult, Curve]:
     """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder, or each, over
     a turn."""
     epsilon = np.arange(POINTS + 1, dtype=float) * (TURN / POINTS)
-    d, fires = engine.cylinder_offset, firing
+    d = engine.cylinder_offset
     with about(Text("inertia torque of one cylinder")):
         if e.unlike is None:
             _, cylinder_torque, F_I = at(engine, e, None, 0.0, epsilon[:-1])
         else:
             _, cylinder_torque, F_I = at(engine, e, None, np.zeros(engine.cylinders), epsilon[:-1, None])
         on_block = reaction(T=cylinder_torque, d=d, F_I=F_I)
-    turned = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * firing)
+    turned = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * fires)
 
     def together(T_k: Array) -> Array:
         spectrum = np.fft.rfft(T_k, axis=0)
@@ -327,23 +316,17 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
 
     whole, block = together(cylinder_torque), together(on_block)
     with about(Text("largest inertia torque")):
-        peak = amount(
-            T=item(
-                inertia_torque(
-                    T_k=at(
-                        engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), cylinder_torque)
-                    )[1]
-                )
-            )
-        )
+        _, T_I, _ = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), cylinder_torque))
+        peak = amount(T=item(inertia_torque(T_k=T_I)))
     with about(Text("largest torque reaction of the inertia forces")):
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
         peak_block = amount(T=reaction(T=item(inertia_torque(T_k=T_I)), d=d, F_I=item(inertia_sum(F_k=F_I))))
+    transformed = torque_harmonics if e.unlike is None else torque_harmonics_of_unlike
     with about(Text("inertia torque")):
-        t = _harmonics(cylinder_torque, fires)
+        t = transformed(T_k=cylinder_torque, fires=fires)
         orders = _amplitudes(t, Text("Inertia torque"), "T_")
     with about(Text("torque reaction of the inertia forces")):
-        t_block = _harmonics(on_block, fires)
+        t_block = transformed(T_k=on_block, fires=fires)
         block_orders = _amplitudes(t_block, Text("Torque reaction of the inertia forces"), "T_RI,")
     curve = Curve(
         "torque",
@@ -366,10 +349,6 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
     ), curve
 
 
-def _harmonics(T_k: Array, fires: Array) -> ComplexArray:
-    return (torque_harmonics if np.ndim(T_k) == 1 else torque_harmonics_of_unlike)(T_k=T_k, fires=fires)
-
-
 def _amplitudes(t: ComplexArray, words: str, symbol: str) -> dict[str, Stated]:
     return {
         f"order_{n}": Stated(
@@ -381,33 +360,27 @@ def _amplitudes(t: ComplexArray, words: str, symbol: str) -> dict[str, Stated]:
 
 
 def _gas(
-    engine: EngineInputs,
-    e: EngineResult,
-    firing: Array,
-    cycle: Cycle,
-    flywheel_inertia: float | None,
-    inertia: TorqueResult,
+    engine: EngineInputs, e: EngineResult, fires: Array, cycle: Cycle, J: KilogramMetre2 | None, inertia: TorqueResult
 ) -> TorqueResult:
     """What the gas gives beside the inertia forces: work, peaks, mean and fluctuation."""
-    fires, points = firing, c.points(cycle, firing)
-    epsilon = points
+    epsilon = c.points(cycle, fires)
     with about(Text("all cylinders over the cycle")):
-        of_gas, of_inertia, force = at(engine, e, cycle, fires, points[:, None])
+        of_gas, of_inertia, force = at(engine, e, cycle, fires, epsilon[:, None])
         gas_only = gas_torque(T_k=of_gas)
         whole = whole_torque(T_G=gas_only, T_I=inertia_torque(T_k=of_inertia))
     with untraced():
-        best = _angle_of_peak(engine, e, cycle, fires, points, gas_only, inertia=False)
+        best = _angle_of_peak(engine, e, cycle, fires, epsilon, gas_only, inertia=False)
         on_block = reaction(T=whole, d=engine.cylinder_offset, F_I=force.sum(-1))
-        best_block = c.first_highest(points, c.amounts(on_block))
+        best_block = c.first_highest(epsilon, c.amounts(on_block))
     best, best_block = based_on(best, gas_only), based_on(best_block, whole, force)
     with about(Text("cylinder 1 over its cycle")):
-        cylinder_torque, _, _ = at(engine, e, cycle, item(firing[0]), epsilon)  # its corners are among the points
+        cylinder_torque, _, _ = at(engine, e, cycle, item(fires[0]), epsilon)  # its corners are among the points
     W_i = indicated_work(T_k=cylinder_torque, epsilon=epsilon)
     T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
     with about(Text("largest gas torque")):
         T_G_k = at(engine, e, cycle, fires, best)[0]
         peak_gas = amount(T=item(gas_torque(T_k=T_G_k)))
-    best = based_on(_angle_of_peak(engine, e, cycle, fires, points, whole, inertia=True), whole)
+    best = based_on(_angle_of_peak(engine, e, cycle, fires, epsilon, whole, inertia=True), whole)
     with about(Text("largest torque")):
         T_G_k, T_I_k, _ = at(engine, e, cycle, fires, best)
         peak = amount(T=whole_torque(T_G=item(gas_torque(T_k=T_G_k)), T_I=item(inertia_torque(T_k=T_I_k))))
@@ -418,13 +391,9 @@ def _gas(
     with about(Text("all cylinders over the cycle")):
         T_hi, T_lo = highest(T=whole), lowest(T=whole)
     Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
-    uneven = (
-        None
-        if flywheel_inertia is None
-        else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
-    )
     return replace(
         inertia,
+        speed_irregularity=None if J is None else speed_irregularity(Delta_E=Delta_E, J=J, omega=e.angular_speed),
         reaction_peak=peak_block,
         gas_torque_peak=peak_gas,
         torque_peak=peak,
@@ -437,7 +406,6 @@ def _gas(
         energy_fluctuation=Delta_E,
         torque_highest=T_hi,
         torque_lowest=T_lo,
-        speed_irregularity=uneven,
         cycle=cycle,
     )
 
@@ -459,12 +427,12 @@ def _angle_of_peak(
 
 
 def _curves(
-    engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, result: TorqueResult
+    engine: EngineInputs, e: EngineResult, fires: Array, cycle: Cycle, result: TorqueResult
 ) -> tuple[Curve, ...]:
     epsilon = np.arange(round(cycle.length / DRAWN) + 1, dtype=float) * DRAWN
     degrees = np.degrees(epsilon)
     with untraced():
-        T_G, T_I, F_I = (part.sum(-1) for part in at(engine, e, cycle, firing, epsilon[:, None]))
+        T_G, T_I, F_I = (part.sum(-1) for part in at(engine, e, cycle, fires, epsilon[:, None]))
         on_block = reaction(T=T_G + T_I, d=engine.cylinder_offset, F_I=F_I)
         alpha = e.tdc_angle + epsilon
         beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
@@ -500,19 +468,6 @@ def _curves(
 AREA = Text("mathematics: area of the torque diagram over its period, straight lines between its rows")
 
 
-class OfDiagram(TypedDict):
-    """What the diagram gives of a `TorqueResult`."""
-
-    torque_peak: NewtonMetre
-    torque_peak_angle: Radian
-    mean_torque: NewtonMetre
-    indicated_power: Watt
-    energy_fluctuation: NewtonMetre
-    torque_highest: NewtonMetre
-    torque_lowest: NewtonMetre
-    speed_irregularity: Number | None
-
-
 @formula("T_m", AREA, shows="∮T dε over the period")
 def mean(angles: Radians, T: NewtonMetres, period: Radian) -> NewtonMetre:
     epsilon, torque = closed(angles, T, period)
@@ -546,24 +501,25 @@ def closed(angles: Array, T: Array, period: Radian) -> tuple[Array, Array]:
     return epsilon, torque
 
 
-def solve_diagram(
-    rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J: KilogramMetre2 | None
-) -> tuple[OfDiagram, Curve, Text]:
-    """Values, figure and note of a torque diagram; `J`: of the flywheel."""
+def solve_diagram(engine: EngineInputs, e: EngineResult, inertia: TorqueResult) -> tuple[TorqueResult, Curve, Text]:
+    """The values of the engine's torque diagram beside those of its inertia forces; figure and note of it."""
+    rows, omega, J = engine.torque, e.angular_speed, engine.flywheel_inertia
+    cycle = based_on(engine.strokes * math.pi, engine.strokes)
+    period = engine.torque_period if engine.torque_period is not None else cycle
     angles = gathered(row.angle for row in rows)
     T = gathered(row.torque for row in rows)
     T_m = mean(angles=angles, T=T, period=period)
     Delta_E = fluctuation(angles=angles, T=T, T_m=T_m, period=period)
-    T_highest, T_lowest = highest(T=T), lowest(T=T)
-    largest = int(np.argmax(np.abs(np.asarray(T))))
-    diagram = OfDiagram(
-        torque_peak=amount(T=rows[largest].torque),
-        torque_peak_angle=place(epsilon=rows[largest].angle),
+    largest = rows[int(np.argmax(np.abs(np.asarray(T))))]
+    result = replace(
+        inertia,
+        torque_highest=highest(T=T),
+        torque_lowest=lowest(T=T),
+        torque_peak=amount(T=largest.torque),
+        torque_peak_angle=place(epsilon=largest.angle),
         mean_torque=T_m,
         indicated_power=indicated_power(T_m=T_m, omega=omega),
         energy_fluctuation=Delta_E,
-        torque_highest=T_highest,
-        torque_lowest=T_lowest,
         speed_irregularity=None if J is None else speed_irregularity(Delta_E=Delta_E, J=J, omega=omega),
     )
     epsilon, torque = closed(angles, T, period)
@@ -579,4 +535,4 @@ def solve_diagram(
         "The torque is that of the diagram as given, of gas and inertia together, which repeats every {length}°.",
         length=Amount(math.degrees(period), form="g"),
     )
-    return diagram, curve, repeats
+    return result, curve, repeats

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ..sheet.check import Check, check
 from ..sheet.functions import argument, degrees
 from ..sheet.text import EMPTY, Amount, Text, listed, plural
-from ..sheet.units import Number
+from ..sheet.units import Newton, NewtonMetre, Number
 from .remedies import BalanceShaft
 from .result import ImbalanceResult
 from .shaft_pair import roll_check
@@ -24,16 +24,14 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
 
     `kappa`, `rho`: shares of the reciprocating and of the rotating masses that the crank's counterweights carry.
     """
-    force, couple = result.one_force, result.one_couple
     first, second = result.orders["order_1"], result.orders["order_2"]
     forward = Text(
         "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
     )
     if abs(rho - 1) > 1e-9:
         forward = Text(
-            "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass "
-            "on the crank "
-            "(rotating_balance_fraction 1, crank_balance_fraction 0.5)."
+            "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass on "
+            "the crank (rotating_balance_fraction 1, crank_balance_fraction 0.5)."
         )
     elif (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
         forward = Text(
@@ -59,56 +57,44 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
         else EMPTY
     )
 
-    def left_check(name: str, label: Text, value: float, limit: float, unit: str, advice: Text) -> Check:
-        return check(f"imbalance.{name}", label, value, "<=", limit, unit, OWN, advice)
-
     if not shaft:
-        yield left_check(
-            "order_1.backward",
-            Text("First-order couple turning backward"),
-            first.couple_backward,
-            FIRST * couple,
-            "N·m",
-            counter,
+        yield _couple_check(
+            result, "order_1.backward", Text("First-order couple turning backward"), first.couple_backward, counter
         )
-        yield left_check(
-            "order_1.backward_force",
-            Text("First-order force turning backward"),
-            first.force_backward,
-            FIRST * force,
-            "N",
-            backward,
+        yield _force_check(
+            result, "order_1.backward_force", Text("First-order force turning backward"), first.force_backward, backward
         )
-    yield left_check(
-        "order_1.forward",
-        Text("First-order couple turning forward"),
-        first.couple_forward,
-        FIRST * couple,
-        "N·m",
-        forward,
+    yield _couple_check(
+        result, "order_1.forward", Text("First-order couple turning forward"), first.couple_forward, forward
     )
-    yield left_check(
-        "order_1.forward_force",
-        Text("First-order force turning forward"),
-        first.force_forward,
-        FIRST * force,
-        "N",
-        forward,
+    yield _force_check(
+        result, "order_1.forward_force", Text("First-order force turning forward"), first.force_forward, forward
     )
-    yield left_check(
-        "order_2.couple", Text("Second-order couple left"), second.couple_peak, SECOND * lam * couple, "N·m", two
-    )
-    yield left_check(
-        "order_2.force", Text("Second-order force left"), second.force_peak, SECOND * lam * force, "N", two
-    )
+    share = SECOND * lam
+    yield _couple_check(result, "order_2.couple", Text("Second-order couple left"), second.couple_peak, two, share)
+    yield _force_check(result, "order_2.force", Text("Second-order force left"), second.force_peak, two, share)
     if result.shaft_pair is not None:
         yield roll_check(result.shaft_pair)
     yield from _crank_checks(result)
 
 
+def _force_check(
+    result: ImbalanceResult, name: str, label: Text, force: Newton, advice: Text, share: Number = FIRST
+) -> Check:
+    """Whether no more is left than a share of the force of one cylinder."""
+    return check(f"imbalance.{name}", label, force, "<=", share * result.one_force, "N", OWN, advice)
+
+
+def _couple_check(
+    result: ImbalanceResult, name: str, label: Text, couple: NewtonMetre, advice: Text, share: Number = FIRST
+) -> Check:
+    """The same of a couple, and of that force over one pitch."""
+    return check(f"imbalance.{name}", label, couple, "<=", share * result.one_couple, "N·m", OWN, advice)
+
+
 def _crank_checks(result: ImbalanceResult) -> Iterator[Check]:
     """The crank on the balancing machine, and what pulley and flywheel supply, by the same measure."""
-    webs, force, couple = result.webs, result.one_force, result.one_couple
+    webs = result.webs
     if webs is None:
         return
     if webs.crank is not None:
@@ -116,26 +102,10 @@ def _crank_checks(result: ImbalanceResult) -> Iterator[Check]:
         state = webs.crank[name]
         bobs = Text("with the bobs as stated") if name == "stated" else Text("with the bobs found")
         advice = Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing.")
-        yield check(
-            "imbalance.crank.force",
-            Text("Force of the crank {bobs}", bobs=bobs),
-            state.force,
-            "<=",
-            FIRST * force,
-            "N",
-            OWN,
-            advice,
-        )
-        yield check(
-            "imbalance.crank.couple",
-            Text("Couple of the crank {bobs}", bobs=bobs),
-            state.couple,
-            "<=",
-            FIRST * couple,
-            "N·m",
-            OWN,
-            advice,
-        )
+        label = Text("Force of the crank {bobs}", bobs=bobs)
+        yield _force_check(result, "crank.force", label, state.force, advice)
+        label = Text("Couple of the crank {bobs}", bobs=bobs)
+        yield _couple_check(result, "crank.couple", label, state.couple, advice)
         if webs.permitted_unbalance is not None and webs.drilled_mass is None:
             yield check(
                 "imbalance.crank.residual",
@@ -150,14 +120,11 @@ def _crank_checks(result: ImbalanceResult) -> Iterator[Check]:
                 ),
             )
     if webs.unbalances_couple_left is not None:
-        yield check(
-            "imbalance.unbalances.couple_left",
+        yield _couple_check(
+            result,
+            "unbalances.couple_left",
             Text("Wanted couple that pulley and flywheel leave"),
             webs.unbalances_couple_left,
-            "<=",
-            FIRST * couple,
-            "N·m",
-            OWN,
             Text("Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase."),
         )
     if webs.pin_deviation is not None:
@@ -183,11 +150,9 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
     proposed = []
     turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
     if turns_forward:
-        done = (
-            Text("as designed")
-            if abs(kappa - 0.5) < 1e-9
-            else Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
-        )
+        done = Text("as designed")
+        if abs(kappa - 0.5) >= 1e-9:
+            done = Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
         proposed.append(
             Text(
                 "Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), "
@@ -202,11 +167,9 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
         done = Text(" (as designed)") if shaft else EMPTY
         text = plural(
             "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turns backward, and "
-            "nothing on the crank can "
-            "take it.",
+            "nothing on the crank can take it.",
             "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turn backward, and "
-            "nothing on the crank can "
-            "take it.",
+            "nothing on the crank can take it.",
             n=_count(turns_backward),
             done=done,
             turns_backward=turns_backward,
@@ -220,9 +183,8 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
         proposed.append(text)
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
     shafts = result.remedy.get("second_order_shafts")
-    if (
-        plus or minus
-    ) and shafts is not None:  # of a crank that is all but nought, little of λ counts, and no shaft is made for it
+    # of a crank that is all but nought, little of λ counts, and no shaft is made for it
+    if (plus or minus) and shafts is not None:
         both = _what(F_p + F_m, C_p + C_m, *second)
         left = plural(
             "{both} of second order is left at the peak; neither the crank nor a shaft at crank speed changes it.",
@@ -251,9 +213,8 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
             proposed.append(
                 Text(
                     "Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}), because the "
-                    "crank's own webs lack it for the share {kappa}; give them as [[imbalance.unbalances]] to see "
-                    "what is "
-                    "left.",
+                    "crank's own webs lack it for the share {kappa}; give them as [[imbalance.unbalances]] to see what "
+                    "is left.",
                     missing=missing,
                     direction=direction,
                     kappa=Amount(kappa, form="g"),

@@ -84,9 +84,8 @@ def _locus(
         if variant and variant != WITHOUT:
             parts.append((Text("counter-shaft"), supplied, -1))
         if parts := [part for part in parts if abs(part[1]) > DUST * scale]:
-            chains.append(
-                Turning(tuple(p[0] for p in parts), tuple(p[1] for p in parts), tuple(p[2] for p in parts), variant)
-            )
+            names, phasors, turns = zip(*parts)
+            chains.append(Turning(names, phasors, turns, variant))
     return Curve(
         "locus" if kind == "couple" else "locus_force",
         LOCUS[kind],
@@ -136,11 +135,10 @@ def _turn(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tupl
             Series(Text("vertical"), degrees, everything.real, variant),
             Series(Text("horizontal"), degrees, everything.imag, variant),
         ]
-    turn = Text("crank angle from TDC of cylinder 1, °")
     return Curve(
         f"{kind}s",
         TURN[kind],
-        turn,
+        Text("crank angle from TDC of cylinder 1, °"),
         Text("{symbol}, {unit}", symbol=symbol, unit=unit),
         tuple(series),
         variants=variants,
@@ -188,14 +186,8 @@ def remedy_table(result: ImbalanceResult, kappa: float, rho: float = 1.0, shaft:
             continue  # the crank as designed
         needs = SEMICOLON.join(filter(None, (_needs(part) for part in remedy.shafts.values())))
         left = remedy.order_1_force, remedy.order_1_couple, remedy.order_2_force, remedy.order_2_couple
-        rows.append(
-            (
-                remedy.title,
-                needs,
-                *left,
-                remedy.roll_torque if remedy.roll_torque is not None else remedy.roll_torque_at_100_mm,
-            )
-        )
+        roll = remedy.roll_torque if remedy.roll_torque is not None else remedy.roll_torque_at_100_mm
+        rows.append((remedy.title, needs, *left, roll))
     return Table(
         "remedies",
         Text("Before and after each remedy"),

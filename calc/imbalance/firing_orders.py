@@ -124,8 +124,7 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
             Text("firing orders of {n} cylinders in this layout are not listed", n=n),
             Text(
                 "every order is tried for up to {all} cylinders; up to {some} those of symmetrical inline cranks, and "
-                "of two banks on "
-                "common (boxer: opposed) pins, where these fire evenly",
+                "of two banks on common (boxer: opposed) pins, where these fire evenly",
                 all=ALL,
                 some=SOME,
             ),
@@ -212,9 +211,8 @@ COLUMNS = (
 TITLE = Text("Evenly firing orders, the one that leaves least first")
 RANKED = Text(
     "Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the "
-    "crank; of equal ones "
-    "first where neighbours (their main bearing), then where cylinders of one half or bank (their intake), fire in "
-    "turn least often."
+    "crank; of equal ones first where neighbours (their main bearing), then where cylinders of one half or bank (their "
+    "intake), fire in turn least often."
 )
 
 
@@ -256,8 +254,7 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
     """The design's own crank and order in the terms of the list."""
     judged = harmonics(e, imbalance.kinematics)
     with untraced():
-        residuals = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2}
-    one, two = residuals[1], residuals[2]
+        one, two = (order(n, judged[n - 1], imbalance, engine, e) for n in (1, 2))
     fires = firing(engine, e.crank).order
     beside, half = _in_turn(engine, np.array([fires], dtype=np.intp))
     return FiringOrder(

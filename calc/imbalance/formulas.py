@@ -26,6 +26,18 @@ from ..sheet.units import (
 )
 
 VECTORS = Text("Finotti 2013, 2.2.3 and 2.3.3")  # there of the first two orders; here of any order, throws and banks
+SHARE = (
+    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite "
+    "the pins"
+)
+SUM = "mathematics: sum of the turning vectors of reciprocating and rotating masses"
+VERTICAL = "geometry, ellipse of two counter-turning vectors: largest vertical component"
+HORIZONTAL = "geometry, ellipse of two counter-turning vectors: largest horizontal component"
+LONG_AXIS = "geometry, ellipse of two counter-turning vectors: half its long axis"
+SHORT_AXIS = "geometry, ellipse of two counter-turning vectors: half its short axis"
+DIRECTION = "geometry, ellipse of two counter-turning vectors: direction of its long axis from up"
+ONE_TOOTH = "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart"
+FORCES, COUPLES = {"F_f": "F⁺", "F_b": "F⁻"}, {"C_f": "C⁺", "C_b": "C⁻"}
 
 
 @formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS), names={"m": "M_alt"})
@@ -86,24 +98,14 @@ def couple_backward(
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula(
-    "F_κ",
-    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite "
-    "the pins",
-    names={"m": "M_alt"},
-)
+@formula("F_κ", SHARE, names={"m": "M_alt"})
 def counterweight_force(
     kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radians
 ) -> PhasorNewton:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula(
-    "C_κ",
-    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite "
-    "the pins",
-    names={"m": "M_alt"},
-)
+@formula("C_κ", SHARE, names={"m": "M_alt"})
 def counterweight_couple(
     kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metres, phi: Radians
 ) -> PhasorNewtonMetre:
@@ -130,12 +132,12 @@ def rotating_couple(
     return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(z * cis(phi))
 
 
-@formula("F_0⁺", "mathematics: sum of the turning vectors of reciprocating and rotating masses", names={"F_1": "F_1⁺"})
+@formula("F_0⁺", SUM, names={"F_1": "F_1⁺"})
 def with_rotating_force(F_1: PhasorNewton, F_rot: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_rot)
 
 
-@formula("C_0⁺", "mathematics: sum of the turning vectors of reciprocating and rotating masses", names={"C_1": "C_1⁺"})
+@formula("C_0⁺", SUM, names={"C_1": "C_1⁺"})
 def with_rotating_couple(C_1: PhasorNewtonMetre, C_rot: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_rot)
 
@@ -160,84 +162,52 @@ def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> Phas
     return joined(C_1, C_kappa)
 
 
-@formula(
-    "F_V",
-    "geometry, ellipse of two counter-turning vectors: largest vertical component",
-    names={"F_f": "F⁺", "F_b": "F⁻"},
-)
+@formula("F_V", VERTICAL, names=FORCES)
 def force_peak_vertical(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, conj(F_b)))
 
 
-@formula(
-    "F_H",
-    "geometry, ellipse of two counter-turning vectors: largest horizontal component",
-    names={"F_f": "F⁺", "F_b": "F⁻"},
-)
+@formula("F_H", HORIZONTAL, names=FORCES)
 def force_peak_horizontal(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, -conj(F_b)))
 
 
-@formula(
-    "C_V",
-    "geometry, ellipse of two counter-turning vectors: largest vertical component",
-    names={"C_f": "C⁺", "C_b": "C⁻"},
-)
+@formula("C_V", VERTICAL, names=COUPLES)
 def couple_peak_vertical(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(C_f, conj(C_b)))
 
 
-@formula(
-    "C_H",
-    "geometry, ellipse of two counter-turning vectors: largest horizontal component",
-    names={"C_f": "C⁺", "C_b": "C⁻"},
-)
+@formula("C_H", HORIZONTAL, names=COUPLES)
 def couple_peak_horizontal(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(C_f, -conj(C_b)))
 
 
-@formula(
-    "F_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"F_f": "F⁺", "F_b": "F⁻"}
-)
+@formula("F_max", LONG_AXIS, names=FORCES)
 def force_peak(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(F_f) + modulus(F_b)
 
 
-@formula(
-    "F_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"F_f": "F⁺", "F_b": "F⁻"}
-)
+@formula("F_min", SHORT_AXIS, names=FORCES)
 def force_least(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(modulus(F_f), -modulus(F_b)))
 
 
-@formula(
-    "∠F_max",
-    "geometry, ellipse of two counter-turning vectors: direction of its long axis from up",
-    names={"F_f": "F⁺", "F_b": "F⁻"},
-)
+@formula("∠F_max", DIRECTION, names=FORCES)
 def force_axis(F_f: PhasorNewton, F_b: PhasorNewton) -> Radian:
     return argument(F_f * F_b) / 2
 
 
-@formula(
-    "C_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"C_f": "C⁺", "C_b": "C⁻"}
-)
+@formula("C_max", LONG_AXIS, names=COUPLES)
 def couple_peak(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_f) + modulus(C_b)
 
 
-@formula(
-    "C_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"C_f": "C⁺", "C_b": "C⁻"}
-)
+@formula("C_min", SHORT_AXIS, names=COUPLES)
 def couple_least(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(modulus(C_f), -modulus(C_b)))
 
 
-@formula(
-    "∠C_max",
-    "geometry, ellipse of two counter-turning vectors: direction of its long axis from up",
-    names={"C_f": "C⁺", "C_b": "C⁻"},
-)
+@formula("∠C_max", DIRECTION, names=COUPLES)
 def couple_axis(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> Radian:
     return argument(C_f * C_b) / 2
 
@@ -295,9 +265,7 @@ def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
     return 2 * C_S * sin(pi / 360)
 
 
-@formula(
-    "ΔC/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"}
-)
+@formula("ΔC/tooth", ONE_TOOTH, names={"z": "z_w"})
 def couple_per_tooth(C_S: NewtonMetre, z: Number) -> NewtonMetre:
     return 2 * C_S * sin(pi / z)
 
@@ -317,8 +285,6 @@ def force_per_degree(F_S: Newton) -> Newton:
     return 2 * F_S * sin(pi / 360)
 
 
-@formula(
-    "ΔF/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"}
-)
+@formula("ΔF/tooth", ONE_TOOTH, names={"z": "z_w"})
 def force_per_tooth(F_S: Newton, z: Number) -> Newton:
     return 2 * F_S * sin(pi / z)

@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 
 from ..library.tolerances import BALANCE_GRADES
-from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
 # the folds of the form
@@ -88,8 +88,7 @@ class ImbalanceInputs:
         within=(0, 2),
         symbol="kappa_rot",
         step=0.05,
-        usual=(0.5, 1),
-        source=THUMB,
+        rule_of_thumb=(0.5, 1),
         help="Of the rotating masses, by the crank's counterweights.",
     )
     kinematics: str = choice(
@@ -104,8 +103,7 @@ class ImbalanceInputs:
         "Counterweights apart",
         "mm",
         default=None,
-        above=0,
-        high=10000,
+        above_up_to=(0, 10000),
         symbol="l",
         source="Finotti 2013, 2.4",
         help="Axial distance of two counterweights about mid-engine.",
@@ -115,8 +113,7 @@ class ImbalanceInputs:
         "Radius of the counterweights",
         "mm",
         default=None,
-        above=0,
-        high=1000,
+        above_up_to=(0, 1000),
         symbol="r_cw",
         source="Finotti 2013, 2.4",
         help="Radius of their centres of gravity from the crank's axis.",
@@ -215,10 +212,8 @@ class ImbalanceInputs:
             (dotted(ImbalanceInputs.counterweight_span), self.counterweight_span, self.counterweight_radius),
         ):
             if given is None and other is not None:
-                yield (
-                    key,
-                    Text("needed with the other of the two: span and radius give the masses of the counterweights"),
-                )
+                reason = Text("needed with the other of the two: span and radius give the masses of the counterweights")
+                yield key, reason
         for key, axis, beside in (
             (dotted(ImbalanceInputs.forward_shaft_axis), self.forward_shaft_axis, self.backward_shaft_axis),
             (dotted(ImbalanceInputs.backward_shaft_axis), self.backward_shaft_axis, self.forward_shaft_axis),
@@ -227,10 +222,8 @@ class ImbalanceInputs:
                 yield key, Text("needed with the other of the two: the places of both shafts give the roll of the pair")
         pins = [body.pin for body in self.crank_bodies if isinstance(body.pin, int)]
         if self.crank_bodies and not pins:
-            yield (
-                dotted(ImbalanceInputs.crank_bodies),
-                Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there"),
-            )
+            reason = Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there")
+            yield dotted(ImbalanceInputs.crank_bodies), reason
         if sorted(pins) != list(range(1, len(pins) + 1)):
             yield (
                 dotted(ImbalanceInputs.crank_bodies),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is to be known of the imbalance beside its numbers, and where the source goes wrong."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from ..engine.inputs import EngineInputs
 from ..sheet.quantity import dotted
@@ -16,42 +16,30 @@ from .throws import verdict
 from .webs import UNDRILLED
 
 MIDDLE = Text(
-    "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
-    "plane only. A vertical "
-    "couple is a pair of vertical forces, one at either end."
+    "Couples are taken about the middle of the engine; where a force is left as well, they hold about that plane only. "
+    "A vertical couple is a pair of vertical forces, one at either end."
 )
 
 
 def notes(
     imbalance: ImbalanceInputs, engine: EngineInputs, result: ImbalanceResult, bobs: Iterable[Text]
-) -> tuple[Text, ...]:
+) -> Iterator[Text]:
     """`bobs`: what is told of the bobs of the balancing machine."""
-    undrilled = imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None)
-    drilling = (UNDRILLED,) if undrilled else ()
-    return (
-        verdict(result.throw, engine, imbalance.rotating_balance_fraction),
-        *bobs,
-        *drilling,
-        MIDDLE,
-        *roll_notes(imbalance, result.shaft_pair),
-    )
+    yield verdict(result.throw, engine, imbalance.rotating_balance_fraction)
+    yield from bobs
+    if imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None):
+        yield UNDRILLED
+    yield MIDDLE
+    if result.shaft_pair is None:
+        yield from roll_notes(imbalance)
 
 
-def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
+def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> Iterator[Erratum]:
     """Where the thesis goes wrong that this chain follows: for designs with its kind of shaft."""
-    second = result.orders.get("order_2")
-    if (
-        second is None
-        or second.two_term is None
-        or not second.two_term.couple_peak_vertical
-        or not imbalance.crank_balance_fraction
-    ):
-        return ()
-    theirs = f.second_order_couple_of_finotti(
-        kappa=imbalance.crank_balance_fraction, C_2=second.two_term.couple_peak_vertical
-    )
-    return (
-        Erratum(
+    kappa, second = imbalance.crank_balance_fraction, result.orders["order_2"].two_term
+    if kappa and second is not None and second.couple_peak_vertical:
+        theirs = f.second_order_couple_of_finotti(kappa=kappa, C_2=second.couple_peak_vertical)
+        yield Erratum(
             dotted("imbalance", "order_2", Order.couple_peak_vertical),
             Text("Second-order couple"),
             float(theirs),
@@ -59,8 +47,6 @@ def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum
             Text("method of Finotti 2013, 2.5.3.4"),
             Text(
                 "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed "
-                "and leave order 2 "
-                "untouched: the whole reciprocating mass acts."
+                "and leave order 2 untouched: the whole reciprocating mass acts."
             ),
-        ),
-    )
+        )

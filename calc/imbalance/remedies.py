@@ -208,7 +208,9 @@ class Counterweight:
 
 
 Vectors = tuple[complex, complex, complex, complex]
-NONE: Vectors = (0j, 0j, 0j, 0j)
+Supply = tuple[BalanceShaft | None, PhasorNewton, PhasorNewtonMetre]  # a shaft, if there is one, and what it supplies
+NO_SHAFT: Supply = (None, 0j, 0j)
+SECOND_ORDER = ("forward_2", "backward_2")
 
 
 def remedies(
@@ -227,95 +229,66 @@ def remedies(
     force and couple of crank counterweights for the whole reciprocating mass; `kappa` the share that the design's crank
     carries; `axis` where a single shaft stands [m], real up, imaginary to the side, None where not known."""
 
-    def shaft(
-        i: int, F: PhasorNewton, C: PhasorNewtonMetre
-    ) -> tuple[BalanceShaft | None, PhasorNewton, PhasorNewtonMetre]:
+    def shaft(i: int, F: PhasorNewton, C: PhasorNewtonMetre) -> Supply:
         """The shaft at i times crank speed that takes F and C, and what it supplies."""
         balance_shaft = BalanceShaft(speed_ratio=float(i))
         F_S = C_S = 0j
         with about(Text("shaft at {i} times crank speed", i=Amount(i, form="+d"))):
-            if np.any(np.abs(F) > SIGNIFICANT * one_force):
+            if needs_force := np.any(np.abs(F) > SIGNIFICANT * one_force):
                 U, gamma = shaft_unbalance(F_n=F, i=float(i), omega=omega), unbalance_direction(F_n=F)
                 F_S = supplied_force(i=float(i), omega=omega, U=U, gamma=gamma)
                 balance_shaft = replace(balance_shaft, unbalance=U, unbalance_phase=gamma)
-            if np.any(np.abs(C) > SIGNIFICANT * one_couple):
+            if needs_couple := np.any(np.abs(C) > SIGNIFICANT * one_couple):
                 P, gamma = shaft_product(C_n=C, i=float(i), omega=omega), product_direction(C_n=C)
                 C_S = supplied_couple(i=float(i), omega=omega, P=P, gamma=gamma)
                 balance_shaft = replace(balance_shaft, unbalance_product=P, unbalance_product_phase=gamma)
-        return (
-            (
-                balance_shaft
-                if balance_shaft.unbalance is not None or balance_shaft.unbalance_product is not None
-                else None
-            ),
-            F_S,
-            C_S,
-        )
+        return balance_shaft if needs_force or needs_couple else None, F_S, C_S
 
-    F_f, F_b, C_f, C_b = first
-    backward, backward_F, backward_C = shaft(-1, F_b, C_b)
-    forward, forward_F, forward_C = shaft(1, F_f, C_f)
-    plus, plus_F, plus_C = shaft(2, second[0], second[2])
-    minus, minus_F, minus_C = shaft(-2, second[1], second[3])
-    at_one: Vectors = (forward_F, backward_F, forward_C, backward_C)
-    at_two: Vectors = (plus_F, minus_F, plus_C, minus_C)
+    (F_f, F_b, C_f, C_b), (F_f2, F_b2, C_f2, C_b2) = first, second
+    shafts = {
+        "backward": shaft(-1, F_b, C_b),
+        "forward": shaft(1, F_f, C_f),
+        "forward_2": shaft(2, F_f2, C_f2),
+        "backward_2": shaft(-2, F_b2, C_b2),
+    }
+    backward, forward, plus, minus = (balance_shaft for balance_shaft, _, _ in shafts.values())
 
-    def remedy(
-        title: Text, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None
-    ) -> BalancingRemedy:
-        # the crank acts on what turns forward only
-        left_f, left_c = (joined(F_f, share * whole[0]), joined(C_f, share * whole[1]))
+    def remedy(title: Text, share: Number, *names: str) -> BalancingRemedy:
+        """`share` of the reciprocating masses on the crank, which acts on what turns forward only, and the shafts of
+        these names."""
+        left_f, left_c = joined(F_f, share * whole[0]), joined(C_f, share * whole[1])
         left_f, left_c = based_on(left_f, F_f, share, whole[0]), based_on(left_c, C_f, share, whole[1])
+        used = {name: supply for name in names if (supply := shafts[name])[0] is not None}
+        S_f, S_b, S_f2, S_b2 = (used.get(name, NO_SHAFT)[1:] for name in ("forward", "backward", *SECOND_ORDER))
+        single = S_b[0] if "backward" in used and "forward" not in used and np.any(S_b[0]) else None
         with about(title):
-            single = one[1] if shafts.get("backward") and not shafts.get("forward") and np.any(one[1]) else None
             return BalancingRemedy(
                 title=title,
                 crank_balance_fraction=share,
-                shafts={name: balance_shaft for name, balance_shaft in shafts.items() if balance_shaft},
-                order_1_force=force_left(F_f=left_f, S_f=one[0], F_b=F_b, S_b=one[1]),
-                order_1_couple=couple_left(C_f=left_c, S_f=one[2], C_b=C_b, S_b=one[3]),
-                order_2_force=force_left(F_f=second[0], S_f=two[0], F_b=second[1], S_b=two[1]),
-                order_2_couple=couple_left(C_f=second[2], S_f=two[2], C_b=second[3], S_b=two[3]),
+                shafts={name: balance_shaft for name, (balance_shaft, _, _) in used.items() if balance_shaft},
+                order_1_force=force_left(F_f=left_f, S_f=S_f[0], F_b=F_b, S_b=S_b[0]),
+                order_1_couple=couple_left(C_f=left_c, S_f=S_f[1], C_b=C_b, S_b=S_b[1]),
+                order_2_force=force_left(F_f=F_f2, S_f=S_f2[0], F_b=F_b2, S_b=S_b2[0]),
+                order_2_couple=couple_left(C_f=C_f2, S_f=S_f2[1], C_b=C_b2, S_b=S_b2[1]),
                 roll_torque=roll_torque(p=axis, F=single) if single is not None and axis is not None else None,
                 roll_torque_at_100_mm=roll_torque(p=0.1 + 0j, F=single) if single is not None else None,
             )
 
-    by_name = {"crank": remedy(Text("counterweights for half of the reciprocating mass"), 0.5, NONE, NONE)}
+    by_name = {"crank": remedy(Text("counterweights for half of the reciprocating mass"), 0.5)}
     if backward:
-        one_shaft = (0j, backward_F, 0j, backward_C)
-        by_name["backward_shaft"] = remedy(
-            Text("the same, and one shaft at −1"), 0.5, one_shaft, NONE, backward=backward
-        )
+        by_name["backward_shaft"] = remedy(Text("the same, and one shaft at −1"), 0.5, "backward")
     if forward and backward:
-        by_name["first_order_pair"] = remedy(
-            Text("two shafts at ±1"), 0.0, at_one, NONE, forward=forward, backward=backward
-        )
+        by_name["first_order_pair"] = remedy(Text("two shafts at ±1"), 0.0, "forward", "backward")
     if plus or minus:
         how = Text("two shafts at ±2") if plus and minus else Text("one shaft at {what}2", what="+" if plus else "−")
-        by_name["second_order_shafts"] = remedy(
-            Text("crank as designed, {how}", how=how), kappa, NONE, at_two, forward_2=plus, backward_2=minus
-        )
+        title = Text("crank as designed, {how}", how=how)
+        by_name["second_order_shafts"] = remedy(title, kappa, *SECOND_ORDER)
         if backward:
-            by_name["crank_and_shafts"] = remedy(
-                Text("half on the crank, one shaft at −1, {how}", how=how),
-                0.5,
-                (0j, backward_F, 0j, backward_C),
-                at_two,
-                backward=backward,
-                forward_2=plus,
-                backward_2=minus,
-            )
+            title = Text("half on the crank, one shaft at −1, {how}", how=how)
+            by_name["crank_and_shafts"] = remedy(title, 0.5, "backward", *SECOND_ORDER)
         if forward and backward:
-            by_name["four_shafts"] = remedy(
-                Text("two shafts at ±1, {how}", how=how),
-                0.0,
-                at_one,
-                at_two,
-                forward=forward,
-                backward=backward,
-                forward_2=plus,
-                backward_2=minus,
-            )
+            title = Text("two shafts at ±1, {how}", how=how)
+            by_name["four_shafts"] = remedy(title, 0.0, "forward", "backward", *SECOND_ORDER)
     return by_name
 
 

@@ -7,6 +7,7 @@ opposite and equal, make a moment; placed well it stands against the torque reac
 Mitsubishi)."""
 
 import math
+from collections.abc import Iterator
 
 from ..engine.result import EngineResult
 from ..sheet.check import Check, check
@@ -73,9 +74,8 @@ def height_difference(h_f: Metre, h_b: Metre) -> Metre:
 @formula(
     "Δh_0",
     Text(
-        "mathematics: least amount of a sum, the moment being linear in the height difference (two terms, inline "
-        "four: the rod length; "
-        "idea of unequal heights: Nakamura 1976, from memory)"
+        "mathematics: least amount of a sum, the moment being linear in the height difference (two terms, inline four: "
+        "the rod length; idea of unequal heights: Nakamura 1976, from memory)"
     ),
     names={"T": "T_RI+S", "F_f": "F_S⁺", "F_b": "F_S⁻"},
 )
@@ -114,9 +114,21 @@ def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Ba
             return None
         p_f, p_b = (based_on(complex(*place), place) for place in (forward, backward))
         F_f, F_b = based_on(F_f, F_f, n), based_on(F_b, F_b, n)
+        t_n = based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n)
         Dh = height_difference(h_f=based_on(forward[0], forward, n), h_b=backward[0])
-        return _pair(
-            p_f, F_f, p_b, F_b, Dh, based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n)
+        T_S = pair_moment(p_f=p_f, F_f=F_f, p_b=p_b, F_b=F_b)
+        T = roll_together(T_S=T_S, t_n=t_n)
+        sways = abs(F_f + F_b.conjugate()) > 1e-9 * abs(F_f)  # else a height difference raises no moment
+        return ShaftPair(
+            force_forward=shaft_force(F=F_f),
+            force_backward=shaft_force(F=F_b),
+            height_difference=Dh,
+            roll_torque=roll_amplitude(T_S=T_S),
+            roll_torque_phase=roll_phase(T_S=T_S),
+            reaction=roll_amplitude(T_S=t_n),
+            reaction_phase=roll_phase(T_S=t_n),
+            roll_left=roll_amplitude(T_S=T),
+            height_difference_of_least_roll=best_height_difference(Dh=Dh, T=T, F_f=F_f, F_b=F_b) if sways else None,
         )
 
 
@@ -124,25 +136,6 @@ def _force(shaft: BalanceShaft | None, omega: RadPerSecond) -> PhasorNewton:
     if shaft is None or shaft.unbalance is None or shaft.unbalance_phase is None:
         return 0j
     return supplied_force(i=shaft.speed_ratio, omega=omega, U=shaft.unbalance, gamma=shaft.unbalance_phase)
-
-
-def _pair(
-    p_f: PhasorMetre, F_f: PhasorNewton, p_b: PhasorMetre, F_b: PhasorNewton, Dh: Metre, t_n: PhasorNewtonMetre
-) -> ShaftPair:
-    T_S = pair_moment(p_f=p_f, F_f=F_f, p_b=p_b, F_b=F_b)
-    T = roll_together(T_S=T_S, t_n=t_n)
-    sways = abs(F_f + F_b.conjugate()) > 1e-9 * abs(F_f)  # else a height difference raises no moment
-    return ShaftPair(
-        force_forward=shaft_force(F=F_f),
-        force_backward=shaft_force(F=F_b),
-        height_difference=Dh,
-        roll_torque=roll_amplitude(T_S=T_S),
-        roll_torque_phase=roll_phase(T_S=T_S),
-        reaction=roll_amplitude(T_S=t_n),
-        reaction_phase=roll_phase(T_S=t_n),
-        roll_left=roll_amplitude(T_S=T),
-        height_difference_of_least_roll=best_height_difference(Dh=Dh, T=T, F_f=F_f, F_b=F_b) if sways else None,
-    )
 
 
 def roll_check(pair: ShaftPair) -> Check:
@@ -158,69 +151,48 @@ def roll_check(pair: ShaftPair) -> Check:
             "rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces"
         ),
         Text(
-            "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs "
-            "higher than the other "
-            "where the height difference of the least roll is positive."
+            "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs higher "
+            "than the other where the height difference of the least roll is positive."
         ),
     )
 
 
-def roll_notes(imbalance: ImbalanceInputs, pair: ShaftPair | None) -> tuple[Text, ...]:
-    """What is said of the roll about the crank's axis."""
-    if pair is not None:  # the table tells it
-        return ()
-    reaction = Text(
-        "The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it."
-    )
-    if imbalance.forward_shaft_axis is None:
-        return (reaction,)
-    without = Text(
-        "No pair of shafts carries a force of order {n} here: their places raise no roll torque.",
-        n=imbalance.shaft_pair_order,
-    )
-    return without, reaction
+def roll_notes(imbalance: ImbalanceInputs) -> Iterator[Text]:
+    """What is said of the roll about the crank's axis where no pair has a table that tells it."""
+    if imbalance.forward_shaft_axis is not None:
+        yield Text(
+            "No pair of shafts carries a force of order {n} here: their places raise no roll torque.",
+            n=imbalance.shaft_pair_order,
+        )
+    yield Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it.")
 
 
 def pair_table(pair: ShaftPair, n: int, remedy: dict[str, BalancingRemedy]) -> Table:
     """The pair: its forces, and what is left of force and roll."""
     whole = remedy[PAIRS[n][0]]
     best = pair.height_difference_of_least_roll
+    columns = (
+        (Text("shafts at"), "", f"±{n}"),
+        (Text("force forward"), "N", pair.force_forward),
+        (Text("force backward"), "N", pair.force_backward),
+        (Text("force left"), "N", whole.order_1_force if n == 1 else whole.order_2_force),
+        (Text("Δh"), "mm", pair.height_difference * 1e3),
+        (Text("roll of the shafts"), "N·m", pair.roll_torque),
+        (Text("phase"), "°", math.degrees(pair.roll_torque_phase)),
+        (Text("roll of inertia"), "N·m", pair.reaction),
+        (Text("phase"), "°", math.degrees(pair.reaction_phase)),
+        (Text("roll left"), "N·m", pair.roll_left),
+        (Text("Δh of least roll"), "mm", None if best is None else best * 1e3),
+    )
     return Table(
         "shaft_pair",
         Text("Two balance shafts at their places"),
-        (
-            (Text("shafts at"), ""),
-            (Text("force forward"), "N"),
-            (Text("force backward"), "N"),
-            (Text("force left"), "N"),
-            (Text("Δh"), "mm"),
-            (Text("roll of the shafts"), "N·m"),
-            (Text("phase"), "°"),
-            (Text("roll of inertia"), "N·m"),
-            (Text("phase"), "°"),
-            (Text("roll left"), "N·m"),
-            (Text("Δh of least roll"), "mm"),
-        ),
-        (
-            (
-                f"±{n}",
-                pair.force_forward,
-                pair.force_backward,
-                whole.order_1_force if n == 1 else whole.order_2_force,
-                pair.height_difference * 1e3,
-                pair.roll_torque,
-                math.degrees(pair.roll_torque_phase),
-                pair.reaction,
-                math.degrees(pair.reaction_phase),
-                pair.roll_left,
-                None if best is None else best * 1e3,
-            ),
-        ),
+        tuple((label, unit) for label, unit, _ in columns),
+        (tuple(cell for *_, cell in columns),),
         Text(
             "Roll about the crank's axis on the block, T·cos(n·ε + phase), positive in the sense of rotation; ε from "
-            "TDC of cylinder 1. "
-            "Δh: the shaft that turns with the crank over the other. The gas torque is not in it: what is best under "
-            "load lies elsewhere."
+            "TDC of cylinder 1. Δh: the shaft that turns with the crank over the other. The gas torque is not in it: "
+            "what is best under load lies elsewhere."
         ),
         covers=("imbalance.shaft_pair.",),
     )

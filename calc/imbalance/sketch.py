@@ -55,9 +55,8 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0) -> Sketch:
     assert isinstance(result, ImbalanceResult)
     pictures = []
     for n in (1, 2):
-        order = result.orders.get(f"order_{n}")
-        for kind, _, _, at in KINDS if order is not None else ():
-            assert order is not None
+        order = result.orders[f"order_{n}"]
+        for kind, _, _, at in KINDS:
             bare, crank = VectorPair(n, *order.unbalanced[at : at + 2]), VectorPair(n, *order.vectors[at : at + 2])
             if bare.peak > DRAWN * (result.one_couple if kind == "couple" else result.one_force):
                 marks = tuple(_picture(bare, crank, *_shaft(design, results, kind, n), angle))

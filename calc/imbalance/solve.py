@@ -52,8 +52,7 @@ def values(
     orders: dict[str, Order] = {}
     kappa = imbalance.crank_balance_fraction
     judged = u.harmonics(e, imbalance.kinematics)
-    for n in ORDERS:
-        c_n = judged[n - 1]
+    for n, c_n in zip(ORDERS, judged):
         if not np.any(c_n) and n not in ALWAYS:
             continue
         with about(Text("order {n}", n=n)):
@@ -150,13 +149,14 @@ def solve(
     shares = imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction
     bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
 
-    def cranks() -> Iterator[Table]:
-        if 2 < engine.cylinders <= LISTED:
-            yield cranks_table(firing_orders(imbalance, engine, e), engine)
-
-    def places() -> Iterator[Table]:
+    def tables() -> Iterator[Table]:
+        yield remedy_table(result, *shares)
+        yield systems_table(result.throw, result.orders, result.one_force, result.one_couple, engine, e)
         if result.shaft_pair:
             yield pair_table(result.shaft_pair, imbalance.shaft_pair_order, result.remedy)
+        yield from bobs()[0]
+        if 2 < engine.cylinders <= LISTED:
+            yield cranks_table(firing_orders(imbalance, engine, e), engine)
 
     return Outcome(
         "imbalance",
@@ -164,15 +164,7 @@ def solve(
         checks=tuple(checks(result, lam, *shares, shaft)),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(result), *polygons(engine, e, result.throw))),
-        tables=Later(
-            lambda: (
-                remedy_table(result, *shares),
-                systems_table(result.throw, result.orders, result.one_force, result.one_couple, engine, e),
-                *places(),
-                *bobs()[0],
-                *cranks(),
-            )
-        ),
+        tables=Later(tables),
         errata=Later(lambda: errata(imbalance, result) if shaft else ()),
         proposals=proposals(result, lam, *shares, shaft),
         notes=Later(lambda: notes(imbalance, engine, result, bobs()[1])),
@@ -183,12 +175,8 @@ def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: Imbal
     """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple,
     cylinder 1 at TDC."""
     result = outcome.solution
-    tables = Later(
-        lambda: (
-            remedy_table(result, imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction, shaft),
-            *outcome.tables[1:],
-        )
-    )
+    shares = imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction
+    tables = Later(lambda: (remedy_table(result, *shares, shaft), *outcome.tables[1:]))
     others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
     return replace(outcome, curves=Later(lambda: (*pictures(result, shaft), *others)), tables=tables)
 

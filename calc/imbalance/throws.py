@@ -18,7 +18,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant
 from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Series, Table
-from ..sheet.text import EMPTY, Amount, Text
+from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, Metre, Metres, Newton, NewtonMetre, Number, Radians, RadPerSecond
 from .orders import DUST, Order, harmonics, masses, measures, radius
 from .remedies import equivalent_mass
@@ -85,14 +85,11 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)
     force, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
     every, rest = column(force), column(more)
-    if e.unlike is not None:  # `one` and `more` are then those of the means
+    if e.unlike is not None:  # `force` and `more` are then those of the means
         (M_a, M_r), r = masses(e), radius(engine, e)
         every = centrifugal(m=M_r, omega=omega, r=r)
-        rest = centrifugal(
-            m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r),
-            omega=omega,
-            r=r,
-        )
+        carried = equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a)
+        rest = centrifugal(m=rotating_not_balanced(M_eq=carried, M_rot=M_r), omega=omega, r=r)
     return Throws(
         force=force,
         force_together=together(F_c=every, phi=phi),
@@ -111,19 +108,15 @@ def polygons(engine: EngineInputs, e: EngineResult, throws: Throws) -> tuple[Cur
     if engine.cylinders < 2 or not throws.force:
         return ()
     (M_alt, M_rot), r, c_2 = masses(e), radius(engine, e), harmonics(e, "exact")[1]
-    first = (throws.force if e.unlike is None else M_rot * r * e.angular_speed**2) * np.exp(
-        1j * (crank.theta_0 + crank.phi)
-    )
-    kinds = [(Text("throws: rotating masses, and order 1"), first)]
+    angles = crank.theta_0 + crank.phi
+    first = throws.force if e.unlike is None else M_rot * r * e.angular_speed**2
+    kinds = [(Text("throws: rotating masses, and order 1"), first * np.exp(1j * angles))]
     if not np.ptp(crank.psi) and np.any(c_2):
         second = M_alt * r * e.angular_speed**2 * c_2
-        kinds.append((Text("double angles: order 2"), second * np.exp(2j * (crank.theta_0 + crank.phi))))
+        kinds.append((Text("double angles: order 2"), second * np.exp(2j * angles)))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
     couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"
-    drawn = (
-        _polygon(*forces, [(name, vectors) for name, vectors in kinds]),
-        _polygon(*couples, [(n, v * crank.z) for n, v in kinds]),
-    )
+    drawn = _polygon(*forces, kinds), _polygon(*couples, [(name, vectors * crank.z) for name, vectors in kinds])
     return tuple(curve for curve in drawn if curve.series)
 
 
@@ -165,41 +158,28 @@ def verdict(throws: Throws, engine: EngineInputs, rho: Number) -> Text:
         return Text(
             "The bare throws are balanced statically and dynamically: their rotating masses need no counterweights."
         )
-    only = (
-        Text(" To a share of {rho} only (rotating_balance_fraction).", rho=Amount(rho, form="g"))
-        if abs(rho - 1) > 1e-9
-        else EMPTY
-    )
     if static:
-        return (
-            Text(
-                "The bare throws are balanced statically, not dynamically: counterweights must take a couple of "
-                "{couple} N·m of the rotating "
-                "masses, and are taken to do so.",
-                couple=couple,
-            )
-            + only
-        )
-    if dynamic:
-        return (
-            Text(
-                "The bare throws are not balanced statically: counterweights must take a force of {force} N of the "
-                "rotating masses, and are "
-                "taken to do so.",
-                force=force,
-            )
-            + only
-        )
-    return (
-        Text(
-            "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of "
-            "{force} N and a couple of "
+        text = Text(
+            "The bare throws are balanced statically, not dynamically: counterweights must take a couple of "
             "{couple} N·m of the rotating masses, and are taken to do so.",
+            couple=couple,
+        )
+    elif dynamic:
+        text = Text(
+            "The bare throws are not balanced statically: counterweights must take a force of {force} N of the "
+            "rotating masses, and are taken to do so.",
+            force=force,
+        )
+    else:
+        text = Text(
+            "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of "
+            "{force} N and a couple of {couple} N·m of the rotating masses, and are taken to do so.",
             force=force,
             couple=couple,
         )
-        + only
-    )
+    if abs(rho - 1) > 1e-9:
+        text += Text(" To a share of {rho} only (rotating_balance_fraction).", rho=Amount(rho, form="g"))
+    return text
 
 
 def systems_table(

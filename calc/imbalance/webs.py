@@ -63,8 +63,7 @@ WITHIN = math.radians(75.0)  # to either side of the direction opposite to the p
 MOST = 16  # webs of which the best choice is looked for
 UNDRILLED = Text(
     "Which webs to drill is not found: it takes the bodies of the crank with at least two webs, and an unbalance that "
-    "holes within "
-    "{degrees}° of the side away from the pins can take; else bobs or webs must change.",
+    "holes within {degrees}° of the side away from the pins can take; else bobs or webs must change.",
     degrees=round(math.degrees(WITHIN)),
 )
 SOURCE = Text(
@@ -375,10 +374,8 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
                 P, U = lacking_product(r, *of, z, phi, bob, z_p, phi_p), lacking_unbalance(r, *of, phi, bob, phi_p)
             else:
                 r_p = r[first] if np.ndim(r) else r
-                P, U = (
-                    u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p),
-                    u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p),
-                )
+                P = u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p)
+                U = u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p)
             wanted = wanted_couple(P=P, omega=omega)
             result = replace(
                 result,

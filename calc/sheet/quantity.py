@@ -157,6 +157,8 @@ class Said(_AsTheyStand, total=False):
     """What may be said of an input beside its label, unit and default."""
 
     within: tuple[float, float]  # `low` and `high` in one
+    above_up_to: tuple[float, float]  # `above` and `high` in one
+    rule_of_thumb: tuple[float, float]  # `usual` by practice alone: its `source` is THUMB
     help: str
     source: str
     negative: str
@@ -172,6 +174,8 @@ def _make(
     default: T,
     *,
     within: tuple[float, float] | None = None,
+    above_up_to: tuple[float, float] | None = None,
+    rule_of_thumb: tuple[float, float] | None = None,
     help: str = "",
     source: str = "",
     negative: str = "",
@@ -185,6 +189,10 @@ def _make(
 ) -> T:
     if within is not None:
         options["low"], options["high"] = within
+    if above_up_to is not None:
+        options["above"], options["high"] = above_up_to
+    if rule_of_thumb is not None:
+        options["usual"], source = rule_of_thumb, THUMB
     what = Quantity(
         kind,
         Text(label),
@@ -214,7 +222,7 @@ def _where(choice: object, *words: object) -> Where:
 
 
 def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
-    """A number.  `low`, `high`, `above`, `within`, `usual` are in the shown unit, `default` in SI."""
+    """A number.  Its bounds and what is usual are in the shown unit, `default` in SI."""
     return _make("number", label, unit, default, **options)
 
 
