@@ -223,7 +223,7 @@ def first_good(
 
 
 STRIDES = 12  # towards the smallest change
-SHORTENED = 5  # times that the stretch around it is made shorter
+SHORTENED, HALVED = 2, 5  # times that the stretch around it is made shorter, by its slope and where it has none
 SHORT = 0.03  # of a change: a shorter stretch stays
 
 
@@ -263,7 +263,7 @@ def closer(
 ) -> tuple[float, float]:
     """A shorter stretch between two changes, of which the second has a score of zero or more: by its slope where both
     have a score, else by halves."""
-    for _ in range(SHORTENED):
+    for _ in range(HALVED if math.isnan(at_low) else SHORTENED):
         if high - low <= max(near, SHORT * high):
             break
         sloped = 1.05 * at_low / (at_low - at_high)

@@ -18,7 +18,7 @@ from assistant.widgets.steps import states_of
 from calc.design.model import STEPS
 from calc.sheet.check import grouped
 from calc.studies.ready import ready
-from calc.studies.repair.options import ways
+from calc.studies.repair.options import ranked, search
 from calc.studies.shipped import DESIGNS
 from calc.studies.starter.build import choice_made
 from tests.assistant.driving import until
@@ -122,7 +122,7 @@ def choices(session: Session) -> Iterator[str]:
                 session.apply([f"accepted.{check.id}=agreed"])
                 yield f"{check.id} accepted"
             else:
-                best = next(way for way in ways(session.document, check, session.results) if way.changes)
+                best = next(way for way in ranked(search(session.document, check, session.results)) if way.changes)
                 session.apply(best.changes)
                 yield f"{check.id}: {best.words}"
         session.solve()

@@ -80,46 +80,28 @@ RepairTable = dict[str, tuple[tuple[tuple[str, ...], Repairer], ...]]
 # then to the last ones.
 WAYS: RepairTable = {
     "countershaft": (
-        (("countershaft.residual", "countershaft.residual_force"), sizing.balance),
+        (("countershaft.residual*",), sizing.balance),
         (("countershaft.crossing",), sizing.shorter_journals),
     ),
     "bearings": ((("*",), sizing.bearings_or_longer_journals),),
     "gears": (
         (
-            (
-                "*.contact_ratio",
-                "*.contact_ratio_least",
-                "*.interference",
-                "*.interference_least",
-                "*.tip_clearance_least",
-                "*.undercut",
-                "*.tip_thickness",
-            ),
+            ("*.contact_ratio*", "*.interference*", "*.tip_clearance*", "*.undercut", "*.tip_thickness"),
             teeth.better_teeth,
         ),
         (("*.clearance", "*.position"), teeth.idler),
-        (("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"), teeth.free_backlash),
+        (("*.backlash*",), teeth.free_backlash),
         (("*.safety_contact", "*.safety_bending"), sizing.stronger_teeth),
     ),
+}
+LAST: RepairTable = {
+    "countershaft": ((("*.envelope*", "*.crossing", "*.mass_shape"), sizing.resize),),
+    "gears": ((("*.clearance",), teeth.idler),),  # once what else kept its teeth from passing is repaired
 }
 UNSOLVED: dict[str, Repairer] = {
     "bearings": sizing.nearest_bearings,
     "countershaft": sizing.resize,
     "gears": teeth.better_teeth,
-}
-LAST: RepairTable = {
-    "countershaft": (
-        (
-            (
-                "countershaft.envelope",
-                "countershaft.envelope_length",
-                "countershaft.crossing",
-                "countershaft.mass_shape",
-            ),
-            sizing.resize,
-        ),
-    ),
-    "gears": ((("*.clearance",), teeth.idler),),  # once what else kept its teeth from passing is repaired
 }
 
 
@@ -130,7 +112,7 @@ def remedy(
 
     `results`: where the design is solved already.  `progress` may raise `Cancelled`.
     """
-    return _Step(step, Budget(tries)).remedy(state_of(document, results), progress)
+    return _Step(step, Budget(tries)).repair(state_of(document, results), progress)[0]
 
 
 def nearest(
@@ -165,17 +147,16 @@ def nearest(
                 state = replace(after, changes=kept | after.changes)
         if state is before or not any(state.sick(step) for step in steps):
             break
-    still = [unmended for step in steps if state.sick(step) for unmended in left.get(step) or _undone(state, step)]
+    undone = Text("what repairs other steps makes it fail")  # in the last round
+    still = [
+        unmended
+        for step in steps
+        if state.sick(step)
+        for unmended in left.get(step) or [Unmended(step, c.id, c.name, undone) for c in state.failing(step)]
+    ]
     changes = words(start.document, start.results, state.changes)
     return Nearest(
         tuple(remedies), tuple(still), tuple(assignments(state.changes)), changes, state.document, state.results
-    )
-
-
-def _undone(state: RepairState, step: str) -> tuple[Unmended, ...]:
-    """Checks that a remedy of another step made fail in the last round."""
-    return tuple(
-        Unmended(step, c.id, c.name, Text("what repairs other steps makes it fail")) for c in state.failing(step)
     )
 
 
@@ -219,9 +200,6 @@ class _Step:
         self.step, self.budget = step, budget
         self.why: dict[str, Text] = {}
 
-    def remedy(self, state: RepairState, progress: Progress | None) -> NearestRemedy:
-        return self.repair(state, progress)[0]
-
     def repair(self, state: RepairState, progress: Progress | None) -> tuple[NearestRemedy, RepairState]:
         """The remedy, and the design with it, whose changes are those of the remedy alone."""
         state = start = replace(state, changes={})
@@ -246,19 +224,9 @@ class _Step:
             effect = Text("passes all checks of the {step}; then fails: {checks}", step=title, checks=", ".join(breaks))
         else:
             effect = Text("passes all checks of the {step}", step=title)
-        changes = words(start.document, start.results, state.changes)
-        remedy = NearestRemedy(
-            self.step,
-            tuple(assignments(state.changes)),
-            changes,
-            effect,
-            tuple(mends),
-            left,
-            breaks,
-            state.document,
-            state.results,
-        )
-        return remedy, state
+        changes, named = tuple(assignments(state.changes)), words(start.document, start.results, state.changes)
+        document, results = state.document, state.results
+        return NearestRemedy(self.step, changes, named, effect, tuple(mends), left, breaks, document, results), state
 
     def _left(self, state: RepairState) -> tuple[Unmended, ...]:
         step = self.step
@@ -271,9 +239,8 @@ class _Step:
         """A step that finds no solution: its own search, else one number at a time."""
         ways = [*([UNSOLVED[self.step]] if self.step in UNSOLVED else []), self._one_number]
         for n, way in enumerate(ways):
-            mended = self._tried(state, (), way, part(progress, n / len(ways), (n + 1) / len(ways)))
-            if mended is not None:
-                return mended
+            if state.unsolved(self.step):
+                state = self._by(state, (), way, part(progress, n / len(ways), (n + 1) / len(ways)))
         return state
 
     def _round(self, state: RepairState, progress: Progress | None) -> RepairState:
@@ -313,13 +280,11 @@ class _Step:
     def _by(
         self, state: RepairState, failing: tuple[Check, ...], way: Repairer, progress: Progress | None
     ) -> RepairState:
-        return (self._tried(state, failing, way, progress) if failing else None) or state
-
-    def _tried(
-        self, state: RepairState, failing: tuple[Check, ...], way: Repairer, progress: Progress | None
-    ) -> RepairState | None:
-        """The design as a way repairs it; None where it does not, with the reason noted."""
+        """The design as a way repairs it; as it is where that does not, with the reason noted, or where nothing
+        fails."""
         ids = [c.id for c in failing]
+        if not ids and not state.unsolved(self.step):
+            return state
         try:
             mended = way(state, failing, progress)
         except NoSolution as none:
@@ -337,4 +302,4 @@ class _Step:
                 reason = Text("the nearest still fails: {checks}", checks=COMMA.join(still))
         for id in ids or [self.step]:
             self.why.setdefault(id, reason)
-        return None
+        return state

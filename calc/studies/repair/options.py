@@ -7,9 +7,8 @@ breaks something else, then one that only comes nearer.  What is locked is shown
 
 import math
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
 from itertools import islice
 
 from ...bearings.inputs import BearingsInputs
@@ -225,31 +224,22 @@ def _filled(state: RepairState, keys: list[str], tried: list[Changes]) -> LeverP
     return LeverPlan(tuple(keys), tuple(moved), tuple(sets[:SETS])) if moved or sets else None
 
 
+UNBALANCED = ("countershaft.residual", "countershaft.residual_force", "countershaft.holes.range")
+
+
 def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
-    """What is made for some checks: masses that are set to what the engine asks for, stronger teeth."""
-    sets: list[Changes] = []
-    for patterns, changes in MADE_FOR:
-        some = tuple(c for c in group if any(fnmatchcase(c.id, pattern) for pattern in patterns))
+    """What is made for some checks: stronger teeth, masses that are set to what the engine asks for."""
+    weak = tuple(c for c in group if ".safety_contact" in c.id or ".safety_bending" in c.id)
+    sets = list(sizing.stronger(state, sizing.wheels(state, weak))) if weak else []
+    shaft = state.design.countershaft
+    if shaft is not None and shaft.mode == "given" and any(c.id in UNBALANCED for c in group):
         try:
-            sets += filter(None, changes(state, some)) if some else ()
+            sets += sizing.balanced(state, shaft)
         except NoSolution:
             pass
-    return sets
+    return [changes for changes in sets if changes]
 
 
-def _balanced(state: RepairState, group: tuple[Check, ...]) -> Iterable[Changes]:
-    shaft = state.design.countershaft
-    return sizing.balanced(state, shaft) if shaft is not None and shaft.mode == "given" else ()
-
-
-def _stronger(state: RepairState, group: tuple[Check, ...]) -> Iterable[Changes]:
-    return sizing.stronger(state, sizing.wheels(state, group))
-
-
-MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[RepairState, tuple[Check, ...]], Iterable[Changes]]], ...] = (
-    (("countershaft.residual", "countershaft.residual_force", "countershaft.holes.range"), _balanced),
-    (("*.safety_contact*", "*.safety_bending*"), _stronger),
-)
 FITS = (
     dotted(Design.bearings, BearingsInputs.journal_fit),
     dotted(Design.bearings, BearingsInputs.seat_fit),
@@ -300,9 +290,14 @@ MANY = 3  # limits that a remedy may break
 NEARER = 0.1  # share of what is missing that a change must bring to be worth a row
 
 
-def best(trials: Trials, plan: LeverPlan) -> RepairOption | None:
+def _best(
+    state: RepairState, step: str, group: tuple[Check, ...], plan: LeverPlan, progress: Progress | None
+) -> RepairOption | None:
     """The best way of a kind; None where it brings nothing."""
-    group, options = trials.checks, list[RepairOption]()
+    label, options = words_of(state.document, plan.keys[0]), list[RepairOption]()
+    name = label.other or label.less
+    tell(progress, 0.0, name)
+    trials = Trials(state, step, group, Budget(TRIES), progress, name, FARTHEST, ROUND)
     for changes in plan.sets:
         if (way := _way(trials, changes)) is not None:
             options.append(way)
@@ -392,17 +387,6 @@ def group_of(results: Results, finding: Check) -> tuple[Check, ...]:
     return (finding, *same)
 
 
-def ways(
-    document: Document,
-    finding: Check | str,
-    results: Results | None = None,
-    progress: Progress | None = None,
-    seconds: float | None = None,
-) -> tuple[RepairOption, ...]:
-    """The best few remedies of one finding, or of a step without a solution.  `progress` may raise `Cancelled`."""
-    return ranked(search(document, finding, results, progress, seconds))
-
-
 def search(
     document: Document,
     finding: Check | str,
@@ -410,37 +394,26 @@ def search(
     progress: Progress | None = None,
     seconds: float | None = None,
 ) -> Iterator[RepairOption]:
-    """All of them, each as soon as it is found; `seconds`: after so many no further kind is begun."""
-    state, ends = state_of(document, results), None if seconds is None else time.monotonic() + seconds
+    """Remedies of one finding, or of a step without a solution, each as soon as it is found.  `progress` may raise
+    `Cancelled`; `seconds`: after so many no further kind is begun."""
+    state, ends = state_of(document, results), math.inf if seconds is None else time.monotonic() + seconds
     step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
     group = () if isinstance(finding, str) else group_of(state.results, finding)
-    yield from _given(state, group)
-    looked_at = plans(state, step, group) if group else []
     if any(c.missing for c in group):
-        looked_at = []
-    yield from (_locked(state, plan, group) for plan in looked_at if plan.reason)
-    looked_at = [plan for plan in looked_at if not plan.reason]
-    written = set[tuple[str, ...]]()
-    for n, plan in enumerate(looked_at):
-        if ends is not None and time.monotonic() > ends:
-            return
-        label = words_of(document, plan.keys[0])
-        name = label.other or label.less
-        here = part(progress, n / (len(looked_at) + 1), (n + 1) / (len(looked_at) + 1))
-        tell(here, 0.0, name)
-        way = best(Trials(state, step, group, Budget(TRIES), here, name, FARTHEST, ROUND), plan)
-        if way is not None and way.changes not in written:
-            written.add(way.changes)
-            yield way
-    if (
-        (group and group[0].kind != "limit")
-        or any(c.missing for c in group)
-        or (ends is not None and time.monotonic() > ends)
-    ):
+        yield from _given(state, group)
         return
-    way = _whole_step(state, step, group, part(progress, len(looked_at) / (len(looked_at) + 1), 1.0))
-    if way is not None and way.changes not in written:
-        yield way
+    every = plans(state, step, group) if group else []
+    yield from (_locked(state, plan, group) for plan in every if plan.reason)
+    free = [plan for plan in every if not plan.reason]
+    known = set[tuple[str, ...]]()
+    for n, plan in enumerate([*free, *([None] if not group or group[0].kind == "limit" else [])]):
+        if time.monotonic() > ends:
+            return
+        here = part(progress, n / (len(free) + 1), (n + 1) / (len(free) + 1))
+        way = _best(state, step, group, plan, here) if plan is not None else _whole_step(state, step, group, here)
+        if way is not None and way.changes not in known:
+            known.add(way.changes)
+            yield way
 
 
 def _whole_step(

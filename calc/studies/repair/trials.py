@@ -3,6 +3,7 @@
 once."""
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import islice
 from math import inf, isnan, nan
@@ -28,55 +29,54 @@ UNKNOWN = 0.15  # relative change that is hoped for where a small one tells noth
 SURE = 0.3  # of the change that a small one asks for: hardly one is enough by less
 
 
+@dataclass
 class Trials:
     """`checks`: those that are to hold; none: the step finds no solution.  `name`: what is being looked at.  `near`:
     the relative change that a round number is worth."""
 
-    def __init__(
-        self,
-        state: RepairState,
-        step: str,
-        checks: tuple[Check, ...],
-        budget: Budget,
-        progress: Progress | None,
-        name: Text,
-        farthest: tuple[float, float] = FARTHEST,
-        near: float = 0.0,
-    ) -> None:
-        self.state, self.step, self.checks, self.budget = state, step, checks, budget
-        self.progress, self.name, self.farthest, self.near = progress, name, farthest, near
-        self.ids = {c.id for c in checks}
-        self.known: dict[tuple[str, bool], RepairState | None] = {}
-        self.ended = False  # whether the last one was solved as far as the checks only
+    state: RepairState
+    step: str
+    checks: tuple[Check, ...]
+    budget: Budget
+    progress: Progress | None
+    name: Text
+    farthest: tuple[float, float] = FARTHEST
+    near: float = 0.0
+    _known: dict[tuple[str, bool], RepairState | None] = field(default_factory=dict)  # by changes, and whether whole
+    _ended: bool = False  # whether the last one was solved as far as the checks only
+
+    @property
+    def ids(self) -> set[str]:
+        return {c.id for c in self.checks}
 
     # --- whole designs
     def tried(self, changes: Changes | None, whole: bool = False) -> RepairState | None:
         """The design with a change, solved no further than to the checks; `whole`: to the end.  None where it is not
         allowed, or nothing may be tried any more."""
         name = str(changes)
-        if changes is None or ((name, False) not in self.known and not self.budget.spend()):
+        if changes is None or ((name, False) not in self._known and not self.budget.spend()):
             return None
-        if (name, whole) not in self.known:
-            tell(self.progress, 1 - 0.9 ** len(self.known), self.name)
-            self.ended = False
-            begun = self.known.get((name, False))
+        if (name, whole) not in self._known:
+            tell(self.progress, 1 - 0.9 ** len(self._known), self.name)
+            self._ended = False
+            begun = self._known.get((name, False))
             try:
                 after = self.state.with_changes(
                     changes, begun.results if begun else None, None if whole else self._decided
                 )
             except (BadInput, NoSolution):
                 after = None
-            self.known[name, False] = after
-            if not self.ended:
-                self.known[name, True] = after
-        return self.known[name, whole]
+            self._known[name, False] = after
+            if not self._ended:
+                self._known[name, True] = after
+        return self._known[name, whole]
 
     def _decided(self, outcome: Outcome[object]) -> bool:
         """Whether all of the checks are known; those of the imbalance change once the shaft is known."""
         if outcome.key == self.step and self.step != "imbalance":
             known = bool(self.ids) and self.ids <= {c.id for c in outcome.checks}
-            self.ended = known or outcome.state == "no_solution"
-        return self.ended
+            self._ended = known or outcome.state == "no_solution"
+        return self._ended
 
     def score(self, after: RepairState | None, wanted: tuple[Check, ...]) -> float:
         """The least margin of what is to hold, from what it needs; no number where there is none."""

@@ -156,7 +156,7 @@ def test_the_smallest_change_lies_between_its_two_ends(kind):
         return SCORES[kind](x)
 
     low, high = crossing(score, SCORES[kind](0.0), 0.02, 10.0, 0.01)
-    assert low < 0.37 <= high <= 1.05 * 0.37 and len(asked) <= 15
+    assert low < 0.37 <= high <= 1.2 * 0.37 and len(asked) <= 13
     assert SCORES[kind](high) >= 0 and not SCORES[kind](low) >= 0
     wide = crossing(score, SCORES[kind](0.0), 0.02, 10.0, 0.01, near=0.5)
     assert wide[0] <= low and wide[1] >= high

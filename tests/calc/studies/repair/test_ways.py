@@ -7,7 +7,7 @@ from calc.design.toml_file import Document, design
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
-from calc.studies.repair.options import NEAR, RepairOption, search, ways
+from calc.studies.repair.options import NEAR, RepairOption, ranked, search
 from calc.studies.repair.state import broken, state_of
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
 
@@ -19,7 +19,7 @@ def finding(results: Results, id: str) -> Check:
 def ways_of(document: Document, id: str) -> tuple[Check, tuple[RepairOption, ...]]:
     results = solve(design(document))
     check = finding(results, id)
-    return check, ways(document, check, results)
+    return check, ranked(search(document, check, results))
 
 
 @pytest.mark.parametrize(
@@ -89,4 +89,4 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        ways(gamma, check, gamma_results, stop)
+        ranked(search(gamma, check, gamma_results, stop))
