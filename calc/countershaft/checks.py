@@ -13,15 +13,14 @@ from ..sheet.functions import argument, degrees
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key, down
 from ..sheet.text import SPACE, Amount, Text
-from ..sheet.units import Metre
 from .bending.shaft import RIGID, Bending
 from .inputs import CountershaftInputs
+from .outline import Journals
 from .result import CountershaftResult
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 from .supports import Gear
 
 WEAKEST = 235e6  # Pa: proof stress of the weakest structural steel
-Journals = tuple[tuple[Metre, Metre], ...]
 
 
 def checks(

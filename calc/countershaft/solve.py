@@ -33,14 +33,15 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
+from . import outline as s
 from .bending.shaft import Bending, bending
-from .checks import Journals, bending_checks, checks
+from .checks import bending_checks, checks
 from .curves import curves
 from .inputs import CountershaftInputs, EccentricMass, Extra
 from .making.drain import DrainResult, named_check
 from .making.parts import Gathered, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
-from .outline import NoOutline, Outline, assembled, given, known, sectors_of, turning_inertia, vectors_of, weighed
+from .outline import Journals, NoOutline, Outline
 from .result import CountershaftResult, SupportResult
 from .sizing.choices import front_curve, named
 from .sizing.sectors import ShaftTask, TooSmall, eccentric_masses, pieces, size, task
@@ -91,8 +92,8 @@ def solve(
         bent = None
         if outline is not None:
             points = (*shaft.extras, *(masses if outline.plain else ()))  # what the outline itself does not hold
-            m_S, z_S = weighed(outline, steel.density, points)
-            J_S = turning_inertia(outline, steel.density, points)
+            m_S, z_S = s.weighed(outline, steel.density, points)
+            J_S = s.turning_inertia(outline, steel.density, points)
             result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
             if not outline.derived:
                 result = _beside(result, points, outline, steel, F_S, C_S)
@@ -180,13 +181,13 @@ def _outline(
     """The shaft's outline, given or put together; None where it can not be, and a note says why."""
     try:
         if shaft.sections and sized is None:
-            return given(shaft)
-        outer, core = known(shaft, R, journals)
+            return s.given(shaft)
+        outer, core = s.known(shaft, R, journals)
         if sized is not None:
             sectors = pieces(sized)
         else:
-            sectors = sectors_of(masses, steel.density, outer, core)
-        outline = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
+            sectors = s.sectors_of(masses, steel.density, outer, core)
+        outline = s.assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
     except NoOutline as none:
         if none.broken is not None:
             to.checks.append(none.broken)
@@ -209,7 +210,7 @@ def _beside(
     """The same result with how far the given sections are from the given masses: both must be one shaft."""
     with about(Text("given sections")):
         F_x, C_x = _of(points, result.omega) if points else (0j, 0j)
-        F_O, C_O = vectors_of(outline, steel.density, result.omega, F_x, C_x)
+        F_O, C_O = s.vectors_of(outline, steel.density, result.omega, F_x, C_x)
         return replace(
             result,
             outline_force_deviation=f.force_deviation(F_O=F_O, F_S=F_S),

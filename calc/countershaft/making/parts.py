@@ -7,10 +7,8 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ...draw.drawing import TOUCH
 from ...library.catalogue import Material
 from ...sheet.check import Check, check
 from ...sheet.deferred import Later, Many
@@ -18,11 +16,11 @@ from ...sheet.linked_array import column
 from ...sheet.quantity import dotted
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text
-from ...sheet.units import KilogramPerMetre3, Metre, NewtonMetre
+from ...sheet.units import KilogramPerMetre3, Metre
 from ...sheet.value import based_on
 from .. import formulas as f
-from ..inputs import CountershaftInputs, EccentricMass, Holes
-from ..outline import Piece
+from ..inputs import CountershaftInputs, EccentricMass
+from ..outline import Journals
 from ..result import CountershaftResult
 from ..sizing.choices import Seat, compared, compared_table
 from ..sizing.sectors import LEFT_OVER, ShaftTask
@@ -52,14 +50,12 @@ def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
     on_shaft = f.reaction_rear(C_S=result.couple_vector, z_f=z_f, F_S=result.force_vector, z_r=z_r)
     rear, front = -on_shaft, result.force_vector + on_shaft
     upwards = abs(front) / front
-    preload = float(result.bolts.bolt_preload) if result.bolts is not None else None
+    preload = () if result.bolts is None else (float(result.bolts.bolt_preload),)
     rows = []
     for n in range(CASES):
         turn = upwards * cmath.exp(2j * math.pi * n / CASES)
         forces = (part for force in (front * turn, rear * turn) for part in (force.real, force.imag))
-        rows.append(
-            (n + 1, 360.0 * n / CASES, *(round(x, 9) + 0.0 for x in forces), *(() if preload is None else (preload,)))
-        )
+        rows.append((n + 1, 360.0 * n / CASES, *(round(x, 9) + 0.0 for x in forces), *preload))
     columns = [
         (Text("case"), ""),
         (Text("direction, front"), "°"),
@@ -105,7 +101,7 @@ def making(
     result: CountershaftResult,
     R: Metre | None,
     materials: Mapping[str, Material],
-    journals: tuple[tuple[Metre, Metre], ...],
+    journals: Journals,
     to: Gathered,
 ) -> CountershaftResult:
     """The result with all of it but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where
@@ -128,7 +124,7 @@ def making(
         to.checks += bolts.checks(bolted)
         to.notes += bolts.notes(shaft.bolts, bolted)
     if shaft.support is not None and support is not None:
-        to.checks += _support_checks(shaft.support, support)
+        to.checks += support_checks(shaft.support, support)
     count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
     kinds = based_on(float(len(shaft.parts)), shaft.parts) if shaft.parts else None
     drains = _drains(shaft, to)
@@ -143,13 +139,8 @@ def making(
         part_kinds=kinds,
     )
     if shaft.support is not None:
-        to.tables += Later(lambda: _load_cases(shaft, whole))
+        to.tables += Later(lambda: table(shaft, whole))
     return whole
-
-
-def _load_cases(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
-
-    return table(shaft, result)
 
 
 def _permitted(
@@ -200,38 +191,8 @@ def _holes(
             Text("Calibration holes: whether they fit into the sectors is not judged: the outline has none.")
         )
     over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C)) if todo.couple else None
-    to.checks += _hole_checks(shaft.holes, R, shaft.core_radius, len(masses), sectors, drilled, over)
+    to.checks += balance.hole_checks(shaft.holes, R, shaft.core_radius, len(masses), sectors, drilled, over)
     return drilled
-
-
-def _hole_checks(
-    bores: Holes,
-    R: Metre,
-    core_radius: Metre | None,
-    masses: int,
-    sectors: list[Piece],
-    drilled: HolesResult,
-    over: NewtonMetre | None,
-) -> Iterator[Check]:
-    """`over`: the couple beyond the required one; None where no couple is required."""
-    if core_radius is not None:
-        yield balance.depth_check(bores, R, core_radius)
-    if sectors and masses:
-        yield balance.row_check(bores, masses, _shortest(sectors))
-        yield balance.width_check(bores, R, min(sector.half_angle or 0.0 for sector in sectors))
-    if over is not None:
-        yield balance.range_check(drilled, over)
-
-
-def _shortest(sectors: list[Piece]) -> Metre:
-    """The length of the shortest sector; those that touch and stand at one angle are one."""
-    lengths = [sectors[0].length]
-    for before, piece in pairwise(sectors):
-        if abs(piece.start - before.end) < TOUCH and piece.angle == before.angle:
-            lengths[-1] += piece.length
-        else:
-            lengths.append(piece.length)
-    return min(lengths)
 
 
 def _scatter(
@@ -271,8 +232,6 @@ def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]"
     asked = ([("", shaft.oil_drain)] if shaft.oil_drain is not None else []) + [
         (inputs.name, inputs) for inputs in shaft.further_drains
     ]
-    if not asked:
-        return {}
     chosen = {name: drain.solve(inputs) for name, inputs in asked}
     for name, result in chosen.items():
         to.checks += (drain.named_check(drain_check, name) for drain_check in drain.checks(result))
@@ -280,7 +239,7 @@ def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]"
     return chosen
 
 
-def _with_wall(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], ...]) -> CountershaftInputs:
+def _with_wall(shaft: CountershaftInputs, journals: Journals) -> CountershaftInputs:
     """The wall of the support beside the largest seat as it now is; as given where that does not say at which seat it
     was."""
     support = shaft.support
@@ -290,7 +249,7 @@ def _with_wall(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], .
     return replace(shaft, support=replace(support, wall=w))
 
 
-def _support_checks(support: Support, material: Material) -> Iterator[Check]:
+def support_checks(support: Support, material: Material) -> Iterator[Check]:
     """The casting's wall, and its stresses as they were found elsewhere."""
     if support.wall is not None:
         yield check(
@@ -314,29 +273,18 @@ def _support_checks(support: Support, material: Material) -> Iterator[Check]:
             Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name),
             Text("More metal under the bolt heads."),
         )
-    if (load_check := load_stress_check(support, material)) is not None:
-        yield load_check
-
-
-def load_stress_check(support: Support, material: Material) -> Check | None:
-    """Against what the casting endures under a turning load; where that is not given its strength, which does not judge
-    fatigue."""
     if support.load_stress is None:
-        return None
-    limit, source = (
-        support.load_stress_limit,
-        Text("given in the design: what the casting endures without end under the turning load"),
-    )
+        return
+    # what the casting endures; where that is not given its strength, which does not judge fatigue
+    limit = support.load_stress_limit
     missing: tuple[str, ...] = ()
+    source = Text("given in the design: what the casting endures without end under the turning load")
     if limit is None:
         limit = material.proof_stress or material.tensile_strength or math.nan
         source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
-        missing = (
-            ()
-            if support.load_stress >= limit
-            else (dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit),)
-        )
-    return check(
+        if not support.load_stress >= limit:
+            missing = (dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit),)
+    yield check(
         "countershaft.support.load_stress",
         Text("Stress of the support from the bearing loads"),
         support.load_stress,

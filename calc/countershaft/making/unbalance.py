@@ -8,7 +8,9 @@ out."""
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 
+from ...draw.drawing import TOUCH
 from ...library.tolerances import ISO, grade_number
 from ...sheet.arrays import Array
 from ...sheet.check import Check, check
@@ -28,11 +30,11 @@ from ...sheet.units import (
     Metres,
     NewtonMetre,
     Number,
-    Radian,
     RadPerSecond,
 )
 from ...sheet.value import about, based_on, untraced
 from ..inputs import CountershaftInputs, Holes
+from ..outline import Piece
 
 HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
@@ -140,78 +142,83 @@ def calibration(
         )
 
 
-def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
-    """The holes must end in the sectors: one that is deeper weakens the core, which alone carries the shaft between
-    them."""
-    return check(
-        "countershaft.holes.depth",
-        Text("Depth of the calibration holes"),
-        holes.depth,
-        "<=",
-        R_outer - core_radius,
-        "mm",
-        Text("geometry: height of the sectors over the core"),
-        Text("More or wider holes take the rest."),
-        remedies=by_key(
-            Holes,
-            dotted("countershaft", CountershaftInputs.holes, Holes.depth),
-            down(R_outer - core_radius),
-            bound="<=",
-        ),
-    )
+def hole_checks(
+    holes: Holes,
+    R: Metre,
+    core_radius: Metre | None,
+    masses: int,
+    sectors: list[Piece],
+    drilled: HolesResult,
+    over: NewtonMetre | None,
+) -> Iterator[Check]:
+    """Whether the holes end in the sectors, which reach from the core out to R, have room in them and take what is too
+    much.  `over`: the couple of the shaft as drawn beyond the required one; None where none is required."""
+    field = CountershaftInputs.holes
+    if core_radius is not None:  # a deeper hole weakens the core, which alone carries the shaft between the sectors
+        height, key = R - core_radius, dotted("countershaft", field, Holes.depth)
+        yield check(
+            "countershaft.holes.depth",
+            Text("Depth of the calibration holes"),
+            holes.depth,
+            "<=",
+            height,
+            "mm",
+            Text("geometry: height of the sectors over the core"),
+            Text("More or wider holes take the rest."),
+            remedies=by_key(Holes, key, down(height), bound="<="),
+        )
+    if sectors and masses:
+        yield check(
+            "countershaft.holes.row",
+            Text("Length of the holes of a mass, side by side"),
+            math.ceil(holes.count / masses) * holes.diameter,
+            "<=",
+            _shortest(sectors),
+            "mm",
+            Text("rule of this program: holes stand in one row along the sector"),
+            Text("Fewer or narrower holes."),
+        )
+        half_angle, key = min(p.half_angle or 0.0 for p in sectors), dotted("countershaft", field, Holes.diameter)
+        chord = 2 * max(R - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
+        yield check(
+            "countershaft.holes.width",
+            Text("Diameter of a hole in the width of its sector"),
+            holes.diameter,
+            "<=",
+            chord,
+            "mm",
+            Text("geometry: width of the sector at the bottom of the hole"),
+            Text("Shorter holes have more room as well."),
+            remedies=by_key(Holes, key, down(chord), bound="<="),
+        )
+    if over is not None:
+        yield check(
+            "countershaft.holes.range",
+            Text("Couple beyond the required one, for drilling to take away"),
+            based_on(round(over, 9), over),
+            "in",
+            (0.0, drilled.hole_range),
+            "N·m",
+            Text(
+                "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be "
+                "balanced, by no more than the holes take"
+            ),
+            Text(
+                "Aim at {hole_range} N·m beyond, half of the range.",
+                hole_range=Amount(drilled.hole_range / 2, form=".1f"),
+            ),
+        )
 
 
-def row_check(holes: Holes, masses: int, length: Metre) -> Check:
-    """The holes of a mass stand in a row along the shaft, side by side; `length` of the shortest sector."""
-    return check(
-        "countershaft.holes.row",
-        Text("Length of the holes of a mass, side by side"),
-        math.ceil(holes.count / masses) * holes.diameter,
-        "<=",
-        length,
-        "mm",
-        Text("rule of this program: holes stand in one row along the sector"),
-        Text("Fewer or narrower holes."),
-    )
-
-
-def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
-    """A hole must not break out of the sides of its sector; `half_angle` of the narrowest one."""
-    chord = 2 * max(R_outer - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
-    return check(
-        "countershaft.holes.width",
-        Text("Diameter of a hole in the width of its sector"),
-        holes.diameter,
-        "<=",
-        chord,
-        "mm",
-        Text("geometry: width of the sector at the bottom of the hole"),
-        Text("Shorter holes have more room as well."),
-        remedies=by_key(
-            Holes, dotted("countershaft", CountershaftInputs.holes, Holes.diameter), down(chord), bound="<="
-        ),
-    )
-
-
-def range_check(drilled: HolesResult, over: NewtonMetre) -> Check:
-    """`over`: the couple of the shaft as drawn beyond the required one."""
-    return check(
-        "countershaft.holes.range",
-        Text("Couple beyond the required one, for drilling to take away"),
-        based_on(round(over, 9), over),
-        "in",
-        (0.0, drilled.hole_range),
-        "N·m",
-        Text(
-            "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be "
-            "balanced, by no more than "
-            "the holes take"
-        ),
-        Text(
-            "Aim at {hole_range} N·m beyond, half of the range.",
-            hole_range=Amount(drilled.hole_range / 2, form=".1f"),
-        ),
-    )
+def _shortest(sectors: list[Piece]) -> Metre:
+    """The length of the shortest sector; those that touch and stand at one angle are one."""
+    lengths = [sectors[0].length]
+    for before, piece in pairwise(sectors):
+        if abs(piece.start - before.end) < TOUCH and piece.angle == before.angle:
+            lengths[-1] += piece.length
+        else:
+            lengths.append(piece.length)
+    return min(lengths)
 
 
 # --- the residual unbalance of a balance quality grade, ISO 21940-11, and the couple that it may leave
@@ -327,38 +334,27 @@ def permitted(
         )
 
 
+COLUMNS = (
+    (Text("U_per"), "residual_unbalance_permitted", "g·mm"),
+    (Text("front"), "residual_unbalance_permitted_front", "g·mm"),
+    (Text("rear"), "residual_unbalance_permitted_rear", "g·mm"),
+    (Text("couple error"), "permitted_couple_error", "N·m"),
+    (Text("of the required"), "permitted_couple_error_share", "%"),
+)
+
+
 def table(
     grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre
 ) -> Table:
     """The usual grades side by side, and the chosen one among them."""
-    rows: list[tuple[str | float | None, ...]] = []
-    gram, percent = UNITS["g·mm"].factor, UNITS["%"].factor
+    rows = []
     with untraced():
         for row_grade in sorted({*TABLED, grade}, key=grade_number):
-            r = permitted(row_grade, mass, omega, z_S, z_f, z_r, C_required)
-            unbalances = (
-                r.residual_unbalance_permitted,
-                r.residual_unbalance_permitted_front,
-                r.residual_unbalance_permitted_rear,
-            )
-            share = r.permitted_couple_error_share
+            row = permitted(row_grade, mass, omega, z_S, z_f, z_r, C_required)
             label = Text("{one}, chosen", one=row_grade) if row_grade == grade else row_grade
-            rows.append(
-                (
-                    label,
-                    *(U / gram for U in unbalances),
-                    r.permitted_couple_error,
-                    None if share is None else share / percent,
-                )
-            )
-    columns = (
-        (Text("grade"), ""),
-        (Text("U_per"), "g·mm"),
-        (Text("front"), "g·mm"),
-        (Text("rear"), "g·mm"),
-        (Text("couple error"), "N·m"),
-        (Text("of the required"), "%"),
-    )
+            values = ((getattr(row, name), UNITS[unit].factor) for _, name, unit in COLUMNS)
+            rows.append((label, *(None if number is None else number / factor for number, factor in values)))
+    columns = ((Text("grade"), ""), *((label, unit) for label, _, unit in COLUMNS))
     note = Text(
         "Permitted deviation from the drawing, in all and in each bearing plane; couple error: both planes opposed."
     )
