@@ -157,6 +157,7 @@ class Said(_AsTheyStand, total=False):
     """What may be said of an input beside its label, unit and default."""
 
     within: tuple[float, float]  # `low` and `high` in one
+    up_to: float  # `high`, and `above` zero
     help: str
     source: str
     negative: str
@@ -172,6 +173,7 @@ def _make(
     default: T,
     *,
     within: tuple[float, float] | None = None,
+    up_to: float | None = None,
     help: str = "",
     source: str = "",
     negative: str = "",
@@ -185,6 +187,8 @@ def _make(
 ) -> T:
     if within is not None:
         options["low"], options["high"] = within
+    if up_to is not None:
+        options["above"], options["high"] = 0, up_to
     what = Quantity(
         kind,
         Text(label),
@@ -214,7 +218,7 @@ def _where(choice: object, *words: object) -> Where:
 
 
 def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
-    """A number.  `low`, `high`, `above`, `within`, `usual` are in the shown unit, `default` in SI."""
+    """A number.  `low`, `high`, `above`, `within`, `up_to`, `usual` are in the shown unit, `default` in SI."""
     return _make("number", label, unit, default, **options)
 
 
