@@ -310,15 +310,11 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
             said=_stretch(thinnest),
             outer_radius=Amount(thinnest.outer_radius * 1000.0, form=".3g"),
         )
+        name = Text("Radius of {said}", said=_stretch(thinnest))
+        source = Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts")
+        advice = Text("A larger core.")
         broken = check(
-            "countershaft.core",
-            Text("Radius of {said}", said=_stretch(thinnest)),
-            thinnest.outer_radius,
-            ">=",
-            THIN * largest.outer_radius,
-            "mm",
-            Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts"),
-            Text("A larger core."),
+            "countershaft.core", name, thinnest.outer_radius, ">=", THIN * largest.outer_radius, "mm", source, advice
         )
         raise NoOutline(reason, broken)
     sectors = np.array([p.half_angle is not None for p in pieces])
@@ -458,15 +454,11 @@ def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: Text) -> Piece:
 
 
 def _crossing(first: Piece, second: Piece) -> NoOutline:
+    name = Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second))
+    source = Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius")
+    advice = Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]].")
     overlap = check(
-        "countershaft.crossing",
-        Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second)),
-        min(first.end, second.end) - second.start,
-        "<=",
-        0.0,
-        "mm",
-        Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius"),
-        Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]]."),
+        "countershaft.crossing", name, min(first.end, second.end) - second.start, "<=", 0.0, "mm", source, advice
     )
     return NoOutline(Text("{said} crosses {said2}", said=_stretch(second), said2=_stretch(first)), overlap)
 

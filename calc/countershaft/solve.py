@@ -369,16 +369,11 @@ def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
 
 def _run_off_checks(drains: Mapping[str, DrainResult]) -> Iterator[Check]:
     """Of each drain, by its name, that takes the bearings' oil."""
-    for name, result in drains.items():
-        if result.drain_flow is not None and result.drain_run_off is not None:
-            run_off_check = check(
-                f"{result.drain.id}.run_off",
-                Text("Oil of the bearings that the drain takes"),
-                result.drain_flow,
-                "<=",
-                result.drain_run_off,
-                "L/min",
-                Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
-                Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."),
-            )
-            yield named_check(run_off_check, name)
+    name = Text("Oil of the bearings that the drain takes")
+    source = Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves")
+    advice = Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower.")
+    for drain, result in drains.items():
+        flow, runs_off = result.drain_flow, result.drain_run_off
+        if flow is not None and runs_off is not None:
+            oil_check = check(f"{result.drain.id}.run_off", name, flow, "<=", runs_off, "L/min", source, advice)
+            yield named_check(oil_check, drain)

@@ -19,7 +19,6 @@ from typing import TypedDict
 import numpy as np
 
 from ...library import fatigue
-from ...library import fatigue as notch
 from ...library.catalogue import Material
 from ...library.journal_rules import SLOPE
 from ...sheet.arrays import Array, BoolArray, ComplexArray, Num
@@ -109,7 +108,7 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
             other.outer_radius,
         ):
             continue
-        if (D - d) / (2 * r) < notch.FIT[0]:
+        if (D - d) / (2 * r) < fatigue.FIT[0]:
             low += 1
             continue
         shoulders.append((piece.start if weak == k else piece.end, weak, D, d))
@@ -133,9 +132,9 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
     def stressed(shoulder: tuple[Metre, int, Metre, Metre]) -> dict[str, float]:
         z, weak, D, d = shoulder
         sigma = f.bending_stress(M=f.shoulder_moment(z=z, u=bent), c=item(c[weak]), I=item(outline.inertia[weak]))
-        x, K_t = notch.shoulder_bending(D=D, d=d, r=r)
+        x, K_t = fatigue.shoulder_bending(D=D, d=d, r=r)
         return dict(
-            notch_z=z, notch_factor=K_t, notch_stress=notch.notch_stress(K_t=K_t, sigma=sigma), step_over_fillet=x
+            notch_z=z, notch_factor=K_t, notch_stress=fatigue.notch_stress(K_t=K_t, sigma=sigma), step_over_fillet=x
         )
 
     with untraced():

@@ -71,10 +71,9 @@ def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
     speed = Amount(result.omega / (2 * math.pi) * 60, form=".4g")
     note = Text(
         "Forces of the shaft on its bearings at {n} rpm, at four instants of a turn (Finotti 2013, 4.7, in chapter 6, "
-        "spreads each over "
-        "60° of its seat); side is 90° further in the sense of crank rotation. Weight and gear force are left out, as "
-        "there.{bolts} The "
-        "stresses that finite elements find with them belong to [countershaft.support].",
+        "spreads each over 60° of its seat); side is 90° further in the sense of crank rotation. Weight and gear force "
+        "are left out, as there.{bolts} The stresses that finite elements find with them belong to "
+        "[countershaft.support].",
         n=speed,
         bolts=bolts,
     )
@@ -241,27 +240,15 @@ def _with_wall(shaft: CountershaftInputs, journals: Journals) -> CountershaftInp
 def support_checks(support: Support, material: Material) -> Iterator[Check]:
     """The casting's wall, and its stresses as they were found elsewhere."""
     if support.wall is not None:
-        yield check(
-            "countershaft.support.wall",
-            Text("Wall of the support beside the largest seat"),
-            support.wall,
-            ">=",
-            support.least_wall,
-            "mm",
-            Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat"),
-            Text("A smaller seat, or a larger casting."),
-        )
+        name = Text("Wall of the support beside the largest seat")
+        source = Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat")
+        advice = Text("A smaller seat, or a larger casting.")
+        yield check("countershaft.support.wall", name, support.wall, ">=", support.least_wall, "mm", source, advice)
     if support.bolt_stress is not None and material.proof_stress is not None:
-        yield check(
-            "countershaft.support.bolt_stress",
-            Text("Stress of the support under the bolts' preload"),
-            support.bolt_stress,
-            "<",
-            material.proof_stress,
-            "MPa",
-            Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name),
-            Text("More metal under the bolt heads."),
-        )
+        name, stress = Text("Stress of the support under the bolts' preload"), support.bolt_stress
+        source = Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name)
+        advice = Text("More metal under the bolt heads.")
+        yield check("countershaft.support.bolt_stress", name, stress, "<", material.proof_stress, "MPa", source, advice)
     if support.load_stress is None:
         return
     # what the casting endures; where that is not given its strength, which does not judge fatigue
@@ -283,8 +270,7 @@ def support_checks(support: Support, material: Material) -> Iterator[Check]:
         source,
         Text(
             "Give what the casting endures under a turning load, or add ribs between seat and flange. The finite "
-            "elements of Finotti "
-            "2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."
+            "elements of Finotti 2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."
         ),
         missing=missing,
     )

@@ -330,16 +330,10 @@ def residual_check(spread: ScatterResult, limit: NewtonMetre) -> Check:
     """`limit`: what a shaft of the drawing may leave over."""
     # what leaves the factory
     couple = spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95
-    return check(
-        "countershaft.scatter.residual",
-        Text("Couple that 95 % of the shafts stay below"),
-        couple,
-        "<=",
-        limit,
-        "N·m",
-        Text("rule of this program: 95 % of the shafts within the limit of the drawing"),
-        Text("The table of the couple's error says which deviation counts most."),
-    )
+    name = Text("Couple that 95 % of the shafts stay below")
+    source = Text("rule of this program: 95 % of the shafts within the limit of the drawing")
+    advice = Text("The table of the couple's error says which deviation counts most.")
+    return check("countershaft.scatter.residual", name, couple, "<=", limit, "N·m", source, advice)
 
 
 def curves(spread: ScatterResult, limit: NewtonMetre) -> tuple[Curve, ...]:

@@ -250,15 +250,11 @@ class ToleranceResult:
 
 def grade_check(permitted: ToleranceResult, limit: NewtonMetre) -> Check:
     """`limit`: the couple that may be left over."""
+    name = Text("Couple that the balance quality grade permits")
+    source = Text("rule of this program: 5 % of the couple to be balanced")
+    advice = Text("A finer grade (a smaller number), or a lighter shaft.")
     return check(
-        "countershaft.balance_grade",
-        Text("Couple that the balance quality grade permits"),
-        permitted.permitted_couple_error,
-        "<=",
-        limit,
-        "N·m",
-        Text("rule of this program: 5 % of the couple to be balanced"),
-        Text("A finer grade (a smaller number), or a lighter shaft."),
+        "countershaft.balance_grade", name, permitted.permitted_couple_error, "<=", limit, "N·m", source, advice
     )
 
 
