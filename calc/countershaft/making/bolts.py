@@ -288,9 +288,8 @@ def solve(
         d_3 = root_diameter(D=D, p=p)
         sigma = tensile_stress(F_V=F_V, A_s=stress_area(d_2=d_2, d_3=d_3))
         M_G = thread_torque(F_V=F_V, d_2=d_2, alpha_h=alpha_h, rho=rho)
-        tightened = tightening_stress(
-            sigma_z=sigma, tau_M=torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3))
-        )
+        tau_M = torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3))
+        tightened = tightening_stress(sigma_z=sigma, tau_M=tau_M)
         z_f, z_r = bearing_positions[0], bearing_positions[-1]
         l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
         C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
