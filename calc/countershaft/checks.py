@@ -130,18 +130,11 @@ def _envelope_checks(
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
     if clearance is not None and R is not None:
         room = max(d for d, _ in journals) / 2 - R
-        smaller = _no_longer(CountershaftInputs.outer_radius, R + room - clearance)
-        yield check(
-            "countershaft.envelope",
-            Text("Room around the sectors in the largest seat"),
-            round(room, 9),
-            ">=",
-            clearance,
-            "mm",
-            Text("Finotti 2013, 4.1: the shaft is threaded in through its seat"),
-            Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well."),
-            remedies=smaller if R == shaft.outer_radius else None,
-        )
+        smaller = _no_longer(CountershaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None
+        name, room = Text("Room around the sectors in the largest seat"), round(room, 9)
+        source = Text("Finotti 2013, 4.1: the shaft is threaded in through its seat")
+        advice = Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well.")
+        yield check("countershaft.envelope", name, room, ">=", clearance, "mm", source, advice, remedies=smaller)
     if clearance is not None and gear is not None:
         name, room = Text("Room around the gear's tip in the front seat"), (journals[0][0] - gear.tip_diameter) / 2
         source = Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft")
@@ -149,17 +142,10 @@ def _envelope_checks(
         yield check("countershaft.gear_seat", name, round(room, 9), ">", 0.0, "mm", source, advice)
     if shaft.mode == "size" and shaft.half_length is not None:
         face = min(abs(z) - l / 2 for z, (_, l) in zip(seats, journals))
-        yield check(
-            "countershaft.envelope_length",
-            Text("Room between the sectors and the nearest journal"),
-            round(face - shaft.half_length, 9),
-            ">=",
-            0.0,
-            "mm",
-            Text("geometry: the sectors end where the journals begin"),
-            Text("Or set the bearings further apart."),
-            remedies=_no_longer(CountershaftInputs.half_length, face),
-        )
+        name, room = Text("Room between the sectors and the nearest journal"), round(face - shaft.half_length, 9)
+        source = Text("geometry: the sectors end where the journals begin")
+        advice, shorter = Text("Or set the bearings further apart."), _no_longer(CountershaftInputs.half_length, face)
+        yield check("countershaft.envelope_length", name, room, ">=", 0.0, "mm", source, advice, remedies=shorter)
 
 
 def _no_longer(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:
@@ -243,14 +229,8 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
         advice = Text("Outside it the notch stress is an extrapolation.")
         yield check("countershaft.fillet", name, bent.step_over_fillet, "in", fatigue.FIT, "", source, advice)
     if bent.fillet is not None and bent.fillet_room is not None:
-        yield check(
-            "countershaft.fillet_room",
-            Text("Fillet radius in the gap between two shoulders"),
-            bent.fillet,
-            "<=",
-            round(bent.fillet_room, 9),
-            "mm",
-            Text("geometry: a fillet takes its radius of the length of the thinner piece"),
-            Text("Or set the shoulders further apart."),
-            remedies=_no_longer(CountershaftInputs.fillet_radius, bent.fillet_room),
-        )
+        name, room = Text("Fillet radius in the gap between two shoulders"), round(bent.fillet_room, 9)
+        source = Text("geometry: a fillet takes its radius of the length of the thinner piece")
+        advice = Text("Or set the shoulders further apart.")
+        smaller = _no_longer(CountershaftInputs.fillet_radius, bent.fillet_room)
+        yield check("countershaft.fillet_room", name, bent.fillet, "<=", room, "mm", source, advice, remedies=smaller)

@@ -260,17 +260,9 @@ def support_checks(support: Support, material: Material) -> Iterator[Check]:
         source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
         if not support.load_stress >= limit:
             missing = (dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit),)
-    yield check(
-        "countershaft.support.load_stress",
-        Text("Stress of the support from the bearing loads"),
-        support.load_stress,
-        "<=",
-        limit,
-        "MPa",
-        source,
-        Text(
-            "Give what the casting endures under a turning load, or add ribs between seat and flange. The finite "
-            "elements of Finotti 2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."
-        ),
-        missing=missing,
+    name, stress = Text("Stress of the support from the bearing loads"), support.load_stress
+    advice = Text(
+        "Give what the casting endures under a turning load, or add ribs between seat and flange. The finite "
+        "elements of Finotti 2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."
     )
+    yield check("countershaft.support.load_stress", name, stress, "<=", limit, "MPa", source, advice, missing=missing)

@@ -7,7 +7,7 @@ inwards: the drill's cone, and the curve of the surface over the hole (d²/(32·
 out."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 
 from ...draw.drawing import TOUCH
@@ -17,7 +17,7 @@ from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
 from ...sheet.quantity import dotted, result, value
-from ...sheet.remedy import by_key, down
+from ...sheet.remedy import Remedy, by_key, down
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -153,61 +153,39 @@ def hole_checks(
 ) -> Iterator[Check]:
     """Whether the holes end in the sectors, which reach from the core out to R, have room in them and take what is too
     much.  `over`: the couple of the shaft as drawn beyond the required one; None where none is required."""
-    field = CountershaftInputs.holes
+
+    def no_larger(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:
+        return by_key(Holes, dotted("countershaft", CountershaftInputs.holes, field), down(length), bound="<=")
+
     if core_radius is not None:  # a deeper hole weakens the core, which alone carries the shaft between the sectors
-        height, key = R - core_radius, dotted("countershaft", field, Holes.depth)
-        yield check(
-            "countershaft.holes.depth",
-            Text("Depth of the calibration holes"),
-            holes.depth,
-            "<=",
-            height,
-            "mm",
-            Text("geometry: height of the sectors over the core"),
-            Text("More or wider holes take the rest."),
-            remedies=by_key(Holes, key, down(height), bound="<="),
-        )
+        name, height = Text("Depth of the calibration holes"), R - core_radius
+        source = Text("geometry: height of the sectors over the core")
+        advice, less = Text("More or wider holes take the rest."), no_larger(Holes.depth, height)
+        yield check("countershaft.holes.depth", name, holes.depth, "<=", height, "mm", source, advice, remedies=less)
     if sectors and masses:
-        yield check(
-            "countershaft.holes.row",
+        name, row = (
             Text("Length of the holes of a mass, side by side"),
             math.ceil(holes.count / masses) * holes.diameter,
-            "<=",
-            _shortest(sectors),
-            "mm",
-            Text("rule of this program: holes stand in one row along the sector"),
-            Text("Fewer or narrower holes."),
         )
-        half_angle, key = min(p.half_angle or 0.0 for p in sectors), dotted("countershaft", field, Holes.diameter)
+        source = Text("rule of this program: holes stand in one row along the sector")
+        advice = Text("Fewer or narrower holes.")
+        yield check("countershaft.holes.row", name, row, "<=", _shortest(sectors), "mm", source, advice)
+        half_angle = min(sector.half_angle or 0.0 for sector in sectors)
         chord = 2 * max(R - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
-        yield check(
-            "countershaft.holes.width",
-            Text("Diameter of a hole in the width of its sector"),
-            holes.diameter,
-            "<=",
-            chord,
-            "mm",
-            Text("geometry: width of the sector at the bottom of the hole"),
-            Text("Shorter holes have more room as well."),
-            remedies=by_key(Holes, key, down(chord), bound="<="),
-        )
+        name = Text("Diameter of a hole in the width of its sector")
+        source = Text("geometry: width of the sector at the bottom of the hole")
+        advice, less = Text("Shorter holes have more room as well."), no_larger(Holes.diameter, chord)
+        yield check("countershaft.holes.width", name, holes.diameter, "<=", chord, "mm", source, advice, remedies=less)
     if over is not None:
-        yield check(
-            "countershaft.holes.range",
-            Text("Couple beyond the required one, for drilling to take away"),
-            based_on(round(over, 9), over),
-            "in",
-            (0.0, drilled.hole_range),
-            "N·m",
-            Text(
-                "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be "
-                "balanced, by no more than the holes take"
-            ),
-            Text(
-                "Aim at {hole_range} N·m beyond, half of the range.",
-                hole_range=Amount(drilled.hole_range / 2, form=".1f"),
-            ),
+        name, beyond = Text("Couple beyond the required one, for drilling to take away"), based_on(round(over, 9), over)
+        source = Text(
+            "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no "
+            "more than the holes take"
         )
+        aim = Amount(drilled.hole_range / 2, form=".1f")
+        advice = Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=aim)
+        limits = 0.0, drilled.hole_range
+        yield check("countershaft.holes.range", name, beyond, "in", limits, "N·m", source, advice)
 
 
 def _shortest(sectors: list[Piece]) -> Metre:
