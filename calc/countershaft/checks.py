@@ -2,26 +2,25 @@
 """The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their
 subjects."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from ..library import fatigue
-from ..library import fatigue as notch
 from ..library.catalogue import Material
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, check
 from ..sheet.functions import argument, degrees
 from ..sheet.quantity import dotted
-from ..sheet.remedy import by_key, down
+from ..sheet.remedy import Remedy, by_key, down
 from ..sheet.text import SPACE, Amount, Text
 from ..sheet.units import Metre
 from .bending.shaft import RIGID, Bending
 from .inputs import CountershaftInputs
+from .outline import Journals
 from .result import CountershaftResult
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 from .supports import Gear
 
 WEAKEST = 235e6  # Pa: proof stress of the weakest structural steel
-Journals = tuple[tuple[Metre, Metre], ...]
 
 
 def checks(
@@ -29,7 +28,12 @@ def checks(
 ) -> Iterator[Check]:
     """All checks of the step but those of its bending and its making."""
     yield from _residual_checks(shaft, todo, shaft_result)
-    yield from _slope_checks(shaft_result)
+    for place, slope in (("front", shaft_result.slope_front), ("rear", shaft_result.slope_rear)):
+        if slope is not None:
+            name = Text("Slope of the {place} journal", place=Text(place))
+            source = Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker")
+            advice = Text("A stiffer shaft between its bearings: a larger core, or a shorter span.")
+            yield check(f"countershaft.slope_{place}", name, slope, "<=", SLOPE, "mrad", source, advice)
     if journals:
         yield from _envelope_checks(shaft, shaft_result, journals, gear)
     yield from _support_checks(shaft_result)
@@ -99,8 +103,7 @@ def _beyond(shaft: CountershaftInputs, against: Amount) -> Text:
     if shaft.speed_ratio == -1:
         return Text(
             "{against} turn against the shaft, and no mass on it takes them: that is for the counterweights of the "
-            "crank "
-            "(see the imbalance).",
+            "crank (see the imbalance).",
             against=against,
         )
     return Text(
@@ -112,21 +115,6 @@ def _beyond(shaft: CountershaftInputs, against: Amount) -> Text:
 def _opposite(engine: complex) -> Amount:
     """The direction opposite to the engine's vector, in degrees."""
     return Amount(degrees(argument(-engine)), "°", form=".1f")
-
-
-def _slope_checks(shaft_result: CountershaftResult) -> Iterator[Check]:
-    for place, slope in (("front", shaft_result.slope_front), ("rear", shaft_result.slope_rear)):
-        if slope is not None:
-            yield check(
-                f"countershaft.slope_{place}",
-                Text("Slope of the {place} journal", place=Text(place)),
-                slope,
-                "<=",
-                SLOPE,
-                "mrad",
-                Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker"),
-                Text("A stiffer shaft between its bearings: a larger core, or a shorter span."),
-            )
 
 
 def _envelope_checks(
@@ -142,49 +130,27 @@ def _envelope_checks(
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
     if clearance is not None and R is not None:
         room = max(d for d, _ in journals) / 2 - R
-        smaller = by_key(
-            CountershaftInputs,
-            dotted("countershaft", CountershaftInputs.outer_radius),
-            down(R + room - clearance),
-            bound="<=",
-        )
-        yield check(
-            "countershaft.envelope",
-            Text("Room around the sectors in the largest seat"),
-            round(room, 9),
-            ">=",
-            clearance,
-            "mm",
-            Text("Finotti 2013, 4.1: the shaft is threaded in through its seat"),
-            Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well."),
-            remedies=smaller if R == shaft.outer_radius else None,
-        )
+        smaller = _no_longer(CountershaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None
+        name, room = Text("Room around the sectors in the largest seat"), round(room, 9)
+        source = Text("Finotti 2013, 4.1: the shaft is threaded in through its seat")
+        advice = Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well.")
+        yield check("countershaft.envelope", name, room, ">=", clearance, "mm", source, advice, remedies=smaller)
     if clearance is not None and gear is not None:
-        yield check(
-            "countershaft.gear_seat",
-            Text("Room around the gear's tip in the front seat"),
-            round((journals[0][0] - gear.tip_diameter) / 2, 9),
-            ">",
-            0.0,
-            "mm",
-            Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft"),
-            Text("A larger front journal, fewer teeth or a smaller module."),
-        )
+        name, room = Text("Room around the gear's tip in the front seat"), (journals[0][0] - gear.tip_diameter) / 2
+        source = Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft")
+        advice = Text("A larger front journal, fewer teeth or a smaller module.")
+        yield check("countershaft.gear_seat", name, round(room, 9), ">", 0.0, "mm", source, advice)
     if shaft.mode == "size" and shaft.half_length is not None:
         face = min(abs(z) - l / 2 for z, (_, l) in zip(seats, journals))
-        yield check(
-            "countershaft.envelope_length",
-            Text("Room between the sectors and the nearest journal"),
-            round(face - shaft.half_length, 9),
-            ">=",
-            0.0,
-            "mm",
-            Text("geometry: the sectors end where the journals begin"),
-            Text("Or set the bearings further apart."),
-            remedies=by_key(
-                CountershaftInputs, dotted("countershaft", CountershaftInputs.half_length), down(face), bound="<="
-            ),
-        )
+        name, room = Text("Room between the sectors and the nearest journal"), round(face - shaft.half_length, 9)
+        source = Text("geometry: the sectors end where the journals begin")
+        advice, shorter = Text("Or set the bearings further apart."), _no_longer(CountershaftInputs.half_length, face)
+        yield check("countershaft.envelope_length", name, room, ">=", 0.0, "mm", source, advice, remedies=shorter)
+
+
+def _no_longer(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:
+    """A length of the shaft, cut down to this."""
+    return by_key(CountershaftInputs, dotted("countershaft", field), down(length), bound="<=")
 
 
 def _support_checks(shaft_result: CountershaftResult) -> Iterator[Check]:
@@ -195,16 +161,10 @@ def _support_checks(shaft_result: CountershaftResult) -> Iterator[Check]:
             ("heat_index", Text("Heat index"), support.heat_index, HEAT_INDEX, "N·rpm/mm"),
         ):
             if number is not None:
-                yield check(
-                    f"countershaft.support.{name}.{what}",
-                    Text("{label}, support {name}", label=label, name=name),
-                    number,
-                    "<=",
-                    limit,
-                    unit,
-                    Text("Finotti 2013, 3.2.3.1: the most that is accepted, with forced oil and cooling"),
-                    Text("A longer journal, or a larger one."),
-                )
+                label = Text("{label}, support {name}", label=label, name=name)
+                source = Text("Finotti 2013, 3.2.3.1: the most that is accepted, with forced oil and cooling")
+                advice = Text("A longer journal, or a larger one.")
+                yield check(f"countershaft.support.{name}.{what}", label, number, "<=", limit, unit, source, advice)
 
 
 def _outline_checks(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
@@ -214,62 +174,32 @@ def _outline_checks(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterat
         return
     source = Text("rule of this program: within 5 %, else masses and sections are not of one shaft")
     advice = Text("Look at radii, half-angles, angles and places of the sections: the bending is that of the outline.")
-    yield check(
-        "countershaft.outline",
-        Text("Couple of the given sections, off that of the masses"),
-        couple,
-        "<=",
-        LEFT_OVER * max(shaft_result.couple, todo.may_leave),
-        "N·m",
-        source,
-        advice,
-    )
-    yield check(
-        "countershaft.outline_force",
-        Text("Force of the given sections, off that of the masses"),
-        force,
-        "<=",
-        LEFT_OVER * max(shaft_result.force, todo.one_force),
-        "N",
-        source,
-        advice,
-    )
+    name, most = Text("Couple of the given sections, off that of the masses"), max(shaft_result.couple, todo.may_leave)
+    yield check("countershaft.outline", name, couple, "<=", LEFT_OVER * most, "N·m", source, advice)
+    name, most = Text("Force of the given sections, off that of the masses"), max(shaft_result.force, todo.one_force)
+    yield check("countershaft.outline_force", name, force, "<=", LEFT_OVER * most, "N", source, advice)
 
 
 def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
     """Stress and speed of the shaft; the slopes are judged with the journals."""
-    yield check(
-        "countershaft.first_critical_speed",
-        Text("First natural frequency of bending, as a speed"),
-        bent.natural_frequency,
-        ">=",
-        RIGID * bent.speed,
-        "rpm",
-        Text(
-            "rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"
-        ),
-        Text("A stiffer or lighter shaft: larger core, shorter span."),
+    name, rigid = Text("First natural frequency of bending, as a speed"), RIGID * bent.speed
+    source = Text(
+        "rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"
     )
+    advice = Text("A stiffer or lighter shaft: larger core, shorter span.")
+    yield check("countershaft.first_critical_speed", name, bent.natural_frequency, ">=", rigid, "rpm", source, advice)
     # the stresses are nominal: of the full sections, whatever their share in the stiffness
-    proof, source = material.proof_stress, Text("elasticity, proof stress of {name}", name=material.name)
+    proof, strength = material.proof_stress, Text("elasticity, proof stress of {name}", name=material.name)
     advice = Text("A larger core where the moment is largest, or a shorter span.")
-    name = Text("Largest bending stress, nominal")
+    name, stress = Text("Largest bending stress, nominal"), bent.bending_stress
     if proof is not None:
-        yield check(
-            "countershaft.bending_stress",
-            name,
-            bent.bending_stress,
-            "<=",
-            proof,
-            "MPa",
-            Text("{source}; the stress stands still in the turning shaft", source=source),
-            advice,
-        )
+        source = Text("{source}; the stress stands still in the turning shaft", source=strength)
+        yield check("countershaft.bending_stress", name, stress, "<=", proof, "MPa", source, advice)
     elif material.kind == "steel":  # below the weakest any steel bears it, above it depends
         yield check(
             "countershaft.bending_stress",
             name,
-            bent.bending_stress,
+            stress,
             "<=",
             WEAKEST,
             "MPa",
@@ -279,58 +209,28 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
             ),
             Text("Give the strength of {name} as a [[material]] of the design.", name=material.name),
             kind="caution",
-            missing=() if bent.bending_stress <= WEAKEST else (dotted("material", Material.proof_stress),),
+            missing=() if stress <= WEAKEST else (dotted("material", Material.proof_stress),),
         )
+    larger = Text("A larger fillet. {advice}", advice=advice)
     if proof is not None and bent.notch_stress is not None:
-        yield check(
-            "countershaft.notch_stress",
-            Text("Bending stress at the fillet of a shoulder"),
-            bent.notch_stress,
-            "<=",
-            proof,
-            "MPa",
-            Text("{source}: above it the fillet yields locally", source=source),
-            Text("A larger fillet. {advice}", advice=advice),
-        )
+        name = Text("Bending stress at the fillet of a shoulder")
+        source = Text("{source}: above it the fillet yields locally", source=strength)
+        yield check("countershaft.notch_stress", name, bent.notch_stress, "<=", proof, "MPa", source, larger)
     if bent.fatigue_safety is not None and (bears := fatigue.strength(material)) is not None:
-        yield check(
-            "countershaft.fatigue",
-            Text("Safety of the fillet against fatigue"),
-            bent.fatigue_safety,
-            ">=",
-            bears.safety,
-            "",
-            Text(
-                "{fkm}: endless life, every run-up a cycle; weight and tooth force, which alternate, are left out",
-                fkm=fatigue.FKM,
-            ),
-            Text("A larger fillet. {advice}", advice=advice),
+        name = Text("Safety of the fillet against fatigue")
+        source = Text(
+            "{fkm}: endless life, every run-up a cycle; weight and tooth force, which alternate, are left out",
+            fkm=fatigue.FKM,
         )
+        yield check("countershaft.fatigue", name, bent.fatigue_safety, ">=", bears.safety, "", source, larger)
     if bent.step_over_fillet is not None:
-        yield check(
-            "countershaft.fillet",
-            Text("Height of the governing shoulder over its fillet radius"),
-            bent.step_over_fillet,
-            "in",
-            notch.FIT,
-            "",
-            Text("range of the notch factor ({peterson})", peterson=notch.PETERSON),
-            Text("Outside it the notch stress is an extrapolation."),
-        )
+        name = Text("Height of the governing shoulder over its fillet radius")
+        source = Text("range of the notch factor ({peterson})", peterson=fatigue.PETERSON)
+        advice = Text("Outside it the notch stress is an extrapolation.")
+        yield check("countershaft.fillet", name, bent.step_over_fillet, "in", fatigue.FIT, "", source, advice)
     if bent.fillet is not None and bent.fillet_room is not None:
-        yield check(
-            "countershaft.fillet_room",
-            Text("Fillet radius in the gap between two shoulders"),
-            bent.fillet,
-            "<=",
-            round(bent.fillet_room, 9),
-            "mm",
-            Text("geometry: a fillet takes its radius of the length of the thinner piece"),
-            Text("Or set the shoulders further apart."),
-            remedies=by_key(
-                CountershaftInputs,
-                dotted("countershaft", CountershaftInputs.fillet_radius),
-                down(bent.fillet_room),
-                bound="<=",
-            ),
-        )
+        name, room = Text("Fillet radius in the gap between two shoulders"), round(bent.fillet_room, 9)
+        source = Text("geometry: a fillet takes its radius of the length of the thinner piece")
+        advice = Text("Or set the shoulders further apart.")
+        smaller = _no_longer(CountershaftInputs.fillet_radius, bent.fillet_room)
+        yield check("countershaft.fillet_room", name, bent.fillet, "<=", room, "mm", source, advice, remedies=smaller)

@@ -271,8 +271,7 @@ def gear_axial(F_t: Newton, beta: Radian) -> Newton:
 @formula(
     "R_G,r",
     "statics: levers of the tooth force about the front bearing; the thrust adds its tilting couple in the radial "
-    "plane, "
-    "taken for the worse",
+    "plane, taken for the worse",
 )
 def gear_on_rear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
     return sqrt((F_t * (z_G - z_f)) ** 2 + (F_r * abs(z_G - z_f) + F_a * d / 2) ** 2) / (z_r - z_f)
@@ -281,8 +280,7 @@ def gear_on_rear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_
 @formula(
     "R_G,f",
     "statics: levers of the tooth force about the rear bearing; the thrust adds its tilting couple in the radial "
-    "plane, "
-    "taken for the worse",
+    "plane, taken for the worse",
 )
 def gear_on_front(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
     return sqrt((F_t * (z_r - z_G)) ** 2 + (F_r * abs(z_r - z_G) + F_a * d / 2) ** 2) / (z_r - z_f)

@@ -24,7 +24,7 @@ SUPPORT = Text("Support, drain, cost")
 class EccentricMass:
     """One eccentric mass of the shaft."""
 
-    name: str = text("Name", repair="free")
+    name: str = text("Name")
     mass: float = quantity(
         "Mass",
         "kg",
@@ -89,8 +89,7 @@ class Section:
     outer_radius: float = quantity(
         "Outer radius",
         "mm",
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="R",
         help="Radius of the cylinder, or outer radius of the sector.",
         repair="free",
@@ -108,8 +107,7 @@ class Section:
         "Half-angle of the sector",
         "°",
         default=None,
-        above=0,
-        high=180,
+        up_to=180,
         symbol="gamma",
         help="Half of the angle that the sector spans. Left out: a full cylinder.",
         repair="free",
@@ -136,8 +134,7 @@ class Journal:
     diameter: float = quantity(
         "Diameter",
         "mm",
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="d",
         usual=(15, 120),
         source=THUMB,
@@ -148,8 +145,7 @@ class Journal:
     length: float = quantity(
         "Length",
         "mm",
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="l",
         source="Finotti 2013, 3.2.3.1",
         help=Text(
@@ -168,8 +164,7 @@ class Holes:
     diameter: float = quantity(
         "Diameter",
         "mm",
-        above=0,
-        high=200,
+        up_to=200,
         symbol="d_c",
         source="Finotti 2013, 4.1",
         help="Diameter of a radial hole by which the shaft is calibrated.",
@@ -179,8 +174,7 @@ class Holes:
     depth: float = quantity(
         "Greatest depth",
         "mm",
-        above=0,
-        high=500,
+        up_to=500,
         symbol="h_c",
         source="Finotti 2013, 4.1",
         help="From the outer radius; the drill's cone is left out.",
@@ -300,8 +294,7 @@ class CountershaftInputs:
         "Outer radius of the sectors",
         "mm",
         default=None,
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="R",
         step=0.5,
         usual=(15, 120),
@@ -332,8 +325,7 @@ class CountershaftInputs:
         "Half-length",
         "mm",
         default=None,
-        above=0,
-        high=5000,
+        up_to=5000,
         symbol="z_max",
         step=1,
         usual=(30, 600),
@@ -373,8 +365,7 @@ class CountershaftInputs:
         "Fillet at the shoulders",
         "mm",
         default=None,
-        above=0,
-        high=100,
+        up_to=100,
         symbol="rho_f",
         usual=(0.5, 5),
         source=THUMB,
@@ -417,11 +408,7 @@ class CountershaftInputs:
     further_drains: tuple[FurtherDrain, ...] = tables("Further oil drains", FurtherDrain, default=(), fold=SUPPORT)
     cost: Cost | None = table("Cost", Cost, default=None, fold=SUPPORT)
     parts: tuple[Part, ...] = tables(
-        "Parts of the assembly",
-        Part,
-        default=(),
-        help="They are counted, for designs to be compared.",
-        fold=SUPPORT,
+        "Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared.", fold=SUPPORT
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -457,11 +444,9 @@ class CountershaftInputs:
             )
         if self.mode == "size":
             needed = Text('needed with mode = "size"; `choose FILE countershaft` finds the envelope')
-            yield from (
-                (f"{name}_mm", needed)
-                for name in ("outer_radius", "core_radius", "half_length")
-                if getattr(self, name) is None
-            )
+            for name in ("outer_radius", "core_radius", "half_length"):
+                if getattr(self, name) is None:
+                    yield f"{name}_mm", needed
         if self.outer_radius is not None and self.core_radius is not None and self.core_radius >= self.outer_radius:
             yield dotted(CountershaftInputs.core_radius), Text("must be smaller than outer_radius_mm")
 

@@ -5,14 +5,14 @@ from collections.abc import Iterator
 
 from ..library.catalogue import Material
 from ..sheet.text import Text
-from ..sheet.units import Metre
 from .bending.shaft import Bending
 from .inputs import CountershaftInputs
+from .outline import Journals
 
 SLOPES_GIVEN = Text("The slopes of the journals are those given in [bearings] (slope_mrad), not computed.")
 
 
-def notes(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], ...]) -> Iterator[Text]:
+def notes(shaft: CountershaftInputs, journals: Journals) -> Iterator[Text]:
     """What holds for every shaft; `journals`: (diameter, length) of each, empty where they are not known."""
     yield Text(
         "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter."

@@ -39,7 +39,7 @@ from ..sheet.units import (
     SquareMetres,
 )
 from ..sheet.value import about, based_on
-from .inputs import CountershaftInputs, EccentricMass, Extra
+from .inputs import CountershaftInputs, EccentricMass
 
 # --- the cross-section: a core of radius r_0 and on it a sector of half-angle γ out to the radius R
 # Area and static moment are those of the sector alone, without the core; valid for 0 < γ ≤ π.  All formulas take
@@ -126,6 +126,7 @@ def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
 
 # --- the outline
 
+Journals = tuple[tuple[Metre, Metre], ...]  # diameter and length of each, front to rear; empty where they are not known
 PLAIN = 1e-9  # of the cubed radius: a static moment below it is none
 # of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with
 THIN = 2e-3
@@ -309,7 +310,13 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
             said=_stretch(thinnest),
             outer_radius=Amount(thinnest.outer_radius * 1000.0, form=".3g"),
         )
-        raise NoOutline(reason, _core_check(thinnest, largest))
+        name = Text("Radius of {said}", said=_stretch(thinnest))
+        source = Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts")
+        advice = Text("A larger core.")
+        broken = check(
+            "countershaft.core", name, thinnest.outer_radius, ">=", THIN * largest.outer_radius, "mm", source, advice
+        )
+        raise NoOutline(reason, broken)
     sectors = np.array([p.half_angle is not None for p in pieces])
     R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
     moment = np.zeros(len(pieces), dtype=complex)
@@ -330,34 +337,12 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
 
 
-def _core_check(thinnest: Piece, largest: Piece) -> Check:
-    return check(
-        "countershaft.core",
-        Text("Radius of {said}", said=_stretch(thinnest)),
-        thinnest.outer_radius,
-        ">=",
-        THIN * largest.outer_radius,
-        "mm",
-        Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts"),
-        Text("A larger core."),
-    )
-
-
 def given(shaft: CountershaftInputs) -> Outline:
     """The outline of [[countershaft.sections]]."""
-    rows = sorted(shaft.sections, key=lambda section: section.from_)
-    pieces = (
-        Piece(
-            r.from_,
-            r.to,
-            r.outer_radius,
-            r.core_radius or 0.0,
-            r.half_angle,
-            r.angle or 0.0,
-            "sector" if r.half_angle else "full",
-        )
-        for r in rows
-    )
+    pieces = []
+    for s in sorted(shaft.sections, key=lambda section: section.from_):
+        what = "sector" if s.half_angle else "full"
+        pieces.append(Piece(s.from_, s.to, s.outer_radius, s.core_radius or 0.0, s.half_angle, s.angle or 0.0, what))
     return outline(tuple(pieces), derived=False)
 
 
@@ -368,37 +353,30 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
     for mass in masses:
         if not mass.mass:
             continue
-        with about(Text("sector of mass {name}", name=mass.name)):
+        subject = Text("sector of mass {name}", name=mass.name)
+        with about(subject):
             t = narrowness(e=mass.radius, R=R, r_0=r_0)
             if not 1e-6 < t < 1:
-                within = (
-                    Text(" (it stays below {radius} mm)", radius=Amount(mass.radius / t * 1000.0, form=".4g"))
-                    if t
-                    else ""
-                )
-                place = Text(
-                    "from {r_0} to {r} mm", r_0=Amount(r_0 * 1000.0, form="g"), r=Amount(R * 1000.0, form=".4g")
-                )
-                reason = Text(
-                    "mass {name}: no sector {place} has its centre of gravity at {radius} mm{within}",
-                    name=mass.name,
-                    place=place,
-                    radius=Amount(mass.radius * 1000.0, form="g"),
-                    within=within,
-                )
-                raise NoOutline(reason, _sector_check(mass, mass.radius / t if t else 0.0))
+                raise _no_sector(mass, R, r_0, t)
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=sector_area(gamma=gamma, R=R, r_0=r_0))
-        sectors.append(
-            Piece(
-                *around(mass.z, b, Text("sector of mass {name}", name=mass.name)), R, r_0, gamma, mass.angle, "sector"
-            )
-        )
+        sectors.append(Piece(*around(mass.z, b, subject), R, r_0, gamma, mass.angle, "sector"))
     return sectors
 
 
-def _sector_check(mass: EccentricMass, most: Metre) -> Check:
-    return check(
+def _no_sector(mass: EccentricMass, R: Metre, r_0: Metre, t: Number) -> NoOutline:
+    """`t`: sin γ/γ that the mass asks for."""
+    most = mass.radius / t if t else 0.0
+    within = Text(" (it stays below {radius} mm)", radius=Amount(most * 1000.0, form=".4g")) if t else ""
+    place = Text("from {r_0} to {r} mm", r_0=Amount(r_0 * 1000.0, form="g"), r=Amount(R * 1000.0, form=".4g"))
+    reason = Text(
+        "mass {name}: no sector {place} has its centre of gravity at {radius} mm{within}",
+        name=mass.name,
+        place=place,
+        radius=Amount(mass.radius * 1000.0, form="g"),
+        within=within,
+    )
+    broken = check(
         "countershaft.mass_shape",
         Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name),
         mass.radius,
@@ -412,85 +390,34 @@ def _sector_check(mass: EccentricMass, most: Metre) -> Check:
         ),
         missing=(dotted("countershaft", CountershaftInputs.sections),),
     )
+    return NoOutline(reason, broken)
 
 
 def assembled(
-    shaft: CountershaftInputs,
-    sectors: list[Piece],
-    journals: tuple[tuple[Metre, Metre], ...],
-    gear: tuple[Metre, Metre] | None,
+    shaft: CountershaftInputs, sectors: list[Piece], journals: Journals, gear: tuple[Metre, Metre] | None
 ) -> Outline:
-    """Sectors, journals and gear (diameter, length of each), joined by the core.  Raises NoOutline where two of them
-    cross."""
-    return _joined(
-        _solid(shaft, sectors, journals, gear), shaft.core_radius or 0.0, shaft.bearing_positions, shaft.extras
-    )
-
-
-def known(shaft: CountershaftInputs, R: Metre | None, journals: tuple[tuple[Metre, Metre], ...]) -> tuple[Metre, Metre]:
-    """Outer and core radius of the sectors.  Raises NoOutline where these or the journals are not known."""
-    r_0 = shaft.core_radius
-    if R is None or r_0 is None or not journals:
-        there = (
-            (dotted(CountershaftInputs.core_radius), r_0 is not None),
-            (dotted(CountershaftInputs.outer_radius), R is not None),
-        )
-        missing = [
-            name
-            for name, given in (*there, (Text("[bearings] or [[countershaft.journals]]"), bool(journals)))
-            if not given
-        ]
-        raise NoOutline(Text("give [[countershaft.sections]], or {missing}", missing=Text(" and ").join(missing)))
-    if r_0 >= R:
-        core, outer = Amount(r_0 * 1000.0, form=".4g"), Amount(R * 1000.0, form=".4g")
-        raise NoOutline(
-            Text(
-                "the core of radius {r_0} mm is not smaller than the outer radius of the sectors, {r} mm",
-                r_0=core,
-                r=outer,
-            )
-        )
-    return R, r_0
-
-
-def _solid(
-    shaft: CountershaftInputs,
-    sectors: list[Piece],
-    journals: tuple[tuple[Metre, Metre], ...],
-    gear: tuple[Metre, Metre] | None,
-) -> list[Piece]:
-    """Sectors, journals and gear, front to rear.  A gear without a place stands ahead of the front journal, against
-    it."""
+    """Sectors, journals and gear (diameter, length of each), joined by the core, with a stub around each overhung
+    element that reaches as far beyond as before it.  A gear without a place stands ahead of the front journal, against
+    it.  Raises NoOutline where two of them cross."""
     positions = shaft.bearing_positions
     solid = list(sectors)
-    for n, (z, (d, l)) in enumerate(zip(positions, journals)):
-        solid.append(_turned(z, d, l, "journal", Text("journal {n}", n=n + 1)))
+    for n, (z, (d, l)) in enumerate(zip(positions, journals), 1):
+        solid.append(_turned(z, d, l, "journal", Text("journal {n}", n=n)))
     if gear is not None:
         d, width = gear
         middle = shaft.gear_z if shaft.gear_z is not None else gear_middle(z_f=positions[0], l=journals[0][1], b=width)
         solid.append(_turned(middle, d, width, "gear", Text("gear on the shaft")))
-    return sorted(solid, key=lambda piece: piece.start)
+    solid.sort(key=lambda piece: piece.start)
 
-
-def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: Text) -> Piece:
-    with about(subject):
-        return Piece(front_face(z=z, b=l), rear_face(z=z, b=l), radius(d=d), 0.0, None, 0.0, what)
-
-
-def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> Outline:
-    """The solid pieces with core between them, and a stub around each overhung element that reaches as far beyond as
-    before it."""
     start, end = min(solid[0].start, positions[0]), max(solid[-1].end, positions[-1])
-    for z in (extra.z for extra in extras):
+    for z in (extra.z for extra in shaft.extras):
         start, end = min(start, 2 * z - start), max(end, 2 * z - end)
+    r_0 = shaft.core_radius or 0.0
     pieces: list[Piece] = []
     here = start
     for piece in solid:
         if piece.start < here - TOUCH:
-            raise NoOutline(
-                Text("{said} crosses {said2}", said=_stretch(piece), said2=_stretch(pieces[-1])),
-                _crossing_check(pieces[-1], piece),
-            )
+            raise _crossing(pieces[-1], piece)
         if piece.start > here + TOUCH:
             pieces.append(Piece(here, piece.start, r_0, 0.0, None, 0.0, "core"))
         pieces.append(piece)
@@ -500,17 +427,40 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
     return outline(tuple(pieces), derived=True)
 
 
-def _crossing_check(first: Piece, second: Piece) -> Check:
-    return check(
-        "countershaft.crossing",
-        Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second)),
-        min(first.end, second.end) - second.start,
-        "<=",
-        0.0,
-        "mm",
-        Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius"),
-        Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]]."),
+def known(shaft: CountershaftInputs, R: Metre | None, journals: Journals) -> tuple[Metre, Metre]:
+    """Outer and core radius of the sectors.  Raises NoOutline where these or the journals are not known."""
+    r_0 = shaft.core_radius
+    if R is None or r_0 is None or not journals:
+        needed = (
+            (dotted(CountershaftInputs.core_radius), r_0),
+            (dotted(CountershaftInputs.outer_radius), R),
+            (Text("[bearings] or [[countershaft.journals]]"), journals or None),
+        )
+        missing = Text(" and ").join([name for name, given in needed if given is None])
+        raise NoOutline(Text("give [[countershaft.sections]], or {missing}", missing=missing))
+    if r_0 >= R:
+        what = Text(
+            "the core of radius {r_0} mm is not smaller than the outer radius of the sectors, {r} mm",
+            r_0=Amount(r_0 * 1000.0, form=".4g"),
+            r=Amount(R * 1000.0, form=".4g"),
+        )
+        raise NoOutline(what)
+    return R, r_0
+
+
+def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: Text) -> Piece:
+    with about(subject):
+        return Piece(front_face(z=z, b=l), rear_face(z=z, b=l), radius(d=d), 0.0, None, 0.0, what)
+
+
+def _crossing(first: Piece, second: Piece) -> NoOutline:
+    name = Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second))
+    source = Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius")
+    advice = Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]].")
+    overlap = check(
+        "countershaft.crossing", name, min(first.end, second.end) - second.start, "<=", 0.0, "mm", source, advice
     )
+    return NoOutline(Text("{said} crosses {said2}", said=_stretch(second), said2=_stretch(first)), overlap)
 
 
 def _stretch(piece: Piece) -> Text:

@@ -95,24 +95,20 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
-    masses = judged(
-        checks,
-        *(f"{STEP}.{id}" for id in ("residual", "residual_force", "envelope", "envelope_length", "outline_force")),
-    )
+    asked = ("residual", "residual_force", "envelope", "envelope_length", "outline_force")
+    masses, notes = judged(checks, *(f"{STEP}.{id}" for id in asked)), [Text("lengths in mm")]
     if result.outline is not None:
-        view, notes = _shaped(shaft, result.outline, masses), [Text("lengths in mm")]
+        view = _shaped(shaft, result.outline, masses)
     elif result.sector:
-        view, notes = (
-            _envelope(shaft, tuple(result.sector.values()), masses),
-            [Text("lengths in mm"), Text("without its journals")],
-        )
+        view = _envelope(shaft, tuple(result.sector.values()), masses)
+        notes.append(Text("without its journals"))
     elif shaft.masses:
-        view, notes = _points(shaft, masses), [Text("lengths in mm"), Text("masses as points")]
+        view = _points(shaft, masses)
+        notes.append(Text("masses as points"))
     else:
         return Sketch(notes=(Text("The picture waits for the masses of the shaft."),))
-    side: list[Mark] = [
-        Polyline(AXIS, ((view.start - SUPPORT * view.length, 0.0), (view.end + SUPPORT * view.length, 0.0)))
-    ]
+    beyond = SUPPORT * view.length
+    side: list[Mark] = [Polyline(AXIS, ((view.start - beyond, 0.0), (view.end + beyond, 0.0)))]
     side += _side(view, result.outline)
     side += _supports(view, checks)
     side += _dimensions(view)
@@ -135,18 +131,10 @@ def _envelope(shaft: CountershaftInputs, sectors: tuple[SizedSector, ...], state
     start, end = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     R, r_0 = shaft.outer_radius or 0.0, shaft.core_radius or 0.0
     heavy = sorted((sector for sector in sectors if sector.half_angle), key=lambda sector: sector.z)
-    pieces = [
-        Piece(
-            sector.z - sector.length / 2,
-            sector.z + sector.length / 2,
-            R,
-            r_0,
-            sector.half_angle,
-            sector.angle,
-            "sector",
-        )
-        for sector in heavy
-    ]
+    pieces = []
+    for sector in heavy:
+        ends = sector.z - sector.length / 2, sector.z + sector.length / 2
+        pieces.append(Piece(*ends, R, r_0, sector.half_angle, sector.angle, "sector"))
     edges = [start, *(edge for piece in pieces for edge in (piece.start, piece.end)), end]
     pieces += [Piece(a, b, r_0, 0.0, None, 0.0, "core") for a, b in zip(edges[::2], edges[1::2]) if b > a]
     return View(shaft, tuple(pieces), heavy[0].angle if heavy else 0.0, R, start, end, state)
@@ -163,16 +151,9 @@ def _points(shaft: CountershaftInputs, state: State) -> View:
         min((*places, *(piece.start for piece in journals))),
         max((*places, *(piece.end for piece in journals))),
     )
-    largest = max(mass.radius for mass in shaft.masses) * (1 + POINT)
-    return View(
-        shaft,
-        journals,
-        shaft.masses[0].angle,
-        max(largest, *(p.outer_radius for p in journals), 0.0),
-        start,
-        end,
-        state,
-    )
+    farthest = max(mass.radius for mass in shaft.masses) * (1 + POINT)
+    radius = max(farthest, 0.0, *(piece.outer_radius for piece in journals))
+    return View(shaft, journals, shaft.masses[0].angle, radius, start, end, state)
 
 
 def _mass_keys(view: View, piece: Piece) -> str:
@@ -232,33 +213,18 @@ def _dimensions(view: View) -> Iterator[Mark]:
     low = -lowest - 2 * SUPPORT * view.length
     for a, b in zip(shaft.bearing_positions, shaft.bearing_positions[1:]):
         yield Dimension(DIMENSIONS, (a, low), (b, low), (a, low), key=POSITIONS, label=_mm(b - a))
+    lengths = []
     if shaft.half_length is not None:
-        yield Dimension(
-            DIMENSIONS, (0.0, high), (shaft.half_length, high), (0.0, high), key=LENGTH, label=_mm(shaft.half_length)
-        )
+        lengths.append((shaft.half_length, LENGTH))
     elif len(shaft.masses) <= FEW:
-        for mass in shaft.masses:
-            if mass.z:
-                yield Dimension(
-                    DIMENSIONS,
-                    (0.0, high),
-                    (mass.z, high),
-                    (0.0, high),
-                    key=dotted(MASSES, mass.name, EccentricMass.z),
-                    label=_mm(mass.z),
-                )
+        lengths += [(mass.z, dotted(MASSES, mass.name, EccentricMass.z)) for mass in shaft.masses if mass.z]
+    for z, key in lengths:
+        yield Dimension(DIMENSIONS, (0.0, high), (z, high), (0.0, high), key=key, label=_mm(z))
     largest = max((p for p in view.pieces if p.what == "sector"), key=lambda p: p.outer_radius, default=None)
     if largest is not None:
-        x = view.end + 2 * SUPPORT * view.length
-        yield Dimension(
-            DIMENSIONS,
-            (largest.end, 0.0),
-            (largest.end, largest.outer_radius),
-            (x, 0.0),
-            upright=True,
-            key=OUTER,
-            label=Text("R {radius}", radius=Amount(largest.outer_radius * 1000)),
-        )
+        x, z, R = view.end + 2 * SUPPORT * view.length, largest.end, largest.outer_radius
+        label = Text("R {radius}", radius=Amount(R * 1000))
+        yield Dimension(DIMENSIONS, (z, 0.0), (z, R), (x, 0.0), upright=True, key=OUTER, label=label)
 
 
 def _holes(view: View, holes: Holes, state: State) -> Iterator[Mark]:
@@ -275,12 +241,8 @@ def _holes(view: View, holes: Holes, state: State) -> Iterator[Mark]:
         for n in range(count):
             z, half = piece.start + (n + 0.5) / count * piece.length, holes.diameter / 2
             bottom = rim - way * holes.depth
-            yield Polyline(
-                OUTLINE,
-                ((z - half, rim), (z - half, bottom), (z + half, bottom), (z + half, rim)),
-                key=HOLES,
-                state=state,
-            )
+            outline = ((z - half, rim), (z - half, bottom), (z + half, bottom), (z + half, rim))
+            yield Polyline(OUTLINE, outline, key=HOLES, state=state)
 
 
 def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[Mark], Number] | None:
@@ -298,9 +260,8 @@ def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[M
         checks, f"{STEP}.bending_stress", f"{STEP}.first_critical_speed", f"{STEP}.slope_front", f"{STEP}.slope_rear"
     )
     points = tuple(zip(bending.z.tolist(), (sag * factor).tolist()))
-    marks: list[Mark] = [
-        Polyline(HIDDEN, points, key=dotted(STEP, CountershaftInputs.sector_effectiveness), state=state)
-    ]
+    share = dotted(STEP, CountershaftInputs.sector_effectiveness)
+    marks: list[Mark] = [Polyline(HIDDEN, points, key=share, state=state)]
     worn = judged(checks, f"{STEP}.fatigue", f"{STEP}.notch_stress")
     if worn and bending.notch_z is not None:
         z, half = bending.notch_z, 0.8 * view.radius

@@ -19,7 +19,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import pi, power, sin, smallest
 from ..sheet.linked_array import column, elements, item
 from ..sheet.quantity import Described, Stated
-from ..sheet.step import Curve, Outcome
+from ..sheet.step import Outcome
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import (
     CubicMetrePerSecond,
@@ -33,17 +33,18 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
-from .bending.shaft import Bending, bending
-from .checks import Journals, bending_checks, checks
+from . import outline as s
+from .bending.shaft import bending
+from .checks import bending_checks, checks
 from .curves import curves
-from .inputs import CountershaftInputs, EccentricMass, Extra
+from .inputs import CountershaftInputs, EccentricMass
 from .making.drain import DrainResult, named_check
-from .making.parts import Gathered, making
+from .making.parts import ShaftStep, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
-from .outline import NoOutline, Outline, assembled, given, known, sectors_of, turning_inertia, vectors_of, weighed
+from .outline import Journals, NoOutline, Outline
 from .result import CountershaftResult, SupportResult
 from .sizing.choices import front_curve, named
-from .sizing.sectors import ShaftTask, TooSmall, eccentric_masses, pieces, size, task
+from .sizing.sectors import TooSmall, eccentric_masses, pieces, size, task
 from .supports import Gear, reactions
 
 if TYPE_CHECKING:
@@ -66,18 +67,15 @@ def solve(
     they are not known; `slopes` are those of the journals where they are given, for a shaft whose outline is not known.
     """
     todo = task(shaft, imbalance)
-    steel = materials[shaft.material]
-    to = Gathered()
     with trace() as lines:
-        omega_S = f.shaft_speed(i=shaft.speed_ratio, omega=omega)
-        masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, materials, journals, to)
+        step = ShaftStep(shaft, todo, materials, journals, f.shaft_speed(i=shaft.speed_ratio, omega=omega))
+        masses, sized = shaft.masses, _sized(step)
         if sized is not None:
             masses = eccentric_masses(sized)
         R = shaft.outer_radius
         if R is None and journals:  # what may be threaded through the largest seat
             R = f.widest(d=max(d for d, _ in journals), c_R=shaft.radial_clearance or 0.0)
-        F_S, C_S = _supplied(masses, shaft.extras, omega_S)
-        result = _balance(shaft, todo, masses, F_S, C_S, omega_S)
+        result = _balance(step, masses)
         if sized is not None:
             result = replace(
                 result,
@@ -87,70 +85,42 @@ def solve(
                 sector_mass=max(sized.front.mass, sized.rear.mass),
                 sector={"front": sized.front, "rear": sized.rear},
             )
-        outline = _outline(shaft, masses, sized, R, steel, journals, gear, to)
-        bent = None
+        outline = _outline(step, masses, sized, R, gear)
         if outline is not None:
-            points = (*shaft.extras, *(masses if outline.plain else ()))  # what the outline itself does not hold
-            m_S, z_S = weighed(outline, steel.density, points)
-            J_S = turning_inertia(outline, steel.density, points)
-            result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
-            if not outline.derived:
-                result = _beside(result, points, outline, steel, F_S, C_S)
-            bent = bending(
-                outline,
-                steel,
-                omega_S,
-                shaft.bearing_positions,
-                points,
-                shaft.sector_effectiveness,
-                shaft.fillet_radius,
-            )
-            result = _with_bending(result, bent, steel, to, certain=sized is not None or not outline.derived)
+            certain = sized is not None or not outline.derived
+            result = _with_outline(step, masses, result, outline, certain)
         elif slopes:
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
-            to.notes.append(SLOPES_GIVEN)
-        result = _with_supports(shaft, masses, journals, result, bent, to)
-        result = making(shaft, todo, masses, result, R, materials, journals, to)
+            step.notes.append(SLOPES_GIVEN)
+        result = making(step, masses, _with_supports(step, masses, result), R)
+    further = step.notes
     return Outcome(
         "countershaft",
         result=result,
-        checks=(*checks(shaft, todo, result, journals, gear), *to.checks),
+        checks=(*checks(shaft, todo, result, journals, gear), *step.checks),
         lines=tuple(lines),
-        curves=Later(partial(_curves, todo, result, omega, shaft.bearing_positions)) + to.curves,
-        tables=to.tables,
-        notes=Later(lambda: (*notes(shaft, journals), *to.notes)),
+        curves=Later(partial(curves, todo, result, omega, shaft.bearing_positions)) + step.curves,
+        tables=step.tables,
+        notes=Later(lambda: (*notes(shaft, journals), *further)),
     )
 
 
-def _curves(
-    todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]
-) -> tuple[Curve, ...]:
-    return curves(todo, shaft, omega, positions)
-
-
-def _sized(
-    shaft: CountershaftInputs,
-    todo: ShaftTask,
-    omega: RadPerSecond,
-    steel: Material,
-    materials: Mapping[str, Material],
-    journals: Journals,
-    to: Gathered,
-) -> "Sized | None":
+def _sized(step: ShaftStep) -> "Sized | None":
     """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not
     hold it."""
+    shaft, omega = step.shaft, step.omega
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
-    U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
-    P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
-    densities = {name: materials[name].density for name in named(shaft, materials)}
+    U = f.asked_unbalance(x_o=shaft.overdesign, F_like=step.todo.F, omega=omega)
+    P = f.asked_product(x_o=shaft.overdesign, C_like=step.todo.C, omega=omega)
+    densities = {name: step.materials[name].density for name in named(shaft, step.materials)}
     envelope = shaft.outer_radius, shaft.core_radius, shaft.half_length
-    to.curves += Later(lambda: filter(None, [front_curve(U, P, omega, *envelope, densities, shaft.extras)]))
+    step.curves += Later(lambda: filter(None, [front_curve(U, P, omega, *envelope, densities, shaft.extras)]))
     try:
-        sized = size(U, P, omega, steel.density, *envelope, shaft.extras, shaft.fillet_radius or 0.0)
+        sized = size(U, P, omega, step.material.density, *envelope, shaft.extras, shaft.fillet_radius or 0.0)
     except TooSmall as small:
-        raise NoSolution(small.what, small.tried, small.advice + _room(shaft, journals)) from small
-    to.notes += size_notes(shaft)
+        raise NoSolution(small.what, small.tried, small.advice + _room(shaft, step.journals)) from small
+    step.notes += size_notes(shaft)
     return sized
 
 
@@ -168,64 +138,53 @@ def _room(shaft: CountershaftInputs, journals: Journals) -> str:
 
 
 def _outline(
-    shaft: CountershaftInputs,
-    masses: tuple[EccentricMass, ...],
-    sized: "Sized | None",
-    R: Metre | None,
-    steel: Material,
-    journals: Journals,
-    gear: Gear | None,
-    to: Gathered,
+    step: ShaftStep, masses: tuple[EccentricMass, ...], sized: "Sized | None", R: Metre | None, gear: Gear | None
 ) -> Outline | None:
     """The shaft's outline, given or put together; None where it can not be, and a note says why."""
+    shaft, journals = step.shaft, step.journals
     try:
         if shaft.sections and sized is None:
-            return given(shaft)
-        outer, core = known(shaft, R, journals)
-        if sized is not None:
-            sectors = pieces(sized)
-        else:
-            sectors = sectors_of(masses, steel.density, outer, core)
-        outline = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
+            return s.given(shaft)
+        outer, core = s.known(shaft, R, journals)
+        sectors = s.sectors_of(masses, step.material.density, outer, core) if sized is None else pieces(sized)
+        outline = s.assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
     except NoOutline as none:
         if none.broken is not None:
-            to.checks.append(none.broken)
-        to.notes.append(
+            step.checks.append(none.broken)
+        step.notes.append(
             Text("Mass, balance tolerance, bending and critical speed are not computed: {none}.", none=none.reason)
         )
         return None
-    to.notes.append(outline_note(sized is not None, gear is not None))
+    step.notes.append(outline_note(sized is not None, gear is not None))
     return outline
 
 
-def _beside(
-    result: CountershaftResult,
-    points: tuple[EccentricMass, ...],
-    outline: Outline,
-    steel: Material,
-    F_S: complex,
-    C_S: complex,
+def _with_outline(
+    step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult, outline: Outline, certain: bool
 ) -> CountershaftResult:
-    """The same result with how far the given sections are from the given masses: both must be one shaft."""
-    with about(Text("given sections")):
-        F_x, C_x = _of(points, result.omega) if points else (0j, 0j)
-        F_O, C_O = vectors_of(outline, steel.density, result.omega, F_x, C_x)
-        return replace(
-            result,
-            outline_force_deviation=f.force_deviation(F_O=F_O, F_S=F_S),
-            outline_couple_deviation=f.couple_deviation(C_O=C_O, C_S=C_S),
-        )
-
-
-def _with_bending(
-    result: CountershaftResult, bent: Bending, steel: Material, to: Gathered, certain: bool
-) -> CountershaftResult:
-    """The same result with the slopes of its outer journals and its first critical speed.
+    """The same result with the mass of the shaft, the slopes of its outer journals and its first critical speed; and
+    with how far given sections are from the given masses, since both must be one shaft.
 
     `certain`: the outline is the designer's or this program's own; else the gaps between its pieces are no more than
     assumed."""
-    to.checks += [c for c in bending_checks(bent, steel) if certain or c.id != "countershaft.fillet_room"]
-    to.notes += bending_notes(bent, steel)
+    shaft, steel, omega = step.shaft, step.material, step.omega
+    points = (*shaft.extras, *(masses if outline.plain else ()))  # what the outline itself does not hold
+    m_S, z_S = s.weighed(outline, steel.density, points)
+    J_S = s.turning_inertia(outline, steel.density, points)
+    result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
+    if not outline.derived:
+        with about(Text("given sections")):
+            F_x, C_x = _of(points, omega) if points else (0j, 0j)
+            F_O, C_O = s.vectors_of(outline, steel.density, omega, F_x, C_x)
+            result = replace(
+                result,
+                outline_force_deviation=f.force_deviation(F_O=F_O, F_S=result.force_vector),
+                outline_couple_deviation=f.couple_deviation(C_O=C_O, C_S=result.couple_vector),
+            )
+    positions = shaft.bearing_positions
+    bent = bending(outline, steel, omega, positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
+    step.checks += [c for c in bending_checks(bent, steel) if certain or c.id != "countershaft.fillet_room"]
+    step.notes += bending_notes(bent, steel)
     return replace(
         result,
         bending=bent,
@@ -240,15 +199,11 @@ def _with_bending(
 
 
 def _with_supports(
-    shaft: CountershaftInputs,
-    masses: tuple[EccentricMass, ...],
-    journals: Journals,
-    result: CountershaftResult,
-    bent: Bending | None,
-    to: Gathered,
+    step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult
 ) -> CountershaftResult:
     """The same result support by support, where there are more than two or the journals are the shaft's own; else
     [bearings] has them."""
+    shaft, journals, bent = step.shaft, step.journals, result.bending
     positions = shaft.bearing_positions
     if len(positions) == 2 and not shaft.journals:
         return result
@@ -261,7 +216,7 @@ def _with_supports(
             m, e, gamma, z = (column((*masses, *shaft.extras), name) for name in ("mass", "radius", "angle", "z"))
             forces = reactions(f.mass_force(omega=result.omega, m=m, e=e, gamma=gamma), z, positions)
         loads = [f.reaction(R=R) for R in elements(forces)]
-        to.notes.append(supports_note(bent is not None))
+        step.notes.append(supports_note(bent is not None))
     support = {}
     n_S = f.revolutions(omega=result.omega)
     for n, load in enumerate(loads):
@@ -274,10 +229,9 @@ def _with_supports(
     return replace(result, support=support, reaction_front=outer[0].reaction, reaction_rear=outer[-1].reaction)
 
 
-def _supplied(
-    masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond
-) -> tuple[complex, complex]:
+def _supplied(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> tuple[complex, complex]:
     """The force and the couple of the shaft, cylinder 1 at TDC."""
+    extras, omega = step.shaft.extras, step.omega
     if not extras:
         return _of(masses, omega)
     with about(Text("main masses")):
@@ -307,15 +261,10 @@ def _moments(masses: tuple[EccentricMass, ...], omega: RadPerSecond) -> dict[str
     }
 
 
-def _balance(
-    shaft: CountershaftInputs,
-    todo: ShaftTask,
-    masses: tuple[EccentricMass, ...],
-    F_S: complex,
-    C_S: complex,
-    omega: RadPerSecond,
-) -> CountershaftResult:
+def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> CountershaftResult:
     """What the shaft supplies, what is left, and what two supports carry."""
+    shaft, todo, omega = step.shaft, step.todo, step.omega
+    F_S, C_S = _supplied(step, masses)
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     couple, phase, force = f.couple(C_S=C_S), f.couple_phase(C_S=C_S), f.force(F_S=F_S)
     C_against, F_against = todo.C_against, todo.F_against
@@ -395,15 +344,14 @@ def with_oil(outcome: Outcome[CountershaftResult], bearings: "BearingsResult | N
     shaft = outcome.result
     if shaft is None or bearings is None:
         return outcome
+    drains = {} if shaft.drain is None else {"": shaft.drain}
+    drains |= shaft.further_drains or {}
     with trace() as lines:
-        drain = _with_oil(shaft.drain, bearings) if shaft.drain is not None else None
-        further = {
-            name: _with_oil(drain_result, bearings) for name, drain_result in (shaft.further_drains or {}).items()
-        }
-    run_off_checks = tuple(_run_off_checks({"": drain, **further}))
+        drains = {name: _with_oil(drain, bearings) for name, drain in drains.items()}
+    run_off_checks = tuple(_run_off_checks(drains))
     if not run_off_checks:
         return outcome
-    result = replace(shaft, drain=drain, further_drains=further or None)
+    result = replace(shaft, drain=drains.pop("", None), further_drains=drains or None)
     return replace(outcome, result=result, checks=outcome.checks + run_off_checks, lines=(*outcome.lines, *lines))
 
 
@@ -419,18 +367,13 @@ def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
         return replace(result, drain_flow=flow, drain_run_off=run_off(d=drain.bore, v_l=v_l, v_t=v_t))
 
 
-def _run_off_checks(drains: Mapping[str, DrainResult | None]) -> Iterator[Check]:
+def _run_off_checks(drains: Mapping[str, DrainResult]) -> Iterator[Check]:
     """Of each drain, by its name, that takes the bearings' oil."""
-    for name, result in drains.items():
-        if result is not None and result.drain_flow is not None and result.drain_run_off is not None:
-            run_off_check = check(
-                f"{result.drain.id}.run_off",
-                Text("Oil of the bearings that the drain takes"),
-                result.drain_flow,
-                "<=",
-                result.drain_run_off,
-                "L/min",
-                Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
-                Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."),
-            )
-            yield named_check(run_off_check, name)
+    name = Text("Oil of the bearings that the drain takes")
+    source = Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves")
+    advice = Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower.")
+    for drain, result in drains.items():
+        flow, runs_off = result.drain_flow, result.drain_run_off
+        if flow is not None and runs_off is not None:
+            oil_check = check(f"{result.drain.id}.run_off", name, flow, "<=", runs_off, "L/min", source, advice)
+            yield named_check(oil_check, drain)

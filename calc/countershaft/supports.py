@@ -208,8 +208,8 @@ def gear_place(shaft: CountershaftInputs, result: CountershaftResult, gear: Gear
     """The middle of the gear: given, or as the outline has it; else the front bearing's."""
     if gear is None:
         return None
-    if shaft.gear_z is not None or result.outline is None:
-        return shaft.gear_z if shaft.gear_z is not None else shaft.bearing_positions[0]
-    return next(
-        (middles(z_1=p.start, z_2=p.end) for p in result.outline.pieces if p.what == "gear"), shaft.bearing_positions[0]
-    )
+    if shaft.gear_z is not None:
+        return shaft.gear_z
+    pieces = result.outline.pieces if result.outline is not None else ()
+    places = (middles(z_1=piece.start, z_2=piece.end) for piece in pieces if piece.what == "gear")
+    return next(places, shaft.bearing_positions[0])

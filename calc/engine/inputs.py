@@ -23,7 +23,7 @@ class ThrowInputs:
     pin_diameter: float = quantity(
         "Crankpin diameter",
         "mm",
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="d_p",
         rule_of_thumb=(20, 120),
         help="Diameter of the crankpin, solid and round.",
@@ -32,7 +32,7 @@ class ThrowInputs:
     pin_length: float = quantity(
         "Crankpin length",
         "mm",
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="l_p",
         rule_of_thumb=(12, 90),
         help="Length of the crankpin between the webs.",
@@ -41,7 +41,7 @@ class ThrowInputs:
     journal_diameter: float = quantity(
         "Main journal diameter",
         "mm",
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="d_j",
         rule_of_thumb=(20, 140),
         help="Diameter of the main journals, solid and round.",
@@ -50,7 +50,7 @@ class ThrowInputs:
     journal_length: float = quantity(
         "Main journal length",
         "mm",
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="l_j",
         rule_of_thumb=(12, 90),
         help="Length of a main journal between the webs of two throws.",
@@ -59,7 +59,7 @@ class ThrowInputs:
     web_thickness: float = quantity(
         "Web thickness",
         "mm",
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="t_w",
         rule_of_thumb=(6, 60),
         help="Thickness of a web along the crank axis.",
@@ -69,7 +69,7 @@ class ThrowInputs:
         "Fillet radius",
         "mm",
         default=None,
-        above_up_to=(0, 500),
+        up_to=500,
         symbol="rho",
         rule_of_thumb=(1, 8),
         help="Radius from pin and journal to the web. Left out: no notch stress.",
@@ -224,7 +224,7 @@ class EngineInputs:
     bore: float = quantity(
         "Bore",
         "mm",
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="D",
         rule_of_thumb=(50, 150),
         help="Diameter of the cylinders, on which the gas presses.",
@@ -233,7 +233,7 @@ class EngineInputs:
     crank_radius: float = quantity(
         "Crank radius",
         "mm",
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="r",
         rule_of_thumb=(20, 90),
         help="Half the stroke: from the crank's axis to the pin's.",
@@ -241,7 +241,7 @@ class EngineInputs:
     rod_length: float = quantity(
         "Rod length",
         "mm",
-        above_up_to=(0, 4000),
+        up_to=4000,
         symbol="L",
         rule_of_thumb=(80, 300),
         help=Text(
@@ -255,7 +255,7 @@ class EngineInputs:
     cylinder_pitch: float = quantity(
         "Cylinder pitch",
         "mm",
-        above_up_to=(0, 2000),
+        up_to=2000,
         symbol="a",
         rule_of_thumb=(35, 200),
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
@@ -322,7 +322,7 @@ class EngineInputs:
         "Crank radii",
         "mm",
         default=None,
-        above_up_to=(0, 1000),
+        up_to=1000,
         symbol="r_k",
         help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that "
         "one.",
@@ -332,7 +332,7 @@ class EngineInputs:
         "Piston mass",
         "g",
         default=None,
-        above_up_to=(0, 1e5),
+        up_to=1e5,
         symbol="M_P",
         rule_of_thumb=(150, 2000),
         help="Mass of one piston with rings, pin and circlips.",
@@ -370,7 +370,7 @@ class EngineInputs:
         "Reciprocating masses",
         "kg",
         default=None,
-        above_up_to=(0, 1e6),
+        up_to=1e6,
         symbol="M_alt",
         help="One for all cylinders, or one per cylinder. Left out: piston and the rod's share.",
     )
@@ -398,7 +398,7 @@ class EngineInputs:
         "Rated power",
         "kW",
         default=None,
-        above_up_to=(0, 1e5),
+        up_to=1e5,
         symbol="P_e",
         rule_of_thumb=(2, 600),
         help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the "
@@ -409,7 +409,7 @@ class EngineInputs:
         "Inertia of the flywheel",
         "kg·m²",
         default=None,
-        above_up_to=(0, 1e5),
+        up_to=1e5,
         symbol="J",
         rule_of_thumb=(0.005, 10),
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
@@ -434,7 +434,7 @@ class EngineInputs:
         "Period of the torque",
         "°",
         default=None,
-        above_up_to=(0, 1440),
+        up_to=1440,
         symbol="epsilon_T",
         help="After which the diagram repeats itself. Left out: the cycle, 720° of a four-stroke engine.",
         fold=GAS,

@@ -157,7 +157,7 @@ class Said(_AsTheyStand, total=False):
     """What may be said of an input beside its label, unit and default."""
 
     within: tuple[float, float]  # `low` and `high` in one
-    above_up_to: tuple[float, float]  # `above` and `high` in one
+    up_to: float  # `high`, and `above` zero
     rule_of_thumb: tuple[float, float]  # `usual` by practice alone: its `source` is THUMB
     help: str
     source: str
@@ -174,7 +174,7 @@ def _make(
     default: T,
     *,
     within: tuple[float, float] | None = None,
-    above_up_to: tuple[float, float] | None = None,
+    up_to: float | None = None,
     rule_of_thumb: tuple[float, float] | None = None,
     help: str = "",
     source: str = "",
@@ -189,8 +189,8 @@ def _make(
 ) -> T:
     if within is not None:
         options["low"], options["high"] = within
-    if above_up_to is not None:
-        options["above"], options["high"] = above_up_to
+    if up_to is not None:
+        options["above"], options["high"] = 0, up_to
     if rule_of_thumb is not None:
         options["usual"], source = rule_of_thumb, THUMB
     what = Quantity(

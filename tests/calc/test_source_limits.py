@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from calc.countershaft.making.inputs import Support
-from calc.countershaft.making.parts import load_stress_check
+from calc.countershaft.making.parts import support_checks
 from calc.design.model import Design
 from calc.design.toml_file import load
 from calc.library.catalogue import materials, shipped_oils
@@ -65,8 +65,7 @@ def stress(load: float, limit: float | None = None, material: str = "EN AC-43100
     support = Support(
         material=material, load_stress=load * 1e6, load_stress_limit=None if limit is None else limit * 1e6
     )
-    check = load_stress_check(support, materials()[material])
-    assert check is not None
+    (check,) = support_checks(support, materials()[material])
     return check
 
 

@@ -157,12 +157,8 @@ def beam(
 
     n = 2 * z.size
     at = 2 * np.arange(L.size)[:, None] + power[None, :]
-    whole_K, whole_M, whole_R, whole_f = (
-        np.zeros((n, n)),
-        np.zeros((n, n)),
-        np.zeros((n, n)),
-        np.zeros(n, dtype=complex),
-    )
+    whole_K, whole_M, whole_R = np.zeros((3, n, n))
+    whole_f = np.zeros(n, dtype=complex)
     np.add.at(whole_K, (at[:, :, None], at[:, None, :]), K)
     np.add.at(whole_M, (at[:, :, None], at[:, None, :]), M)
     np.add.at(whole_R, (at[:, :, None], at[:, None, :]), R)

@@ -19,7 +19,6 @@ from typing import TypedDict
 import numpy as np
 
 from ...library import fatigue
-from ...library import fatigue as notch
 from ...library.catalogue import Material
 from ...library.journal_rules import SLOPE
 from ...sheet.arrays import Array, BoolArray, ComplexArray, Num
@@ -97,19 +96,13 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
         at_core = piece.half_angle is not None and 0 < piece.core_radius != (
             other.core_radius if other.half_angle is not None else 0.0
         )
-        d = 2 * (piece.core_radius if at_core else piece.outer_radius)
-        D = 2 * max(piece.outer_radius, other.outer_radius)
-        d, D = (
-            based_on(d, piece.core_radius if at_core else piece.outer_radius),
-            based_on(D, piece.outer_radius, other.outer_radius),
-        )
-        if D - d < 2 * STEP or (piece.half_angle, piece.core_radius, piece.outer_radius) == (
-            other.half_angle,
-            other.core_radius,
-            other.outer_radius,
-        ):
+        radius = piece.core_radius if at_core else piece.outer_radius
+        d = based_on(2 * radius, radius)
+        D = based_on(2 * max(piece.outer_radius, other.outer_radius), piece.outer_radius, other.outer_radius)
+        weaker, stronger = ((p.half_angle, p.core_radius, p.outer_radius) for p in (piece, other))
+        if D - d < 2 * STEP or weaker == stronger:
             continue
-        if (D - d) / (2 * r) < notch.FIT[0]:
+        if (D - d) / (2 * r) < fatigue.FIT[0]:
             low += 1
             continue
         shoulders.append((piece.start if weak == k else piece.end, weak, D, d))
@@ -133,9 +126,9 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
     def stressed(shoulder: tuple[Metre, int, Metre, Metre]) -> dict[str, float]:
         z, weak, D, d = shoulder
         sigma = f.bending_stress(M=f.shoulder_moment(z=z, u=bent), c=item(c[weak]), I=item(outline.inertia[weak]))
-        x, K_t = notch.shoulder_bending(D=D, d=d, r=r)
+        x, K_t = fatigue.shoulder_bending(D=D, d=d, r=r)
         return dict(
-            notch_z=z, notch_factor=K_t, notch_stress=notch.notch_stress(K_t=K_t, sigma=sigma), step_over_fillet=x
+            notch_z=z, notch_factor=K_t, notch_stress=fatigue.notch_stress(K_t=K_t, sigma=sigma), step_over_fillet=x
         )
 
     with untraced():
@@ -259,26 +252,14 @@ class _Shaft:
     """What the variants of stiffness have in common."""
 
     outline: Outline
-    ends: Array
     sector: BoolArray
     places: Array  # of the further elements
-    positions: tuple[Metre, ...]
     given: _Given
 
     def model(self, EI: Array, longest: Metre = FINE, rotary: Num = 0.0) -> Beam:
         x, places = self.given, self.places
-        return beam(
-            self.ends,
-            EI,
-            x["S_s"],
-            x["mu"],
-            x["q"],
-            self.positions,
-            (places, x["F"]),
-            (places, x["m"]),
-            rotary,
-            longest,
-        )
+        forces, masses = (places, x["F"]), (places, x["m"])
+        return beam(x["z"], EI, x["S_s"], x["mu"], x["q"], x["z_B"], forces, masses, rotary, longest)
 
 
 def bending(
@@ -340,7 +321,7 @@ def bending(
         moment=(bent.moment * back).real,
         shear_z=bent.shear_z,
         shear=(bent.shear * back).real,
-        loads=resultants(shaft.ends, given["q"], (shaft.places, given["F"]), back),
+        loads=resultants(given["z"], given["q"], (shaft.places, given["F"]), back),
     )
 
 
@@ -387,7 +368,6 @@ def _prepared(
     A, S = outline.area, outline.moment
     masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
     forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else np.zeros(0, dtype=complex)
-    ends = gathered([*column(outline.pieces, "start"), outline.end])
     given = _Given(
         S_s=f.shear_stiffness(kappa=kappa, G=G, A=A),
         mu=f.line_mass(rho=material.density, A=A),
@@ -395,11 +375,11 @@ def _prepared(
         F=forces,
         m=masses,
         omega=omega,
-        z=ends,
+        z=gathered([*column(outline.pieces, "start"), outline.end]),
         z_B=positions,
     )
     sector = np.array([p.half_angle is not None for p in outline.pieces])
-    return _Shaft(outline=outline, ends=ends, sector=sector, places=z, positions=positions, given=given)
+    return _Shaft(outline=outline, sector=sector, places=z, given=given)
 
 
 def _shared(material: Material, core: Array, eta: Number, inertia: Array) -> Array:
@@ -475,11 +455,10 @@ def _share_at_limit(
 
 def _plane(shaft: _Shaft) -> Radian:
     """The direction of the load's couple about the middle of the journals, or of its force where there is no couple."""
-    l, middle = (
-        np.diff(shaft.ends),
-        (shaft.ends[1:] + shaft.ends[:-1]) / 2 - (shaft.positions[0] + shaft.positions[-1]) / 2,
-    )
-    arm, q, F = shaft.places - (shaft.positions[0] + shaft.positions[-1]) / 2, shaft.given["q"], shaft.given["F"]
+    given = shaft.given
+    ends, q, F, span_middle = given["z"], given["q"], given["F"], (given["z_B"][0] + given["z_B"][-1]) / 2
+    l, arm = np.diff(ends), shaft.places - span_middle
+    middle = (ends[1:] + ends[:-1]) / 2 - span_middle
     couple = complex(np.sum(q * l * middle) + np.sum(F * arm))
     force = complex(np.sum(q * l) + np.sum(F))
     size = float(np.sum(np.abs(q) * l * np.abs(middle)) + np.sum(np.abs(F * arm)))

@@ -278,11 +278,8 @@ def solve(
         F_vdi = preload(T=T, d_2=d_2, alpha_h=alpha_h, rho=rho, mu=mu, r_h=friction_radius(d_w=d_w, d_h=d_h))
         F_short = preload_short(T=T, p=p, mu=mu, d_2=d_2, D_Km=mean_bearing_diameter(d_w=d_w, d_h=d_h))
     with about(Text("bolts, source")):
-        d_2s, alpha_s, rho_s = (
-            pitch_diameter_source(D=D, p=p),
-            helix_angle_source(p=p, D=D),
-            friction_angle_source(mu=mu),
-        )
+        d_2s, alpha_s = pitch_diameter_source(D=D, p=p), helix_angle_source(p=p, D=D)
+        rho_s = friction_angle_source(mu=mu)
         F_source = preload(T=T, d_2=d_2s, alpha_h=alpha_s, rho=rho_s, mu=mu, r_h=friction_radius_source(d_w=d_w))
     F_V = F_source if bolts.method == "source" else F_vdi
     with about(Text("bolts")):
@@ -291,9 +288,8 @@ def solve(
         d_3 = root_diameter(D=D, p=p)
         sigma = tensile_stress(F_V=F_V, A_s=stress_area(d_2=d_2, d_3=d_3))
         M_G = thread_torque(F_V=F_V, d_2=d_2, alpha_h=alpha_h, rho=rho)
-        tightened = tightening_stress(
-            sigma_z=sigma, tau_M=torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3))
-        )
+        tau_M = torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3))
+        tightened = tightening_stress(sigma_z=sigma, tau_M=tau_M)
         z_f, z_r = bearing_positions[0], bearing_positions[-1]
         l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
         C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
@@ -338,58 +334,38 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
         ("separation", Text("Safety against separation of the support"), joint.bolt_separation_safety),
     ):
         if safety is not None:
-            yield check(
-                f"countershaft.bolts.{key}",
-                name,
-                safety,
-                ">=",
-                1.0,
-                "",
-                Text("rule of this program: the least preload must still hold the joint"),
-                Text("More or larger bolts, a larger torque, or rows of bolts further apart."),
-            )
-    yield check(
-        "countershaft.bolts.strength",
-        Text("Stress of a bolt of class {property_class} while it is tightened", property_class=joint.property_class),
-        joint.bolt_tightening_stress,
-        "<=",
-        STRENGTH[joint.property_class] * 1e6,
-        "MPa",
-        Text("VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)"),
-        Text("A smaller torque, a larger thread, or a higher property class."),
-    )
+            source = Text("rule of this program: the least preload must still hold the joint")
+            advice = Text("More or larger bolts, a larger torque, or rows of bolts further apart.")
+            yield check(f"countershaft.bolts.{key}", name, safety, ">=", 1.0, "", source, advice)
+    name = Text("Stress of a bolt of class {property_class} while it is tightened", property_class=joint.property_class)
+    limit = STRENGTH[joint.property_class] * 1e6
+    source = Text("VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)")
+    advice = Text("A smaller torque, a larger thread, or a higher property class.")
+    yield check("countershaft.bolts.strength", name, joint.bolt_tightening_stress, "<=", limit, "MPa", source, advice)
     if joint.support is not None and (known := _strength(joint.support)) is not None:
-        yield check(
-            "countershaft.bolts.pressure",
-            Text("Pressure under a bolt's head"),
-            joint.bolt_head_pressure,
-            "<=",
-            known[0],
-            "MPa",
-            Text(
-                "rule of this program: {known} of {name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 "
-                "times "
-                "the tensile strength of an aluminium, and more for cast iron",
-                known=known[1],
-                name=joint.support.name,
-            ),
-            Text("A hardened washer or a flanged head: the seat yields and the preload falls with it."),
+        name, pressure = Text("Pressure under a bolt's head"), joint.bolt_head_pressure
+        limit, strength = known
+        source = Text(
+            "rule of this program: {known} of {name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 times "
+            "the tensile strength of an aluminium, and more for cast iron",
+            known=strength,
+            name=joint.support.name,
         )
+        advice = Text("A hardened washer or a flanged head: the seat yields and the preload falls with it.")
+        yield check("countershaft.bolts.pressure", name, pressure, "<=", limit, "MPa", source, advice)
 
 
 def notes(bolts: "Bolts", joint: BoltsResult) -> Iterator[Text]:
     """What was assumed."""
     yield Text(
         "Bolts: slip and separation are judged at the least preload, F_V/{alpha_a}: a torque wrench with an estimated "
-        "coefficient of "
-        "friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V is then the "
-        "largest preload.",
+        "coefficient of friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V "
+        "is then the largest preload.",
         alpha_a=Amount(ALPHA_A, form="g"),
     )
     yield Text(
         "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the "
-        "joint, its weight, "
-        "the gear force, locating pins and the thread's engagement in the block are left out."
+        "joint, its weight, the gear force, locating pins and the thread's engagement in the block are left out."
     )
     if bolts.row_span is None:
         yield Text(

@@ -235,51 +235,26 @@ def checks(choice: DrainResult) -> Iterator[Check]:
         label = Text("Opening of the clamp beyond the larger hose end")
         yield check(f"{id}.clamp", label, choice.tried, ">=", 0.0, "mm", RULE, advice)
     if choice.tried_din3021 is not None:
-        yield check(
-            f"{id}.clamp_din3021",
-            Text("Opening of the clamp by DIN 3021 beyond the larger hose end"),
-            choice.tried_din3021,
-            ">=",
-            0.0,
-            "mm",
-            Text(house_table("clamps.toml")["din3021"]["source"]),
-            Text(
-                "The clamp of the source opens further than the standard asks for: make sure that the one bought does "
-                "too."
-            ),
+        name = Text("Opening of the clamp by DIN 3021 beyond the larger hose end")
+        source = Text(house_table("clamps.toml")["din3021"]["source"])
+        advice = Text(
+            "The clamp of the source opens further than the standard asks for: make sure that the one bought does too."
         )
-    yield check(
-        f"{id}.union",
-        Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread),
-        float(len(choice.unions)),
-        ">",
-        0.0,
-        "",
-        Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block"),
-        Text("Another thread in the block, or a union of the design."),
-    )
+        yield check(f"{id}.clamp_din3021", name, choice.tried_din3021, ">=", 0.0, "mm", source, advice)
+    name = Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread)
+    source = Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block")
+    advice = Text("Another thread in the block, or a union of the design.")
+    yield check(f"{id}.union", name, float(len(choice.unions)), ">", 0.0, "", source, advice)
     if choice.sleeve_bore is None:
-        yield check(
-            f"{id}.sleeve",
-            Text("Sleeves at hand for a union with thread {thread}", thread=choice.drain.thread),
-            0.0,
-            ">",
-            0.0,
-            "",
-            Text("Finotti 2013, 4.4: the union goes through the ring of the sleeve"),
-            Text("A sleeve of the design."),
-        )
+        name = Text("Sleeves at hand for a union with thread {thread}", thread=choice.drain.thread)
+        source = Text("Finotti 2013, 4.4: the union goes through the ring of the sleeve")
+        advice = Text("A sleeve of the design.")
+        yield check(f"{id}.sleeve", name, 0.0, ">", 0.0, "", source, advice)
     if choice.drain_slope is not None and choice.drain.tilt is not None:
-        yield check(
-            f"{id}.slope",
-            Text("Slope of the passage to the drain, machine tilted"),
-            choice.drain_slope,
-            ">",
-            0.0,
-            "°",
-            Text("Finotti 2013, 3.2.2: the oil must leave while the machine works on a slope"),
-            Text("A steeper passage: it must slope by more than the machine tilts."),
-        )
+        name = Text("Slope of the passage to the drain, machine tilted")
+        source = Text("Finotti 2013, 3.2.2: the oil must leave while the machine works on a slope")
+        advice = Text("A steeper passage: it must slope by more than the machine tilts.")
+        yield check(f"{id}.slope", name, choice.drain_slope, ">", 0.0, "°", source, advice)
 
 
 def named_check(drain_check: Check, drain: str) -> Check:

@@ -110,8 +110,7 @@ class Bolts:
     torque: float = quantity(
         "Tightening torque",
         "N·m",
-        above=0,
-        high=5000,
+        up_to=5000,
         symbol="M_A",
         step=1,
         source="VDI 2230-1",
@@ -131,8 +130,7 @@ class Bolts:
     head_diameter: float = quantity(
         "Bearing diameter of the head",
         "mm",
-        above=0,
-        high=200,
+        up_to=200,
         symbol="d_w",
         source="VDI 2230-1",
         help="Outer diameter of the face under the head: across flats, or of the flange.",
@@ -142,8 +140,7 @@ class Bolts:
     hole_diameter: float = quantity(
         "Clearance hole",
         "mm",
-        above=0,
-        high=200,
+        up_to=200,
         symbol="d_h",
         source="VDI 2230-1",
         help="Diameter of the hole that the bolt goes through, a little above the thread's.",
@@ -186,8 +183,7 @@ class Bolts:
         "Distance of the bolt rows along the shaft",
         "mm",
         default=None,
-        above=0,
-        high=5000,
+        up_to=5000,
         symbol="l_b",
         help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.",
         repair="free",
@@ -215,8 +211,7 @@ class Clamp:
     nominal: float = quantity(
         "Nominal diameter",
         "mm",
-        above=0,
-        high=500,
+        up_to=500,
         source="DIN 3021",
         help="Diameter by which the clamp is called; the hose end must not be smaller.",
         repair="free",
@@ -224,8 +219,7 @@ class Clamp:
     opening: float = quantity(
         "Largest opening",
         "mm",
-        above=0,
-        high=500,
+        up_to=500,
         source="DIN 3021",
         help="Diameter to which the clamp opens; the hose end must pass.",
         repair="free",
@@ -240,12 +234,11 @@ class Clamp:
 class Union:
     """One pipe union."""
 
-    thread: str = text("Thread", help="Like M18x1.5.", repair="free")
+    thread: str = text("Thread", help="Like M18x1.5.")
     bore: float = quantity(
         "Bore",
         "mm",
-        above=0,
-        high=200,
+        up_to=200,
         source="Finotti 2013, 4.4",
         help="Inner diameter; of the unions that fit the one with the widest bore is taken.",
         repair="free",
@@ -263,8 +256,7 @@ class Sleeve:
     ring: float = quantity(
         "Inner diameter of the ring",
         "mm",
-        above=0,
-        high=200,
+        up_to=200,
         symbol="d",
         source="Finotti 2013, 4.4",
         help="The union goes through it: not below the diameter of its thread.",
@@ -273,8 +265,7 @@ class Sleeve:
     bore: float = quantity(
         "Bore of the end",
         "mm",
-        above=0,
-        high=200,
+        up_to=200,
         symbol="d1",
         source="Finotti 2013, 4.4",
         help="Inner diameter; of the sleeves that fit the one with the widest bore is taken.",
@@ -283,8 +274,7 @@ class Sleeve:
     end: float = quantity(
         "Outer diameter of the end",
         "mm",
-        above=0,
-        high=200,
+        up_to=200,
         symbol="d2",
         source="Finotti 2013, 4.4",
         help="On which the hose sits.",
@@ -304,8 +294,7 @@ class OilDrain:
     hose_min: float = quantity(
         "Hose end, smallest outer diameter",
         "mm",
-        above=0,
-        high=500,
+        up_to=500,
         symbol="D_min",
         source="Finotti 2013, 4.4",
         help="The clamp must still grip the hose end at this diameter.",
@@ -314,23 +303,21 @@ class OilDrain:
     hose_max: float = quantity(
         "Hose end, largest outer diameter",
         "mm",
-        above=0,
-        high=500,
+        up_to=500,
         symbol="D_max",
         source="Finotti 2013, 4.4",
         help="The clamp must open to this diameter of the hose end.",
         repair="free",
     )
-    thread: str = text("Thread of the hole in the block", help="Like M18x1.5.", repair="free")
-    clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, default=(), repair="free")
-    unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, default=(), repair="free")
-    sleeves: tuple[Sleeve, ...] = tables("Sleeves at hand", Sleeve, default=(), repair="free")
+    thread: str = text("Thread of the hole in the block", help="Like M18x1.5.")
+    clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, default=())
+    unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, default=())
+    sleeves: tuple[Sleeve, ...] = tables("Sleeves at hand", Sleeve, default=())
     slope: float | None = quantity(
         "Slope of the passage to the drain",
         "°",
         default=None,
-        above=0,
-        high=90,
+        up_to=90,
         symbol="theta",
         step=1,
         source="Finotti 2013, 3.2.2",
@@ -352,8 +339,7 @@ class OilDrain:
         "Narrowest bore of that passage",
         "mm",
         default=None,
-        above=0,
-        high=200,
+        up_to=200,
         symbol="d_d",
         source="Finotti 2013, 4.4",
         help="Where it is narrowest. Left out: what runs off is not computed.",
@@ -407,8 +393,7 @@ class Support:
         "Wall beside the largest seat",
         "mm",
         default=None,
-        above=0,
-        high=200,
+        up_to=200,
         symbol="w",
         source="Finotti 2013, 4.2",
         help="Metal left beside the largest seat, with the shaft of this design.",
@@ -419,8 +404,7 @@ class Support:
         "Seat with that wall",
         "mm",
         default=None,
-        above=0,
-        high=500,
+        up_to=500,
         symbol="D_w",
         source="Finotti 2013, 4.2",
         help="A larger seat takes half of what it grows from wall_mm. Left out: wall_mm stands whatever the seat.",
@@ -429,8 +413,7 @@ class Support:
         "Least wall",
         "mm",
         default=5e-3,
-        above=0,
-        high=200,
+        up_to=200,
         symbol="w_min",
         source="Finotti 2013, 4.2",
         help="What the casting needs; 5 mm in sand-cast aluminium.",
@@ -457,8 +440,7 @@ class Support:
         "Limit of the stress from the loads",
         "MPa",
         default=None,
-        above=0,
-        high=10000,
+        up_to=10000,
         source="given in the design, by the fatigue strength of the casting",
         help="Stress that the support endures without end under the turning load; left out, fatigue is not judged.",
     )

@@ -278,11 +278,8 @@ def scattered(
             after.append(target.residual(couple - taken, timing))
     of = (scatter, masses, extras, target)
     shares = [based_on(int(count) / scatter.shafts, *of, holes) for count in counts]
-    residual, drilled = (
-        based_on(np.sort(np.concatenate(before)), *of),
-        np.sort(np.concatenate(after)) if after else None,
-    )
-    drilled = based_on(drilled, *of, holes) if drilled is not None else None
+    residual = based_on(np.sort(np.concatenate(before)), *of)
+    drilled = based_on(np.sort(np.concatenate(after)), *of, holes) if after else None
     parts |= _percentiles("residual_couple", Text("as made"), residual, tuple(PERCENTILES))
     parts |= dict(zip(SHARES if holes is not None else SHARES[:1], shares))
     if drilled is not None:
@@ -319,10 +316,9 @@ def _parts(
 def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -> dict[str, float]:
     couples = {}
     for word in words:
-        with about(
-            Text("shafts {when}, p = {percentiles}", when=when, percentiles=Amount(PERCENTILES[word], form="g"))
-        ):
-            couples[f"{name}_{word}"] = percentile(C=ordered, p=PERCENTILES[word])
+        p = PERCENTILES[word]
+        with about(Text("shafts {when}, p = {percentiles}", when=when, percentiles=Amount(p, form="g"))):
+            couples[f"{name}_{word}"] = percentile(C=ordered, p=p)
     return couples
 
 
@@ -330,16 +326,10 @@ def residual_check(spread: ScatterResult, limit: NewtonMetre) -> Check:
     """`limit`: what a shaft of the drawing may leave over."""
     # what leaves the factory
     couple = spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95
-    return check(
-        "countershaft.scatter.residual",
-        Text("Couple that 95 % of the shafts stay below"),
-        couple,
-        "<=",
-        limit,
-        "N·m",
-        Text("rule of this program: 95 % of the shafts within the limit of the drawing"),
-        Text("The table of the couple's error says which deviation counts most."),
-    )
+    name = Text("Couple that 95 % of the shafts stay below")
+    source = Text("rule of this program: 95 % of the shafts within the limit of the drawing")
+    advice = Text("The table of the couple's error says which deviation counts most.")
+    return check("countershaft.scatter.residual", name, couple, "<=", limit, "N·m", source, advice)
 
 
 def curves(spread: ScatterResult, limit: NewtonMetre) -> tuple[Curve, ...]:

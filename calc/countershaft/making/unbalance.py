@@ -7,15 +7,17 @@ inwards: the drill's cone, and the curve of the surface over the hole (d²/(32·
 out."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from itertools import pairwise
 
+from ...draw.drawing import TOUCH
 from ...library.tolerances import ISO, grade_number
 from ...sheet.arrays import Array
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
 from ...sheet.quantity import dotted, result, value
-from ...sheet.remedy import by_key, down
+from ...sheet.remedy import Remedy, by_key, down
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -28,11 +30,11 @@ from ...sheet.units import (
     Metres,
     NewtonMetre,
     Number,
-    Radian,
     RadPerSecond,
 )
 from ...sheet.value import about, based_on, untraced
 from ..inputs import CountershaftInputs, Holes
+from ..outline import Piece
 
 HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
@@ -140,78 +142,61 @@ def calibration(
         )
 
 
-def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
-    """The holes must end in the sectors: one that is deeper weakens the core, which alone carries the shaft between
-    them."""
-    return check(
-        "countershaft.holes.depth",
-        Text("Depth of the calibration holes"),
-        holes.depth,
-        "<=",
-        R_outer - core_radius,
-        "mm",
-        Text("geometry: height of the sectors over the core"),
-        Text("More or wider holes take the rest."),
-        remedies=by_key(
-            Holes,
-            dotted("countershaft", CountershaftInputs.holes, Holes.depth),
-            down(R_outer - core_radius),
-            bound="<=",
-        ),
-    )
+def hole_checks(
+    holes: Holes,
+    R: Metre,
+    core_radius: Metre | None,
+    masses: int,
+    sectors: list[Piece],
+    drilled: HolesResult,
+    over: NewtonMetre | None,
+) -> Iterator[Check]:
+    """Whether the holes end in the sectors, which reach from the core out to R, have room in them and take what is too
+    much.  `over`: the couple of the shaft as drawn beyond the required one; None where none is required."""
+
+    def no_larger(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:
+        return by_key(Holes, dotted("countershaft", CountershaftInputs.holes, field), down(length), bound="<=")
+
+    if core_radius is not None:  # a deeper hole weakens the core, which alone carries the shaft between the sectors
+        name, height = Text("Depth of the calibration holes"), R - core_radius
+        source = Text("geometry: height of the sectors over the core")
+        advice, less = Text("More or wider holes take the rest."), no_larger(Holes.depth, height)
+        yield check("countershaft.holes.depth", name, holes.depth, "<=", height, "mm", source, advice, remedies=less)
+    if sectors and masses:
+        name, row = (
+            Text("Length of the holes of a mass, side by side"),
+            math.ceil(holes.count / masses) * holes.diameter,
+        )
+        source = Text("rule of this program: holes stand in one row along the sector")
+        advice = Text("Fewer or narrower holes.")
+        yield check("countershaft.holes.row", name, row, "<=", _shortest(sectors), "mm", source, advice)
+        half_angle = min(sector.half_angle or 0.0 for sector in sectors)
+        chord = 2 * max(R - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
+        name = Text("Diameter of a hole in the width of its sector")
+        source = Text("geometry: width of the sector at the bottom of the hole")
+        advice, less = Text("Shorter holes have more room as well."), no_larger(Holes.diameter, chord)
+        yield check("countershaft.holes.width", name, holes.diameter, "<=", chord, "mm", source, advice, remedies=less)
+    if over is not None:
+        name, beyond = Text("Couple beyond the required one, for drilling to take away"), based_on(round(over, 9), over)
+        source = Text(
+            "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no "
+            "more than the holes take"
+        )
+        aim = Amount(drilled.hole_range / 2, form=".1f")
+        advice = Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=aim)
+        limits = 0.0, drilled.hole_range
+        yield check("countershaft.holes.range", name, beyond, "in", limits, "N·m", source, advice)
 
 
-def row_check(holes: Holes, masses: int, length: Metre) -> Check:
-    """The holes of a mass stand in a row along the shaft, side by side; `length` of the shortest sector."""
-    return check(
-        "countershaft.holes.row",
-        Text("Length of the holes of a mass, side by side"),
-        math.ceil(holes.count / masses) * holes.diameter,
-        "<=",
-        length,
-        "mm",
-        Text("rule of this program: holes stand in one row along the sector"),
-        Text("Fewer or narrower holes."),
-    )
-
-
-def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
-    """A hole must not break out of the sides of its sector; `half_angle` of the narrowest one."""
-    chord = 2 * max(R_outer - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
-    return check(
-        "countershaft.holes.width",
-        Text("Diameter of a hole in the width of its sector"),
-        holes.diameter,
-        "<=",
-        chord,
-        "mm",
-        Text("geometry: width of the sector at the bottom of the hole"),
-        Text("Shorter holes have more room as well."),
-        remedies=by_key(
-            Holes, dotted("countershaft", CountershaftInputs.holes, Holes.diameter), down(chord), bound="<="
-        ),
-    )
-
-
-def range_check(drilled: HolesResult, over: NewtonMetre) -> Check:
-    """`over`: the couple of the shaft as drawn beyond the required one."""
-    return check(
-        "countershaft.holes.range",
-        Text("Couple beyond the required one, for drilling to take away"),
-        based_on(round(over, 9), over),
-        "in",
-        (0.0, drilled.hole_range),
-        "N·m",
-        Text(
-            "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be "
-            "balanced, by no more than "
-            "the holes take"
-        ),
-        Text(
-            "Aim at {hole_range} N·m beyond, half of the range.",
-            hole_range=Amount(drilled.hole_range / 2, form=".1f"),
-        ),
-    )
+def _shortest(sectors: list[Piece]) -> Metre:
+    """The length of the shortest sector; those that touch and stand at one angle are one."""
+    lengths = [sectors[0].length]
+    for before, piece in pairwise(sectors):
+        if abs(piece.start - before.end) < TOUCH and piece.angle == before.angle:
+            lengths[-1] += piece.length
+        else:
+            lengths.append(piece.length)
+    return min(lengths)
 
 
 # --- the residual unbalance of a balance quality grade, ISO 21940-11, and the couple that it may leave
@@ -243,15 +228,11 @@ class ToleranceResult:
 
 def grade_check(permitted: ToleranceResult, limit: NewtonMetre) -> Check:
     """`limit`: the couple that may be left over."""
+    name = Text("Couple that the balance quality grade permits")
+    source = Text("rule of this program: 5 % of the couple to be balanced")
+    advice = Text("A finer grade (a smaller number), or a lighter shaft.")
     return check(
-        "countershaft.balance_grade",
-        Text("Couple that the balance quality grade permits"),
-        permitted.permitted_couple_error,
-        "<=",
-        limit,
-        "N·m",
-        Text("rule of this program: 5 % of the couple to be balanced"),
-        Text("A finer grade (a smaller number), or a lighter shaft."),
+        "countershaft.balance_grade", name, permitted.permitted_couple_error, "<=", limit, "N·m", source, advice
     )
 
 
@@ -327,38 +308,27 @@ def permitted(
         )
 
 
+COLUMNS = (
+    (Text("U_per"), "residual_unbalance_permitted", "g·mm"),
+    (Text("front"), "residual_unbalance_permitted_front", "g·mm"),
+    (Text("rear"), "residual_unbalance_permitted_rear", "g·mm"),
+    (Text("couple error"), "permitted_couple_error", "N·m"),
+    (Text("of the required"), "permitted_couple_error_share", "%"),
+)
+
+
 def table(
     grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre
 ) -> Table:
     """The usual grades side by side, and the chosen one among them."""
-    rows: list[tuple[str | float | None, ...]] = []
-    gram, percent = UNITS["g·mm"].factor, UNITS["%"].factor
+    rows = []
     with untraced():
         for row_grade in sorted({*TABLED, grade}, key=grade_number):
-            r = permitted(row_grade, mass, omega, z_S, z_f, z_r, C_required)
-            unbalances = (
-                r.residual_unbalance_permitted,
-                r.residual_unbalance_permitted_front,
-                r.residual_unbalance_permitted_rear,
-            )
-            share = r.permitted_couple_error_share
+            row = permitted(row_grade, mass, omega, z_S, z_f, z_r, C_required)
             label = Text("{one}, chosen", one=row_grade) if row_grade == grade else row_grade
-            rows.append(
-                (
-                    label,
-                    *(U / gram for U in unbalances),
-                    r.permitted_couple_error,
-                    None if share is None else share / percent,
-                )
-            )
-    columns = (
-        (Text("grade"), ""),
-        (Text("U_per"), "g·mm"),
-        (Text("front"), "g·mm"),
-        (Text("rear"), "g·mm"),
-        (Text("couple error"), "N·m"),
-        (Text("of the required"), "%"),
-    )
+            values = ((getattr(row, name), UNITS[unit].factor) for _, name, unit in COLUMNS)
+            rows.append((label, *(None if number is None else number / factor for number, factor in values)))
+    columns = ((Text("grade"), ""), *((label, unit) for label, _, unit in COLUMNS))
     note = Text(
         "Permitted deviation from the drawing, in all and in each bearing plane; couple error: both planes opposed."
     )

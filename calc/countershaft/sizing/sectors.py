@@ -74,6 +74,18 @@ class Sized:
     core_radius: Metre
 
 
+@record
+class _Room:
+    """The envelope that the sectors may fill, what they are made of, and the speed and the fillets of the shaft."""
+
+    omega: RadPerSecond
+    rho: KilogramPerMetre3
+    R: Metre
+    r_0: Metre
+    z_max: Metre
+    fillet: Metre
+
+
 class TooSmall(NoSolution):
     """The envelope can not hold what is asked of it, with what would help (None: that alone would not).
 
@@ -109,7 +121,11 @@ def pair(
     K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
     u = f.pair_utilisation(K=K, z_max=z_max)
     if u > 1:
-        raise _too_small_pair(C, u, omega, R, r_0, z_max)
+        most = f.possible_couple(C=C, u=u)
+        product = f.product_missing(C=C, C_max=most, omega=omega)
+        asked = Text("a couple of {c} N·m", c=Amount(C, form=".4g"))
+        length = f.half_length_needed(z_max=z_max, u=u)
+        raise _refusal(u, asked, most, length, product, _Room(omega, rho, R, r_0, z_max, fillet))
     gamma = f.pair_half_angle(K=K, z_max=z_max)
     q = f.pair_ratio(gamma=gamma)
     b = f.pair_length(z_max=z_max, q=q)
@@ -189,9 +205,8 @@ def size(
             Text("force and couple asked of the shaft, less its further elements"),
             Text("leave the counter-shaft out, or the further elements that do all its work"),
         )
-    if abs(U) * z_max <= DUST * abs(P):
-        return _of_pair(P, omega, rho, R, r_0, z_max, fillet)
-    return _of_search(U, P, omega, rho, R, r_0, z_max, fillet)
+    room = _Room(omega, rho, R, r_0, z_max, fillet)
+    return _of_pair(P, room) if abs(U) * z_max <= DUST * abs(P) else _of_search(U, P, room)
 
 
 def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Extra, ...]) -> Asked:
@@ -204,17 +219,10 @@ def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Ext
     return f.unbalance_left(U=U, U_x=U_x), f.product_left(P=P, P_x=P_x)
 
 
-def _of_pair(
-    P: PhasorKilogramMetre2,
-    omega: RadPerSecond,
-    rho: KilogramPerMetre3,
-    R: Metre,
-    r_0: Metre,
-    z_max: Metre,
-    fillet: Metre,
-) -> Sized:
+def _of_pair(P: PhasorKilogramMetre2, room: _Room) -> Sized:
     with about(Text("sectors")):
-        half = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max, fillet)
+        C = f.couple_asked(P=P, omega=room.omega)
+        half = pair(C, room.omega, room.rho, room.R, room.r_0, room.z_max, room.fillet)
         rear = f.couple_direction(P=P)
         common = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
         return Sized(
@@ -223,45 +231,35 @@ def _of_pair(
             sector_length=half.length,
             sector_half_angle=half.half_angle,
             couple=half.couple,
-            outer_radius=R,
-            core_radius=r_0,
-            front=SizedSector(**common, angle=f.opposite(angle=rear), z=f.front_place(b=half.length, z_max=z_max)),
-            rear=SizedSector(**common, angle=rear, z=f.rear_place(b=half.length, z_max=z_max)),
+            outer_radius=room.R,
+            core_radius=room.r_0,
+            front=SizedSector(**common, angle=f.opposite(angle=rear), z=f.front_place(b=half.length, z_max=room.z_max)),
+            rear=SizedSector(**common, angle=rear, z=f.rear_place(b=half.length, z_max=room.z_max)),
         )
 
 
-def _of_search(
-    U: PhasorKilogramMetre,
-    P: PhasorKilogramMetre2,
-    omega: RadPerSecond,
-    rho: KilogramPerMetre3,
-    R: Metre,
-    r_0: Metre,
-    z_max: Metre,
-    fillet: Metre,
-) -> Sized:
+def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, room: _Room) -> Sized:
+    z_max = room.z_max
     with about(Text("sectors")):
-        k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
+        k = f.unbalance_per_length(rho=room.rho, R=room.R, r_0=room.r_0)
         alpha, product = f.force_number(U=U, k=k, z_max=z_max), f.product_number(P=P, k=k, z_max=z_max)
         u = f.utilisation(alpha=alpha, product=product)
         if u > 1:
-            raise _too_small(alpha, product, u, omega, k, R, r_0, z_max)
-        b_f, b_r = (
-            f.front_length(alpha=alpha, product=product, z_max=z_max),
-            f.rear_length(alpha=alpha, product=product, z_max=z_max),
-        )
-        if too_narrow(2 * z_max - b_f - b_r, fillet) and lengths.serves_whole(alpha, product):
+            raise _too_small(alpha, product, u, k, room)
+        b_f = f.front_length(alpha=alpha, product=product, z_max=z_max)
+        b_r = f.rear_length(alpha=alpha, product=product, z_max=z_max)
+        if too_narrow(2 * z_max - b_f - b_r, room.fillet) and lengths.serves_whole(alpha, product):
             b_f = b_r = f.closed_length(z_max=z_max)
         z_f, z_r = f.front_place(b=b_f, z_max=z_max), f.rear_place(b=b_r, z_max=z_max)
         U_r = f.rear_unbalance(P=P, z_f=z_f, U=U, z_r=z_r)
         U_f = f.front_unbalance(U=U, U_r=U_r)
-    front = _sector("front", U_f, b_f, z_f, k, rho, R, r_0, z_max)
-    rear = _sector("rear", U_r, b_r, z_r, k, rho, R, r_0, z_max)
+    front = _sector("front", U_f, b_f, z_f, k, room)
+    rear = _sector("rear", U_r, b_r, z_r, k, room)
     return Sized(
         mass=f.both_masses(m_f=front.mass, m_r=rear.mass),
         utilisation=u,
-        outer_radius=R,
-        core_radius=r_0,
+        outer_radius=room.R,
+        core_radius=room.r_0,
         front=front,
         rear=rear,
         sector_length=max(front.length, rear.length),
@@ -269,26 +267,17 @@ def _of_search(
     )
 
 
-def _sector(
-    name: str,
-    U: PhasorKilogramMetre,
-    b: Metre,
-    z: Metre,
-    k: Kilogram,
-    rho: KilogramPerMetre3,
-    R: Metre,
-    r_0: Metre,
-    z_max: Metre,
-) -> SizedSector:
-    if abs(U) <= DUST * k * z_max:  # the other one does all
+def _sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, room: _Room) -> SizedSector:
+    if abs(U) <= DUST * k * room.z_max:  # the other one does all
         return SizedSector(length=0.0, half_angle=0.0, mass=0.0, radius=0.0, angle=0.0, z=z)
     with about(Text("{name} sector", name=name)):
         gamma = f.sector_half_angle(U=U, k=k, b=b)
-        A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
+        A = s.sector_area(gamma=gamma, R=room.R, r_0=room.r_0)
+        S = s.sector_moment(gamma=gamma, R=room.R, r_0=room.r_0)
         return SizedSector(
             length=b,
             half_angle=gamma,
-            mass=s.sector_mass(rho=rho, A=A, b=b),
+            mass=s.sector_mass(rho=room.rho, A=A, b=b),
             radius=s.centre_of_gravity(S=S, A=A),
             angle=f.direction(U=U),
             z=z,
@@ -317,24 +306,9 @@ def pieces(sized: Sized) -> list[Piece]:
 # --- where it does not fit
 
 
-def _too_small_pair(C: NewtonMetre, u: Number, omega: RadPerSecond, R: Metre, r_0: Metre, z_max: Metre) -> TooSmall:
-    most = f.possible_couple(C=C, u=u)
-    product = f.product_missing(C=C, C_max=most, omega=omega)
-    asked = Text("a couple of {c} N·m", c=Amount(C, form=".4g"))
-    return _refusal(u, asked, most, f.half_length_needed(z_max=z_max, u=u), product, R, r_0, z_max)
-
-
-def _too_small(
-    alpha: PhasorNumber,
-    product: PhasorNumber,
-    u: Number,
-    omega: RadPerSecond,
-    k: float,
-    R: Metre,
-    r_0: Metre,
-    z_max: Metre,
-) -> TooSmall:
+def _too_small(alpha: PhasorNumber, product: PhasorNumber, u: Number, k: Kilogram, room: _Room) -> TooSmall:
     """With a force there is no closed form: each answer is where the utilisation comes to 1."""
+    z_max, omega = room.z_max, room.omega
     with untraced():
         far = 2.0
         while _load(alpha / far, product / far**2) > 1:
@@ -348,7 +322,7 @@ def _too_small(
     asked = Text("a force of {force} N", force=newton)
     if couple > DUST * force * z_max:
         asked = Text("a force of {force} N with a couple of {couple} N·m", force=newton, couple=newton_metre)
-    return _refusal(u, asked, None, longer * z_max, missing, R, r_0, z_max)
+    return _refusal(u, asked, None, longer * z_max, missing, room)
 
 
 def _load(alpha: PhasorNumber, product: PhasorNumber) -> float:
@@ -356,18 +330,11 @@ def _load(alpha: PhasorNumber, product: PhasorNumber) -> float:
 
 
 def _refusal(
-    u: Number,
-    asked: Text,
-    most: NewtonMetre | None,
-    length: Metre,
-    product: KilogramMetre2 | None,
-    R: Metre,
-    r_0: Metre,
-    z_max: Metre,
+    u: Number, asked: Text, most: NewtonMetre | None, length: Metre, product: KilogramMetre2 | None, room: _Room
 ) -> TooSmall:
     """`most`: the couple that the envelope holds; `length`: the half-length needed.  The advice is rounded up: with it
     it does fit."""
-    radius = f.radius_needed(R=R, r_0=r_0, u=u)
+    radius = f.radius_needed(R=room.R, r_0=room.r_0, u=u)
     reach = (
         Amount(most, "N·m", form=".1f") if most is not None else Text("{u} % of that", u=Amount(100 / u, form=".1f"))
     )
@@ -379,9 +346,9 @@ def _refusal(
     )
     tried = Text(
         "two sectors from {r_0} to {r} mm up to ±{z_max} mm, half-angle up to 90°",
-        r_0=Amount(r_0 * 1000.0, form="g"),
-        r=Amount(R * 1000.0, form="g"),
-        z_max=Amount(z_max * 1000.0, form="g"),
+        r_0=Amount(room.r_0 * 1000.0, form="g"),
+        r=Amount(room.R * 1000.0, form="g"),
+        z_max=Amount(room.z_max * 1000.0, form="g"),
     )
     ways = [Text("an outer radius of {up} mm at this core and length", up=_up(radius * 1000.0, 2))]
     ways.append(Text("a half-length of {up} mm at this radius", up=_up(length * 1000.0, 1)))

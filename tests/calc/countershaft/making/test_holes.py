@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft.inputs import Holes
-from calc.countershaft.making.unbalance import calibration, depth_check
+from calc.countershaft.making.unbalance import calibration, hole_checks
 
 OMEGA = 2 * math.pi * 2600 / 60
 HOLES = Holes(diameter=0.014, depth=0.020, count=4)
@@ -61,5 +61,9 @@ def test_deeper_takes_more_up_to_the_axis(depth):
 
 
 def test_a_hole_into_the_core_fails():
-    assert depth_check(HOLES, 0.040, 0.015).verdict == "pass"
-    assert depth_check(replace(HOLES, depth=0.026), 0.040, 0.015).verdict == "fail"
+    def verdict(holes):
+        (depth,) = hole_checks(holes, 0.040, 0.015, 0, [], found(holes), None)
+        return depth.verdict
+
+    assert verdict(HOLES) == "pass"
+    assert verdict(replace(HOLES, depth=0.026)) == "fail"
