@@ -5,23 +5,8 @@ import math
 from collections.abc import Callable, Iterator
 from functools import partial
 
+from ..library import journal_rules as rules
 from ..library.catalogue import Oil
-from ..library.journal_rules import (
-    DESIGN_FACTOR,
-    FINOTTI,
-    FULL_FILM_FRICTION,
-    LENGTH_RATIO,
-    LUBRICATIONS,
-    N_RPM_MM,
-    RISE,
-    SPECIFIC_LOAD,
-    STABLE_FILM,
-    SUPPLY_WIDTH,
-    TRUMPLER,
-    TRUMPLER_TEMPERATURE,
-    USUAL_LENGTH_RATIO,
-    USUAL_SPECIFIC_LOAD,
-)
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import clearance_limits, parse
 from ..sheet.check import Check, check
@@ -56,300 +41,151 @@ def oil_check(inputs: BearingsInputs, oil: Oil) -> Check | None:
     limits = [T for T in (oil.pumping_limit, oil.pour_point) if T is not None]
     if not limits:
         return None
+    label = Text("Lowest temperature, oil still pumped")
     source = Text("given in the design") if oil.source == "the user" else Name(oil.source)
-    return check(
-        "bearings.oil_pumping",
-        Text("Lowest temperature, oil still pumped"),
-        inputs.lowest_temperature,
-        ">=",
-        max(limits),
-        "°C",
-        source,
-        Text("An oil of a lower winter grade, or no start so cold."),
-    )
+    advice = Text("An oil of a lower winter grade, or no start so cold.")
+    return check("bearings.oil_pumping", label, inputs.lowest_temperature, ">=", max(limits), "°C", source, advice)
 
 
 def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     """`slope`: of the journal in its seat, rad."""
-    bearing, inputs = r.seat.bearing, r.seat.inputs
-    bearing_check, longer = partial(_bearing_check, place), partial(_longer, place, bearing)
+    bearing, inputs, lubricant = r.seat.bearing, r.seat.inputs, r.seat.lubricant
+    bearing_check, lengthened = partial(_bearing_check, place), partial(_lengthened, place, bearing)
     lands = supply.lands(inputs)
     groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
-    kreisle, oiled = (
-        Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"),
-        LUBRICATIONS[inputs.lubrication],
+
+    kreisle = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra")
+    advice = Text(
+        "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."
     )
+    yield bearing_check("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle, advice)
+    label = Text("Film at twice the load")
+    advice = Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance.")
     yield bearing_check(
-        "film_edge",
-        Text("Film at the edge"),
-        r.film_edge,
-        ">=",
-        r.kreisle_film,
-        "µm",
-        kreisle,
-        Text(
-            "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker "
-            "oil."
-        ),
+        "film_double_load", label, r.film_double_load, ">=", r.trumpler_film, "µm", rules.DESIGN_FACTOR, advice
     )
+    advice = Text("Lengthen the bearing, lower the clearance, or take a thicker oil.")
     yield bearing_check(
-        "film_double_load",
-        Text("Film at twice the load"),
-        r.film_double_load,
-        ">=",
-        r.trumpler_film,
-        "µm",
-        DESIGN_FACTOR,
-        Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."),
-    )
-    yield bearing_check(
-        "film_trumpler",
-        Text("Film by Trumpler"),
-        r.film,
-        ">=",
-        r.trumpler_film,
-        "µm",
-        TRUMPLER,
-        Text("Lengthen the bearing, lower the clearance, or take a thicker oil."),
+        "film_trumpler", Text("Film by Trumpler"), r.film, ">=", r.trumpler_film, "µm", rules.TRUMPLER, advice
     )
     if r.thinnest_film is not None:
-        slowest = Amount((r.speed_of_thinnest_film or 0.0) * 60)
         label = Text(
-            "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm", speed_of_thinnest_film=slowest
+            "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm",
+            speed_of_thinnest_film=Amount((r.speed_of_thinnest_film or 0.0) * 60),
         )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        yield bearing_check(
-            "film_edge_speeds",
-            label,
-            edge,
-            ">=",
-            r.kreisle_film,
-            "µm",
-            kreisle,
-            Text("As for the film at the edge; or keep away from this speed."),
-        )
+        advice = Text("As for the film at the edge; or keep away from this speed.")
+        yield bearing_check("film_edge_speeds", label, edge, ">=", r.kreisle_film, "µm", kreisle, advice)
+
+    limit = inputs.outlet_temperature_limit
+    source = Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)")
+    advice = Text("More oil (larger hole, more pressure, more clearance) or cooler oil.")
     yield bearing_check(
-        "temperature",
-        Text("Outlet temperature"),
-        r.outlet_temperature,
-        "<=",
-        inputs.outlet_temperature_limit,
-        "°C",
-        Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),
-        Text("More oil (larger hole, more pressure, more clearance) or cooler oil."),
+        "temperature", Text("Outlet temperature"), r.outlet_temperature, "<=", limit, "°C", source, advice
     )
-    yield bearing_check(
-        "temperature_trumpler",
-        Text("Outlet temperature by Trumpler"),
-        r.outlet_temperature,
-        "<=",
-        TRUMPLER_TEMPERATURE,
-        "°C",
-        TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
-        Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."),
-    )
-    yield bearing_check(
-        "temperature_rise_usual",
-        Text("Temperature rise, usual"),
-        r.temperature_rise,
-        "<=",
-        RISE[1],
-        "K",
-        Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay"),
-        Text("More oil, or a thinner one."),
-    )
-    for key, label, p_limit in (
-        ("specific_load", Text("Specific load"), SPECIFIC_LOAD),
-        ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
+    label, limit = Text("Outlet temperature by Trumpler"), rules.TRUMPLER_TEMPERATURE
+    source = rules.TRUMPLER + Text(", who rounds his 250 °F (121 °C)")
+    advice = Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C.")
+    yield bearing_check("temperature_trumpler", label, r.outlet_temperature, "<=", limit, "°C", source, advice)
+    label, limit = Text("Temperature rise, usual"), rules.RISE[1]
+    source = Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay")
+    advice = Text("More oil, or a thinner one.")
+    yield bearing_check("temperature_rise_usual", label, r.temperature_rise, "<=", limit, "K", source, advice)
+
+    advice = Text("A larger journal helps as well.")
+    for key, label, limit in (
+        ("specific_load", Text("Specific load"), rules.SPECIFIC_LOAD),
+        ("specific_load_usual", Text("Specific load, usual"), rules.USUAL_SPECIFIC_LOAD),
     ):
-        yield bearing_check(
-            key,
-            label,
-            r.specific_load,
-            "<=",
-            p_limit,
-            "MPa",
-            FINOTTI,
-            Text("A larger journal helps as well."),
-            remedies=longer(r.specific_load / p_limit, groove),
-        )
+        longer = lengthened(groove + (bearing.length - groove) * (r.specific_load / limit))
+        yield bearing_check(key, label, r.specific_load, "<=", limit, "MPa", rules.FINOTTI, advice, remedies=longer)
+    oiled = rules.LUBRICATIONS[inputs.lubrication]
     low, high = Amount(oiled.usual[0]), Amount(oiled.usual[1], "N·rpm/mm")
-    row = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
-    if oiled.most is not None:
-        row += Text(", beyond it by how much is cooled, up to {most}", most=Amount(oiled.most, "N·rpm/mm"))
+    source = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
     heat = [("heat_index", Text("Heat index"), oiled.limit)]
     if oiled.most is not None:
-        heat.append(("heat_index_usual", Text("Heat index, usual"), oiled.usual[1] * N_RPM_MM))
-    for key, label, W_limit in heat:
-        yield bearing_check(
-            key,
-            label,
-            r.heat_index,
-            "<=",
-            W_limit,
-            "N·rpm/mm",
-            row,
-            Text("A longer bearing carries off more heat."),
-            remedies=longer(r.heat_index / W_limit),
-        )
-    yield bearing_check(
-        "clearance_cold",
-        _when_cold(inputs),
-        r.clearance_cold,
-        ">",
-        0.0,
-        "µm",
-        Text("physics: seizure of a journal that shrinks less than its seat"),
-        Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."),
-    )
+        source += Text(", beyond it by how much is cooled, up to {most}", most=Amount(oiled.most, "N·rpm/mm"))
+        heat.append(("heat_index_usual", Text("Heat index, usual"), oiled.usual[1] * rules.N_RPM_MM))
+    advice = Text("A longer bearing carries off more heat.")
+    for key, label, limit in heat:
+        longer = lengthened(bearing.length * (r.heat_index / limit))
+        yield bearing_check(key, label, r.heat_index, "<=", limit, "N·rpm/mm", source, advice, remedies=longer)
+
+    source = Text("physics: seizure of a journal that shrinks less than its seat")
+    advice = Text("The journal seizes when cold: more clearance, or a housing that expands like the journal.")
+    yield bearing_check("clearance_cold", _when_cold(inputs), r.clearance_cold, ">", 0.0, "µm", source, advice)
+    usual, advice = Text("Finotti 2013, 5.5.2"), Text("Change length or diameter.")
     for key, label, ratios, source in (
-        ("length_ratio", Text("Length ratio l/d"), LENGTH_RATIO, FINOTTI),
-        ("length_ratio_usual", Text("Length ratio l/d, usual"), USUAL_LENGTH_RATIO, Text("Finotti 2013, 5.5.2")),
+        ("length_ratio", Text("Length ratio l/d"), rules.LENGTH_RATIO, rules.FINOTTI),
+        ("length_ratio_usual", Text("Length ratio l/d, usual"), rules.USUAL_LENGTH_RATIO, usual),
     ):
-        yield bearing_check(
-            key,
-            label,
-            r.length_ratio,
-            "in",
-            ratios,
-            "",
-            source,
-            Text("Change length or diameter."),
-            remedies=_within(place, bearing, ratios, lands, groove),
-        )
-    yield bearing_check(
-        "film_band",
-        Text("Place of the film in its band"),
-        r.film_band,
-        "in",
-        (0.0, 1.0),
-        "%",
-        RAIMONDI_BOYD,
-        Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."),
+        # of each land, where a groove parts the bearing
+        within = lengthened(*(lands * ratio * bearing.diameter + groove for ratio in ratios))
+        yield bearing_check(key, label, r.length_ratio, "in", ratios, "", source, advice, remedies=within)
+    label = Text("Place of the film in its band")
+    advice = Text(
+        "Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."
     )
-    yield bearing_check(
-        "transition",
-        Text("Speed above mixed friction"),
-        r.duty.effective_speed,
-        ">=",
-        r.least_speed,
-        "rpm",
-        Text(f.least_speed.source),
-        Text("A thicker or cooler oil, or a lower specific load."),
-    )
-    yield bearing_check(
-        "mckee",
-        Text("McKee number, cP·rpm/psi"),
-        r.mckee_number,
-        ">=",
-        STABLE_FILM,
-        "",
-        Text("McKee & McKee 1932, after Finotti 2013, 5.4.1; 30 is the transition"),
-        Text("A thicker or cooler oil, or a lower specific load, for a stable film."),
-    )
+    yield bearing_check("film_band", label, r.film_band, "in", (0.0, 1.0), "%", RAIMONDI_BOYD, advice)
+    label, n = Text("Speed above mixed friction"), r.duty.effective_speed
+    source, advice = Text(f.least_speed.source), Text("A thicker or cooler oil, or a lower specific load.")
+    yield bearing_check("transition", label, n, ">=", r.least_speed, "rpm", source, advice)
+    label = Text("McKee number, cP·rpm/psi")
+    source = Text("McKee & McKee 1932, after Finotti 2013, 5.4.1; 30 is the transition")
+    advice = Text("A thicker or cooler oil, or a lower specific load, for a stable film.")
+    yield bearing_check("mckee", label, r.mckee_number, ">=", rules.STABLE_FILM, "", source, advice)
     if r.routes_spread is not None:
-        yield bearing_check(
-            "routes_spread",
-            Text("Spread of the routes"),
-            r.routes_spread,
-            "<=",
-            SPREAD,
-            "%",
-            Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution"),
-            _outside(r),
-        )
+        label = Text("Spread of the routes")
+        source = Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution")
+        yield bearing_check("routes_spread", label, r.routes_spread, "<=", SPREAD, "%", source, _outside(r))
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
-        yield bearing_check(
-            "film_edge_usual",
-            Text("Film at the edge against h_lim"),
-            r.film_edge,
-            ">=",
-            h_lim,
-            "µm",
-            Text("ISO 7902-3, in its manner"),
-            Text("Lengthen the bearing or lower the clearance."),
-        )
+        label, source = Text("Film at the edge against h_lim"), Text("ISO 7902-3, in its manner")
+        advice = Text("Lengthen the bearing or lower the clearance.")
+        yield bearing_check("film_edge_usual", label, r.film_edge, ">=", h_lim, "µm", source, advice)
+    label, source = Text("Slope over the length"), Text("rule of this program: 0.3·h₀")
+    advice = Text("Stiffen the shaft between its bearings.")
+    yield bearing_check("misalignment", label, slope * bearing.length, "<=", 0.3 * r.film, "µm", source, advice)
+    label, source = Text("Coefficient of friction"), Text("Finotti 2013, 5.4.1: full film")
+    advice = Text("Outside the usual range of a full film: look at film and clearance.")
     yield bearing_check(
-        "misalignment",
-        Text("Slope over the length"),
-        slope * bearing.length,
-        "<=",
-        0.3 * r.film,
-        "µm",
-        Text("rule of this program: 0.3·h₀"),
-        Text("Stiffen the shaft between its bearings."),
+        "friction_regime", label, r.friction_coefficient, "in", rules.FULL_FILM_FRICTION, "", source, advice
     )
-    yield bearing_check(
-        "friction_regime",
-        Text("Coefficient of friction"),
-        r.friction_coefficient,
-        "in",
-        FULL_FILM_FRICTION,
-        "",
-        Text("Finotti 2013, 5.4.1: full film"),
-        Text("Outside the usual range of a full film: look at film and clearance."),
-    )
-    if not r.seat.lubricant.constant:
+
+    if not lubricant.constant:
         yield bearing_check(
             "viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", VISCOSITIES, "mm²/s", LAW_RANGE, OTHER_OIL
         )
-    if (reach := r.seat.lubricant.reach) is not None:
-        yield bearing_check(
-            "oil_rows",
-            Text("Film temperature within the rows of the oil"),
-            r.hot.mean_temperature,
-            "in",
-            reach,
-            "°C",
-            BEYOND_ROWS,
-            MORE_ROWS,
+    if (reach := lubricant.reach) is not None:
+        label, T = Text("Film temperature within the rows of the oil"), r.hot.mean_temperature
+        yield bearing_check("oil_rows", label, T, "in", reach, "°C", BEYOND_ROWS, MORE_ROWS)
+    if lubricant.polymer_thickened:
+        label = Text("Shear rate in the narrowest gap")
+        source = Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory")
+        advice = Text(
+            "A multigrade oil loses up to {share} of its viscosity here, by which the film at the edge falls to "
+            "{edge}: take the viscosity at high shear (HTHS).",
+            share=Amount(100 * LOST_BY_SHEAR, "%"),
+            edge=told_when_thinned(r),
         )
-    if r.seat.lubricant.polymer_thickened:
-        yield bearing_check(
-            "shear_rate",
-            Text("Shear rate in the narrowest gap"),
-            r.shear_rate,
-            "<=",
-            SHEAR_THINNING,
-            "1/s",
-            Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
-            Text(
-                "A multigrade oil loses up to {share} of its viscosity here, by which the film at the edge falls to "
-                "{edge}: take the "
-                "viscosity at high shear (HTHS).",
-                share=Amount(100 * LOST_BY_SHEAR, "%"),
-                edge=told_when_thinned(r),
-            ),
-        )
+        yield bearing_check("shear_rate", label, r.shear_rate, "<=", SHEAR_THINNING, "1/s", source, advice)
     yield from _corner_checks(place, r)
-    if (clearances := _fits(r)) is not None:
-        yield bearing_check(
-            "fit",
-            Text("Clearance made by the fits"),
-            r.clearance,
-            "in",
-            clearances,
-            "µm",
-            Text("ISO 286"),
-            Text(
-                "{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
-                journal_fit=inputs.journal_fit,
-                seat_fit=inputs.seat_fit,
-            ),
+    journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
+    if journal.letter is not None and seat.letter is not None:
+        clearances = clearance_limits(journal, seat, bearing.diameter)
+        label, source = Text("Clearance made by the fits"), Text("ISO 286")
+        advice = Text(
+            "{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
+            journal_fit=inputs.journal_fit,
+            seat_fit=inputs.seat_fit,
         )
+        yield bearing_check("fit", label, r.clearance, "in", clearances, "µm", source, advice)
     if inputs.supply != "groove":
         widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
-        width = widths.get(inputs.supply, inputs.hole_diameter) or 0.0
-        yield bearing_check(
-            "supply_range",
-            Text("Width of the oil supply over the length"),
-            width / bearing.length,
-            "in",
-            SUPPLY_WIDTH,
-            "",
-            Text("Finotti 2013, Table 5.1 (DIN 31652-2): range of the supply factors"),
-            Text("Outside, the flow through the hole or pocket is not to be trusted."),
-        )
+        width = (widths.get(inputs.supply, inputs.hole_diameter) or 0.0) / bearing.length
+        label = Text("Width of the oil supply over the length")
+        source = Text("Finotti 2013, Table 5.1 (DIN 31652-2): range of the supply factors")
+        advice = Text("Outside, the flow through the hole or pocket is not to be trusted.")
+        yield bearing_check("supply_range", label, width, "in", rules.SUPPLY_WIDTH, "", source, advice)
 
 
 def _bearing_check(
@@ -371,41 +207,21 @@ def _bearing_check(
     return check(f"bearings.{place}.{key}", name, number, sense, limit, unit, source, advice, remedies=remedies)
 
 
-def _longer(place: str, bearing: BearingInputs, times: float, bare: float = 0.0) -> Callable[[], tuple[Remedy, ...]]:
-    """A bearing so many times as long, but for what of its length is `bare` and stays."""
-    key = dotted("bearings", place, BearingInputs.length)
-
-    def ways() -> tuple[Remedy, ...]:
-        length = up(bare + (bearing.length - bare) * times) if math.isfinite(times) else None
-        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=")()
-
-    return ways
-
-
-def _within(
-    place: str, bearing: BearingInputs, ratios: tuple[float, float], lands: int, groove: float
+def _lengthened(
+    place: str, bearing: BearingInputs, low: Metre, high: Metre = math.inf
 ) -> Callable[[], tuple[Remedy, ...]]:
-    """The nearest length with a ratio l/d between the two: of each land, where a groove parts the bearing."""
+    """The nearest length between the two; none where the least is not finite."""
 
     def ways() -> tuple[Remedy, ...]:
-        low, high = (lands * ratio * bearing.diameter + groove for ratio in ratios)
-        short_ = bearing.length < low
-        key, length = dotted("bearings", place, BearingInputs.length), up(low) if short_ else down(high)
-        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if short_ else "<=")()
+        key, shorter = dotted("bearings", place, BearingInputs.length), bearing.length <= low
+        length = None if not math.isfinite(low) else up(low) if shorter else down(high)
+        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if shorter else "<=")()
 
     return ways
 
 
 def _when_cold(inputs: BearingsInputs) -> Text:
     return Text("Clearance at {lowest_temperature} °C", lowest_temperature=Amount(inputs.lowest_temperature))
-
-
-def _fits(r: BearingResult) -> tuple[float, float] | None:
-    """Least and most clearance of the fits; None where one of them has no place."""
-    journal, seat = (parse(fit) for fit in (r.seat.inputs.journal_fit, r.seat.inputs.seat_fit))
-    if journal.letter is None or seat.letter is None:
-        return None
-    return clearance_limits(journal, seat, r.seat.bearing.diameter)
 
 
 def edge_when_thinned(r: BearingResult) -> Metre:
@@ -436,53 +252,19 @@ def _outside(r: BearingResult) -> Text:
 def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
     """The limits once more at the worst corner of the tolerances, given or assumed."""
     c, inputs = r.corners, r.seat.inputs
-    for key, column, label, value, sense, limit, unit, source, advice in (
-        (
-            "film_edge",
-            "film_edge",
-            Text("Film at the edge"),
-            c.film_edge,
-            ">=",
-            r.kreisle_film,
-            "µm",
-            Text("Kreisle, after Finotti 2013, 5.5.3"),
-            Text("A longer bearing, closer fits or a smoother surface."),
-        ),
-        (
-            "film_double_load",
-            "film_double_load",
-            Text("Film at twice the load"),
-            c.film_double_load,
-            ">=",
-            r.trumpler_film,
-            "µm",
-            DESIGN_FACTOR,
-            Text("A longer bearing, or closer fits."),
-        ),
-        (
-            "temperature",
-            "outlet_temperature",
-            Text("Outlet temperature"),
-            c.outlet_temperature,
-            "<=",
-            inputs.outlet_temperature_limit,
-            "°C",
-            Text("given in the design: its limit"),
-            Text("More clearance at the tight end, or more oil."),
-        ),
-        (
-            "clearance_cold",
-            "clearance_cold",
-            _when_cold(inputs),
-            c.clearance_cold,
-            ">",
-            0.0,
-            "µm",
-            Text("physics: seizure when cold"),
-            Text("More clearance, or closer fits."),
-        ),
+    doubled, hottest = Text("Film at twice the load"), inputs.outlet_temperature_limit
+    kreisle, given = Text("Kreisle, after Finotti 2013, 5.5.3"), Text("given in the design: its limit")
+    seizure = Text("physics: seizure when cold")
+    smoother = Text("A longer bearing, closer fits or a smoother surface.")
+    longer, closer = Text("A longer bearing, or closer fits."), Text("More clearance, or closer fits.")
+    more_oil = Text("More clearance at the tight end, or more oil.")
+    for key, label, value, sense, limit, unit, source, advice in (
+        ("film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm", kreisle, smoother),
+        ("film_double_load", doubled, c.film_double_load, ">=", r.trumpler_film, "µm", rules.DESIGN_FACTOR, longer),
+        ("temperature", Text("Outlet temperature"), c.outlet_temperature, "<=", hottest, "°C", given, more_oil),
+        ("clearance_cold", _when_cold(inputs), c.clearance_cold, ">", 0.0, "µm", seizure, closer),
     ):
-        corner = c.worst(column)
+        corner = c.worst("outlet_temperature" if key == "temperature" else key)
         yield _bearing_check(
             place,
             f"{key}_corner",

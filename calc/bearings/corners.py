@@ -146,11 +146,9 @@ def corners(
     with about(Text("{bearing}, hottest corner", bearing=bearing)):
         hottest = solved("outlet_temperature", duty, once)
     edge = None if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=l)
-    outlet = (
-        None
-        if hottest is None
-        else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
-    )
+    outlet = None
+    if hottest is not None:
+        outlet = f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
     return Corners(
         clearance_min=least,
         clearance_max=most,
@@ -178,11 +176,9 @@ def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table
         number = float(corners.columns[name][row])
         return number / factor if np.isfinite(number) else None
 
-    where = (
-        Text(", as they make the clearance")
-        if _have_a_place(inputs)
-        else Text(" about the clearance at its reference temperature")
-    )
+    where = Text(" about the clearance at its reference temperature")
+    if _have_a_place(inputs):
+        where = Text(", as they make the clearance")
     note = Text(
         "Journal {journal_fit}, seat {seat_fit}{where}; oil ±{viscosity_tolerance} % of its viscosity.",
         journal_fit=inputs.journal_fit,

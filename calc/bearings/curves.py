@@ -18,22 +18,9 @@ from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Amount, Name, Text
 from ..sheet.value import unlinked, untraced
 from .corners import corner_values
-from .film.reynolds import (
-    ECCENTRICITY_RANGE,
-    LENGTH_RATIO_RANGE,
-    FilmSolution,
-    MisalignedFilm,
-    solve_film,
-    solve_misaligned,
-)
-from .film.table import (
-    ECCENTRICITIES,
-    FilmRangeError,
-    eccentricity_from,
-    film_at,
-    share_of_largest_load,
-    share_of_least_friction,
-)
+from .film import reynolds, table
+from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE
+from .film.table import ECCENTRICITIES, FilmPoint, FilmRangeError, film_at
 from .inputs import IN_WORDS
 from .result import BearingResult
 from .routes.routes import own_warm
@@ -57,11 +44,9 @@ def _over_speed(place: str, r: BearingResult) -> Curve:
     at_corners = _films_at_corners(r) * 1e6 - edge
     known = np.isfinite(at_corners).all(axis=0)
     if band := bool(np.count_nonzero(known) > 1):
-        ends = (
-            (Text("thinnest corner"), at_corners.min(axis=0)),
-            (Text("thickest corner"), at_corners.max(axis=0)),
-        )
-        series += [Series(label, rpm[known], y[known]) for label, y in ends]
+        thinnest, thickest = at_corners[:, known].min(axis=0), at_corners[:, known].max(axis=0)
+        series += [Series(Text("thinnest corner"), rpm[known], thinnest)]
+        series += [Series(Text("thickest corner"), rpm[known], thickest)]
     title = Text(
         "Smallest film of the {place} bearing over speed, warm; corners of its tolerances at the edge",
         place=IN_WORDS[place],
@@ -139,6 +124,8 @@ RATIOS = np.linspace(0.2, 1.2, 11)  # of the lengths that are tried
 LOADS = np.geomspace(0.05e6, 50e6, 61)  # Pa, specific, of those that are tried
 OILS = ("0W-20", "5W-30", "10W-40", "15W-40")
 AS_DESIGNED = Text("as designed")
+OVER_DESIGN = Text("over that of the design")
+EFFECTS = (Text("smallest film"), Text("largest pressure"), Text("temperature rise"))
 LG_S = Text("lg S")
 
 
@@ -168,7 +155,7 @@ def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
     films = {AS_DESIGNED: (_film(r.eccentricity, r.length_ratio), lands(inputs), length - groove)}
     if inputs.supply != "groove":
         try:
-            half = _film(eccentricity_from(float(r.sommerfeld), r.length_ratio / 2), r.length_ratio / 2)
+            half = _film(table.eccentricity_from(float(r.sommerfeld), r.length_ratio / 2), r.length_ratio / 2)
             films[Text("parted by a groove around")] = half, 2, length
         except FilmRangeError:
             pass  # so short a half carries this load at no eccentricity of the table
@@ -179,32 +166,22 @@ def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
         # from the load's direction, in the sense of the journal's rotation
         angle = np.degrees(film.theta - math.pi + film.attitude)
         around.append(Series(label, angle, film.pressure * scale))
-        z, p = (
-            np.append(-film.z[::-1], film.z[1:]),
-            np.append(film.pressure_along[::-1], film.pressure_along[1:]) * scale,
-        )
+        z = np.append(-film.z[::-1], film.z[1:])
+        p = np.append(film.pressure_along[::-1], film.pressure_along[1:]) * scale
         half_length = bare / 2 / parts
         middles = (0.0,) if parts == 1 else (half_length - length / 2, length / 2 - half_length)
         along.append(Series(label, np.concatenate([m + z * half_length for m in middles]), np.tile(p, parts)))
     if lands(inputs) == 1 and (sloping := _sloping(r)) is not None:
-        slope = Amount((r.film - r.film_edge) / length * 2e6, "mrad", form=".2g")
-        along.insert(
-            1, Series(Text("sloping, {slope}", slope=slope), sloping.z * length / 2, sloping.pressure_along * scale)
-        )
+        label = Text("sloping, {slope}", slope=Amount((r.film - r.film_edge) / length * 2e6, "mrad", form=".2g"))
+        along.insert(1, Series(label, sloping.z * length / 2, sloping.pressure_along * scale))
+    from_load, pressure = axis_label("angle from the load", "°"), axis_label("p", "MPa")
     title = Text("Film pressure around the {place} bearing, in the plane of its largest", **where)
-    yield Curve(
-        f"pressure_around_{place}",
-        title,
-        axis_label("angle from the load", "°"),
-        axis_label("p", "MPa"),
-        tuple(around),
-        (mean,),
-    )
+    yield Curve(f"pressure_around_{place}", title, from_load, pressure, tuple(around), (mean,))
     title = Text("Film pressure along the {place} bearing, where it is largest", **where)
-    yield Curve(f"pressure_along_{place}", title, axis_label("z", "mm"), axis_label("p", "MPa"), tuple(along), (mean,))
+    yield Curve(f"pressure_along_{place}", title, axis_label("z", "mm"), pressure, tuple(along), (mean,))
 
 
-def _sloping(r: BearingResult) -> MisalignedFilm | None:
+def _sloping(r: BearingResult) -> reynolds.MisalignedFilm | None:
     """The film that carries the same load with the journal's slope; None: it has none, or so much that an edge leaves
     the range."""
     tilt = (r.film - r.film_edge) / (r.clearance_hot / 2)
@@ -212,31 +189,26 @@ def _sloping(r: BearingResult) -> MisalignedFilm | None:
     low, high = (tilt + ECCENTRICITY_RANGE[0], min(float(r.eccentricity), ECCENTRICITY_RANGE[1] - tilt))
 
     def missing(eccentricity: float) -> float:
-        return math.log(solve_misaligned(eccentricity, tilt, r.length_ratio).sommerfeld / r.sommerfeld)
+        return math.log(reynolds.solve_misaligned(eccentricity, tilt, r.length_ratio).sommerfeld / r.sommerfeld)
 
     if tilt <= 0 or high <= low or missing(high) > 0 or missing(low) < 0:
         return None
-    return solve_misaligned(root(missing, low, high, tolerance=1e-4), tilt, r.length_ratio)
+    return reynolds.solve_misaligned(root(missing, low, high, tolerance=1e-4), tilt, r.length_ratio)
 
 
-def _film(eccentricity: float, length_ratio: float) -> FilmSolution:
-    return solve_film(
+def _film(eccentricity: float, length_ratio: float) -> reynolds.FilmSolution:
+    return reynolds.solve_film(
         float(np.clip(eccentricity, *ECCENTRICITY_RANGE)), float(np.clip(length_ratio, *LENGTH_RATIO_RANGE))
     )
 
 
 def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
-    over = over_clearance(r)
-    first = {name: getattr(over, name)[:POINTS] for name in ("film", "temperature_rise", "largest_pressure")}
-    parts = (
-        Series(Text("smallest film"), r.clearance * SHARES * 1e6, first["film"] / r.film),
-        Series(Text("largest pressure"), r.clearance * SHARES * 1e6, first["largest_pressure"] / r.film_pressure_max),
-        Series(Text("temperature rise"), r.clearance * SHARES * 1e6, first["temperature_rise"] / r.temperature_rise),
-    )
+    over, clearance = over_clearance(r), r.clearance * SHARES * 1e6
+    pressure = np.asarray(over.largest_pressure) / r.film_pressure_max
+    effects = over.film / r.film, pressure, over.temperature_rise / r.temperature_rise
+    series = tuple(Series(label, clearance, effect[:POINTS]) for label, effect in zip(EFFECTS, effects))
     title = Text("What the clearance of the {place} bearing does", place=IN_WORDS[place])
-    yield Curve(
-        f"clearance_effects_{place}", title, axis_label("clearance", "µm"), Text("over that of the design"), parts
-    )
+    yield Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), OVER_DESIGN, series)
 
 
 def _length(place: str, r: BearingResult) -> Iterator[Curve]:
@@ -246,19 +218,17 @@ def _length(place: str, r: BearingResult) -> Iterator[Curve]:
     for ratio in RATIOS:
         d = math.sqrt(area / ratio)
         other = replace(unlinked(bearing), diameter=d, length=ratio * d, clearance=psi * d, clearance_factor=None)
+        seat = replace(unlinked(r.seat), bearing=other, clearance=psi * d)
         try:
-            film = balanced(
-                own_warm, replace(unlinked(r.seat), bearing=other, clearance=psi * d), unlinked(r.duty), 1e-6
-            )
+            film = balanced(own_warm, seat, unlinked(r.duty), 1e-6)
             pressure = (film.largest_pressure or 0.0) / r.film_pressure_max
             points.append((ratio, film.film / r.film, pressure, film.temperature_rise / r.temperature_rise))
         except (NoSolution, ArithmeticError, ValueError):
             continue  # so short a bearing carries the load at no eccentricity of the table
-    ratios, *parts = np.array(points).T if points else np.zeros((4, 0))
-    labels = (Text("smallest film"), Text("largest pressure"), Text("temperature rise"))
+    ratios, *effects = np.array(points).T if points else np.zeros((4, 0))
     title = Text("What the length of the {place} bearing does at the same projected area", place=IN_WORDS[place])
-    series = tuple(Series(label, ratios, part) for label, part in zip(labels, parts))
-    yield Curve(f"length_effects_{place}", title, Text("l/d"), Text("over that of the design"), series)
+    series = tuple(Series(label, ratios, effect) for label, effect in zip(EFFECTS, effects))
+    yield Curve(f"length_effects_{place}", title, Text("l/d"), OVER_DESIGN, series)
 
 
 def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
@@ -293,14 +263,17 @@ def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
 
 
 def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
-    series = []
-    for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4))):
-        film = film_at(ECCENTRICITIES, ratio)
-        series.append(Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld), 1 - ECCENTRICITIES))
+    series = [Series(label, np.log10(film.sommerfeld), 1 - ECCENTRICITIES) for label, film in _published(r)]
     series += _band()
     series.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([1 - r.eccentricity])))
     title = Text("Chart of Raimondi and Boyd with the {place} bearing, warm", place=IN_WORDS[place])
     yield Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
+
+
+def _published(r: BearingResult) -> list[tuple[Text, FilmPoint[Array]]]:
+    """The films of the published l/d and of the design's own."""
+    ratios = dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))
+    return [(Text("l/d = {ratio}", ratio=float(ratio)), film_at(ECCENTRICITIES, ratio)) for ratio in ratios]
 
 
 def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
@@ -314,19 +287,12 @@ def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
         ("side_flow_ratio", Text("Q_s/Q"), Text("Raimondi and Boyd: side flow, {place} bearing", **where)),
         ("pressure_ratio", Text("p/p_max"), Text("Raimondi and Boyd: pressure, {place} bearing", **where)),
     )
-    films = {
-        ratio: film_at(ECCENTRICITIES, ratio)
-        for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))
-    }
+    films = _published(r)
     for name, label, title in parts:
         scale = np.log10 if name == "friction" else np.asarray
-        lines = [
-            Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld), scale(getattr(film, name)))
-            for ratio, film in films.items()
-        ]
-        lines.append(
-            Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), scale(np.array([getattr(design_film, name)])))
-        )
+        lines = [Series(label, np.log10(film.sommerfeld), scale(getattr(film, name))) for label, film in films]
+        point = scale(np.array([getattr(design_film, name)]))
+        lines.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), point))
         yield Curve(f"raimondi_boyd_{name}_{place}", title, LG_S, label, tuple(lines))
 
 
@@ -335,8 +301,8 @@ def _band() -> list[Series]:
     """Where the load is largest, and where the friction is least, for bearings of all lengths."""
     lengths, lines = np.linspace(PUBLISHED_RATIOS[-1], 1.5, 15), []
     for share_of, label in (
-        (share_of_largest_load, Text("largest load")),
-        (share_of_least_friction, Text("least friction")),
+        (table.share_of_largest_load, Text("largest load")),
+        (table.share_of_least_friction, Text("least friction")),
     ):
         share = np.array([share_of(b=float(length)) for length in lengths])
         S = film_at(np.clip(1 - share, *ECCENTRICITY_RANGE), lengths).sommerfeld
@@ -373,20 +339,10 @@ def _oils(r: BearingResult) -> Iterator[Curve]:
 def _bench(r: BearingResult) -> Iterator[Curve]:
     """The oil supplied over the speed, of the engine's bench run."""
     if r.sweep.bench:
-        rpm = np.array(r.sweep.speeds) * 60
-        parts = (
-            (
-                "oil_temperature_over_speed",
-                Text("Oil supplied over the speed, by the bench run"),
-                axis_label("T_in", "°C"),
-                r.sweep.temperatures,
-            ),
-            (
-                "oil_pressure_over_speed",
-                Text("Pressure of the oil supplied, by the bench run"),
-                axis_label("p_s", "bar"),
-                np.array(r.sweep.pressures) / 1e5,
-            ),
-        )
-        for id, title, label, y in parts:
-            yield Curve(id, title, axis_label("speed", "rpm"), label, (Series(Text("bench run"), rpm, np.array(y)),))
+        rpm, speed = np.array(r.sweep.speeds) * 60, axis_label("speed", "rpm")
+        line = Series(Text("bench run"), rpm, np.array(r.sweep.temperatures))
+        title = Text("Oil supplied over the speed, by the bench run")
+        yield Curve("oil_temperature_over_speed", title, speed, axis_label("T_in", "°C"), (line,))
+        line = Series(Text("bench run"), rpm, np.array(r.sweep.pressures) / 1e5)
+        title = Text("Pressure of the oil supplied, by the bench run")
+        yield Curve("oil_pressure_over_speed", title, speed, axis_label("p_s", "bar"), (line,))

@@ -5,17 +5,9 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import pi
 
+from ..library import journal_rules as rules
 from ..library import tolerances as fits
 from ..library.catalogue import Oil
-from ..library.journal_rules import (
-    COOLED,
-    LUBRICATIONS,
-    SLOPE,
-    SUPPLY_WIDTH,
-    TRUMPLER_TEMPERATURE,
-    USUAL_CLEARANCE,
-    USUAL_LENGTH,
-)
 from ..library.tolerances import ASSUMED_FIT, Assumed
 from ..sheet.quantity import THUMB, choice, dotted, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
@@ -26,6 +18,9 @@ IN_WORDS = {"front": Text("front"), "rear": Text("rear")}  # the two bearings in
 IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning of a sentence
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 LEAST_SPEED_SHARE = 0.02
+
+# of what brings the oil, over the length, for guide texts
+USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
 
 # the folds of the form
 MATERIALS = Text("Materials and fits")
@@ -58,7 +53,9 @@ class BearingInputs:
         symbol="l",
         step=0.5,
         source="Finotti 2013, 5.5.2",
-        help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH),
+        help=Text(
+            "Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=rules.USUAL_LENGTH
+        ),
         change=("shorter journal", "longer journal"),
         repair="free",
         decides=4,
@@ -74,7 +71,7 @@ class BearingInputs:
         "ordinary, 4 ‰ coarse",
         help=Text(
             "Bore minus journal at the reference temperature; {usual}. Left out: by clearance_factor or the fits.",
-            usual=USUAL_CLEARANCE,
+            usual=rules.USUAL_CLEARANCE,
         ),
         change=("smaller clearance", "larger clearance"),
         repair="free",
@@ -191,11 +188,7 @@ class BearingsInputs:
         within=(0.1, 200),
         symbol="d_H",
         source="DIN 31652-2",
-        help=Text(
-            "Diameter of the oil hole; {low} to {high} of the bearing's length.",
-            low=Amount(SUPPLY_WIDTH[0]),
-            high=Amount(SUPPLY_WIDTH[1]),
-        ),
+        help=Text("Diameter of the oil hole; {low} to {high} of the bearing's length.", **USUAL_WIDTH),
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
         where=(supply, "hole", "shaft"),
@@ -229,11 +222,7 @@ class BearingsInputs:
         within=(0.1, 500),
         symbol="b_P",
         source="DIN 31652-2",
-        help=Text(
-            "Along the shaft; {low} to {high} of the bearing's length.",
-            low=Amount(SUPPLY_WIDTH[0]),
-            high=Amount(SUPPLY_WIDTH[1]),
-        ),
+        help=Text("Along the shaft; {low} to {high} of the bearing's length.", **USUAL_WIDTH),
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
         where=(supply, "pocket"),
@@ -299,8 +288,8 @@ class BearingsInputs:
     )
     lubrication: str = choice(
         "Lubrication",
-        *LUBRICATIONS,
-        default=COOLED,
+        *rules.LUBRICATIONS,
+        default=rules.COOLED,
         source="Finotti 2013, Table 3.1",
         help="The row of the source's table that the heat index is held against: how the oil comes, and what cools.",
     )
@@ -362,7 +351,7 @@ class BearingsInputs:
         default=135.0,
         within=(50, 250),
         symbol="T_lim",
-        usual=(TRUMPLER_TEMPERATURE, 135),
+        usual=(rules.TRUMPLER_TEMPERATURE, 135),
         source="Finotti 2013, 5.5.1: Trumpler, engine manual",
         help="Highest temperature of the oil that leaves.",
     )
@@ -465,7 +454,7 @@ class BearingsInputs:
         count=(1, 2),
         within=(0, 20),
         symbol="theta",
-        usual=(0, SLOPE * 1e3),
+        usual=(0, rules.SLOPE * 1e3),
         source="Finotti 2013, 4.6 (in chapter 6)",
         help="One, or [front, rear]. Left out: by bending, else 0.",
         change=("smaller slope", "larger slope", "slope of the shaft's bending"),
@@ -474,11 +463,9 @@ class BearingsInputs:
 
     def in_bearings(self, oil: Oil) -> Oil:
         """An oil as it is in the bearings: with their viscosity at every temperature, where that is given."""
-        return (
-            oil
-            if self.viscosity is None
-            else replace(oil, nu40=None, nu100=None, viscosities=(), viscosity=self.viscosity)
-        )
+        if self.viscosity is None:
+            return oil
+        return replace(oil, nu40=None, nu100=None, viscosities=(), viscosity=self.viscosity)
 
     @property
     def fits_given(self) -> bool:
@@ -486,13 +473,15 @@ class BearingsInputs:
         return not (isinstance(self.journal_fit, Assumed) and isinstance(self.seat_fit, Assumed))
 
     def problems(self) -> Iterable[tuple[str, Text]]:
+        bearings = (dotted(BearingsInputs.front), self.front), (dotted(BearingsInputs.rear), self.rear)
+        angles, arc = self.axial_groove_angles, self.axial_groove_width
         hole = dotted(BearingsInputs.hole_diameter), self.hole_diameter
         groove = dotted(BearingsInputs.groove_width), self.groove_width
         pocket = dotted(BearingsInputs.pocket_width), self.pocket_width
         axial_length = dotted(BearingsInputs.axial_groove_length), self.axial_groove_length
         axial: tuple[tuple[str, object], ...] = (
-            (dotted(BearingsInputs.axial_groove_angles), self.axial_groove_angles),
-            (dotted(BearingsInputs.axial_groove_width), self.axial_groove_width),
+            (dotted(BearingsInputs.axial_groove_angles), angles),
+            (dotted(BearingsInputs.axial_groove_width), arc),
             axial_length,
         )
         needs = {"hole": (hole,), "shaft": (hole,), "groove": (groove,), "pocket": (pocket,), "axial_groove": axial}
@@ -500,45 +489,29 @@ class BearingsInputs:
             if given is None:
                 yield key, Text('needed with supply = "{supply}"', supply=self.supply)
         if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
-            yield (
-                dotted(BearingsInputs.load_speed_ratio),
-                Text(
-                    "the load would turn at half the speed of the surfaces, where no film is built up; must be away "
-                    "from "
-                    "{bush_speed_ratio} by {least_speed_share} or more",
-                    bush_speed_ratio=Amount((1 + self.bush_speed_ratio) / 2, form="g"),
-                    least_speed_share=Amount(LEAST_SPEED_SHARE / 2, form="g"),
-                ),
+            why = Text(
+                "the load would turn at half the speed of the surfaces, where no film is built up; must be away from "
+                "{bush_speed_ratio} by {least_speed_share} or more",
+                bush_speed_ratio=Amount((1 + self.bush_speed_ratio) / 2, form="g"),
+                least_speed_share=Amount(LEAST_SPEED_SHARE / 2, form="g"),
             )
+            yield dotted(BearingsInputs.load_speed_ratio), why
         if self.bush_speed_ratio == 1:
-            yield (
-                dotted(BearingsInputs.bush_speed_ratio),
-                Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed"),
-            )
+            why = Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed")
+            yield dotted(BearingsInputs.bush_speed_ratio), why
         if self.supply == "axial_groove" and self.load_speed_ratio != self.bush_speed_ratio:
-            yield (
-                dotted(BearingsInputs.supply),
-                Text(
-                    "a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = "
-                    "bush_speed_ratio"
-                ),
+            why = Text(
+                "a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = "
+                "bush_speed_ratio"
             )
-        if (
-            self.supply == "axial_groove"
-            and self.axial_groove_angles is not None
-            and self.axial_groove_width is not None
-        ):
-            for place, bearing in (
-                (dotted(BearingsInputs.front), self.front),
-                (dotted(BearingsInputs.rear), self.rear),
-            ):
-                angles = sorted(angle % (2 * pi) for angle in self.axial_groove_angles)
-                apart = min(b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * pi]))
-                if apart <= 2 * self.axial_groove_width / bearing.diameter:
-                    yield (
-                        dotted(BearingsInputs.axial_groove_angles),
-                        Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place]),
-                    )
+            yield dotted(BearingsInputs.supply), why
+        if self.supply == "axial_groove" and angles is not None and arc is not None:
+            turns = sorted(angle % (2 * pi) for angle in angles)
+            apart = min(b - a for a, b in zip(turns, [*turns[1:], turns[0] + 2 * pi]))
+            for place, bearing in bearings:
+                if apart <= 2 * arc / bearing.diameter:
+                    why = Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place])
+                    yield dotted(BearingsInputs.axial_groove_angles), why
         if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
             yield dotted(BearingsInputs.groove_arc), Text("must rise: from, to")
         if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
@@ -548,21 +521,16 @@ class BearingsInputs:
             if (wrong := fits.problem(getattr(self, name), of)) is not None:
                 yield name, wrong
             placed = placed and wrong is None and fits.parse(getattr(self, name)).letter is not None
-        for place, bearing in ((dotted(BearingsInputs.front), self.front), (dotted(BearingsInputs.rear), self.rear)):
+        for place, bearing in bearings:
             if bearing.clearance is None and bearing.clearance_factor is None and not placed:
                 letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
-                yield (
-                    dotted(place, BearingInputs.clearance),
-                    Text("give clearance_um or clearance_factor, or {letters}", letters=letters),
-                )
+                why = Text("give clearance_um or clearance_factor, or {letters}", letters=letters)
+                yield dotted(place, BearingInputs.clearance), why
             for key, width in (hole, groove, pocket, axial_length):
                 if width is not None and width >= bearing.length:
-                    length = Amount(bearing.length * 1e3, "mm")
-                    yield (
-                        key,
-                        Text(
-                            "must be smaller than the length of the {place} bearing, {length}",
-                            place=IN_WORDS[place],
-                            length=length,
-                        ),
+                    why = Text(
+                        "must be smaller than the length of the {place} bearing, {length}",
+                        place=IN_WORDS[place],
+                        length=Amount(bearing.length * 1e3, "mm"),
                     )
+                    yield key, why

@@ -13,7 +13,7 @@ from typing import Any, Generic
 import numpy as np
 
 from ..countershaft.result import Standing
-from ..library.journal_rules import TRUMPLER, TRUMPLER_START_LOAD
+from ..library import journal_rules as rules
 from ..sheet.arrays import Array, Value
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
@@ -86,29 +86,20 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
 
 
 def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
-    yield check(
-        f"bearings.{place}.start_load",
-        Text("Specific load at the start, {place}", place=IN_WORDS[place]),
-        part.load_at_start,
-        "<=",
-        TRUMPLER_START_LOAD,
-        "MPa",
-        TRUMPLER + Text(": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"),
-        Text("A larger or longer journal."),
+    at, where = f"bearings.{place}", IN_WORDS[place]
+    label = Text("Specific load at the start, {place}", place=where)
+    source = rules.TRUMPLER + Text(
+        ": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"
     )
+    limit, advice = rules.TRUMPLER_START_LOAD, Text("A larger or longer journal.")
+    yield check(f"{at}.start_load", label, part.load_at_start, "<=", limit, "MPa", source, advice)
     thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
     if thinnest is not None:
+        label = Text("Film at the edge over a turn, with the standing load, {place}", place=where)
         edge = f.film_at_edge_of_another(h_x=thinnest, h_0=bearing.film, h_edge=bearing.film_edge)
-        yield check(
-            f"bearings.{place}.film_edge_standing",
-            Text("Film at the edge over a turn, with the standing load, {place}", place=IN_WORDS[place]),
-            edge,
-            ">=",
-            bearing.kreisle_film,
-            "µm",
-            Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
-            Text("As for the film at the edge; the standing part is weight and gear force."),
-        )
+        source = Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together")
+        advice = Text("As for the film at the edge; the standing part is weight and gear force.")
+        yield check(f"{at}.film_edge_standing", label, edge, ">=", bearing.kreisle_film, "µm", source, advice)
 
 
 # --- the friction of a journal over a turn, where a standing load passes under the one that turns with it

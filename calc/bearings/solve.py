@@ -13,14 +13,13 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
-from ..sheet.arrays import Array
 from ..sheet.check import Check, check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
-from ..sheet.step import Curve, Further, Outcome, Table
+from ..sheet.step import Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
@@ -98,7 +97,7 @@ def solve(
         tables=Later(lambda: _tables(bearings, results, speed)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
-        further=lambda: Further(curves=Later(lambda: _charts(results))),
+        further=lambda: Further(curves=Later(lambda: charts(results))),
     )
 
 
@@ -110,10 +109,6 @@ def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: 
     yield bushes_table(runs, bearings.bush_material or bearings.housing_material)
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
     yield reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items())
-
-
-def _charts(results: dict[str, BearingResult]) -> tuple[Curve, ...]:
-    return tuple(charts(results))
 
 
 def _material_checks(place: str, r: BearingResult) -> Iterator[Check]:
@@ -172,37 +167,23 @@ def _slope_checks(
 ) -> Iterator[Check]:
     """Slopes that are given, held against those of the shaft as this design bends it: what stands on them stands on the
     given ones."""
-    if (
-        inputs.slope is None
-        or shaft is None
-        or shaft.bending is None
-        or shaft.slope_front is None
-        or shaft.slope_rear is None
-    ):
+    if inputs.slope is None or shaft is None or shaft.bending is None:
         return  # where nothing bends, the shaft has its slopes from here
-    for place, at, bent in (("front", 0, shaft.slope_front), ("rear", -1, shaft.slope_rear)):
+    source = Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors")
+    for place, slope, bent in zip(PLACES, (inputs.slope[0], inputs.slope[-1]), (shaft.slope_front, shaft.slope_rear)):
+        if bent is None:
+            return
         r = results[place]
         with untraced():
             edge = f.film_at_edge(h_0=r.film, theta=bent, l=r.seat.bearing.length)
-        yield check(
-            f"bearings.{place}.slope_given",
-            Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place]),
-            inputs.slope[at],
-            ">=",
-            bent,
-            "mrad",
-            Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
-            remedies=by_key(
-                BearingsInputs,
-                dotted("bearings", BearingsInputs.slope),
-                None,
-                effect=Text(
-                    "then that of the bending: film at the edge {edge}, needs {least}",
-                    edge=Amount(edge * 1e6, "µm"),
-                    least=Amount(r.kreisle_film * 1e6, "µm"),
-                ),
-            ),
+        effect = Text(
+            "then that of the bending: film at the edge {edge}, needs {least}",
+            edge=Amount(edge * 1e6, "µm"),
+            least=Amount(r.kreisle_film * 1e6, "µm"),
         )
+        left_out = by_key(BearingsInputs, dotted("bearings", BearingsInputs.slope), None, effect=effect)
+        label = Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place])
+        yield check(f"bearings.{place}.slope_given", label, slope, ">=", bent, "mrad", source, remedies=left_out)
 
 
 def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> OperatingPoint:
@@ -210,9 +191,9 @@ def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) ->
     n_B = f.bush_speed(i_B=i_B, n_J=speed) if i_B else based_on(0.0, i_B)
     n_F = based_on(speed, speed, i_F) if i_F == 1 else f.load_speed(i_F=i_F, n_J=speed)
     n_h = f.effective_speed(n_J=speed, n_B=n_B, n_F=n_F)
-    slides = (
-        based_on(1.0, i_B, i_F) if n_F in (0.0, speed) and not n_B else f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
-    )
+    slides = based_on(1.0, i_B, i_F)
+    if n_B or n_F not in (0.0, speed):
+        slides = f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
     return OperatingPoint(load, speed, n_h, slides, inputs.supply_temperature, inputs.supply_pressure)
 
 
@@ -269,7 +250,9 @@ def _bearing(
         (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty), (thin, duty))
     )
     with about(Text("{place} bearing, twice the load", place=IN_WORDS[place])):
-        doubled = _at_known_rise(seat, twice, at_twice)
+        rise = at_twice.temperature_rise[0].item()
+        # where no film carries twice the load, the check on it fails
+        doubled = closed(own_warm, seat, twice, rise) if np.isfinite(rise) else None
     with about(Text("{place} bearing, corners of the tolerances", place=IN_WORDS[place])):
         at_worst = corners(seat, duty, slope, at_corners, Text("{place} bearing", place=IN_WORDS[place]))
     swept = sweep(speed, inputs, bool(bench), speeds[1], over_speeds)
@@ -347,13 +330,6 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
         supply_pressure=p_s,
     )
     return closed(own_warm, seat, slower, rise)
-
-
-def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film[Array]) -> Film | None:
-    """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it
-    fails."""
-    rise = known.temperature_rise[0].item()
-    return closed(own_warm, seat, duty, rise) if np.isfinite(rise) else None
 
 
 def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio: Number) -> Radian | None:

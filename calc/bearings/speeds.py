@@ -33,7 +33,6 @@ class Sweep:
     friction: tuple[float, ...]
     thinnest: int | None  # the row
     thinnest_speed: float | None
-    thinnest_film: float | None
     rated: float
     bench: bool  # its rows are those of the engine's bench run
 
@@ -43,12 +42,9 @@ class Sweep:
         if not missing:
             return EMPTY
         low, high = (Amount(n * 60, form=".0f") for n in (min(missing), max(missing)))
-        several = len(missing) > 1
-        span = (
-            Text("from {missing} to {missing2} rpm", missing=low, missing2=high)
-            if several
-            else Text("at {missing} rpm", missing=low)
-        )
+        span = Text("at {missing} rpm", missing=low)
+        if len(missing) > 1:
+            span = Text("from {missing} to {missing2} rpm", missing=low, missing2=high)
         return Text(
             "At {count} of the speeds, {span}, no film of the {place} bearing is found: the thinnest is that of the "
             "others.",
@@ -59,11 +55,8 @@ class Sweep:
 
     def why(self, place: str) -> Text:
         """Why the thinnest film is not that of the highest speed; empty where it is."""
-        if self.thinnest is None or self.thinnest_speed is None or self.thinnest_film is None:
-            return EMPTY
-        last = max(i for i, film in enumerate(self.films) if np.isfinite(film))
-        here = self.thinnest
-        if last == here:
+        here, last = self.thinnest, max((i for i, film in enumerate(self.films) if np.isfinite(film)), default=None)
+        if here is None or last is None or here == last:
             return EMPTY
         speed, oil = Amount(self.speeds[last] * 60, form=".0f"), Amount(self.temperatures[last], form=".1f")
         fastest = Text("{speeds} rpm, whose oil comes at {temperatures} °C", speeds=speed, temperatures=oil)
@@ -73,8 +66,8 @@ class Sweep:
             "The {place} bearing's film is thinnest at {thinnest_speed} rpm, {thinnest_film} µm with oil of "
             "{temperatures} °C, and not at {fastest}{unloaded}.",
             place=IN_WORDS[place],
-            thinnest_speed=Amount(self.thinnest_speed * 60, form=".0f"),
-            thinnest_film=Amount(self.thinnest_film * 1e6, form=".2f"),
+            thinnest_speed=Amount(self.speeds[here] * 60, form=".0f"),
+            thinnest_film=Amount(self.films[here] * 1e6, form=".2f"),
             temperatures=Amount(self.temperatures[here], form=".1f"),
             fastest=fastest,
             unloaded=unloaded,
@@ -114,9 +107,10 @@ def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint[
     speeds, temperatures, pressures = at.speed, at.supply_temperature, at.supply_pressure
     h_0, rises, power = film.film, film.temperature_rise, film.friction_power
     governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
-    any_film = not np.isnan(governing).all()
-    least = int(np.nanargmin(governing)) if any_film else 0
-    at_thinnest = based_on(item(speeds[least]), speeds[least], inputs.load_speed_ratio)
+    thinnest = None if np.isnan(governing).all() else int(np.nanargmin(governing))
+    at_thinnest = None
+    if thinnest is not None:
+        at_thinnest = based_on(item(speeds[thinnest]), speeds[thinnest], inputs.load_speed_ratio)
     return Sweep(
         elements(speeds),
         elements(temperatures),
@@ -124,9 +118,8 @@ def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint[
         elements(rises),
         elements(h_0),
         elements(power),
-        least if any_film else None,
-        at_thinnest if any_film else None,
-        float(governing[least]) if any_film else None,
+        thinnest,
+        at_thinnest,
         rated,
         inputs.speed_range is None and bench,
     )
@@ -151,14 +144,12 @@ def _rows(
     low, high = inputs.speed_range or (SLOWEST * rated, rated)
     speeds = based_on(np.linspace(low, high, STEPS_WITHOUT_BENCH), low, high)
     T_in, p_s = duty.supply_temperature, duty.supply_pressure
-    of_range: list[Array] = [
-        speeds,
-        based_on(np.full(speeds.shape, T_in), T_in),
-        based_on(np.full(speeds.shape, p_s), p_s),
-    ]
-    speeds, temperatures, pressures = (
-        (gathered([*alone, *row]) for alone, row in zip(of_range, of_rows)) if with_bench else of_range
-    )
+    temperatures = based_on(np.full(speeds.shape, T_in), T_in)
+    pressures = based_on(np.full(speeds.shape, p_s), p_s)
+    if with_bench:
+        speeds, temperatures, pressures = (
+            gathered([*alone, *row]) for alone, row in zip((speeds, temperatures, pressures), of_rows)
+        )
     return speeds, temperatures, pressures
 
 

@@ -29,7 +29,6 @@ from ..sheet.units import (
     Second,
 )
 from ..sheet.value import untraced
-from . import formulas as f
 from .inputs import IN_TITLES, IN_WORDS
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
 
@@ -113,63 +112,31 @@ def checks(
     hardness in HB."""
     at, of = f"bearings.{place}.material", {"material": material.name, "place": IN_WORDS[place]}
     other, source = Text("another bearing material"), Text(material.source)
-    rows = (
-        (
-            "load",
-            Text("Specific load allowed for {material}, {place}", **of),
-            p,
-            "<=",
-            material.specific_load,
-            "MPa",
-            Text("Lengthen the bearing, take a larger journal or {other}.", other=other),
-        ),
-        (
-            "pv",
-            Text("p·v allowed for {material}, {place}", **of),
-            pv,
-            "<=",
-            material.pv,
-            "MPa·m/s",
-            Text(
-                "Lengthen the bearing or take {other}. p·v stands for the heat of a poor film; with a full film the "
-                "heat balance decides.",
-                other=other,
-            ),
-        ),
-        (
-            "temperature",
-            Text("Temperature allowed for {material}, {place}", **of),
-            T_hot,
-            "<=",
-            material.temperature,
-            "°C",
-            Text("Cooler or more oil, or {other}.", other=other),
-        ),
-        (
-            "hardness",
-            Text("Hardness of the journal (HB) on {material}, {place}", **of),
-            hardness,
-            ">=",
-            material.journal_hardness,
-            "",
-            Text("Harden the journal."),
-        ),
+    load = Text("Specific load allowed for {material}, {place}", **of)
+    longer = Text("Lengthen the bearing, take a larger journal or {other}.", other=other)
+    heat = Text("p·v allowed for {material}, {place}", **of)
+    cooler = Text(
+        "Lengthen the bearing or take {other}. p·v stands for the heat of a poor film; with a full film the heat "
+        "balance decides.",
+        other=other,
     )
-    for key, label, value, sense, limit, unit, advice in rows:
+    temperature = Text("Temperature allowed for {material}, {place}", **of)
+    oiled = Text("Cooler or more oil, or {other}.", other=other)
+    surface, harder = Text("Hardness of the journal (HB) on {material}, {place}", **of), Text("Harden the journal.")
+    for key, label, value, sense, limit, unit, advice in (
+        ("load", load, p, "<=", material.specific_load, "MPa", longer),
+        ("pv", heat, pv, "<=", material.pv, "MPa·m/s", cooler),
+        ("temperature", temperature, T_hot, "<=", material.temperature, "°C", oiled),
+        ("hardness", surface, hardness, ">=", material.journal_hardness, "", harder),
+    ):
         if value is not None and limit is not None:
             yield check(f"{at}_{key}", label, value, sense, limit, unit, source, advice)
-    yield check(
-        f"{at}_emergency_running",
-        Text("Emergency running (1 poor to 4 excellent) of {material}, {place}", **of),
-        SCALE.index(material.emergency_running) + 1.0,
-        ">=",
-        SCALE.index(LEAST_WORD) + 1.0,
-        "",
-        Text(
-            "{emergency_basis}; the scale and its limit: rule of this program", emergency_basis=material.emergency_basis
-        ),
-        _emergency_advice(material),
+    label = Text("Emergency running (1 poor to 4 excellent) of {material}, {place}", **of)
+    grade, least = (SCALE.index(word) + 1.0 for word in (material.emergency_running, LEAST_WORD))
+    basis = Text(
+        "{emergency_basis}; the scale and its limit: rule of this program", emergency_basis=material.emergency_basis
     )
+    yield check(f"{at}_emergency_running", label, grade, ">=", least, "", basis, _emergency_advice(material))
 
 
 def _emergency_advice(material: BearingMaterial) -> Text:
@@ -177,21 +144,17 @@ def _emergency_advice(material: BearingMaterial) -> Text:
         return Text("A softer running surface, or an overlay; else filtered oil at every start.")
     return Text(
         "Without a bush nothing forgives a broken film: a hardened, finely ground journal and clean oil at every "
-        "start, or a lined shell "
-        "(see the table with or without a bush)."
+        "start, or a lined shell (see the table with or without a bush)."
     )
 
 
 def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPerSecond, life: Second | None) -> Text:
     """How often the load that comes round at `n` presses on the seat, how hard, and what is known of the material's
     fatigue."""
-
     often = Text("{n} times an hour", n=Amount(n * 3600.0, digits=3))
     if life is not None:
-        cycles = load_cycles(n=n, L=life)
-        often = Text(
-            "{cycles} times in {units} h", cycles=Amount(cycles, digits=3), units=Amount(UNITS["h"].shown(life))
-        )
+        cycles, hours = Amount(load_cycles(n=n, L=life), digits=3), Amount(UNITS["h"].shown(life))
+        often = Text("{cycles} times in {units} h", cycles=cycles, units=hours)
     return Text(
         "{place} bearing: the load passes every point of the seat ({title}), which sees the largest film "
         "pressure, {units} MPa, once a round: {often}. Fatigue: {fatigue}.",
@@ -209,31 +172,7 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
     `chosen`: the name of the material that the design has (of its housing, where it has no bush).
     """
 
-    hottest = max(b.temperature for b in bearings.values())
-    rows: list[tuple[str | float | None, ...]] = []
-    with untraced():
-        for m in bearing_materials().values():
-            load = (
-                None
-                if m.specific_load is None
-                else max(load_share(p=b.p, p_zul=m.specific_load) for b in bearings.values())
-            )
-            pv = None if m.pv is None else max(load_times_speed_share(pu=b.pv, pv_zul=m.pv) for b in bearings.values())
-            reserve = None if m.temperature is None else m.temperature - hottest
-            rows.append(
-                (
-                    Text("{name}, chosen", name=m.name) if m.name == chosen else m.name,
-                    m.title,
-                    _shown(m.specific_load, "MPa"),
-                    _shown(load, "%"),
-                    _shown(m.pv, "MPa·m/s"),
-                    _shown(pv, "%"),
-                    m.temperature,
-                    reserve,
-                    m.journal_hardness,
-                    Text(m.emergency_running),
-                )
-            )
+    running = bearings.values()
     columns = (
         (Text("material"), ""),
         (Text("what it is"), ""),
@@ -246,6 +185,17 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
         (Text("journal, HB"), ""),
         (Text("emergency running"), ""),
     )
+    rows: list[tuple[str | float | None, ...]] = []
+    with untraced():
+        for m in bearing_materials().values():
+            name = Text("{name}, chosen", name=m.name) if m.name == chosen else m.name
+            p, pv, T = m.specific_load, m.pv, m.temperature
+            load = None if p is None else max(load_share(p=b.p, p_zul=p) for b in running)
+            heat = None if pv is None else max(load_times_speed_share(pu=b.pv, pv_zul=pv) for b in running)
+            reserve = None if T is None else T - max(b.temperature for b in running)
+            numbers = p, load, pv, heat, T, reserve, m.journal_hardness
+            shown = (None if x is None else UNITS[unit].shown(x) for x, (_, unit) in zip(numbers, columns[2:]))
+            rows.append((name, m.title, *shown, Text(m.emergency_running)))
     note = Text(
         "Used: by the harder of the bearings. Handbook values at the lower end of their range; empty where no source "
         "was found. The "
@@ -258,10 +208,6 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
     return Table("bushes", Text("With or without a bush"), columns, tuple(rows), note)
 
 
-def _shown(inside: float | None, unit: str) -> float | None:
-    return None if inside is None else UNITS[unit].shown(inside)
-
-
 # --- what runs already
 
 
@@ -270,24 +216,8 @@ def reference_table(journals: Iterable[Journal]) -> Table:
 
     p, W and u of all rows by the same formulas on the whole length: a groove is left out.
     """
-    rows: list[tuple[str | float | None, ...]] = []
-    with untraced():
-        for name, status, d, l, n, F in (
-            *((j.name, Text("this design"), j.diameter, j.length, j.speed, j.load) for j in journals),
-            *((r.name, r.status, r.diameter, r.length, r.speed, r.load) for r in running_bearings().values()),
-        ):
-            p, u = specific_load(F=F, d=d, l=l), f.surface_speed(d=d, n=n)
-            cells = (
-                (d, "mm"),
-                (l, "mm"),
-                (n, "rpm"),
-                (F, "N"),
-                (p, "MPa"),
-                (heat_index(F=F, n=n, l=l), "N·rpm/mm"),
-                (u, "m/s"),
-                (load_times_speed(p=p, u=u), "MPa·m/s"),
-            )
-            rows.append((name, status, *(UNITS[unit].shown(float(x)) for x, unit in cells)))
+    from .formulas import surface_speed  # with numpy
+
     columns = (
         (Text("journal"), ""),
         (Text("status"), ""),
@@ -300,6 +230,15 @@ def reference_table(journals: Iterable[Journal]) -> Table:
         (Text("u"), "m/s"),
         (Text("p·u"), "MPa·m/s"),
     )
+    rows: list[tuple[str | float | None, ...]] = []
+    with untraced():
+        for name, status, d, l, n, F in (
+            *((j.name, Text("this design"), j.diameter, j.length, j.speed, j.load) for j in journals),
+            *((r.name, r.status, r.diameter, r.length, r.speed, r.load) for r in running_bearings().values()),
+        ):
+            p, u = specific_load(F=F, d=d, l=l), surface_speed(d=d, n=n)
+            numbers = d, l, n, F, p, heat_index(F=F, n=n, l=l), u, load_times_speed(p=p, u=u)
+            rows.append((name, status, *(UNITS[unit].shown(float(x)) for x, (_, unit) in zip(numbers, columns[2:]))))
     note = Text(
         "The source argues that steel may run in bare aluminium here, since it does in the R754IE4. What the table "
         "shows: a like size of "
@@ -328,54 +267,26 @@ def application_checks(
     """Advice by what bearings of this application usually carry; nothing where the figure has a dash.  ψ as made, not
     warm."""
     at, where, source = f"bearings.{place}", IN_WORDS[place], Text("{figure} ({row})", figure=FIGURE, row=row.title)
-    yield check(
-        f"{at}.application_load",
-        Text("Specific load of the application, {place}", place=where),
-        p,
-        "<=",
-        row.specific_load_high,
-        "MPa",
-        source,
-        Text("Lengthen the bearing or take a larger journal."),
-    )
+    label = Text("Specific load of the application, {place}", place=where)
+    advice = Text("Lengthen the bearing or take a larger journal.")
+    yield check(f"{at}.application_load", label, p, "<=", row.specific_load_high, "MPa", source, advice)
     if row.pv is not None:
         label = Text("p·v of the application, {place}", place=where)
         yield check(f"{at}.application_pv", label, pv, "<=", row.pv, "MPa·m/s", source, Text("Lengthen the bearing."))
     if row.duty_low is not None:
+        label = Text("µ·n/p of the application, {place}", place=where)
         viscosity = Amount(UNITS["mPa·s"].shown(mu), digits=3)
-        yield check(
-            f"{at}.application_duty",
-            Text("µ·n/p of the application, {place}", place=where),
-            mu_n_over_p,
-            ">=",
-            row.duty_low,
-            "",
-            source,
-            Text("A thicker or cooler oil than {units} mPa·s, or a lower specific load.", units=viscosity),
-        )
+        advice = Text("A thicker or cooler oil than {units} mPa·s, or a lower specific load.", units=viscosity)
+        yield check(f"{at}.application_duty", label, mu_n_over_p, ">=", row.duty_low, "", source, advice)
     if row.relative_clearance is not None:
-        yield check(
-            f"{at}.clearance_usual",
-            Text("Relative clearance as made, {place}", place=where),
-            psi,
-            "<=",
-            row.relative_clearance,
-            "‰",
-            source,
-            Text("Less clearance, as long as the cold clearance stays."),
-        )
+        label = Text("Relative clearance as made, {place}", place=where)
+        advice = Text("Less clearance, as long as the cold clearance stays.")
+        yield check(f"{at}.clearance_usual", label, psi, "<=", row.relative_clearance, "‰", source, advice)
     if row.length_ratio_low is not None and row.length_ratio_high is not None:
-        low, high = row.length_ratio_low, row.length_ratio_high
-        yield check(
-            f"{at}.length_ratio_application",
-            Text("Length ratio of the application, {place}", place=where),
-            l_over_d,
-            "in",
-            (low, high),
-            "",
-            source,
-            _length_advice(low, high),
-        )
+        label = Text("Length ratio of the application, {place}", place=where)
+        ratios = row.length_ratio_low, row.length_ratio_high
+        advice = _length_advice(*ratios)
+        yield check(f"{at}.length_ratio_application", label, l_over_d, "in", ratios, "", source, advice)
 
 
 def _length_advice(low: float, high: float) -> Text:

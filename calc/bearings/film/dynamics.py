@@ -68,6 +68,7 @@ FRAME = Text(
 )
 IMPEDANCE = Text("dynamics: impedance of film and mass; {frame}", frame=FRAME)
 MOTION = Text("dynamics: motion of the journal about its place under the load; {frame}", frame=FRAME)
+Impedance = PhasorNewtonPerMetre
 
 
 # --- dimensionless, over the load
@@ -228,13 +229,6 @@ def critical_mass_turning(
     At Ω = 0 this is Lund's.  J turns by 90° from X to Y.  One bearing at a time.
     """
     f = -Omega / omega  # the load's own speed
-    return _least_mass(f, k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yy) * F / (g / 2 * omega**2)
-
-
-def _least_mass(
-    f: Number, k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
-) -> Number:
-    """The smallest mass, over F/(c·ω²), at which a root reaches the imaginary axis."""
     det = k_xx * k_yy - k_xy * k_yx
     # coefficients of s³ to s⁰, those of s³ and s⁴ without their factors m and m²; polynomials of m over F/(c·ω²),
     # highest power first
@@ -245,7 +239,7 @@ def _least_mass(
     hurwitz = a3 * np.convolve(a1, a2) - np.append(np.convolve(a1, a1) + a3**2 * a0, 0.0)
     roots = np.concatenate([np.roots(hurwitz), np.roots(a0)])
     real = roots.real[(np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)]
-    return float(real.min(initial=np.inf))
+    return float(real.min(initial=np.inf)) * F / (g / 2 * omega**2)
 
 
 @formula("n_c", "dynamics, rigid shaft at the present eccentricity: threshold speed over speed is √(m_c/m)", unit="rpm")
@@ -267,52 +261,32 @@ def relative_speed(sense: Number, n_F: RevPerSecond) -> RadPerSecond:
 
 
 @formula("Z_xx", IMPEDANCE)
-def impedance_xx(
-    K_xx: NewtonPerMetre, C_xx: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
-) -> PhasorNewtonPerMetre:
+def impedance_xx(K_xx: NewtonPerMetre, C_xx: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_xx + 1j * Omega * C_xx - 2 * m * Omega**2
 
 
 @formula("Z_xy", IMPEDANCE)
-def impedance_xy(
-    K_xy: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
-) -> PhasorNewtonPerMetre:
+def impedance_xy(K_xy: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_xy + 1j * Omega * C_xy + 2j * m * Omega**2
 
 
 @formula("Z_yx", IMPEDANCE)
-def impedance_yx(
-    K_yx: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
-) -> PhasorNewtonPerMetre:
+def impedance_yx(K_yx: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_yx + 1j * Omega * C_xy - 2j * m * Omega**2
 
 
 @formula("Z_yy", IMPEDANCE)
-def impedance_yy(
-    K_yy: NewtonPerMetre, C_yy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
-) -> PhasorNewtonPerMetre:
+def impedance_yy(K_yy: NewtonPerMetre, C_yy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_yy + 1j * Omega * C_yy - 2 * m * Omega**2
 
 
 @formula("x", MOTION, unit="µm")
-def motion_x(
-    R_0: Newton,
-    Z_xx: PhasorNewtonPerMetre,
-    Z_xy: PhasorNewtonPerMetre,
-    Z_yx: PhasorNewtonPerMetre,
-    Z_yy: PhasorNewtonPerMetre,
-) -> PhasorMetre:
+def motion_x(R_0: Newton, Z_xx: Impedance, Z_xy: Impedance, Z_yx: Impedance, Z_yy: Impedance) -> PhasorMetre:
     return R_0 * (Z_yy + 1j * Z_xy) / (Z_xx * Z_yy - Z_xy * Z_yx)
 
 
 @formula("y", MOTION, unit="µm")
-def motion_y(
-    R_0: Newton,
-    Z_xx: PhasorNewtonPerMetre,
-    Z_xy: PhasorNewtonPerMetre,
-    Z_yx: PhasorNewtonPerMetre,
-    Z_yy: PhasorNewtonPerMetre,
-) -> PhasorMetre:
+def motion_y(R_0: Newton, Z_xx: Impedance, Z_xy: Impedance, Z_yx: Impedance, Z_yy: Impedance) -> PhasorMetre:
     return -R_0 * (1j * Z_xx + Z_yx) / (Z_xx * Z_yy - Z_xy * Z_yx)
 
 
@@ -405,27 +379,25 @@ def dynamics(
 ) -> Dynamics:
     """The film as a spring and damper.  `ratio`: l/d of the film (of one land, where a groove parts it); `mass`: the
     bearing's share of the shaft's, for the threshold speed."""
-    k = (
-        coefficients(hot.eccentricity, ratio, hot.attitude)
-        if seat.grooves is None
-        else _between_grooves(hot, seat, ratio)
-    )
-    F, g = duty.load, hot.clearance
+    F, g, eps = duty.load, hot.clearance, hot.eccentricity
+    if seat.grooves is None:
+        k = coefficients(eps, ratio, hot.attitude)
+    else:  # a film that axial grooves bound does not turn with the line of centres
+        at, names = film_at(eps, ratio, seat.grooves), Coefficients.__dataclass_fields__
+        k = Coefficients(**{name: grooved_coefficient(value=getattr(at, name), eps=eps, b=ratio) for name in names})
     omega = f.angular_speed(n=duty.effective_speed)
     n_F, sense = _load_speed(duty, seat)
     whirl = heaviest = threshold = None
     if n_F == 0.0:
-        k_eq = equivalent_stiffness(k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy)
-        square = whirl_ratio_squared(k_eq, k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy)
+        k_eq = equivalent_stiffness(**vars(k))
+        square = whirl_ratio_squared(k_eq, **vars(k))
         if square > 0:
             whirl = whirl_ratio(square=square)
             heaviest = critical_mass(k_eq=k_eq, square=square, F=F, g=g, omega=omega)
             threshold = None if mass is None else threshold_speed(n_h=duty.effective_speed, m_c=heaviest, m=mass)
     else:
         Omega = relative_speed(sense=sense, n_F=n_F)
-        heaviest = critical_mass_turning(
-            k.k_xx, k.k_xy, k.k_yx, k.k_yy, k.c_xx, k.c_xy, k.c_yy, F=F, g=g, omega=omega, Omega=Omega
-        )
+        heaviest = critical_mass_turning(**vars(k), F=F, g=g, omega=omega, Omega=Omega)
         heaviest = None if heaviest == float("inf") else heaviest
     across = damping_xy(c_xy=k.c_xy, F=F, g=g, omega=omega)
     return Dynamics(
@@ -441,16 +413,6 @@ def dynamics(
         critical_mass=heaviest,
         threshold_speed=threshold,
     )
-
-
-def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficients:
-    """Of a film that axial grooves bound, which does not turn with the line of centres."""
-    grooves = seat.grooves
-    assert grooves is not None
-    at = film_at(hot.eccentricity, ratio, grooves)
-    names = ("k_xx", "k_xy", "k_yx", "k_yy", "c_xx", "c_xy", "c_yy")
-    terms = {name: grooved_coefficient(value=getattr(at, name), eps=hot.eccentricity, b=ratio) for name in names}
-    return Coefficients(**terms)
 
 
 def orbit(film: Dynamics[Value], R_0: Value, phi: Value, duty: OperatingPoint, seat: BearingCase[Any]) -> Orbit[Value]:
@@ -477,7 +439,6 @@ def orbit_of(film: Dynamics[Value], R_0: Value, Omega: RadPerSecond, phi: Value,
 def _load_speed(duty: OperatingPoint, seat: BearingCase[Any]) -> tuple[RevPerSecond, Number]:
     """The load's speed n_F, and +1 where n_J + n_B − 2·n_F is positive, −1 where the film is dragged against the
     journal's sense."""
-    i_F, i_B = seat.inputs.load_speed_ratio, seat.inputs.bush_speed_ratio or 0.0
-    return duty.speed if i_F == 1.0 else based_on(
-        i_F * duty.speed, i_F, duty.speed
-    ), 1.0 if 1.0 + i_B - 2.0 * i_F > 0.0 else -1.0
+    i_F, i_B = seat.inputs.load_speed_ratio, seat.inputs.bush_speed_ratio
+    n_F = duty.speed if i_F == 1.0 else based_on(i_F * duty.speed, i_F, duty.speed)
+    return n_F, 1.0 if 1.0 + i_B - 2.0 * i_F > 0.0 else -1.0

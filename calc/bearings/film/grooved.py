@@ -18,8 +18,9 @@ Against Someya's data book (two grooves of 10° at ±90° to the load): see `tes
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
-from typing import Generic, NamedTuple, overload
+from typing import Any, Generic, NamedTuple
 
 import numpy as np
 
@@ -29,7 +30,14 @@ from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Number, Radian
-from .reynolds import ECCENTRICITY_RANGE, EDGE_CLUSTERING, ITERATION_LIMIT, UNIFORM_SHARE, solved_where_active
+from .reynolds import (
+    ECCENTRICITY_RANGE,
+    EDGE_CLUSTERING,
+    ITERATION_LIMIT,
+    UNIFORM_SHARE,
+    film_integrals,
+    solved_where_active,
+)
 from .table import FilmRangeError, short_bearing_load
 
 # --- where the oil comes into a film that begins and ends there
@@ -57,6 +65,7 @@ LEVELS = (4, 2, 1)  # coarser than the finest grid by
 TURN_TOLERANCE = 1e-9  # rad, of the attitude angle
 NUDGE = 0.02  # of the narrowest film: how far the journal is displaced for its stiffness
 SPEED = 1e-3  # of c·ω·(1 − ε): how fast it moves for its damping
+RATES = ("k_xx", "k_xy", "k_yx", "k_yy", "c_xx", "c_xy", "c_yx", "c_yy")
 
 
 @record
@@ -117,13 +126,12 @@ def solve_grooved(
     phi = math.atan2(math.pi * math.sqrt(1 - eccentricity**2), 4 * eccentricity)
     for coarser in LEVELS:
         force = _force_of(length_ratio, feeds, feed_pressure, (cells[0] // coarser, max(cells[1] // coarser, 4)))
-        phi = _attitude(lambda angle, of=force: _aside(of, eccentricity, angle), phi)  # type: ignore[misc]
+        phi = _attitude(force, eccentricity, phi)
         if coarser <= 2:
             states.append(_state(force, eccentricity, phi))
     coarse, fine = states
     phi, load, side_flow, peak, *rates = (fine + (fine - coarse) / 3).tolist()
     So = load / 2
-    k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yx, c_yy = (rate / load for rate in rates)
     return GroovedFilm(
         eccentricity=eccentricity,
         length_ratio=length_ratio,
@@ -132,14 +140,7 @@ def solve_grooved(
         friction=sheared(eccentricity, phi, feeds) / (2 * So) + eccentricity / 2 * math.sin(phi),
         side_flow=side_flow,
         pressure_ratio=load / 2 / peak,
-        k_xx=k_xx,
-        k_xy=k_xy,
-        k_yx=k_yx,
-        k_yy=k_yy,
-        c_xx=c_xx,
-        c_xy=c_xy,
-        c_yx=c_yx,
-        c_yy=c_yy,
+        **{name: rate / load for name, rate in zip(RATES, rates)},
     )
 
 
@@ -177,14 +178,14 @@ def _force_of(length_ratio: float, feeds: tuple[Feed, ...], feed_pressure: float
     return force
 
 
-def _aside(force: Force, eccentricity: float, angle: float) -> float:
-    components = force(eccentricity * math.cos(angle), eccentricity * math.sin(angle), 0.0, 0.0)
-    return math.atan2(components.aside, components.along)
-
-
-def _attitude(across: Callable[[float], float], phi: float) -> float:
+def _attitude(force: Force, eccentricity: float, phi: float) -> float:
     """The angle at which no force stands across the load: the line of centres turned back by what the force is off,
     then secants."""
+
+    def across(angle: float) -> float:
+        components = force(eccentricity * math.cos(angle), eccentricity * math.sin(angle), 0.0, 0.0)
+        return math.atan2(components.aside, components.along)
+
     previous, off = phi, across(phi)
     other = phi - 0.5 * off
     for _ in range(ITERATION_LIMIT):
@@ -219,8 +220,7 @@ def sheared(eccentricity: float, phi: float, feeds: tuple[Feed, ...]) -> float:
     shear = 2 * math.pi / math.sqrt(1 - eccentricity**2)
     for feed in feeds:
         from_widest = math.pi - phi + feed.angle
-        ends = (_gamma(from_widest + side * feed.arc / 2, eccentricity) for side in (-1, 1))
-        start, end = ends
+        start, end = (_gamma(from_widest + side * feed.arc / 2, eccentricity) for side in (-1, 1))
         shear -= feed.share * (end - start) / math.sqrt(1 - eccentricity**2)  # ∫dθ/h = γ/√(1 − ε²)
     return shear
 
@@ -280,16 +280,12 @@ def _grid(
         fixed += [fed] * count
     turn = np.array(pieces)
     gamma = turn - spread * np.sin(turn)
-    sine, cosine = np.sin(gamma), np.cos(gamma)
-    film = narrow / (1.0 - eccentricity * cosine)
+    film = narrow / (1.0 - eccentricity * np.cos(gamma))
     theta = 2.0 * np.arctan2(
         math.sqrt(1.0 + eccentricity) * np.sin(gamma / 2), math.sqrt(1.0 - eccentricity) * np.cos(gamma / 2)
     )
     around = np.array(weights) * (1.0 - spread * np.cos(turn)) * film / math.sqrt(narrow)
-    square = (gamma - eccentricity * sine) / narrow**1.5
-    cube = (
-        (1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine
-    ) / narrow**2.5
+    square, cube = film_integrals(gamma, eccentricity)
     conductance = 1.0 / np.diff(cube)
     drag = 6.0 * np.diff(square) * conductance
 
@@ -335,7 +331,9 @@ def _pressure(grid: _Grid, squeeze: Array, feed_pressure: float, guess: Array | 
     round_off = 1e-11 * float(np.abs(source).max())
     for _ in range(ITERATION_LIMIT):
         inside[:] = np.where(
-            free, solved_where_active(active, diagonal, along[1:-1], aside[:, :-1], source + from_held), held[1:-1, :-1]
+            free,
+            solved_where_active(active, diagonal, along[1:-1], aside[:, :-1], source + from_held),
+            held[1:-1, :-1],
         )
         push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
         push[:, 1:] += aside[:, :-1] * inside[:, :-1]
@@ -424,22 +422,13 @@ def grooved_table(length_ratio: float, feeds: tuple[Feed, ...]) -> GroovedTable:
         load = -math.log(2 * math.pi * film.sommerfeld * length_ratio**2 * short_bearing_load(eps))
         rates = (film.k_xx, film.k_xy, film.k_yx, film.k_yy, film.c_xx, (film.c_xy + film.c_yx) / 2, film.c_yy)
         land = sheared(eps, film.attitude, feeds) / (2 * math.pi / math.sqrt(1 - eps**2))
-        rows.append(
-            [
-                load,
-                film.attitude,
-                film.side_flow,
-                film.pressure_ratio,
-                land,
-                *(rate * eps * (1 - eps) for rate in rates),
-            ]
-        )
+        scaled = (rate * eps * (1 - eps) for rate in rates)
+        rows.append([load, film.attitude, film.side_flow, film.pressure_ratio, land, *scaled])
     values = np.array(rows)
     fine = np.linspace(x[0], x[-1], FINE)
     table = GroovedTable(x, values, _bends(values, x[1] - x[0]), fine, np.zeros(0))
-    return GroovedTable(
-        x, values, table.bends, fine, table.at(fine)[:, 0] + np.log(length_ratio**2 * short_bearing_load(np.tanh(fine)))
-    )
+    short = np.log(length_ratio**2 * short_bearing_load(np.tanh(fine)))
+    return replace(table, fine_load=table.at(fine)[:, 0] + short)
 
 
 def _bends(values: Array, step: float) -> Array:
@@ -452,13 +441,7 @@ def _bends(values: Array, step: float) -> Array:
     return np.asarray(np.linalg.solve(matrix, right))
 
 
-@overload
-def eccentricity_from(sommerfeld: float, length_ratio: float, feeds: Feeds, *, outside: str = ...) -> float: ...
-@overload
-def eccentricity_from(sommerfeld: Array, length_ratio: float, feeds: Feeds, *, outside: str = ...) -> Array: ...
-def eccentricity_from(
-    sommerfeld: float | Array, length_ratio: float, feeds: Feeds, *, outside: str = "raise"
-) -> float | Array:
+def eccentricity_from(sommerfeld: Value, length_ratio: float, feeds: Feeds, *, outside: str = "raise") -> Value:
     """ε at S; floats or arrays.  Outside ε 0.02 to 0.98: FilmRangeError, or with outside="nan" a nan."""
     table = grooved_table(float(length_ratio), feeds.feeds)
     S = np.asarray(sommerfeld, dtype=float)
@@ -468,24 +451,20 @@ def eccentricity_from(
     if outside == "raise" and not inside.all():
         low, high = (math.exp(-table.fine_load[at]) / (2 * math.pi) for at in (-1, 0))
         raise FilmRangeError(Text("Sommerfeld number S"), float(S[~inside][0]) if S.ndim else float(S), low, high)
-    eps = np.where(inside, np.tanh(np.interp(np.nan_to_num(load), table.fine_load, table.fine_x)), np.nan)
-    return eps if S.ndim else float(eps)
+    eps: Any = np.where(inside, np.tanh(np.interp(np.nan_to_num(load), table.fine_load, table.fine_x)), np.nan)
+    return eps if S.ndim else float(eps)  # type: ignore[return-value]
 
 
-@overload
-def film_at(eccentricity: float, length_ratio: float, feeds: Feeds) -> GroovedPoint[float]: ...
-@overload
-def film_at(eccentricity: Array, length_ratio: float, feeds: Feeds) -> GroovedPoint[Array]: ...
-def film_at(
-    eccentricity: float | Array, length_ratio: float, feeds: Feeds
-) -> GroovedPoint[float] | GroovedPoint[Array]:
+def film_at(eccentricity: Value, length_ratio: float, feeds: Feeds) -> GroovedPoint[Value]:
     """The film at ε; nan gives nan."""
     table = grooved_table(float(length_ratio), feeds.feeds)
-    eps = np.asarray(eccentricity, dtype=float)
-    values = np.moveaxis(table.at(np.arctanh(eps)), -1, 0)
+    eps: Array = np.asarray(eccentricity, dtype=float)
+    values: Array = np.moveaxis(table.at(np.arctanh(eps)), -1, 0)
     S = np.exp(-values[0]) / (2 * math.pi * length_ratio**2 * short_bearing_load(eps))
-    film_values = [eps, S, *values[1:5], *(values[5:] / (eps * (1 - eps)))]
-    return GroovedPoint(*film_values) if eps.ndim else GroovedPoint(*map(float, film_values))
+    film: Any = (eps, S, *values[1:5], *(values[5:] / (eps * (1 - eps))))
+    if not eps.ndim:
+        film = map(float, film)
+    return GroovedPoint(*film)
 
 
 # --- as lines of the calculation

@@ -97,10 +97,7 @@ def solve_film(eccentricity: float, length_ratio: float, *, cells: tuple[int, in
     (half the length), both multiples of 4.  Raises ValueError outside the range."""
     levels = _levels(eccentricity, length_ratio, cells)
     grid, pressure = levels[-1]
-    cosine, sine, flow, side_flow, peak = (
-        float(value) for value in _limit(*(_integrals(*level) for level in levels[-2:]))
-    )
-
+    cosine, sine, flow, side_flow, peak = _limit(*(_integrals(*level) for level in levels[-2:])).tolist()
     integral = math.hypot(cosine, sine)
     sommerfeld = 1.0 / (math.pi * integral)
     return FilmSolution(
@@ -145,7 +142,9 @@ def _levels(eccentricity: float, length_ratio: float, cells: tuple[int, int]) ->
     levels = []
     for coarser in REFINEMENTS:
         grid = film_grid(eccentricity, length_ratio, cells[0] // coarser, max(cells[1] // coarser, 1))
-        pressure = _pressure(grid, None if pressure is None else _refined(pressure, grid.across.size))
+        source = -np.diff(grid.drag)[:, None] * grid.across[:-1]
+        active = None if pressure is None else _refined(pressure, grid.across.size)[1:-1, :-1] > 0.0
+        pressure = pressure_of(grid.theta, *_links(grid), source, active)
         levels.append((grid, pressure))
     return levels
 
@@ -182,19 +181,11 @@ def film_grid(eccentricity: float, length_ratio: float, cells_around: int, cells
     drag = 6.0 * np.diff(square) * conductance
 
     if math.isinf(length_ratio):
-        return _Grid(
-            theta,
-            around,
-            np.array([1.0, 0.0]),
-            film,
-            conductance,
-            drag,
-            np.zeros((theta.size, 1)),
-            np.array([0.0, 1.0]),
-        )
-    gap = np.diff(np.tanh(np.linspace(0.0, EDGE_CLUSTERING, cells_across + 1))) / math.tanh(EDGE_CLUSTERING)
-    across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
-    sideways = (film**3 * around / length_ratio**2)[:, None] / gap
+        gap, across, sideways = np.ones(1), np.array([1.0, 0.0]), np.zeros((theta.size, 1))
+    else:
+        gap = np.diff(np.tanh(np.linspace(0.0, EDGE_CLUSTERING, cells_across + 1))) / math.tanh(EDGE_CLUSTERING)
+        across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
+        sideways = (film**3 * around / length_ratio**2)[:, None] / gap
     return _Grid(theta, around, across, film, conductance, drag, sideways, np.append(0.0, np.cumsum(gap)))
 
 
@@ -231,16 +222,11 @@ def _links(grid: _Grid) -> tuple[Array, Array, Array]:
     return along, aside, diagonal
 
 
-def _pressure(grid: _Grid, guess: Array | None) -> Array:
-    """Π at all nodes: the complementarity problem A·Π >= b, Π >= 0, Π·(A·Π − b) = 0 of one grid."""
-    source = -np.diff(grid.drag)[:, None] * grid.across[:-1]
-    return pressure_of(grid.theta, *_links(grid), source, None if guess is None else guess[1:-1, :-1] > 0.0)
-
-
 def pressure_of(
     theta: Array, along: Array, aside: Array, diagonal: Array, source: Array, active: Mask | None = None
 ) -> Array:
-    """Π at the nodes around and across, zero at both ends around and at the last node across.
+    """Π at the nodes around and across, zero at both ends around and at the last node across: the complementarity
+    problem A·Π >= b, Π >= 0, Π·(A·Π − b) = 0 of one grid, b the `source`.
 
     `along`: links around, [gap, node across]; `aside`: from each node across to the next; `active`: where pressure is
     looked for first."""

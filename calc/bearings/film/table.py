@@ -21,20 +21,17 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterable
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Generic, Literal, Protocol, TypeAlias, cast, overload
+from typing import Any, Generic, Literal, TypeAlias
 
 import numpy as np
 
-from ...sheet.arrays import Array, IndexArray, Value
+from ...sheet.arrays import Array, IndexArray, Num, Value
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Number, Radian
 from . import short_bearing
 from .reynolds import friction_variable
-
-__all__ = ["FilmPoint", "FilmRangeError", "eccentricity_from", "film_at", "film_slopes", "sommerfeld_range"]
-
 
 # --- the stored nodes and the polynomials between them
 # The table (`tables/film_table.npy`, written by `build_table`) holds each quantity as value and derivatives at its
@@ -79,23 +76,16 @@ class FilmPoint(Generic[Value]):
     radial_damping: Value  # C_rr·c·ω/F of a journal that moves along its eccentricity
 
 
-class _Short(Protocol):
-    """A formula of the short bearing without its line of the calculation: the table's splines are taken over it, at one
-    place or many."""
-
-    def __call__(self, *, eps: Value, b: float = ...) -> Value: ...
-
-
-_load, _damping = (
-    cast(_Short, short_bearing.sommerfeld_din.function),
-    cast(_Short, short_bearing.radial_damping.function),
-)
+# the short bearing's formulas without their lines of the calculation, at one place or many
+_load: Any = short_bearing.sommerfeld_din.function
+_damping: Any = short_bearing.radial_damping.function
 
 
 def short_bearing_load(eccentricity: Value) -> Value:
     """So/(l/d)² of the infinitely short bearing with half a film: ε·√(π²·(1 − ε²) + 16·ε²)/(2·(1 − ε²)²)  (Ocvirk
     1952)."""
-    return _load(eps=eccentricity, b=1.0)
+    load: Value = _load(eps=eccentricity, b=1.0)
+    return load
 
 
 def short_bearing_slope(eccentricity: Value) -> Value:
@@ -110,7 +100,8 @@ def short_bearing_slope(eccentricity: Value) -> Value:
 
 def short_bearing_damping(eccentricity: Value) -> Value:
     """C_rr·c·ω/F of the infinitely short bearing with half a film."""
-    return _damping(eps=eccentricity)
+    damping: Value = _damping(eps=eccentricity)
+    return damping
 
 
 # --- the table
@@ -177,6 +168,9 @@ def hermite_slope(part: Value, step: Value) -> tuple[Value, Value, Value, Value]
     return -value, rest * (1.0 - 3.0 * part), value, part * (3.0 * part - 2.0)
 
 
+Weights = Callable[[Array, Array], tuple[Array, Array, Array, Array]]
+
+
 def cubic(left: Value, left_slope: Value, right: Value, right_slope: Value) -> tuple[Value, Value]:
     """Second and third coefficient of the Hermite polynomial in the part of the cell."""
     return 3.0 * (right - left) - 2.0 * left_slope - right_slope, 2.0 * (left - right) + left_slope + right_slope
@@ -189,11 +183,11 @@ def within(quantity: str, value: float, nodes: Array) -> float:
     return min(max(value, low), high)
 
 
-def cells(nodes: Array, positions: Array) -> tuple[IndexArray, tuple[Array, Array, Array, Array]]:
+def cells(nodes: Array, positions: Array, weights: Weights = hermite) -> tuple[IndexArray, tuple[Array, ...]]:
     """The cell of each position, and the weights of its nodes; a nan gives nan weights in some cell."""
     cell = np.minimum(np.maximum(np.searchsorted(nodes, positions, side="right") - 1, 0), nodes.size - 2)
     step = nodes[cell + 1] - nodes[cell]
-    return cell, hermite((positions - nodes[cell]) / step, step)
+    return cell, weights((positions - nodes[cell]) / step, step)
 
 
 def clipped(
@@ -221,15 +215,7 @@ ITERATION_LIMIT = 60
 ALL = slice(None)  # quantities of the table
 
 
-@overload
-def film_at(eccentricity: float, length_ratio: float, *, outside: Outside = ...) -> FilmPoint[float]: ...
-@overload
-def film_at(eccentricity: Array, length_ratio: Array | float, *, outside: Outside = ...) -> FilmPoint[Array]: ...
-@overload
-def film_at(eccentricity: float, length_ratio: Array, *, outside: Outside = ...) -> FilmPoint[Array]: ...
-def film_at(
-    eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
-) -> FilmPoint[float] | FilmPoint[Array]:
+def film_at(eccentricity: Value, length_ratio: Num, *, outside: Outside = "raise") -> FilmPoint[Value]:
     """The film at eccentricity ε and length ratio l/d.  Arrays are broadcast; two scalars give floats.
 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
@@ -239,53 +225,33 @@ def film_at(
     return _film_array(*_many(eccentricity, length_ratio), outside)
 
 
-@overload
-def film_slopes(eccentricity: float, length_ratio: float, *, outside: Outside = ...) -> tuple[float, float]: ...
-@overload
-def film_slopes(eccentricity: Array, length_ratio: Array | float, *, outside: Outside = ...) -> tuple[Array, Array]: ...
-@overload
-def film_slopes(eccentricity: float, length_ratio: Array, *, outside: Outside = ...) -> tuple[Array, Array]: ...
-def film_slopes(
-    eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
-) -> tuple[float | Array, float | Array]:
+def film_slopes(eccentricity: Value, length_ratio: Num, *, outside: Outside = "raise") -> tuple[Value, Value]:
     """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced
     journal."""
-    load, attitude = _slopes_array(*_many(eccentricity, length_ratio), outside)
-    return (float(load), float(attitude)) if load.ndim == 0 else (load, attitude)
+    eps, _, values = _read(*_many(eccentricity, length_ratio), outside, hermite_slope)
+    per_eccentricity = 1.0 / (1.0 - eps**2)  # dx/dε
+    load, attitude = (values[..., 0] + short_bearing_slope(eps)) * per_eccentricity, values[..., 1] * per_eccentricity
+    slopes: tuple[Any, Any] = (load, attitude) if eps.ndim else (float(load), float(attitude))
+    return slopes
 
 
-@overload
-def eccentricity_from(sommerfeld: float, length_ratio: float, *, outside: Outside = ...) -> float: ...
-@overload
-def eccentricity_from(sommerfeld: Array, length_ratio: Array | float, *, outside: Outside = ...) -> Array: ...
-@overload
-def eccentricity_from(sommerfeld: float, length_ratio: Array, *, outside: Outside = ...) -> Array: ...
-def eccentricity_from(
-    sommerfeld: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
-) -> float | Array:
+def eccentricity_from(sommerfeld: Value, length_ratio: Num, *, outside: Outside = "raise") -> Value:
     """The eccentricity ε that carries the load: the table's S(ε, l/d), strictly decreasing in ε, turned round.
 
     Newton's method within one cell of the table, never leaving the bracket.  Arrays are broadcast; two scalars give a
     float. Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned."""
+    eccentricity: Any
     if _scalar(sommerfeld) and _scalar(length_ratio):
-        return _eccentricity_scalar(float(sommerfeld), float(length_ratio), outside)
-    return _eccentricity_array(*_many(sommerfeld, length_ratio), outside)
-
-
-@overload
-def sommerfeld_range(length_ratio: float) -> tuple[float, float]: ...
-@overload
-def sommerfeld_range(length_ratio: Array) -> tuple[Array, Array]: ...
-def sommerfeld_range(length_ratio: float | Array) -> tuple[float | Array, float | Array]:
-    """The lowest and highest S of the table at l/d: those of ε = 0.98 and ε = 0.02."""
-    low, high = film_nodes().eccentricities[[0, -1]]
-    return film_at(high, length_ratio).sommerfeld, film_at(low, length_ratio).sommerfeld
+        eccentricity = _eccentricity_scalar(float(sommerfeld), float(length_ratio), outside)
+    else:
+        eccentricity = _eccentricity_array(*_many(sommerfeld, length_ratio), outside)
+    return eccentricity  # type: ignore[no-any-return]
 
 
 # --- one point
 
 
-def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> FilmPoint[float]:
+def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> FilmPoint[Any]:
     try:
         column = column_at(length_ratio)
         table = film_nodes()
@@ -394,35 +360,27 @@ def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[Ind
     return length_ratio, read
 
 
-def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> FilmPoint[Array]:
+def _read(
+    eccentricity: Array, length_ratio: Array, outside: Outside, weights: Weights = hermite
+) -> tuple[Array, Array, Array]:
+    """ε and l/d within the table, and its quantities there, along the last axis."""
     table = film_nodes()
     eccentricity = clipped(
         Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside
     )
     length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
-    cell, across = cells(table.x, np.arctanh(eccentricity))
-    values = _sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))
-    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = (values[..., k] for k in range(6))
+    cell, across = cells(table.x, np.arctanh(eccentricity), weights)
+    return eccentricity, length_ratio, _sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))
+
+
+def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> FilmPoint[Any]:
+    eccentricity, length_ratio, values = _read(eccentricity, length_ratio, outside)
+    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = np.moveaxis(values, -1, 0)
     sommerfeld = np.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(eccentricity))
     friction = friction_variable(eccentricity, sommerfeld, np.sin(attitude))
     damping = short_bearing_damping(eccentricity) * np.exp(damping)
     return FilmPoint(eccentricity, sommerfeld, attitude, friction, flow, side_flow_ratio, pressure_ratio, damping)
-
-
-def _slopes_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> tuple[Array, Array]:
-    table = film_nodes()
-    eccentricity = clipped(
-        Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside
-    )
-    length_ratio, read = _reader(length_ratio, outside)
-    eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
-    cell, _ = cells(table.x, np.arctanh(eccentricity))
-    step = table.x[cell + 1] - table.x[cell]
-    across = hermite_slope((np.arctanh(eccentricity) - table.x[cell]) / step, step)
-    values = _sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))
-    per_eccentricity = 1.0 / (1.0 - eccentricity**2)  # dx/dε
-    return (values[..., 0] + short_bearing_slope(eccentricity)) * per_eccentricity, values[..., 1] * per_eccentricity
 
 
 def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside) -> Array:
@@ -451,12 +409,8 @@ def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside
         cell = np.minimum(cell, table.x.size - 2)
 
     x, step = table.x[cell], table.x[cell + 1] - table.x[cell]
-    left, left_slope, right, right_slope = (
-        at(2 * cell),
-        step * at(2 * cell + 1),
-        at(2 * cell + 2),
-        step * at(2 * cell + 3),
-    )
+    left, left_slope, right, right_slope = (at(2 * cell + k) for k in range(4))
+    left_slope, right_slope = step * left_slope, step * right_slope
     second, third = cubic(left, left_slope, right, right_slope)
     start, end = np.zeros_like(x), np.ones_like(x)
     part = np.clip(

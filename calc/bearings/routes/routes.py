@@ -17,18 +17,8 @@ from ...sheet.record import record
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ...sheet.value import based_on
 from .. import formulas as f
-from ..film import grooved
+from ..film import grooved, table
 from ..film import short_bearing as short
-from ..film.grooved import Feeds
-from ..film.table import (
-    attitude_angle,
-    eccentricity,
-    eccentricity_from,
-    film_at,
-    pressure_ratio,
-    relative_flow,
-    side_flow_share,
-)
 from . import din31652, flow, supply
 from . import raimondi_boyd as rb
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts, Seized
@@ -161,81 +151,54 @@ def _reynolds(
     psi = f.relative_clearance(g=g, d=b.diameter)
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=f.angular_speed(n=duty.effective_speed))
-    p_rel = None
-    grooves = seat.grooves
-    if grooves is not None and not without_length:
-        return _with_grooves(seat, duty, grooves, T, oil, g, psi, p, S, So, ratio, l)
-    if without_length:
-        eps = short.eccentricity(S=S, b=ratio)
-        phi, Q_rel, share = short.attitude_angle(eps=eps), short.relative_flow(eps=eps), short.side_flow_share(eps=eps)
-    elif one_point:
-        eps = eccentricity(S=S, b=ratio)
-        phi, Q_rel, share = (
-            attitude_angle(eps=eps, b=ratio),
-            relative_flow(eps=eps, b=ratio),
-            side_flow_share(eps=eps, b=ratio),
-        )
-        p_rel = pressure_ratio(eps=eps, b=ratio)
+    eps: Any
+    p_rel = Q_1 = None
+    if seat.grooves is not None and not without_length:
+        eps, phi, Q_rel, p_rel, land = _between_grooves(seat, seat.grooves, S, g, ratio)
+        f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
+        Q_1 = flow.side_flow_grooved(Q_rel=Q_rel, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
     else:
-        eps = eccentricity_from(np.where(g > 0, S, np.nan), ratio, outside="nan")
-        state = film_at(eps, ratio, outside="nan")
-        phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
-    f_v = _friction_variable(duty, So, eps, phi)
-    Q_1 = (
-        flow.side_flow(Q_rel=Q_rel, share=share, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
-        if lands == 1
-        else None
-    )
+        if without_length:
+            eps = short.eccentricity(S=S, b=ratio)
+            phi, Q_rel = short.attitude_angle(eps=eps), short.relative_flow(eps=eps)
+            share = short.side_flow_share(eps=eps)
+        elif one_point:
+            eps = table.eccentricity(S=S, b=ratio)
+            phi, Q_rel = table.attitude_angle(eps=eps, b=ratio), table.relative_flow(eps=eps, b=ratio)
+            share, p_rel = table.side_flow_share(eps=eps, b=ratio), table.pressure_ratio(eps=eps, b=ratio)
+        else:
+            eps = table.eccentricity_from(np.where(g > 0, S, np.nan), ratio, outside="nan")
+            state = table.film_at(eps, ratio, outside="nan")
+            phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
+        f_v = _friction_variable(duty, So, eps, phi)
+        if lands == 1:
+            Q_1 = flow.side_flow(Q_rel=Q_rel, share=share, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
     h_0 = f.film(g=g, eps=eps)
     p_max = None if p_rel is None else f.largest_pressure(p=p, ratio=p_rel)
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_1, phi, p_max)
 
 
-def _with_grooves(
-    seat: BearingCase,
-    duty: OperatingPoint,
-    grooves: Feeds,
-    T: float,
-    oil: OilState[Any],
-    g: float,
-    psi: float,
-    p: float,
-    S: float,
-    So: float,
-    ratio: float,
-    l: float,
-) -> Film:
-    """The film between axial grooves; one l/d, any number of states."""
-    b, inputs = seat.bearing, seat.inputs
+def _between_grooves(seat: BearingCase, grooves: grooved.Feeds, S: Any, g: Any, ratio: Any) -> tuple[Any, ...]:
+    """ε, φ, relative side flow, p/p_max and the share that is sheared, between axial grooves; one l/d, any number of
+    states."""
     if isinstance(S, float):
-        ratio = based_on(
-            ratio, ratio, inputs.axial_groove_angles, inputs.axial_groove_width, inputs.axial_groove_length
+        i = seat.inputs
+        b = based_on(ratio, ratio, i.axial_groove_angles, i.axial_groove_width, i.axial_groove_length)
+        eps: Any = grooved.eccentricity(S=S, b=b, grooves=grooves)
+        return (
+            eps,
+            grooved.attitude_angle(eps=eps, b=b, grooves=grooves),
+            grooved.relative_side_flow(eps=eps, b=b, grooves=grooves),
+            grooved.pressure_ratio(eps=eps, b=b, grooves=grooves),
+            grooved.sheared_share(eps=eps, b=b, grooves=grooves),
         )
-        eps = grooved.eccentricity(S=S, b=ratio, grooves=grooves)
-        phi, q_s = (
-            grooved.attitude_angle(eps=eps, b=ratio, grooves=grooves),
-            grooved.relative_side_flow(eps=eps, b=ratio, grooves=grooves),
-        )
-        p_rel, land = (
-            grooved.pressure_ratio(eps=eps, b=ratio, grooves=grooves),
-            grooved.sheared_share(eps=eps, b=ratio, grooves=grooves),
-        )
-    else:
-        ratios = np.unique(np.asarray(ratio))
-        if ratios.size != 1:
-            raise NoSolution(
-                Text("axial grooves are not searched over lengths and diameters"),
-                EMPTY,
-                Text("choose sizes with a hole"),
-            )
-        eps = grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), ratios.item(), grooves, outside="nan")
-        state = grooved.film_at(eps, ratios.item(), grooves)
-        phi, q_s, p_rel, land = state.attitude, state.side_flow, state.pressure_ratio, state.sheared
-    f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
-    Q_1 = flow.side_flow_grooved(Q_rel=q_s, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
-    return _film(
-        seat, duty, T, oil, g, psi, p, S, eps, f.film(g=g, eps=eps), f_v, Q_1, phi, f.largest_pressure(p=p, ratio=p_rel)
-    )
+    ratios = np.unique(np.asarray(ratio))
+    if ratios.size != 1:
+        what = Text("axial grooves are not searched over lengths and diameters")
+        raise NoSolution(what, EMPTY, Text("choose sizes with a hole"))
+    eps = grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), ratios.item(), grooves, outside="nan")
+    state = grooved.film_at(eps, ratios.item(), grooves)
+    return eps, state.attitude, state.side_flow, state.pressure_ratio, state.sheared
 
 
 @bearing_route(
@@ -278,13 +241,8 @@ def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow
     if not own_flow and duty.supply_pressure > 0:
         Q = flow.groove_flow_of_finotti(p_s=duty.supply_pressure, d=b.diameter, g=g, eps=eps, mu=oil.mu, l=b.length)
         return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, None, phi, p_max, Q=Q)
-    Q = rb.film_flow(
-        Q_rel=rb.relative_flow(S=S, b=ratio),
-        d=b.diameter,
-        g=g,
-        n_h=duty.effective_speed,
-        l=l if lands == 1 else lands * l,
-    )
+    Q_rel, bare = rb.relative_flow(S=S, b=ratio), l if lands == 1 else lands * l
+    Q = rb.film_flow(Q_rel=Q_rel, d=b.diameter, g=g, n_h=duty.effective_speed, l=bare)
     Q_s = rb.side_flow(share=rb.side_flow_share(S=S, b=ratio), Q=Q)
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_s, phi, p_max, Q=Q, drawn_in=True)
 
@@ -304,11 +262,9 @@ def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     eps = din31652.eccentricity(So=So, b=ratio)
     beta = din31652.attitude_angle(eps=eps, b=ratio)
     f_v = _friction_variable(duty, So, eps, beta)
-    Q_1 = (
-        flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps))
-        if lands == 1
-        else None
-    )
+    Q_1 = None
+    if lands == 1:
+        Q_1 = flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps))
     return _film(seat, duty, T, oil, g, psi, p, So, eps, f.film(g=g, eps=eps), f_v, Q_1, beta)
 
 
@@ -358,7 +314,7 @@ def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
         _, mu_f = din31652.friction(psi=psi, So=So, b=ratio)
         f_v = f.friction_variable_of(f=mu_f, psi=psi)
     else:
-        f_v = f.friction_variable(So=So, eps=eps, phi=attitude_angle(eps=eps, b=ratio))
+        f_v = f.friction_variable(So=So, eps=eps, phi=table.attitude_angle(eps=eps, b=ratio))
     Q_1 = flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps))
     return _film(seat, duty, T, oil, g, psi, p, So, eps, h_0, f_v, Q_1, mu_f=mu_f, opposite=True)
 
@@ -367,13 +323,10 @@ def _land(seat: BearingCase, duty: OperatingPoint) -> tuple[int, float, float]:
     """Number, length and specific load of the lands: a groove in the loaded half parts the bearing into two, each with
     half the load."""
     b, inputs = seat.bearing, seat.inputs
-    lands = supply.lands(inputs)
-    l = (
-        b.length
-        if lands == 1
-        else based_on((b.length - (inputs.groove_width or 0.0)) / 2, b.length, inputs.groove_width)
-    )
-    load = duty.load if lands == 1 else based_on(duty.load / lands, duty.load, inputs.groove_arc)
+    lands, l, load = supply.lands(inputs), b.length, duty.load
+    if lands == 2:
+        l = based_on((b.length - (inputs.groove_width or 0.0)) / 2, b.length, inputs.groove_width)
+        load = based_on(duty.load / 2, duty.load, inputs.groove_arc)
     return lands, l, specific_load(F=load, d=b.diameter, l=l)
 
 
@@ -414,9 +367,8 @@ def _film(
         mu_f = f.friction_coefficient(psi=psi, f_v=f_v)
     power = f.friction_power(f=mu_f, F=duty.load, u=f.surface_speed(d=seat.bearing.diameter, n=duty.effective_speed))
     if isinstance(Q, float) and Q <= 0:
-        raise NoSolution(
-            Text("no oil flows through the bearing"), Text("supply pressure 0"), Text("raise the supply pressure")
-        )
+        what, advice = Text("no oil flows through the bearing"), Text("raise the supply pressure")
+        raise NoSolution(what, Text("supply pressure 0"), advice)
     if drawn_in and Q_1 is not None:
         heated = rb.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q, Q_s=Q_1)
     else:

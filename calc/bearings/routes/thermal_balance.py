@@ -6,7 +6,7 @@ The difference of the two falls with the assumed rise, so that a bracket finds t
 the own solution."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -67,37 +67,31 @@ def _reason(seat: BearingCase, duty: OperatingPoint, error: ValueError) -> tuple
     if duty.effective_speed < duty.speed * (1 - 1e-9):
         dragged = Amount(duty.effective_speed * 60, form=".4g")
         at += Text(" (as dragged between load and surfaces, {effective_speed} rpm)", effective_speed=dragged)
+    under, tried = Text("under {at}", at=at), text_of(error)
     if isinstance(error, OutsideBalance):
-        remedy = Text("lower the load, lengthen the bearing, give it less clearance, more oil or cooler oil")
+        advice = Text("lower the load, lengthen the bearing, give it less clearance, more oil or cooler oil")
         if not isinstance(error.end, FilmRangeError):
-            remedy = Text(
+            advice = Text(
                 "give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler "
                 "oil"
             )
-        return Text("the heat of the film under {at} is not carried away", at=at), text_of(error), remedy
+        return Text("the heat of the film under {at} is not carried away", at=at), tried, advice
     if isinstance(error, Seized):
-        return text_of(error), Text("under {at}", at=at), Text("give it more clearance")
-    under, error_text = Text("under {at}", at=at), text_of(error)
+        return tried, under, Text("give it more clearance")
     if isinstance(error, FilmRangeError) and "l/d" in error.quantity:
+        what = Text("the film of this bearing is not in the table ({error})", error=tried)
+        advice = Text("choose a length between 0.1 and 2 diameters")
         if supply.lands(seat.inputs) == 2:
+            what = Text("the film of the lands beside the groove is not in the table ({error})", error=tried)
             advice = Text(
                 "a narrower groove or a longer bearing, so that each land is at least a tenth of the diameter long"
             )
-            return (
-                Text("the film of the lands beside the groove is not in the table ({error})", error=error_text),
-                under,
-                advice,
-            )
-        advice = Text("choose a length between 0.1 and 2 diameters")
-        return Text("the film of this bearing is not in the table ({error})", error=error_text), under, advice
+        return what, under, advice
     if isinstance(error, FilmRangeError) and error.value > error.high:
         advice = Text("the load is too small for this clearance and oil: more clearance, or a thinner or warmer oil")
-        return Text("the journal runs nearly centred under {at}", at=at), error_text, advice
-    return (
-        Text("no film carries {at}", at=at),
-        error_text,
-        Text("lower the load, lengthen the bearing, or take a thicker oil"),
-    )
+        return Text("the journal runs nearly centred under {at}", at=at), tried, advice
+    advice = Text("lower the load, lengthen the bearing, or take a thicker oil")
+    return Text("no film carries {at}", at=at), tried, advice
 
 
 def _begins(excess: Callable[[float], float]) -> float:
@@ -242,25 +236,14 @@ def settled_together(asked: Sequence[tuple[BearingCase[Any], OperatingPoint[Any]
     seat, duty = asked[0]
     sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
 
-    def joined(of: Callable[[BearingCase[Any], OperatingPoint[Any]], Any]) -> Array:
-        numbers: Array = np.concatenate(
-            [np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)]
-        )
-        return numbers
+    def joined(numbers: Iterable[Any]) -> Array:
+        return np.concatenate([np.broadcast_to(x, (size,)) for x, size in zip(numbers, sizes)])
 
-    film = settled(
-        replace(seat, clearance=joined(lambda s, _: s.clearance), viscosity_factor=joined(lambda s, _: _factor(s))),
-        replace(
-            duty,
-            load=joined(lambda _, d: d.load),
-            speed=joined(lambda _, d: d.speed),
-            effective_speed=joined(lambda _, d: d.effective_speed),
-            supply_temperature=joined(lambda _, d: d.supply_temperature),
-            supply_pressure=joined(lambda _, d: d.supply_pressure),
-        ),
-    )
-    ends = np.cumsum(sizes)
-    parts = [slice(end - size, end) for size, end in zip(sizes, ends.tolist())]
+    clearance, factor = joined(s.clearance for s, _ in asked), joined(_factor(s) for s, _ in asked)
+    varied = {name: joined(getattr(d, name) for _, d in asked) for name in vars(duty) if name != "sliding_ratio"}
+    film = settled(replace(seat, clearance=clearance, viscosity_factor=factor), replace(duty, **varied))
+    ends = np.cumsum(sizes).tolist()
+    parts = [slice(end - size, end) for size, end in zip(sizes, ends)]
     return [_over(film, lambda x, part=part: x[part]) for part in parts]  # type: ignore[misc]
 
 
@@ -269,17 +252,8 @@ def _factor(seat: BearingCase[Any]) -> Any:
 
 
 def _numbers(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[Num, ...]:
-    b = seat.bearing
-    return (
-        b.diameter,
-        b.length,
-        seat.clearance,
-        _factor(seat),
-        duty.load,
-        duty.speed,
-        duty.supply_temperature,
-        duty.supply_pressure,
-    )
+    of_duty = duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
+    return seat.bearing.diameter, seat.bearing.length, seat.clearance, _factor(seat), *of_duty
 
 
 def _each(

@@ -14,7 +14,7 @@ from calc.bearings.film import build_table as build_film_table
 from calc.bearings.film import table as film_nodes
 from calc.bearings.film import table as film_table
 from calc.bearings.film.reynolds import solve_film
-from calc.bearings.film.table import FilmRangeError, eccentricity_from, film_at, sommerfeld_range
+from calc.bearings.film.table import FilmRangeError, eccentricity_from, film_at
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 FINITE = [row for row in json.loads((REFERENCE / "bearings_reynolds.json").read_text())["rows"] if row["ld"] != "inf"]
@@ -104,16 +104,17 @@ def test_the_load_rises_with_the_eccentricity_at_every_length():
 
 @pytest.mark.parametrize("length_ratio", [0.1, 0.3271604938, 0.5, 2.0])
 def test_the_limits_belong_to_the_range(length_ratio):
-    low, high = sommerfeld_range(length_ratio)
-    assert (low, high) == (film_at(0.98, length_ratio).sommerfeld, film_at(0.02, length_ratio).sommerfeld)
+    low, high = (film_at(eccentricity, length_ratio).sommerfeld for eccentricity in (0.98, 0.02))
     assert eccentricity_from(low, length_ratio) == pytest.approx(0.98, abs=1e-12)
     assert eccentricity_from(high, length_ratio) == pytest.approx(0.02, abs=1e-12)
     assert np.allclose(eccentricity_from(np.array([low, high]), length_ratio), [0.98, 0.02], rtol=0.0, atol=1e-12)
 
 
-def test_the_range_of_many_lengths():
-    low, high = sommerfeld_range(np.array([0.25, 0.5]))
-    assert (low[1], high[1]) == pytest.approx(sommerfeld_range(0.5), rel=1e-12)
+@pytest.mark.parametrize("limit", [0.02, 0.98])
+def test_the_range_of_many_lengths(limit):
+    assert film_at(limit, np.array([0.25, 0.5])).sommerfeld[1] == pytest.approx(
+        film_at(limit, 0.5).sommerfeld, rel=1e-12
+    )
 
 
 @pytest.mark.parametrize(
