@@ -163,8 +163,7 @@ def _clearance_checks(
     tool = Text("A tool with a larger addendum helps as well.")
     works_low = Text(
         "The tip of {mate} works low on {wheel}: cut it as far as the contact ratio allows; a tool with a larger "
-        "addendum or more teeth "
-        "help as well.",
+        "addendum or more teeth help as well.",
         mate=mate.name,
         wheel=wheel.name,
     )

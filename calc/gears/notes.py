@@ -81,8 +81,7 @@ def errata(result: TrainResult) -> tuple[Erratum, ...]:
             Text("method of Finotti 2013, Tables 4.5 and 4.6"),
             Text(
                 "The sheet enters the speed of the train's first wheel for {name} too; with {teeth} teeth against "
-                "{teeth2} it turns at "
-                "{speed} rpm.",
+                "{teeth2} it turns at {speed} rpm.",
                 name=wheel.name,
                 teeth=wheel.teeth,
                 teeth2=first.teeth,

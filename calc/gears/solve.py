@@ -56,9 +56,8 @@ BACKLASH = TrainPart("backlash", Text("backlash over parts and temperature"))
 LAYOUT = TrainPart("layout", Text("layout of the train"))
 RATING = TrainPart("rating", Text("rating of the teeth"))
 NOT_RATED = Text(
-    "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given "
-    "here; stresses, "
-    "safeties and forces on the axes have no values."
+    "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given here; "
+    "stresses, safeties and forces on the axes have no values."
 )
 
 

@@ -123,8 +123,7 @@ def _too_much(train: Train, mesh: Mesh, i: int, a: Metre, known: str, mate: str,
     return NoSolution(
         Text(
             "gears.meshes.{i}.centre_distance_mm = {centre_distance}: with the shift {shifts} of {known} it needs {x} "
-            "of {mate}; "
-            "−{most_shift} to {most_shift} is the most that is tried",
+            "of {mate}; −{most_shift} to {most_shift} is the most that is tried",
             i=i,
             centre_distance=mm(a, "g"),
             shifts=Amount(train.shifts[known], form=".6g"),
@@ -183,8 +182,7 @@ def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> Number:
     raise NoSolution(
         Text(
             "gears.meshes.{i}.centre_distance_mm = {centre_distance}: contradicts the profile shifts {driver} {x_1} "
-            "and {driven} "
-            "{given}; the teeth jam by {j_bn}, and without backlash it needs {driven} {x}",
+            "and {driven} {given}; the teeth jam by {j_bn}, and without backlash it needs {driven} {x}",
             i=i,
             centre_distance=mm(a, "g"),
             **values,
@@ -227,8 +225,7 @@ def _shift_sum(train: Train, mesh: Mesh, i: int, a: Metre) -> Number:
         raise NoSolution(
             Text(
                 "gears.meshes.{i}.centre_distance_mm = {centre_distance}: {driver} ({z_1} teeth) and {driven} ({z_2}) "
-                "can not mesh so "
-                "close: their base circles overlap",
+                "can not mesh so close: their base circles overlap",
                 i=i,
                 centre_distance=mm(a, "g"),
                 driver=mesh.driver,
@@ -255,8 +252,7 @@ def _distance(train: Train, mesh: Mesh, i: int) -> Metre:
         raise NoSolution(
             Text(
                 "gears.meshes.{i}: with the profile shifts {driver} {x_1} and {driven} {x_2} no centre distance is "
-                "free of backlash: the "
-                "base circles would overlap",
+                "free of backlash: the base circles would overlap",
                 i=i,
                 driver=mesh.driver,
                 x_1=Amount(x_1, form=".6g"),

@@ -209,10 +209,8 @@ def notes(
         notes.append(
             Text(
                 "Backlash by chance: {by_chance}, always the same ones, at 20 °C; allowances, bare tolerances and "
-                "fields without a kind even "
-                "between their limits, a position even in its circle, a fit on the wall of its clearance and a runout "
-                "in any direction; all "
-                "independent.",
+                "fields without a kind even between their limits, a position even in its circle, a fit on the wall of "
+                "its clearance and a runout in any direction; all independent.",
                 by_chance=BY_CHANCE,
             )
         )

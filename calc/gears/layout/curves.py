@@ -137,10 +137,9 @@ def _marks(teeth: Phase, period: float) -> Table:
         ),
         rows,
         Text(
-            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the "
-            "last wheel the one "
-            "nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet again after "
-            "{period} turns.",
+            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the last "
+            "wheel the one nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet "
+            "again after {period} turns.",
             period=Amount(period, form="g"),
         ),
     )
@@ -188,9 +187,8 @@ def forces_tables(result: ForcesResult) -> tuple[Table, ...]:
             tuple(rows),
             Text(
                 "Least and most differ where the included angle is not known; the tilting couple is then the largest. "
-                "Direction from up "
-                "in the sense of crank rotation. Thrust: + towards the flywheel, the crank turning clockwise seen "
-                "from its front end."
+                "Direction from up in the sense of crank rotation. Thrust: + towards the flywheel, the crank turning "
+                "clockwise seen from its front end."
             ),
             covers,
         ),
@@ -224,10 +222,8 @@ def notes(gears: GearsInputs, result: LayoutResult, teeth: Phase, last: WheelRes
         notes.append(
             Text(
                 "Seen so that the crank turns clockwise, cylinder 1 at TDC: the nearest tooth of {last} stands "
-                "{degrees}° {sense} from its "
-                "eccentric. This angle, or the marks, must stand on the drawing: {last} can be meshed in steps of "
-                "{z}°. A tooth of {driver} "
-                "stands at gears.tooth_angle_deg = {degrees2}.",
+                "{degrees}° {sense} from its eccentric. This angle, or the marks, must stand on the drawing: {last} "
+                "can be meshed in steps of {z}°. A tooth of {driver} stands at gears.tooth_angle_deg = {degrees2}.",
                 last=last.name,
                 degrees=Amount(abs(math.degrees(teeth.offset)), form=".3f"),
                 sense=Text("further") if teeth.offset >= 0 else Text("back"),
@@ -255,8 +251,7 @@ def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) 
         return ()
     why = Text(
         "The drawing gives a tip diameter of {drawn_tip} mm, the sheet {tip} mm: with the sheet's the gap is about "
-        "twice the eight tenths "
-        "of the text.",
+        "twice the eight tenths of the text.",
         drawn_tip=mm(DRAWN_TIP, "g"),
         tip=mm(tip, ".3f"),
     )

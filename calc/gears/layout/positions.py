@@ -67,8 +67,7 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
         placing.notes.append(
             Text(
                 "Positions of the wheels are not given: nothing is said about clearances, assembly phase and included "
-                "angles. They follow "
-                "from countershaft.axis_mm or gears.wheels.NAME.position_mm."
+                "angles. They follow from countershaft.axis_mm or gears.wheels.NAME.position_mm."
             )
         )
         return placing
@@ -185,8 +184,7 @@ def _sides(idler: Between, placing: Placing) -> tuple[float, ...]:
         placing.notes.append(
             Text(
                 "The centre distances of {wheel} miss {first} and {second} by {miss} µm, within the tolerance: it is "
-                "set on their line of "
-                "centres.",
+                "set on their line of centres.",
                 **names,
                 miss=miss,
             )
@@ -298,8 +296,7 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
     placing.notes.append(
         Text(
             "{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of "
-            "them has the most room, "
-            "{clearance} mm. Walls and neighbours that are not given are not heeded: give "
+            "them has the most room, {clearance} mm. Walls and neighbours that are not given are not heeded: give "
             "gears.wheels.{one}.position_mm.",
             one=one,
             two=two,

@@ -281,9 +281,8 @@ def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number
     if factor > 1:
         advice = Text(
             "Every tooth of {driver} meets only {z_2} of the {z_22} teeth of {driven}, and one fault returns after "
-            "{turns} turns of "
-            "{driver}: numbers of teeth without a common factor spread the wear (the teeth of an idler do not change "
-            "the ratio).",
+            "{turns} turns of {driver}: numbers of teeth without a common factor spread the wear (the teeth of an "
+            "idler do not change the ratio).",
             driver=mesh.driver,
             z_2=Amount(z_2 / factor, form="g"),
             z_22=z_2,
@@ -316,8 +315,7 @@ def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
         ),
         Text(
             "Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the "
-            "shaft is inserted, "
-            "or split the support.",
+            "shaft is inserted, or split the support.",
             wheel=wheel,
             seat=seat,
             more=more,

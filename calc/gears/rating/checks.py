@@ -25,8 +25,7 @@ from .screening.load import Screening
 S_H_USUAL, S_F_USUAL = 1.2, 1.6
 MINIMUM = (
     "ISO 6336-1 leaves the minimum to agreement; rule of this program: limit at the lower, advice at the upper end of "
-    "the usual {least} to {usual} "
-    "(IACS UR M56 for auxiliary gears: {auxiliary})"
+    "the usual {least} to {usual} (IACS UR M56 for auxiliary gears: {auxiliary})"
 )
 MINIMUM_H = Text(MINIMUM, least=S_H_LEAST, usual=S_H_USUAL, auxiliary=Text("{low} to {high}", low=1.15, high=1.2))
 MINIMUM_F = Text(MINIMUM, least=S_F_LEAST, usual=S_F_USUAL, auxiliary=Text("{low} to {high}", low=1.4, high=1.45))
@@ -108,8 +107,7 @@ def reversal_check(key: str, pair: str, least: NewtonMetre) -> Check:
         Text("the flanks stay in touch while the torque does not change its sign"),
         Text(
             "The teeth rattle: hold the backlash small, prefer helical teeth with a large overlap, or take a heavier "
-            "flywheel "
-            "or a wheel that is sprung against play."
+            "flywheel or a wheel that is sprung against play."
         ),
     )
 
@@ -164,9 +162,8 @@ def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> Iterator
             "%",
             Text("{clause_7}: K_Hβ up to 2", clause_7=CLAUSE_7),
             Text(
-                "The load is too small to press the misaligned teeth together over the whole face width: "
-                "crown or end-relieve the teeth, "
-                "or hold the axes more parallel (misalignment of the mesh, accuracy grade)."
+                "The load is too small to press the misaligned teeth together over the whole face width: crown or "
+                "end-relieve the teeth, or hold the axes more parallel (misalignment of the mesh, accuracy grade)."
             ),
         )
 
@@ -316,8 +313,7 @@ def screening_checks(key: str, screened: Screening) -> Iterator[Check]:
             "",
             Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B; {limit}", limit=limit),
             Text(
-                "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not "
-                "help. "
+                "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not help. "
                 "{pressure}",
                 pressure=_pressure(screened.film_pressure or 0.0),
             ),

@@ -145,8 +145,7 @@ WRONG = {  # quantity: (its name, its unit, what is wrong in the sheet)
 }
 CONTACT_OF_SHEET = Text(
     "Its modulus of 210000 daN/mm² is ten times that of steel, so the stress is √10 too high; it also takes β for β_b "
-    "in the zone factor, "
-    "and √cos β of the withdrawn edition. Its root stresses stand in the table of the sheet."
+    "in the zone factor, and √cos β of the withdrawn edition. Its root stresses stand in the table of the sheet."
 )
 
 
@@ -178,12 +177,9 @@ def comparison(train: TrainResult, rated: Mapping[str, MeshRating]) -> Table:
         tuple(rows),
         Text(
             "To compare with, not to design by; with the source's power and speed it gives the printed values. E is "
-            "210000 daN/mm², "
-            "ten times that of steel, so σ_H is √10 too high, and has β for β_b in Z_H and √cos β, withdrawn, for "
-            "Z_β. The height of the "
-            "outer single contact is carried to the virtual wheel without 1/cos² β_b, and Y_F has cos α_t for cos "
-            "α_n. The ball has the "
-            "product of two angles in degrees for their sum."
+            "210000 daN/mm², ten times that of steel, so σ_H is √10 too high, and has β for β_b in Z_H and √cos β, "
+            "withdrawn, for Z_β. The height of the outer single contact is carried to the virtual wheel without 1/cos² "
+            "β_b, and Y_F has cos α_t for cos α_n. The ball has the product of two angles in degrees for their sum."
         ),
     )
 

@@ -165,9 +165,8 @@ def idler_table(rows: Sequence[Idler], first: int, top: int) -> Table:
     title = Text("Teeth of {wheel}: its place, and what is against it", wheel=rows[0].wheel)
     legend = Text(
         "With the profile shifts as they are. up, side: its axis from the crank's; room: to the nearest thing that it "
-        "does not mesh with. "
-        "First the fewest warnings and notes, then the least sliding in its meshes. Rows without number fail; farther "
-        "ones are left out."
+        "does not mesh with. First the fewest warnings and notes, then the least sliding in its meshes. Rows without "
+        "number fail; farther ones are left out."
     )
     left = len(passing) - top
     note = legend + Text(" {n} more; --top N shows more.", n=left) if left > 0 else legend

@@ -27,8 +27,7 @@ BARS = {  # by which limits a row is judged: its word in a column, and what it s
 
 EXPLAIN = Text(
     "x: profile shifts. max |ζ_A|: the largest specific sliding at the start of contact, of which wheel/in mesh with "
-    "which. margin: the "
-    "least of all rules, and by which (of undercut: the shift above it, in hundredths)."
+    "which. margin: the least of all rules, and by which (of undercut: the shift above it, in hundredths)."
 )
 
 
@@ -157,8 +156,7 @@ def sliding_table(result: ShiftsFound, top: int) -> Table:
         ]
     note = Text(
         "Signed, negative in the dedendum: A at the start of contact, B at the lowest point of single contact. The "
-        "last three: the less of "
-        "both wheels; above fillet: (d_N − d_Ff)/2 of the thinnest tooth."
+        "last three: the less of both wheels; above fillet: (d_N − d_Ff)/2 of the thinnest tooth."
     )
     return Table("sliding", Text("Specific sliding in every mesh"), tuple(columns), tuple(cells), note)
 
@@ -309,8 +307,7 @@ def notes(result: ShiftsFound) -> tuple[Text, ...]:
     texts = [
         Text(
             "Kept by numbered rows: x ≥ x_min, s_an ≥ {tip}·m_n, ε_α ≥ {contact}, start of contact {fillet}·m_n above "
-            "the fillet of the "
-            "thinnest tooth, and c ≥ {clearance}·m_n.",
+            "the fillet of the thinnest tooth, and c ≥ {clearance}·m_n.",
             tip=TIP.limit,
             contact=CONTACT.limit,
             fillet=FILLET.limit,
