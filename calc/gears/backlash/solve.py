@@ -74,7 +74,8 @@ def play(
     meshes = {m.key: PlayResult(**values[m.key], **c.of_mesh(m, chance)) for m in meshes_of}
     whole = _train(train, meshes, way, last, chance)
     all_checks = tuple(check for m in meshes_of for check in checks(gears, m, meshes[m.key], smallest[m.key]))
-    return Played(meshes, whole, all_checks, notes(gears, known, housing, chance is not None), known, gears)
+    texts = tuple(notes(gears, known, housing, chance is not None))
+    return Played(meshes, whole, all_checks, texts, known, gears)
 
 
 def with_couple(play: TrainPlay, couple: NewtonMetre) -> TrainPlay:
