@@ -41,12 +41,8 @@ def solve_mesh(
         eps_alpha = f.transverse_contact_ratio(path, system.base_pitch)
         b = min(driver.face_width, driven.face_width)
         eps_beta = f.overlap_ratio(b, system.beta, system.m_n)
-        d_1, d_2, x_1, x_2 = (
-            driver.reference_diameter,
-            driven.reference_diameter,
-            driver.profile_shift,
-            driven.profile_shift,
-        )
+        d_1, d_2 = driver.reference_diameter, driven.reference_diameter
+        x_1, x_2 = driver.profile_shift, driven.profile_shift
         tolerance = centre_tolerance(mesh)
         values: dict[str, float] = dict(
             centre_distance=a_w,

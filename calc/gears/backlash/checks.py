@@ -97,14 +97,10 @@ def _temperature_checks(gears: GearsInputs, m: BacklashCase, smallest: Sequence[
     if warm.backlash > warmer.backlash:
         tight, where = warmer, Text("housing at {t_h} °C, wheels {wheels_warmer} K warmer", t_h=T_H, wheels_warmer=more)
     also = Text(", with runout") if m.runouts else Text(", without runout")
+    at_start = Text("cold start, all at {t_min} °C", t_min=T_min)
     still_cold = Text("housing still at {t_min} °C, wheels {wheels_warmer} K warmer", t_min=T_min, wheels_warmer=more)
     for word, label, at, place in (
-        (
-            "cold",
-            Text("Smallest backlash {name}, cold", name=m.name),
-            cold,
-            Text("cold start, all at {t_min} °C", t_min=T_min),
-        ),
+        ("cold", Text("Smallest backlash {name}, cold", name=m.name), cold, at_start),
         ("warm", Text("Smallest backlash {name}, warm", name=m.name), tight, where),
         ("warming", Text("Smallest backlash {name}, warming up", name=m.name), warming, still_cold),
     ):

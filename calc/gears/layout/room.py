@@ -236,14 +236,13 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
     if tight.kind != "neighbour":
         what = Text("wall {to}", to=tight.to) if tight.kind == "wall" else Text("wheel {to}", to=tight.to)
     name, id = Text("Clearance of {wheel} to {what}", wheel=wheel, what=what), f"gears.{wheel}.clearance"
-    apart, elsewhere = (
-        Text("move {wheel} or {what} apart", wheel=wheel, what=what),
-        Text("give {wheel} another place", wheel=wheel),
-    )
+    move = Text("move {wheel} or {what} apart", wheel=wheel, what=what)
+    if chosen:
+        move = Text("give {wheel} another place", wheel=wheel)
     more = Text(" by {g} mm", g=mm(-tight.g)) if tight.g < 0 else ""
     advice = Text(
         "The tip circle needs more room: {move}{missing}, or give it fewer teeth or a smaller shift.",
-        move=elsewhere if chosen else apart,
+        move=move,
         missing=more,
     )
     if chosen and tight.kind != "wheel":

@@ -215,20 +215,16 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
         Text("{iso}: the anvils must touch the involute", iso=ISO),
         Text("Span another number of teeth."),
     )
-    label, source = (
-        Text("Measuring ball of {name}", name=name),
-        Text("geometry: the ball must touch between form and tip circle"),
-    )
+    label = Text("Measuring ball of {name}", name=name)
+    source = Text("geometry: the ball must touch between form and tip circle")
     yield check(f"{id}.ball", label, D_M, "in", balls, "mm", source, kind=kind, remedies=other_ball)
     if wheel.over_balls is not None:
         label, proud = Text("Balls of {name} above its tip", name=name), (wheel.over_balls - wheel.tip_diameter) / 2
         source = Text("geometry: the balls must stand proud of the tip circle")
         yield check(f"{id}.ball_proud", label, proud, ">", 0.0, "mm", source, kind=kind, remedies=other_ball)
     if sizes.over_one_ball is not None:
-        label, source = (
-            Text("Ball of {name} above the root", name=name),
-            Text("geometry: the ball must not lie on the root"),
-        )
+        label = Text("Ball of {name} above the root", name=name)
+        source = Text("geometry: the ball must not lie on the root")
         above = sizes.over_one_ball - D_M - wheel.root_diameter / 2
         yield check(f"{id}.ball_root", label, above, ">=", 0.0, "mm", source, kind=kind, remedies=other_ball)
     if system.beta:
