@@ -208,7 +208,7 @@ def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer
         hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
         beside=beside,
         summary=gear_tables.summary(selection),
-        notes=gear_tables.notes(selection),
+        notes=tuple(gear_tables.notes(selection)),
     )
 
 

@@ -14,7 +14,7 @@ from assistant.session.exporting import gears_text
 from bench.film import best
 from calc.design.toml_file import design, read
 from calc.gears import solve as gears
-from calc.gears.profile.outline import outline
+from calc.gears.profile.outline import repeated, tooth
 from calc.gears.selection.free_shifts import freedoms
 from calc.gears.selection.search import search
 from calc.gears.selection.states import USUAL, judge, states
@@ -64,7 +64,7 @@ def main() -> None:
         ("shifts and distances of the train", best(lambda: settle(train, system), 100)),
         ("geometry of the train", best(lambda: gears.geometry(train, speed), 20)),
         ("rating of the train", best(lambda: gears.rating(train, solved, TORQUE, known), 20)),
-        ("all teeth of a wheel", best(lambda: outline(system, wheel), 20)),
+        ("all teeth of a wheel", best(lambda: repeated(tooth(system, wheel), wheel.teeth), 20)),
         ("its drawing file", best(lambda: gears_text(document, results, "idler"), 1, 3)),
         (f"{MANY} combinations of shifts and cuts, judged, all", vectorised * MANY),
         ("the same, per combination", vectorised),

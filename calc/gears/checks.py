@@ -3,17 +3,18 @@
 
 import math
 from collections.abc import Iterator, Mapping
+from functools import partial
 
 from ..sheet.check import Check, check
 from ..sheet.quantity import dotted
-from ..sheet.remedy import Change, Remedy, change, remedy
+from ..sheet.remedy import Change, Remedy, by_key, change, remedy
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
 from . import limits as p
 from .backlash.case import way_to
 from .backlash.checks import freed
 from .formulas import ISO
-from .inputs import GearsInputs, Mesh
+from .inputs import GearsInputs, Mesh, wheel_key
 from .measures.solve import contact_checks
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 from .wheel_inputs import Wheel
@@ -50,13 +51,10 @@ def speed_ratio_check(train: TrainResult, wanted: Number, crank: float | None = 
     teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth * driven_by / abs(wanted)
     enough = Text("{needed} teeth", needed=Amount(needed, form="g"))
     if needed != round(needed):
-        enough = Text(
-            "{driven_by} times the teeth of {name}",
-            driven_by=Amount(driven_by / abs(wanted), form="g"),
-            name=first.name,
-        )
+        times = Amount(driven_by / abs(wanted), form="g")
+        enough = Text("{driven_by} times the teeth of {name}", driven_by=times, name=first.name)
     to = first.name if driven_by == 1.0 else Text("the crank")
-    keys = tuple(dotted("gears", GearsInputs.wheels, wheel.name, Wheel.teeth) for wheel in reversed(way))
+    keys = tuple(wheel_key(wheel.name, Wheel.teeth) for wheel in reversed(way))
     off, shown = abs(ratio - wanted), Amount(ratio, form="+.6g")
     name = Text(
         "Speed ratio {name} to {to}, {ratio}: off the wanted {wanted} by",
@@ -120,18 +118,9 @@ def _contact_checks(id: str, index: int, mesh: MeshResult) -> Iterator[Check]:
     )
     yield check(f"{id}.contact_ratio", name, eps_alpha, ">=", p.CONTACT_RATIO, "", source, advice)
     yield check(f"{id}.contact_ratio_usual", usual, eps_alpha, ">=", p.USUAL_CONTACT_RATIO, "", p.PRACTICE, advice)
-    if mesh.transverse_contact_ratio_min is not None:
-        yield check(
-            f"{id}.contact_ratio_least",
-            Text("{name}, shortest tips, widest centres", name=name),
-            mesh.transverse_contact_ratio_min,
-            ">=",
-            1.0,
-            "",
-            AT_THE_END,
-            advice,
-            index=index,
-        )
+    if (eps_min := mesh.transverse_contact_ratio_min) is not None:
+        least = Text("{name}, shortest tips, widest centres", name=name)
+        yield check(f"{id}.contact_ratio_least", least, eps_min, ">=", 1.0, "", AT_THE_END, advice, index=index)
 
 
 def _clearance_checks(
@@ -156,15 +145,12 @@ def _clearance_checks(
     def shorter() -> tuple[Remedy, ...]:
         return (remedy(*(_cut(tip, cuts, missing) for tip in tips)),) if missing else ()
 
-    clearance, start = (
-        Text("Tip clearance {pair}", pair=mesh.title),
-        Text("Start of contact above the fillet {pair}", pair=mesh.title),
-    )
+    clearance = Text("Tip clearance {pair}", pair=mesh.title)
+    start = Text("Start of contact above the fillet {pair}", pair=mesh.title)
     tool = Text("A tool with a larger addendum helps as well.")
     works_low = Text(
         "The tip of {mate} works low on {wheel}: cut it as far as the contact ratio allows; a tool with a larger "
-        "addendum or more teeth "
-        "help as well.",
+        "addendum or more teeth help as well.",
         mate=mate.name,
         wheel=wheel.name,
     )
@@ -180,30 +166,22 @@ def _clearance_checks(
         value_id=f"{id}.tip_clearance_{low}",
         remedies=shorter,
     )
-    yield check(
-        f"{id}.interference",
-        start,
-        above[tight],
-        ">=",
-        needed,
-        "mm",
-        Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO),
-        works_low,
-        value_id=f"{id}.form_margin_{tight}",
-        remedies=lambda: _eased(mesh, wheel, mate, cuts, needed),
-    )
-    yield check(
-        f"{id}.interference_usual",
-        Text("{start}, usual", start=start),
-        above[tight],
-        ">=",
-        enough,
-        "mm",
-        _modules(p.USUAL_ABOVE_FILLET),
-        works_low,
-        value_id=f"{id}.form_margin_{tight}",
-        remedies=lambda: _eased(mesh, wheel, mate, cuts, enough),
-    )
+    for suffix, label, limit, source in (
+        ("", start, needed, Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO)),
+        ("_usual", Text("{start}, usual", start=start), enough, _modules(p.USUAL_ABOVE_FILLET)),
+    ):
+        yield check(
+            f"{id}.interference{suffix}",
+            label,
+            above[tight],
+            ">=",
+            limit,
+            "mm",
+            source,
+            works_low,
+            value_id=f"{id}.form_margin_{tight}",
+            remedies=partial(_eased, mesh, wheel, mate, cuts, limit),
+        )
     if mesh.tip_clearance_min is not None:
         yield check(
             f"{id}.tip_clearance_least",
@@ -228,7 +206,7 @@ def _clearance_checks(
             AT_THE_END,
             works_low,
             index=index,
-            remedies=lambda: _eased(mesh, wheel, mate, cuts, needed),
+            remedies=partial(_eased, mesh, wheel, mate, cuts, needed),
         )
 
 
@@ -245,13 +223,8 @@ def _eased(
 
 def _cut(wheel: str, cuts: Mapping[str, Metre], more: float) -> Change:
     """`more` off its tip, in mm, beside what is cut already."""
-    return change(
-        Wheel,
-        dotted("gears", GearsInputs.wheels, wheel, Wheel.tip_shortening),
-        round(cuts[wheel] * 1e3 + more, 6),
-        place=wheel,
-        bound=">=",
-    )
+    deeper, key = round(cuts[wheel] * 1e3 + more, 6), wheel_key(wheel, Wheel.tip_shortening)
+    return change(Wheel, key, deeper, place=wheel, bound=">=")
 
 
 def _modules(limit: Number) -> Text:
@@ -266,6 +239,7 @@ def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
     s_an, value_id = wheel.tip_thickness_normal, dotted("gears", name, WheelResult.tip_thickness_normal)
     if wheel.tip_thickness_normal_min is not None:
         s_an, value_id = wheel.tip_thickness_normal_min, f"{value_id}_min"
+    enough = math.ceil(wheel.undercut_limit * 1e4 - 1e-9) / 1e4
     yield check(
         f"gears.{name}.undercut",
         Text("Profile shift of {name} against undercut", name=name),
@@ -275,42 +249,12 @@ def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
         "",
         ISO,
         Text("More teeth, or a tool with a smaller addendum, help as well."),
-        remedies=lambda: _shifted(wheel),
+        remedies=by_key(Wheel, wheel_key(name, Wheel.profile_shift), enough, place=name, bound=">="),
     )
-    yield check(
-        f"gears.{name}.tip_thickness",
-        Text("Normal tip thickness of {name}", name=name),
-        s_an,
-        ">=",
-        p.TIP_THICKNESS * system.m_n,
-        "mm",
-        _modules(p.TIP_THICKNESS),
-        Text("Cut the tip, or give a smaller profile shift."),
-        value_id=value_id,
-    )
-    yield check(
-        f"gears.{name}.tip_thickness_hardened",
-        Text("Tip thickness of {name}, if case-hardened", name=name),
-        s_an,
-        ">=",
-        p.TIP_THICKNESS_HARDENED * system.m_n,
-        "mm",
-        Text("{modules} if case-hardened", modules=_modules(p.TIP_THICKNESS_HARDENED)),
-        Text("A thin tip hardens through: cut it, or give less shift."),
-        value_id=value_id,
-    )
-
-
-def _shifted(wheel: WheelResult) -> tuple[Remedy, ...]:
-    least = math.ceil(wheel.undercut_limit * 1e4 - 1e-9) / 1e4
-    return (
-        remedy(
-            change(
-                Wheel,
-                dotted("gears", GearsInputs.wheels, wheel.name, Wheel.profile_shift),
-                least,
-                place=wheel.name,
-                bound=">=",
-            )
-        ),
-    )
+    id, label, least = f"gears.{name}.tip_thickness", Text("Normal tip thickness of {name}", name=name), p.TIP_THICKNESS
+    source, advice = _modules(least), Text("Cut the tip, or give a smaller profile shift.")
+    yield check(id, label, s_an, ">=", least * system.m_n, "mm", source, advice, value_id=value_id)
+    label, least = Text("Tip thickness of {name}, if case-hardened", name=name), p.TIP_THICKNESS_HARDENED
+    source = Text("{modules} if case-hardened", modules=_modules(least))
+    advice = Text("A thin tip hardens through: cut it, or give less shift.")
+    yield check(f"{id}_hardened", label, s_an, ">=", least * system.m_n, "mm", source, advice, value_id=value_id)

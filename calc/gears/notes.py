@@ -12,29 +12,22 @@ from .result import TrainResult, WheelResult
 from .train import Train
 
 
-def notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[Text, ...]:
+def notes(gears: GearsInputs, train: Train, result: TrainResult) -> Iterator[Text]:
     """What `settle` chose, what is not given of the backlash, and what holds for all wheels."""
-    notes = list(train.notes)
-    notes += _not_given(result)
-    notes.append(
-        Text(
-            "backlash_min and backlash_max hold at 20 °C without runout; cold, warm and with runout have values of "
-            "their own."
-        )
+    yield from train.notes
+    yield from _not_given(result)
+    yield Text(
+        "backlash_min and backlash_max hold at 20 °C without runout; cold, warm and with runout have values of their "
+        "own."
     )
     if gears.ball_diameter is None:
-        notes.append(
-            Text(
-                "Measuring ball: not given; chosen: for each wheel the preferred one that touches nearest to the "
-                "middle of its flank."
-            )
+        yield Text(
+            "Measuring ball: not given; chosen: for each wheel the preferred one that touches nearest to the middle of "
+            "its flank."
         )
-    notes.append(
-        Text(
-            "The standard tip shortening k*·m_n is shown, not applied: only the tip cut that is given shortens a wheel."
-        )
+    yield Text(
+        "The standard tip shortening k*·m_n is shown, not applied: only the tip cut that is given shortens a wheel."
     )
-    return tuple(notes)
 
 
 def _not_given(result: TrainResult) -> Iterator[Text]:
@@ -81,8 +74,7 @@ def errata(result: TrainResult) -> tuple[Erratum, ...]:
             Text("method of Finotti 2013, Tables 4.5 and 4.6"),
             Text(
                 "The sheet enters the speed of the train's first wheel for {name} too; with {teeth} teeth against "
-                "{teeth2} it turns at "
-                "{speed} rpm.",
+                "{teeth2} it turns at {speed} rpm.",
                 name=wheel.name,
                 teeth=wheel.teeth,
                 teeth2=first.teeth,

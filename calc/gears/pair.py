@@ -34,20 +34,15 @@ def solve_mesh(
                 ),
                 advice=Text(
                     "the tips reach {tip_diameter} mm together; bring the wheels closer, cut less off the tips, or "
-                    "give larger "
-                    "profile shifts",
+                    "give larger profile shifts",
                     tip_diameter=mm((driver.tip_diameter + driven.tip_diameter) / 2, ".4f"),
                 ),
             )
         eps_alpha = f.transverse_contact_ratio(path, system.base_pitch)
         b = min(driver.face_width, driven.face_width)
         eps_beta = f.overlap_ratio(b, system.beta, system.m_n)
-        d_1, d_2, x_1, x_2 = (
-            driver.reference_diameter,
-            driven.reference_diameter,
-            driver.profile_shift,
-            driven.profile_shift,
-        )
+        d_1, d_2 = driver.reference_diameter, driven.reference_diameter
+        x_1, x_2 = driver.profile_shift, driven.profile_shift
         tolerance = centre_tolerance(mesh)
         values: dict[str, float] = dict(
             centre_distance=a_w,
@@ -153,17 +148,15 @@ def _start(wheel: WheelResult, mate: WheelResult, T: Metre) -> Metre:
     largest = f.diameter_at(mate.base_diameter, T)
     raise NoSolution(
         Text(
-            "wheels {name} and {name2}: the tip of {name2} reaches {tip_curvature} mm past the point where the line "
-            "of action touches "
-            "the base circle of {name}",
+            "wheels {name} and {name2}: the tip of {name2} reaches {tip_curvature} mm past the point where the line of "
+            "action touches the base circle of {name}",
             name=wheel.name,
             name2=mate.name,
             tip_curvature=mm(mate.tip_curvature - T, ".4g"),
         ),
         advice=Text(
             "cut the tip of {name} ({tip_diameter} mm) below {largest} mm by gears.wheels.{name}.tip_shortening_mm, "
-            "give {name2} "
-            "more profile shift, or set the wheels further apart",
+            "give {name2} more profile shift, or set the wheels further apart",
             name=mate.name,
             tip_diameter=mm(mate.tip_diameter, ".4f"),
             largest=mm(largest, ".4f"),

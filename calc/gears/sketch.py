@@ -8,26 +8,7 @@ in a row."""
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from ..draw.drawing import (
-    AXIS,
-    CONTEXT,
-    DIMENSIONS,
-    HIDDEN,
-    OUTLINE,
-    WORDS,
-    Arc,
-    Area,
-    Mark,
-    Point,
-    Polyline,
-    Sketch,
-    State,
-    Words,
-    awaited,
-    judged,
-    round_outline,
-    rounded,
-)
+from ..draw import drawing as draw
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import dotted
@@ -38,8 +19,8 @@ from .curves import pitch_point_view
 from .inputs import GearsInputs, Mesh
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
-from .profile.outline import Outline, Regions, regions
-from .result import MeshResult, TrainResult, WheelResult
+from .profile.outline import Outline, regions
+from .result import MeshResult, TrainResult
 from .wheel_inputs import Wheel
 
 if TYPE_CHECKING:
@@ -55,13 +36,13 @@ ABOVE = 0.1  # of the largest tip diameter: how far above the wheels the distanc
 MOST: Number = 50  # the gap is exaggerated no more
 
 
-def sketch(design: "Design", results: "Results") -> Sketch:
+def sketch(design: "Design", results: "Results") -> draw.Sketch:
     """The train of a design, and its tightest mesh."""
     outcome = results.outcomes["gears"]
     gears: GearsInputs | None = design.gears
     train = outcome.result
     if gears is None or not isinstance(train, TrainResult):
-        return awaited(outcome)
+        return draw.awaited(outcome)
     checks = tuple(outcome.checks)
     placed = _placed(train)
     centres = placed or in_row(train)
@@ -74,10 +55,10 @@ def sketch(design: "Design", results: "Results") -> Sketch:
         with untraced():
             teeth, exaggerated = _teeth(train, key, checks)
     except NoSolution:
-        return Sketch(train_view, tuple(notes))
+        return draw.Sketch(train_view, tuple(notes))
     if exaggerated > 1:
         notes.append(Text("gap × {factor}", factor=Amount(exaggerated)))
-    return Sketch(train_view, tuple(notes), beside=(teeth,))
+    return draw.Sketch(train_view, tuple(notes), beside=(teeth,))
 
 
 def _placed(train: TrainResult) -> dict[str, complex] | None:
@@ -87,7 +68,7 @@ def _placed(train: TrainResult) -> dict[str, complex] | None:
     return known if known.keys() == train.wheels.keys() else None
 
 
-def _point(at: complex) -> Point:
+def _point(at: complex) -> draw.Point:
     return at.real, at.imag
 
 
@@ -96,95 +77,84 @@ def _point(at: complex) -> Point:
 
 def _train(
     gears: GearsInputs, train: TrainResult, centres: Mapping[str, complex], checks: tuple[Check, ...], placed: bool
-) -> Iterator[Mark]:
-    jams = {key: judged(checks, *(f"gears.{key}.{id}" for id in JAMS)) for key in train.meshes}
+) -> Iterator[draw.Mark]:
+    jams = {key: draw.judged(checks, *(f"gears.{key}.{id}" for id in JAMS)) for key in train.meshes}
     for name, wheel in train.wheels.items():
         at, tip = _point(centres[name]), wheel.tip_diameter / 2
         key = dotted("gears", GearsInputs.wheels, name)
-        state = judged(checks, *(f"gears.{name}.{id}" for id in FAULTS))
+        state = draw.judged(checks, *(f"gears.{name}.{id}" for id in FAULTS))
         pitch = max((d for _, d, _ in train.mates(name)), default=wheel.reference_diameter) / 2
-        yield Area(CONTEXT, (round_outline(at, tip),), 0.3, key, state)
-        yield Arc(OUTLINE, at, pitch, key=f"{key} {dotted('gears', GearsInputs.normal_module)}", state=state)
-        yield Words(WORDS, at, Name(name), key=key, side="centre")
-        yield Words(
-            CONTEXT,
-            (at[0], at[1] - BELOW * tip),
-            Text("z {teeth}", teeth=wheel.teeth),
-            key=dotted(key, Wheel.teeth),
-            side="centre",
-        )
+        yield draw.Area(draw.CONTEXT, (draw.round_outline(at, tip),), 0.3, key, state)
+        yield draw.Arc(draw.OUTLINE, at, pitch, key=f"{key} {dotted('gears', GearsInputs.normal_module)}", state=state)
+        yield draw.Words(draw.WORDS, at, Name(name), key=key, side="centre")
+        z, below = Text("z {teeth}", teeth=wheel.teeth), (at[0], at[1] - BELOW * tip)
+        yield draw.Words(draw.CONTEXT, below, z, key=dotted(key, Wheel.teeth), side="centre")
     for n, (key, mesh) in enumerate(train.meshes.items()):
-        if jams[key]:
-            yield from _jam(mesh, centres, dotted("gears", GearsInputs.meshes, n), jams[key])
+        if jams[key]:  # a ring around the pitch point of teeth that have no room
+            first, second = centres[mesh.driver], centres[mesh.driven]
+            share = mesh.working_diameter_driver / (mesh.working_diameter_driver + mesh.working_diameter_driven)
+            place, radius = _point(first + (second - first) * share), 0.12 * mesh.centre_distance
+            yield draw.Arc(draw.OUTLINE, place, radius, key=dotted("gears", GearsInputs.meshes, n), state=jams[key])
     yield from _lines(train, centres, told=not placed)
     if placed:
         yield from _obstacles(gears)
 
 
-def _jam(mesh: MeshResult, centres: Mapping[str, complex], key: str, state: State) -> Iterator[Mark]:
-    """A ring around the pitch point of a mesh whose teeth have no room."""
-    first, second = centres[mesh.driver], centres[mesh.driven]
-    at = first + (second - first) * mesh.working_diameter_driver / (
-        mesh.working_diameter_driver + mesh.working_diameter_driven
-    )
-    radius = 0.12 * mesh.centre_distance
-    yield Arc(OUTLINE, _point(at), radius, key=key, state=state)
-
-
-def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> Iterator[Mark]:
+def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> Iterator[draw.Mark]:
     """The lines of centres, and above wheels in a row their lengths."""
     top = max(centres[name].imag + wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     above = top + ABOVE * max(wheel.tip_diameter for wheel in train.wheels.values())
     for n, mesh in enumerate(train.meshes.values()):
         first, second = centres[mesh.driver], centres[mesh.driven]
         key = dotted("gears", GearsInputs.meshes, n, Mesh.centre_distance)
-        yield Polyline(AXIS, (_point(first), _point(second)), key=key)
+        yield draw.Polyline(draw.AXIS, (_point(first), _point(second)), key=key)
         if told:
-            yield Words(DIMENSIONS, ((first.real + second.real) / 2, above), _distance(mesh), key=key, side="centre")
+            yield draw.Words(
+                draw.DIMENSIONS, ((first.real + second.real) / 2, above), _distance(mesh), key=key, side="centre"
+            )
 
 
 def _distance(mesh: MeshResult) -> Text:
     return Text("{distance}", distance=Amount(mesh.centre_distance * 1000))
 
 
-def _obstacles(gears: GearsInputs) -> Iterator[Mark]:
+def _obstacles(gears: GearsInputs) -> Iterator[draw.Mark]:
     """Walls and neighbours, given as [up, side]."""
     for wall in gears.walls:
         (up, side), (up_2, side_2) = wall.from_, wall.to
-        yield Polyline(OUTLINE, ((side, up), (side_2, up_2)), key=dotted("gears", GearsInputs.walls, wall.name))
+        yield draw.Polyline(
+            draw.OUTLINE, ((side, up), (side_2, up_2)), key=dotted("gears", GearsInputs.walls, wall.name)
+        )
     for other in gears.neighbours:
         (up, side), key = other.position, dotted("gears", GearsInputs.neighbours, other.name)
-        yield Area(CONTEXT, (round_outline((side, up), other.radius),), 0.15, key)
-        yield Arc(HIDDEN, (side, up), other.radius, key=key)
+        yield draw.Area(draw.CONTEXT, (draw.round_outline((side, up), other.radius),), 0.15, key)
+        yield draw.Arc(draw.HIDDEN, (side, up), other.radius, key=key)
 
 
 # --- the teeth
 
 
-def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketch, Number]:
+def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[draw.Sketch, Number]:
     """Teeth of both wheels at the pitch point, the driver's thinned by the backlash, and how much that is exaggerated.
 
     The backlash is that in the middle of the tolerances, or the smallest where that fails.  The flanks that carry
     touch, the gap is behind them.  Backlash below zero shows as teeth that run into each other."""
     mesh, system = train.meshes[key], train.system
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
-    state = judged(checks, *(f"gears.{key}.{id}" for id in JAMS))
+    state = draw.judged(checks, *(f"gears.{key}.{id}" for id in JAMS))
     gap = mesh.backlash_min if state else mesh.backlash_nominal
-    factor = min(rounded(GAP * system.m_n / abs(gap)), MOST) if gap else 1.0
+    factor = min(draw.rounded(GAP * system.m_n / abs(gap)), MOST) if gap else 1.0
     drawn = factor * gap
     shift = generating_shift(driver.profile_shift, -drawn, system.m_n, system.alpha_n)
-    flanks: tuple[Regions, ...] = (
-        regions(system, driver, FINE * system.m_n, shift),
-        regions(system, driven, FINE * system.m_n),
-    )
-    roll = -_behind(drawn, driver)
-    under, over = pitch_point_view(mesh, (driver, flanks[0]), (driven, flanks[1]), roll)
+    below, above = regions(system, driver, FINE * system.m_n, shift), regions(system, driven, FINE * system.m_n)
+    roll = -max(0.0, drawn) / driver.base_diameter  # until its flanks touch; not at all into the mate
+    under, over = pitch_point_view(mesh, (driver, below), (driven, above), roll)
     at = dotted("gears", GearsInputs.meshes, list(train.meshes).index(key))
-    marks: list[Mark] = [*_flank(under, -1, at, system.m_n), *_flank(over, 1, at, system.m_n)]
+    marks: list[draw.Mark] = [*_flank(under, -1, at, system.m_n), *_flank(over, 1, at, system.m_n)]
     low, high = min(y for mark in marks for _, y in _corners(mark)), max(y for mark in marks for _, y in _corners(mark))
     marks.append(
-        Words(
-            WORDS,
+        draw.Words(
+            draw.WORDS,
             (0.0, low - 0.6 * system.m_n),
             _backlash(mesh),
             key=f"{dotted(at, Mesh.tolerance)} {dotted(at, Mesh.centre_distance)}",
@@ -192,26 +162,22 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketc
             side="centre",
         )
     )
-    marks.append(Polyline(AXIS, ((0.0, low), (0.0, high))))
-    return Sketch(tuple(marks), title=Text("{pair}", pair=Name(mesh.title))), factor
+    marks.append(draw.Polyline(draw.AXIS, ((0.0, low), (0.0, high))))
+    return draw.Sketch(tuple(marks), title=Text("{pair}", pair=Name(mesh.title))), factor
 
 
-def _behind(drawn: Metre, driver: WheelResult) -> Number:
-    """How far the driver turns until its flanks touch: half of the backlash along the line of action; not at all into
-    the mate."""
-    return max(0.0, drawn) / driver.base_diameter
-
-
-def _flank(line: Outline, way: int, key: str, m_n: Metre) -> Iterator[Mark]:
+def _flank(line: Outline, way: int, key: str, m_n: Metre) -> Iterator[draw.Mark]:
     """Teeth as a line, filled to a little behind their roots."""
     points = tuple(zip(line.real.tolist(), line.imag.tolist()))
     back = (min if way < 0 else max)(y for _, y in points) + way * 0.4 * m_n
-    yield Area(OUTLINE, ((*points, (points[-1][0], back), (points[0][0], back)),), 0.3 if way < 0 else 0.5, key)
-    yield Polyline(OUTLINE, points, key=key)
+    yield draw.Area(
+        draw.OUTLINE, ((*points, (points[-1][0], back), (points[0][0], back)),), 0.3 if way < 0 else 0.5, key
+    )
+    yield draw.Polyline(draw.OUTLINE, points, key=key)
 
 
-def _corners(mark: Mark) -> Iterable[Point]:
-    return mark.points if isinstance(mark, Polyline) else mark.outlines[0] if isinstance(mark, Area) else ()
+def _corners(mark: draw.Mark) -> Iterable[draw.Point]:
+    return mark.points if isinstance(mark, draw.Polyline) else mark.outlines[0] if isinstance(mark, draw.Area) else ()
 
 
 def _backlash(mesh: MeshResult) -> Text:

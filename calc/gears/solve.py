@@ -56,9 +56,8 @@ BACKLASH = TrainPart("backlash", Text("backlash over parts and temperature"))
 LAYOUT = TrainPart("layout", Text("layout of the train"))
 RATING = TrainPart("rating", Text("rating of the teeth"))
 NOT_RATED = Text(
-    "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given "
-    "here; stresses, "
-    "safeties and forces on the axes have no values."
+    "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given here; "
+    "stresses, safeties and forces on the axes have no values."
 )
 
 
@@ -147,9 +146,8 @@ def with_play(
         tables=Later(played.tables),
         notes=played.notes,
     )
-    return replace(
-        _joined(outcome, beside), result=replace(outcome.solution, play=played.meshes, train_play=played.train)
-    )
+    result = replace(outcome.solution, play=played.meshes, train_play=played.train)
+    return replace(_joined(outcome, beside), result=result)
 
 
 def with_layout(outcome: Outcome[TrainResult], gears: GearsInputs, shaft: ShaftInTrain) -> Outcome[TrainResult]:
@@ -184,17 +182,9 @@ def without(outcome: Outcome[TrainResult], part: TrainPart, reason: Text) -> Out
 
 def not_rated(outcome: Outcome[TrainResult], why: Text) -> Outcome[TrainResult]:
     """The same outcome without its safeties, which no power is known for."""
-    open_ = check(
-        "gears.train.rating",
-        Text("Safeties of the teeth"),
-        math.nan,
-        ">=",
-        0.0,
-        "",
-        Text("rule of this program: without a torque no tooth is rated"),
-        why,
-        missing=(dotted("gears", GearsInputs.power),),
-    )
+    name, source = Text("Safeties of the teeth"), Text("rule of this program: without a torque no tooth is rated")
+    power = dotted("gears", GearsInputs.power)
+    open_ = check("gears.train.rating", name, math.nan, ">=", 0.0, "", source, why, missing=(power,))
     return replace(outcome, checks=(*outcome.checks, open_), notes=(*outcome.notes, why))
 
 

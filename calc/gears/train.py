@@ -81,9 +81,8 @@ def settle(gears: GearsInputs, system: ToothSystem) -> Train:
         _choose(train, still_open)
     for i, mesh in enumerate(gears.meshes):
         with about(Text("mesh {pair}", pair=mesh.title)):
-            train.distances[mesh.key] = (
-                mesh.centre_distance if mesh.centre_distance is not None else _distance(train, mesh, i)
-            )
+            a_w = mesh.centre_distance
+            train.distances[mesh.key] = a_w if a_w is not None else _distance(train, mesh, i)
     return train
 
 
@@ -113,18 +112,15 @@ def _derive(gears: GearsInputs, train: Train, compared: set[int]) -> None:
 def _too_much(train: Train, mesh: Mesh, i: int, a: Metre, known: str, mate: str, x: Number) -> NoSolution:
     """A centre distance that asks for a shift which no key would allow."""
     s, z = train.system, (train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth)
-    ends = []
+    ends, alpha_t = [], s.transverse_pressure_angle
     with untraced():
         for end in (-MOST_SHIFT, MOST_SHIFT):
-            involute = f.working_involute(s.transverse_pressure_angle, s.alpha_n, train.shifts[known], end, *z)
-            ends.append(
-                f.centre_distance(*z, s.transverse_module, s.transverse_pressure_angle, f.angle_of_involute(involute))
-            )
+            involute = f.working_involute(alpha_t, s.alpha_n, train.shifts[known], end, *z)
+            ends.append(f.centre_distance(*z, s.transverse_module, alpha_t, f.angle_of_involute(involute)))
     return NoSolution(
         Text(
             "gears.meshes.{i}.centre_distance_mm = {centre_distance}: with the shift {shifts} of {known} it needs {x} "
-            "of {mate}; "
-            "−{most_shift} to {most_shift} is the most that is tried",
+            "of {mate}; −{most_shift} to {most_shift} is the most that is tried",
             i=i,
             centre_distance=mm(a, "g"),
             shifts=Amount(train.shifts[known], form=".6g"),
@@ -183,8 +179,7 @@ def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> Number:
     raise NoSolution(
         Text(
             "gears.meshes.{i}.centre_distance_mm = {centre_distance}: contradicts the profile shifts {driver} {x_1} "
-            "and {driven} "
-            "{given}; the teeth jam by {j_bn}, and without backlash it needs {driven} {x}",
+            "and {driven} {given}; the teeth jam by {j_bn}, and without backlash it needs {driven} {x}",
             i=i,
             centre_distance=mm(a, "g"),
             **values,
@@ -227,8 +222,7 @@ def _shift_sum(train: Train, mesh: Mesh, i: int, a: Metre) -> Number:
         raise NoSolution(
             Text(
                 "gears.meshes.{i}.centre_distance_mm = {centre_distance}: {driver} ({z_1} teeth) and {driven} ({z_2}) "
-                "can not mesh so "
-                "close: their base circles overlap",
+                "can not mesh so close: their base circles overlap",
                 i=i,
                 centre_distance=mm(a, "g"),
                 driver=mesh.driver,
@@ -255,8 +249,7 @@ def _distance(train: Train, mesh: Mesh, i: int) -> Metre:
         raise NoSolution(
             Text(
                 "gears.meshes.{i}: with the profile shifts {driver} {x_1} and {driven} {x_2} no centre distance is "
-                "free of backlash: the "
-                "base circles would overlap",
+                "free of backlash: the base circles would overlap",
                 i=i,
                 driver=mesh.driver,
                 x_1=Amount(x_1, form=".6g"),

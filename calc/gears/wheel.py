@@ -122,17 +122,16 @@ def _form_diameter(bare: _Bare, x: Number, x_min: Number) -> Metre:
 
 
 def _must_be_a_tooth(wheel: Wheel, x: Number, d_a: Metre, d_f: Metre, d_Ff: Metre) -> None:
-    follows, k = wheel.profile_shift is None, wheel.tip_shortening
+    follows, k, shift = wheel.profile_shift is None, wheel.tip_shortening, Amount(x, form=".6g")
     origin = Text(" (it follows from the train)") if follows else ""
-    place = Text(
-        "gears.wheels.{name}.profile_shift = {x}{origin}", name=wheel.name, x=Amount(x, form=".6g"), origin=origin
-    )
+    place = Text("gears.wheels.{name}.profile_shift = {x}{origin}", name=wheel.name, x=shift, origin=origin)
     if d_f <= 0:
+        root = mm(d_f, ".4g")
         raise NoSolution(
             Text(
                 "{place}: the tool would cut through the centre of the wheel (root diameter {d_f} mm)",
                 place=place,
-                d_f=mm(d_f, ".4g"),
+                d_f=root,
             ),
             advice=Text("give more teeth, a larger shift, or a smaller gears.tool_addendum"),
         )
@@ -142,20 +141,17 @@ def _must_be_a_tooth(wheel: Wheel, x: Number, d_a: Metre, d_f: Metre, d_Ff: Metr
         if follows:
             centres = Text("bring the centres closer") if x > 0 else Text("set the centres further apart")
             better += Text(": it follows, so {text} or shift its mate", text=centres)
-        advice = Text("give {better}; or ", better=better) + (
-            Text("a smaller tip_shortening_mm") if k else Text("more teeth")
+        advice = Text("give {better}; or ", better=better)
+        advice += Text("a smaller tip_shortening_mm") if k else Text("more teeth")
+        what = Text(
+            "{place}{cut}: the tip circle ({d_a} mm) lies inside the form circle ({d_ff} mm), no involute flank is "
+            "left",
+            place=place,
+            cut=cut,
+            d_a=mm(d_a, ".4f"),
+            d_ff=mm(d_Ff, ".4f"),
         )
-        raise NoSolution(
-            Text(
-                "{place}{cut}: the tip circle ({d_a} mm) lies inside the form circle ({d_ff} mm), no involute flank "
-                "is left",
-                place=place,
-                cut=cut,
-                d_a=mm(d_a, ".4f"),
-                d_ff=mm(d_Ff, ".4f"),
-            ),
-            advice=advice,
-        )
+        raise NoSolution(what, advice=advice)
 
 
 def _mid_flank(bare: _Bare, d_a: Metre, d_Ff: Metre) -> Radian:
@@ -210,13 +206,8 @@ def _limits(
     ends: dict[str, End] = {}
     sizes: dict[str, Metre | None] = {}
     for end, E_W, T in zip(("max", "min"), allowance, roots or (None, None)):
-        with about(
-            Text(
-                "wheel {name}, {text} tooth",
-                name=bare.wheel.name,
-                text=Text("thickest") if end == "max" else Text("thinnest"),
-            )
-        ):
+        extreme = Text("thickest") if end == "max" else Text("thinnest")
+        with about(Text("wheel {name}, {text} tooth", name=bare.wheel.name, text=extreme)):
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
             s_t = f.reference_thickness(s.m_n, x_E, s.alpha_n, s.beta)
             d_f = f.root_diameter(d, s.m_n, x_E, s.h_fP)
@@ -283,8 +274,7 @@ def with_masses(
             wheel = train.wheels[given.name]
             with about(Text("wheel {name}, mass", name=given.name)):
                 inside = inner_diameter(wheel.root_diameter, given.bore_diameter, given.rim_thickness)
-                m = wheel_mass(
-                    rho=materials[wheel.material].density, b=wheel.face_width, d=wheel.reference_diameter, d_i=inside
-                )
-            wheels[given.name] = replace(wheel, mass=m)
+                rho = materials[wheel.material].density
+                mass = wheel_mass(rho=rho, b=wheel.face_width, d=wheel.reference_diameter, d_i=inside)
+            wheels[given.name] = replace(wheel, mass=mass)
     return replace(outcome, result=replace(train, wheels=wheels), lines=(*outcome.lines, *lines))

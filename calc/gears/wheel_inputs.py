@@ -9,8 +9,7 @@ from ..sheet.text import Text
 
 INTERNAL = Text(
     "internal gears are not computed: contact, interference, the form of the root and its strength are those of two "
-    "external wheels here; "
-    "external wheels have 5 teeth or more and a positive centre distance"
+    "external wheels here; external wheels have 5 teeth or more and a positive centre distance"
 )
 
 # keys that others have for them

@@ -52,10 +52,8 @@ def stack_of(mesh: Mesh) -> Stack | None:
     if mesh.stack:
         return Stack(tuple(c.name for c in mesh.stack), tuple(c.kind for c in mesh.stack), column(mesh.stack, "field"))
     if mesh.contributors:
-        count = len(mesh.contributors)
-        return Stack(
-            tuple(Text("part {i}", i=i + 1) for i in range(count)), (EVEN,) * count, gathered(mesh.contributors)
-        )
+        names = tuple(Text("part {i}", i=i + 1) for i in range(len(mesh.contributors)))
+        return Stack(names, (EVEN,) * len(names), gathered(mesh.contributors))
     return None
 
 
@@ -137,12 +135,9 @@ def cases(gears: GearsInputs, train: TrainResult) -> list[BacklashCase]:
             closest = b.narrowest(mesh.centre_distance, mesh.centre_tolerance)
             if runouts is not None:
                 closest = b.narrowest_with_runout(closest, *runouts)
-        both = teeth[mesh.driver], teeth[mesh.driven]
-        cases.append(
-            BacklashCase(
-                key, mesh.title, i, train.system, inputs, mesh, driver, driven, both, runouts, stack_of(inputs), closest
-            )
-        )
+        both, stack, name = (teeth[mesh.driver], teeth[mesh.driven]), stack_of(inputs), mesh.title
+        m = BacklashCase(key, name, i, train.system, inputs, mesh, driver, driven, both, runouts, stack, closest)
+        cases.append(m)
     return cases
 
 

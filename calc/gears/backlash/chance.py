@@ -118,9 +118,8 @@ def by_chance(
             least = _backlash(m, a - m.eccentricity, both)
         if m.key in way:
             ratio = wheels[m.driven.name].teeth / wheels[last].teeth
-            turn = turn + np.maximum(loose, 0.0) * (
-                ratio / np.cos(m.system.base_helix_angle) / (m.driven.base_diameter / 2)
-            )
+            per_backlash = ratio / np.cos(m.system.base_helix_angle) / (m.driven.base_diameter / 2)
+            turn = turn + np.maximum(loose, 0.0) * per_backlash
         if isinstance(least, np.ndarray):
             every.append(least)
             smallest[m.key] = based_on(np.sort(least), *_of(m))
@@ -162,8 +161,6 @@ def of_train(last: str, chance: Chance | None) -> dict[str, float]:
         return {}
     phi = chance.phase
     with about(Text("train, to {last}, by chance", last=last)):
-        shares = {
-            f"phase_error_{name}": not_exceeded(phi=phi, p=p)
-            for name, p in (("median", 0.5), ("95", 0.95), ("99", 0.99))
-        }
-        return dict(**shares, share_jammed=share_below_zero(j=chance.tightest))
+        shares = {"median": 0.5, "95": 0.95, "99": 0.99}
+        values = {f"phase_error_{name}": not_exceeded(phi=phi, p=p) for name, p in shares.items()}
+        return dict(**values, share_jammed=share_below_zero(j=chance.tightest))

@@ -2,7 +2,7 @@
 """What is judged on the play of a train, what would just pass, and what was assumed."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 from ...sheet.check import Check, check
@@ -22,22 +22,14 @@ from .temperature import AtState, Expansions
 
 def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequence[AtState]) -> Iterator[Check]:
     """`smallest`: the states cold, warm, wheels warmer and warming up at the smallest backlash."""
-    id, free = f"gears.{m.key}", _freed(m)
+    id = f"gears.{m.key}"
     yield from _temperature_checks(gears, m, smallest)
     if play.backlash_min_runout is not None:
+        name = Text("Smallest backlash with runout {name}", name=m.name)
+        source = Text("teeth must not jam where both wheels stand closest")
         # the slope is least where the wheels stand closest
         slope = 2 * math.sqrt(1 - (m.touching / m.closest) ** 2) * math.cos(m.system.base_helix_angle)
-        yield check(
-            f"{id}.backlash_runout",
-            Text("Smallest backlash with runout {name}", name=m.name),
-            play.backlash_min_runout,
-            ">=",
-            0.0,
-            "µm",
-            Text("teeth must not jam where both wheels stand closest"),
-            index=m.index,
-            remedies=partial(free, -play.backlash_min_runout, slope),
-        )
+        yield _no_jam(m, "runout", name, play.backlash_min_runout, source, slope)
     low = m.mesh.backlash_min
     yield check(
         f"{id}.backlash_guide",
@@ -48,20 +40,12 @@ def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequ
         "µm",
         GUIDE,
         Text("The guide is for industrial gears, and more backlash turns the last wheel further out of phase."),
-        remedies=partial(free, play.backlash_recommended - low, None),
+        remedies=partial(_freed, m, play.backlash_recommended - low, None),
     )
     if play.backlash_99 is not None:
-        yield check(
-            f"{id}.backlash_chance",
-            Text("Backlash {name} that 99 % of the trains keep", name=m.name),
-            play.backlash_99,
-            ">=",
-            0.0,
-            "µm",
-            Text("rule of this program: {by_chance}, of which 99 % turn freely at 20 °C", by_chance=BY_CHANCE),
-            index=m.index,
-            remedies=partial(free, -play.backlash_99, None),
-        )
+        name = Text("Backlash {name} that 99 % of the trains keep", name=m.name)
+        source = Text("rule of this program: {by_chance}, of which 99 % turn freely at 20 °C", by_chance=BY_CHANCE)
+        yield _no_jam(m, "chance", name, play.backlash_99, source)
     if play.centre_tolerance_rss is not None and m.inputs.tolerance is not None:
         yield check(
             f"{id}.stack",
@@ -76,71 +60,54 @@ def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequ
             remedies=partial(_wider, m, play.centre_tolerance_rss),
         )
     if play.backlash_min_worst is not None:
-        reach = play.centre_tolerance_worst or 0.0
-        yield check(
-            f"{id}.backlash_worst",
-            Text("Smallest backlash {name}, all parts at their worst", name=m.name),
-            play.backlash_min_worst,
-            ">=",
-            0.0,
-            "µm",
-            Text("geometry, worst case: the centres ±{reach} µm", reach=Amount(reach * 1000000.0, form=".4g")),
-            index=m.index,
-            remedies=partial(free, -play.backlash_min_worst, None),
-        )
+        name = Text("Smallest backlash {name}, all parts at their worst", name=m.name)
+        reach = Amount((play.centre_tolerance_worst or 0.0) * 1000000.0, form=".4g")
+        source = Text("geometry, worst case: the centres ±{reach} µm", reach=reach)
+        yield _no_jam(m, "worst", name, play.backlash_min_worst, source)
+
+
+def _no_jam(
+    m: BacklashCase,
+    word: str,
+    name: Text,
+    j_bn: Metre,
+    source: Text,
+    slope: Number | None = None,
+    growth: Number = 1.0,
+    advice: Text = EMPTY,
+    missing: tuple[str, ...] = (),
+) -> Check:
+    """That a backlash is not below 0; `slope` and `growth` as of `freed`."""
+    ways, id = partial(_freed, m, -j_bn, slope, growth), f"gears.{m.key}.backlash_{word}"
+    return check(id, name, j_bn, ">=", 0.0, "µm", source, advice, index=m.index, missing=missing, remedies=ways)
 
 
 def _temperature_checks(gears: GearsInputs, m: BacklashCase, smallest: Sequence[AtState]) -> Iterator[Check]:
     """Not verified where the design does not say itself what is between the centres."""
-    missing = (
-        ()
-        if gears.housing_material is not None or m.inputs.support_share
-        else (dotted("gears", GearsInputs.housing_material),)
-    )
-    (cold, warm, warmer, warming), free = smallest, _freed(m)
+    missing: tuple[str, ...] = ()
+    advice = EMPTY
+    if gears.housing_material is None and not m.inputs.support_share:
+        missing = (dotted("gears", GearsInputs.housing_material),)
+        advice = Text("Taken: the housing of the bearings, else that it grows as the driver.")
+    cold, warm, warmer, warming = smallest
     T_min, T_H, more = (
         Amount(T, form="g") for T in (gears.lowest_temperature, gears.running_temperature, gears.wheels_warmer)
     )
     tight, where = warm, Text("all at {t_h} °C", t_h=T_H)
     if warm.backlash > warmer.backlash:
         tight, where = warmer, Text("housing at {t_h} °C, wheels {wheels_warmer} K warmer", t_h=T_H, wheels_warmer=more)
-    advice = Text("Taken: the housing of the bearings, else that it grows as the driver.")
     also = Text(", with runout") if m.runouts else Text(", without runout")
-    rows = (
-        (
-            "cold",
-            Text("Smallest backlash {name}, cold", name=m.name),
-            cold,
-            Text("cold start, all at {t_min} °C", t_min=T_min),
-        ),
+    at_start = Text("cold start, all at {t_min} °C", t_min=T_min)
+    still_cold = Text("housing still at {t_min} °C, wheels {wheels_warmer} K warmer", t_min=T_min, wheels_warmer=more)
+    for word, label, at, place in (
+        ("cold", Text("Smallest backlash {name}, cold", name=m.name), cold, at_start),
         ("warm", Text("Smallest backlash {name}, warm", name=m.name), tight, where),
-        (
-            "warming",
-            Text("Smallest backlash {name}, warming up", name=m.name),
-            warming,
-            Text("housing still at {t_min} °C, wheels {wheels_warmer} K warmer", t_min=T_min, wheels_warmer=more),
-        ),
-    )
-    for word, label, at, place in rows:
-        yield check(
-            f"gears.{m.key}.backlash_{word}",
-            label,
-            at.backlash,
-            ">=",
-            0.0,
-            "µm",
-            Text("geometry, teeth must not jam at any temperature: {where}{also}", where=place, also=also),
-            advice if missing else EMPTY,
-            index=m.index,
-            missing=missing,
-            remedies=partial(free, -at.backlash, _slope(m, at), at.wheel_growth),
-        )
-
-
-def _slope(m: BacklashCase, at: AtState) -> Number:
-    """Backlash per centre distance at 20 °C; it rises with the distance, so that what it asks for at the closest one is
-    enough."""
-    return 2 * sin(at.pressure_angle) * cos(m.system.base_helix_angle) * at.centre_growth
+        ("warming", Text("Smallest backlash {name}, warming up", name=m.name), warming, still_cold),
+    ):
+        source = Text("geometry, teeth must not jam at any temperature: {where}{also}", where=place, also=also)
+        # backlash per centre distance at 20 °C; it rises with the distance: what it asks for at the closest is enough
+        slope = 2 * sin(at.pressure_angle) * cos(m.system.base_helix_angle) * at.centre_growth
+        yield _no_jam(m, word, label, at.backlash, source, slope, at.wheel_growth, advice, missing)
 
 
 def freed(
@@ -171,8 +138,8 @@ def freed(
     return (off, remedy(*_tolerance(mesh, index, math.floor(held * 1e6)))) if held > 1e-6 and not mesh.stack else (off,)
 
 
-def _freed(m: BacklashCase) -> Callable[..., tuple[Remedy, ...]]:
-    return partial(freed, (m.driver, m.driven), m.inputs, m.index, m.mesh.centre_tolerance)
+def _freed(m: BacklashCase, missing: Metre, slope: Number | None, growth: Number = 1.0) -> tuple[Remedy, ...]:
+    return freed((m.driver, m.driven), m.inputs, m.index, m.mesh.centre_tolerance, missing, slope, growth)
 
 
 def _wider(m: BacklashCase, reach: Metre) -> tuple[Remedy, ...]:
@@ -191,37 +158,26 @@ def _tolerance(mesh: Mesh, index: int, tolerance: float, bound: str = "") -> lis
 
 def notes(
     gears: GearsInputs, known: Sequence[tuple[BacklashCase, Expansions]], housing: str | None, chance: bool
-) -> tuple[Text, ...]:
-    notes = []
+) -> Iterator[Text]:
     if housing is None:
-        notes.append(Text("Housing material: not given; chosen: it grows as the driver of each mesh."))
+        yield Text("Housing material: not given; chosen: it grows as the driver of each mesh.")
     elif gears.housing_material is None:
-        notes.append(
-            Text(
-                "Housing material: not given; chosen: {housing}, that of the bearings. The cold and warm backlash is "
-                "then not verified.",
-                housing=housing,
-            )
+        yield Text(
+            "Housing material: not given; chosen: {housing}, that of the bearings. The cold and warm backlash is then "
+            "not verified.",
+            housing=housing,
         )
     if gears.support_material is not None and not any(m.inputs.support_share for m, _ in known):
-        notes.append(Text("gears.support_material acts on no mesh: none has a support_share."))
+        yield Text("gears.support_material acts on no mesh: none has a support_share.")
     if chance:
-        notes.append(
-            Text(
-                "Backlash by chance: {by_chance}, always the same ones, at 20 °C; allowances, bare tolerances and "
-                "fields without a kind even "
-                "between their limits, a position even in its circle, a fit on the wall of its clearance and a runout "
-                "in any direction; all "
-                "independent.",
-                by_chance=BY_CHANCE,
-            )
+        yield Text(
+            "Backlash by chance: {by_chance}, always the same ones, at 20 °C; allowances, bare tolerances and fields "
+            "without a kind even between their limits, a position even in its circle, a fit on the wall of its "
+            "clearance and a runout in any direction; all independent.",
+            by_chance=BY_CHANCE,
         )
-    if any(m.runouts is None for m, _ in known):
-        tight = ", ".join(m.name for m, _ in known if m.runouts is None)
-        notes.append(
-            Text(
-                "Runout of the teeth: not given for {tight}: left out of their backlash (gears.wheels.NAME.runout_um).",
-                tight=tight,
-            )
+    if tight := [m.name for m, _ in known if m.runouts is None]:
+        yield Text(
+            "Runout of the teeth: not given for {tight}: left out of their backlash (gears.wheels.NAME.runout_um).",
+            tight=", ".join(tight),
         )
-    return tuple(notes)

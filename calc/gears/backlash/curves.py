@@ -91,11 +91,8 @@ def _kinds(known: Known) -> Table:
     """The backlash of every mesh along other lines, over its tolerances."""
     rows: list[Row] = []
     for m, _ in known:
-        for limit, j_bn, shift in (
-            ("smallest", m.mesh.backlash_min, -1),
-            ("nominal", m.mesh.backlash_nominal, 0),
-            ("largest", m.mesh.backlash_max, 1),
-        ):
+        backlashes = m.mesh.backlash_min, m.mesh.backlash_nominal, m.mesh.backlash_max
+        for limit, j_bn, shift in zip(LIMITS, backlashes, (-1, 0, 1)):
             alpha_wt = float(np.arccos(m.touching / (m.mesh.centre_distance + shift * m.mesh.centre_tolerance)))
             d_w = m.driven.base_diameter / float(np.cos(alpha_wt))
             j_wt = b.circumferential_of_normal(j_bn=j_bn, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle)

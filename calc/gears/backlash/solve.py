@@ -74,7 +74,8 @@ def play(
     meshes = {m.key: PlayResult(**values[m.key], **c.of_mesh(m, chance)) for m in meshes_of}
     whole = _train(train, meshes, way, last, chance)
     all_checks = tuple(check for m in meshes_of for check in checks(gears, m, meshes[m.key], smallest[m.key]))
-    return Played(meshes, whole, all_checks, notes(gears, known, housing, chance is not None), known, gears)
+    texts = tuple(notes(gears, known, housing, chance is not None))
+    return Played(meshes, whole, all_checks, texts, known, gears)
 
 
 def with_couple(play: TrainPlay, couple: NewtonMetre) -> TrainPlay:
@@ -93,11 +94,10 @@ def _kinds(m: BacklashCase) -> dict[str, float]:
     alpha_wt, beta_b, j_bn = m.mesh.working_pressure_angle, m.system.base_helix_angle, m.mesh.backlash_nominal
     with about(Text("mesh {name}, backlash at mid-tolerance", name=m.name)):
         j_wt = b.circumferential_of_normal(j_bn=j_bn, alpha_wt=alpha_wt, beta_b=beta_b)
+        d, d_w = m.driven.reference_diameter, m.mesh.working_diameter_driven
         return dict(
             backlash_circumferential=j_wt,
-            backlash_transverse=b.reference_backlash(
-                j_wt=j_wt, d=m.driven.reference_diameter, d_w=m.mesh.working_diameter_driven
-            ),
+            backlash_transverse=b.reference_backlash(j_wt=j_wt, d=d, d_w=d_w),
             backlash_radial=b.radial_backlash(j_wt=j_wt, alpha_wt=alpha_wt),
             backlash_recommended=b.recommended_backlash(a_w=m.mesh.centre_distance, m_n=m.system.m_n),
             play_angle_nominal=b.play_angle_at_base(j_bn=j_bn, beta_b=beta_b, d_b=m.driven.base_diameter),
@@ -109,15 +109,7 @@ def _at(m: BacklashCase, a: Metre) -> Metre:
     d_b1, d_b2 = m.driver.base_diameter, m.driven.base_diameter
     alpha_wt = f.working_pressure_angle(d_b1, d_b2, a)
     s_b1, s_b2 = (teeth.thickest for teeth in m.teeth)
-    return b.backlash_of_bases(
-        p_bt=m.system.base_pitch,
-        s_b1=s_b1,
-        s_b2=s_b2,
-        d_b1=d_b1,
-        d_b2=d_b2,
-        alpha_wt=alpha_wt,
-        beta_b=m.system.base_helix_angle,
-    )
+    return b.backlash_of_bases(m.system.base_pitch, s_b1, s_b2, d_b1, d_b2, alpha_wt, m.system.base_helix_angle)
 
 
 def _stacked(m: BacklashCase) -> dict[str, float]:
@@ -163,9 +155,8 @@ def _warm(
             with about(Text("mesh {name}, largest backlash, {name2}", name=m.name, name2=state.name)):
                 a = b.widest(m.mesh.centre_distance, m.mesh.centre_tolerance)
                 loose = t.at_state(m, grown, a, *(teeth.thinnest for teeth in m.teeth)).backlash
-                values["play_angle_running"] = b.play_angle_at_base(
-                    loose, m.system.base_helix_angle, m.driven.base_diameter
-                )
+                beta_b, d_b = m.system.base_helix_angle, m.driven.base_diameter
+                values["play_angle_running"] = b.play_angle_at_base(loose, beta_b, d_b)
     return values, tuple(smallest)
 
 
@@ -181,10 +172,8 @@ def _train(
         for key in way:
             most, mid = train.meshes[key].play_angle, meshes[key].play_angle_nominal
             if most > 0:
-                z = wheels[train.meshes[key].driven].teeth
-                deviations.append(
-                    b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=wheels[last].teeth)
-                )
+                z, z_last = wheels[train.meshes[key].driven].teeth, wheels[last].teeth
+                deviations.append(b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=z_last))
         rooted = b.phase_error_rss(Delta_phi=nominal, delta=gathered(deviations))
     with about(Text("train, to {last}, running", last=last)):
         warm = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_running for key in way})

@@ -75,9 +75,8 @@ def expansions(
         return Expansions(alpha_H, alpha_1, alpha_2)
     support = materials[gears.support_material].expansion
     with about(Text("mesh {name}", name=m.name)):
-        return Expansions(
-            b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2
-        )
+        alpha_a = b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share)
+    return Expansions(alpha_a, alpha_1, alpha_2)
 
 
 def grown(m: BacklashCase, alpha: Expansions, T_housing: Value, T_wheels: Value) -> Grown[Value]:
@@ -102,14 +101,6 @@ def at_state(m: BacklashCase, by: Grown[float], a: Metre, s_b1: Metre, s_b2: Met
 
 def warm(m: BacklashCase, by: Grown[Value], alpha_wt: Value, s_b1: Metre, s_b2: Metre) -> Value:
     """`alpha_wt`: at the effective centre distance."""
-    return b.warm_backlash(
-        p_bt=m.system.base_pitch,
-        eps_1=by.driver,
-        eps_2=by.driven,
-        s_b1=s_b1,
-        s_b2=s_b2,
-        d_b1=m.driver.base_diameter,
-        d_b2=m.driven.base_diameter,
-        alpha_wt=alpha_wt,
-        beta_b=m.system.base_helix_angle,
-    )
+    p_bt, beta_b = m.system.base_pitch, m.system.base_helix_angle
+    d_b1, d_b2 = m.driver.base_diameter, m.driven.base_diameter
+    return b.warm_backlash(p_bt, by.driver, by.driven, s_b1, s_b2, d_b1, d_b2, alpha_wt, beta_b)

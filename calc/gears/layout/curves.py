@@ -2,7 +2,7 @@
 """The train seen along its axes, the tables of its places, marks and forces, and what is assumed of them."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -31,17 +31,16 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
         return None
     series = []
     for name, wheel in placed.items():
-        radii = [train.wheels[name].tip_diameter / 2, *_working_radii(train, name)]
+        working = {round(d_w / 2, 5): d_w / 2 for _, d_w, _ in train.mates(name)}  # alike ones once
+        radii = [train.wheels[name].tip_diameter / 2, *sorted(working.values(), reverse=True)]
         direction = np.exp(1j * (wheel.tooth_angle or 0.0))
         # one line: each ring begins and ends at tooth 1
         rings = [radius * direction * np.exp(1j * AROUND) for radius in radii]
         series.append(_line(Name(name), wheel.position + np.concatenate([*rings, [0.0]])))
     for wall in gears.walls:
         series.append(_line(Name(wall.name), np.array([complex(*wall.from_), complex(*wall.to)])))
-    for neighbour in gears.neighbours:
-        series.append(
-            _line(Name(neighbour.name), complex(*neighbour.position) + neighbour.radius * np.exp(1j * AROUND))
-        )
+    for other in gears.neighbours:
+        series.append(_line(Name(other.name), complex(*other.position) + other.radius * np.exp(1j * AROUND)))
     return Curve(
         "layout",
         Text("Layout of the train, cylinder 1 at TDC, crank clockwise"),
@@ -50,12 +49,6 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
         tuple(series),
         equal=True,
     )
-
-
-def _working_radii(train: TrainResult, name: str) -> list[float]:
-    """From the largest inwards; alike ones once."""
-    radii = [d_w / 2 for _, d_w, _ in train.mates(name)]
-    return sorted({round(r, 5): r for r in radii}.values(), reverse=True)
 
 
 def _line(label: Text, points: ComplexArray) -> Series:
@@ -72,18 +65,8 @@ def tables(train: TrainResult, placing: Placing, result: LayoutResult, teeth: Ph
         if (p := wheel.position) is not None:
             tooth = None if wheel.tooth_angle is None else math.degrees(wheel.tooth_angle)
             room = None if wheel.clearance is None else wheel.clearance / 1e-3
-            rows.append(
-                (
-                    name,
-                    train.wheels[name].teeth,
-                    p.real / 1e-3,
-                    p.imag / 1e-3,
-                    wheel.placed_by,
-                    tooth,
-                    wheel.nearest or None,
-                    room,
-                )
-            )
+            where = p.real / 1e-3, p.imag / 1e-3, wheel.placed_by
+            rows.append((name, train.wheels[name].teeth, *where, tooth, wheel.nearest or None, room))
     columns = (
         (Text("wheel"), ""),
         (Text("z"), ""),
@@ -98,17 +81,10 @@ def tables(train: TrainResult, placing: Placing, result: LayoutResult, teeth: Ph
     note = Text("From the crank's axis; side: 90° on in its rotation.")
     tables = [Table("places", Text("Places of the wheels"), columns, tuple(rows), note, covers)]
     if placing.solutions:
-        both = tuple(
-            (
-                wheel,
-                between,
-                p.real / 1e-3,
-                p.imag / 1e-3,
-                g / 1e-3 if math.isfinite(g) else None,
-                Text("yes") if chosen else Text("no"),
-            )
-            for wheel, between, p, g, chosen in placing.solutions
-        )
+        both: list[Row] = []
+        for name, between, p, g, chosen in placing.solutions:
+            room, answer = g / 1e-3 if math.isfinite(g) else None, Text("yes") if chosen else Text("no")
+            both.append((name, between, p.real / 1e-3, p.imag / 1e-3, room, answer))
         head = (
             (Text("wheel"), ""),
             (Text("between"), ""),
@@ -117,7 +93,8 @@ def tables(train: TrainResult, placing: Placing, result: LayoutResult, teeth: Ph
             (Text("clearance"), "mm"),
             (Text("chosen"), ""),
         )
-        tables.append(Table("idler_positions", Text("Where the circles of the centre distances cross"), head, both))
+        title = Text("Where the circles of the centre distances cross")
+        tables.append(Table("idler_positions", title, head, tuple(both)))
     return (*tables, _marks(teeth, result.marks_period)) if teeth.marks else tuple(tables)
 
 
@@ -137,10 +114,9 @@ def _marks(teeth: Phase, period: float) -> Table:
         ),
         rows,
         Text(
-            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the "
-            "last wheel the one "
-            "nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet again after "
-            "{period} turns.",
+            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the last "
+            "wheel the one nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet "
+            "again after {period} turns.",
             period=Amount(period, form="g"),
         ),
     )
@@ -188,9 +164,8 @@ def forces_tables(result: ForcesResult) -> tuple[Table, ...]:
             tuple(rows),
             Text(
                 "Least and most differ where the included angle is not known; the tilting couple is then the largest. "
-                "Direction from up "
-                "in the sense of crank rotation. Thrust: + towards the flywheel, the crank turning clockwise seen "
-                "from its front end."
+                "Direction from up in the sense of crank rotation. Thrust: + towards the flywheel, the crank turning "
+                "clockwise seen from its front end."
             ),
             covers,
         ),
@@ -204,59 +179,46 @@ HANDS = {"left": Text("left"), "right": Text("right")}
 DRAWN_JOURNAL, DRAWN_TIP, DRAWN_GAP = 59.5e-3, 58.7e-3, 0.8e-3
 
 
-def notes(gears: GearsInputs, result: LayoutResult, teeth: Phase, last: WheelResult, end_unknown: bool) -> list[Text]:
+def notes(
+    gears: GearsInputs, result: LayoutResult, teeth: Phase, last: WheelResult, end_unknown: bool
+) -> Iterator[Text]:
     """`end_unknown`: the journals are known, but not which of them the last wheel passes."""
-    notes, step = [], Amount(360 / last.teeth, form=".4g")
-    if any(wheel.clearance is not None for wheel in result.wheels.values()) and all(
-        w.runout is None for w in gears.wheels
-    ):
-        notes.append(Text("Clearances around the wheels: no runout of the teeth is given, and none is taken off."))
+    step, near = Amount(360 / last.teeth, form=".4g"), any(w.clearance is not None for w in result.wheels.values())
+    if near and all(w.runout is None for w in gears.wheels):
+        yield Text("Clearances around the wheels: no runout of the teeth is given, and none is taken off.")
     if last.name not in teeth.teeth:
-        notes.append(
-            Text(
-                "{last} can be meshed in steps of 360°/{z} = {z2}°: without positions the assembly phase is not known.",
-                last=last.name,
-                z=last.teeth,
-                z2=step,
-            )
+        yield Text(
+            "{last} can be meshed in steps of 360°/{z} = {z2}°: without positions the assembly phase is not known.",
+            last=last.name,
+            z=last.teeth,
+            z2=step,
         )
     elif teeth.offset is not None:
-        notes.append(
-            Text(
-                "Seen so that the crank turns clockwise, cylinder 1 at TDC: the nearest tooth of {last} stands "
-                "{degrees}° {sense} from its "
-                "eccentric. This angle, or the marks, must stand on the drawing: {last} can be meshed in steps of "
-                "{z}°. A tooth of {driver} "
-                "stands at gears.tooth_angle_deg = {degrees2}.",
-                last=last.name,
-                degrees=Amount(abs(math.degrees(teeth.offset)), form=".3f"),
-                sense=Text("further") if teeth.offset >= 0 else Text("back"),
-                z=step,
-                driver=gears.meshes[0].driver,
-                degrees2=Amount(math.degrees(gears.tooth_angle), form="g"),
-            )
+        yield Text(
+            "Seen so that the crank turns clockwise, cylinder 1 at TDC: the nearest tooth of {last} stands {degrees}° "
+            "{sense} from its eccentric. This angle, or the marks, must stand on the drawing: {last} can be meshed in "
+            "steps of {z}°. A tooth of {driver} stands at gears.tooth_angle_deg = {degrees2}.",
+            last=last.name,
+            degrees=Amount(abs(math.degrees(teeth.offset)), form=".3f"),
+            sense=Text("further") if teeth.offset >= 0 else Text("back"),
+            z=step,
+            driver=gears.meshes[0].driver,
+            degrees2=Amount(math.degrees(gears.tooth_angle), form="g"),
         )
     if end_unknown:
-        notes.append(
-            Text("On which side {last} passes a bearing is not known: the smaller journal is judged.", last=last.name)
-        )
-    return notes
+        yield Text("On which side {last} passes a bearing is not known: the smaller journal is judged.", last=last.name)
 
 
 def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) -> tuple[Erratum, ...]:
     """The gap in the text of the source, where the journal is the source's and the tip circle is that of its sheet, not
     of its drawing."""
-    if (
-        gap is None
-        or journals is None
-        or all(abs(d - DRAWN_JOURNAL) > 1e-6 for d in journals)
-        or not 1.5 < gap / DRAWN_GAP < 2.5
-    ):
+    if gap is None or not 1.5 < gap / DRAWN_GAP < 2.5:
+        return ()
+    if journals is None or all(abs(d - DRAWN_JOURNAL) > 1e-6 for d in journals):
         return ()
     why = Text(
         "The drawing gives a tip diameter of {drawn_tip} mm, the sheet {tip} mm: with the sheet's the gap is about "
-        "twice the eight tenths "
-        "of the text.",
+        "twice the eight tenths of the text.",
         drawn_tip=mm(DRAWN_TIP, "g"),
         tip=mm(tip, ".3f"),
     )
@@ -264,33 +226,24 @@ def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) 
     return (Erratum(dotted("gears", LayoutResult.insertion_gap), name, DRAWN_GAP * 1e3, "mm", source, why),)
 
 
-def forces_notes(gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number]) -> tuple[Text, ...]:
+def forces_notes(gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number]) -> Iterator[Text]:
     if not gears.helix_angle:
-        return ()
-    notes = []
+        return
     if all(w.hand is None for w in gears.wheels):
-        notes.append(
-            Text(
-                "Hands of the helix: not given; chosen: {driver} right-handed, the others in turn.",
-                driver=gears.meshes[0].driver,
-            )
-        )
+        first = gears.meshes[0].driver
+        yield Text("Hands of the helix: not given; chosen: {driver} right-handed, the others in turn.", driver=first)
     last = gears.meshes[-1].driven
     wheel = result.wheels[last]
     assert wheel.thrust is not None
     if wheel.thrust:
         where = Text("the flywheel") if wheel.thrust > 0 else Text("the front")
-        sense = Text("as") if turns[last] > 0 else Text("against")
-        notes.append(
-            Text(
-                "{last}, {hand}-handed and turning {sense} the crank, is pushed {thrust} N towards {where} (the crank "
-                "turning clockwise seen "
-                "from its front end): its shaft must be held there, and the other way where the torque reverses.",
-                last=last,
-                hand=HANDS[wheel.hand],
-                sense=sense,
-                thrust=Amount(abs(wheel.thrust)),
-                where=where,
-            )
+        yield Text(
+            "{last}, {hand}-handed and turning {sense} the crank, is pushed {thrust} N towards {where} (the crank "
+            "turning clockwise seen from its front end): its shaft must be held there, and the other way where the "
+            "torque reverses.",
+            last=last,
+            hand=HANDS[wheel.hand],
+            sense=Text("as") if turns[last] > 0 else Text("against"),
+            thrust=Amount(abs(wheel.thrust)),
+            where=where,
         )
-    return tuple(notes)

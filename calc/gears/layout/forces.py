@@ -119,10 +119,8 @@ def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
             F_W, *more = (part.force for part in parts if part.force is not None)
             for F_m in more:
                 F_W = f.wheel_force(F_1=F_W, F_2=F_m)
-            values["bearing_force"], values["bearing_force_direction"] = (
-                f.bearing_force(F_W=F_W),
-                f.force_direction(F_W=F_W),
-            )
+            values["bearing_force"] = f.bearing_force(F_W=F_W)
+            values["bearing_force_direction"] = f.force_direction(F_W=F_W)
         elif len(parts) == 1:
             values["bearing_force"] = parts[0].transverse
         elif len(parts) == 2:

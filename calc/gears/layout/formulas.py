@@ -306,8 +306,7 @@ def bearing_force_least(F_bt1: Newton, F_bt2: Newton) -> Newton:
     "F_x2",
     Text(
         "{statics}: on the driven wheel, + along the axis of the crank's rotation; s_β = +1: driver right-handed, −1: "
-        "left-handed. A "
-        "right-handed driver is pushed along the axis of its own rotation, its mate the other way",
+        "left-handed. A right-handed driver is pushed along the axis of its own rotation, its mate the other way",
         statics=STATICS,
     ),
     names={"h": "s_β"},

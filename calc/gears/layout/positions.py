@@ -67,13 +67,13 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
         placing.notes.append(
             Text(
                 "Positions of the wheels are not given: nothing is said about clearances, assembly phase and included "
-                "angles. They follow "
-                "from countershaft.axis_mm or gears.wheels.NAME.position_mm."
+                "angles. They follow from countershaft.axis_mm or gears.wheels.NAME.position_mm."
             )
         )
         return placing
-    meshes = tuple(train.meshes.values())
-    beside = {w.name: _neighbours(w.name, meshes) for w in gears.wheels}
+    beside: dict[str, dict[str, MeshResult]] = {w.name: {} for w in gears.wheels}  # the meshes of a wheel by its mates
+    for mesh in train.meshes.values():
+        beside[mesh.driver][mesh.driven] = beside[mesh.driven][mesh.driver] = mesh
     failed: set[str] = set()
     while True:
         still = [w.name for w in gears.wheels if w.name not in placing.p and w.name not in failed]
@@ -128,25 +128,13 @@ def axes_apart(gears: GearsInputs, shaft_axis: complex | None) -> dict[int, Metr
     }
 
 
-def _neighbours(name: str, meshes: tuple[MeshResult, ...]) -> dict[str, MeshResult]:
-    return {m.driver if m.driven == name else m.driven: m for m in meshes if name in (m.driver, m.driven)}
-
-
 def _between(name: str, beside: Mates, placing: Placing, train: TrainResult) -> Between | None:
     placed = [(mate, mesh) for mate, mesh in beside.items() if mate in placing.p]
     if len(placed) < 2:
         return None
     (first, m_1), (second, m_2), *others = placed
-    tolerance = allowed(train, m_1) + allowed(train, m_2)
-    return Between(
-        name,
-        first,
-        second,
-        m_1.centre_distance,
-        m_2.centre_distance,
-        tolerance,
-        [(w, m.centre_distance) for w, m in others],
-    )
+    tolerance, further = allowed(train, m_1) + allowed(train, m_2), [(w, m.centre_distance) for w, m in others]
+    return Between(name, first, second, m_1.centre_distance, m_2.centre_distance, tolerance, further)
 
 
 # --- one open wheel
@@ -168,11 +156,8 @@ def _sides(idler: Between, placing: Placing) -> tuple[float, ...]:
     names = {"wheel": idler.wheel, "first": idler.first, "second": idler.second}
     c, tolerance = abs(placing.p[idler.second] - placing.p[idler.first]), idler.tolerance
     low, high = abs(idler.a_12 - idler.a_23), idler.a_12 + idler.a_23
-    placing.checks.append(
-        reach_check(
-            f"gears.{idler.wheel}.position", Name(idler.wheel), idler.first, idler.second, c, low, high, tolerance
-        )
-    )
+    id, first, second = f"gears.{idler.wheel}.position", idler.first, idler.second
+    placing.checks.append(reach_check(id, Name(idler.wheel), first, second, c, low, high, tolerance))
     if c < SAME:
         placing.notes.append(
             Text("{first} and {second} have one axis: {wheel} can stand in any direction from it.", **names)
@@ -185,8 +170,7 @@ def _sides(idler: Between, placing: Placing) -> tuple[float, ...]:
         placing.notes.append(
             Text(
                 "The centre distances of {wheel} miss {first} and {second} by {miss} µm, within the tolerance: it is "
-                "set on their line of "
-                "centres.",
+                "set on their line of centres.",
                 **names,
                 miss=miss,
             )
@@ -298,8 +282,7 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
     placing.notes.append(
         Text(
             "{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of "
-            "them has the most room, "
-            "{clearance} mm. Walls and neighbours that are not given are not heeded: give "
+            "them has the most room, {clearance} mm. Walls and neighbours that are not given are not heeded: give "
             "gears.wheels.{one}.position_mm.",
             one=one,
             two=two,

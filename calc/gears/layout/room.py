@@ -11,13 +11,12 @@ import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
 from ...sheet.check import Check, check
-from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import by_key
 from ...sheet.text import Amount, Text, alternatives
 from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import about, based_on
-from ..inputs import GearsInputs, Mesh
+from ..inputs import GearsInputs, Mesh, mesh_key, wheel_key
 from ..limits import mm
 from ..result import MeshResult, TrainResult
 from ..wheel_inputs import Wheel
@@ -201,22 +200,11 @@ def reach_check(
 
 def axis_check(last: str, off: Metre, limit: Metre) -> Check:
     """`off`: between the given position of the last wheel and the axis of the counter-shaft."""
-    return check(
-        f"gears.{last}.axis",
-        Text("Position of {last} from the axis of the counter-shaft", last=last),
-        off,
-        "<=",
-        limit,
-        "µm",
-        Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
-        remedies=by_key(
-            Wheel,
-            dotted("gears", GearsInputs.wheels, last, Wheel.position),
-            None,
-            place=last,
-            effect=Text("the axis of the counter-shaft gives it"),
-        ),
-    )
+    name = Text("Position of {last} from the axis of the counter-shaft", last=last)
+    source = Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n")
+    effect = Text("the axis of the counter-shaft gives it")
+    left_out = by_key(Wheel, wheel_key(last, Wheel.position), None, place=last, effect=effect)
+    return check(f"gears.{last}.axis", name, off, "<=", limit, "µm", source, remedies=left_out)
 
 
 def distance_check(
@@ -230,20 +218,11 @@ def distance_check(
     )
     if given:
         advice += Text(" Or move {wrong}.", wrong=alternatives(given))
-    return check(
-        f"gears.{key}.position",
-        Text("Axes of {driver} and {driven} off their centre distance", driver=mesh.driver, driven=mesh.driven),
-        error,
-        "<=",
-        limit,
-        "µm",
-        Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n"),
-        advice,
-        index=index,
-        remedies=by_key(
-            Mesh, dotted("gears", GearsInputs.meshes, index, Mesh.centre_distance), round(c * 1e3, 4), place=mesh.title
-        ),
-    )
+    name = Text("Axes of {driver} and {driven} off their centre distance", driver=mesh.driver, driven=mesh.driven)
+    source = Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n")
+    as_placed = by_key(Mesh, mesh_key(index, Mesh.centre_distance), round(c * 1e3, 4), place=mesh.title)
+    id = f"gears.{key}.position"
+    return check(id, name, error, "<=", limit, "µm", source, advice, index=index, remedies=as_placed)
 
 
 def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], chosen: bool) -> Iterator[Check]:
@@ -253,20 +232,18 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
     if not clearances:
         return
     tight = min(clearances, key=lambda c: c.g)
-    what = {"wall": Text("wall {to}", to=tight.to), "neighbour": tight.to, "wheel": Text("wheel {to}", to=tight.to)}[
-        tight.kind
-    ]
+    what = tight.to
+    if tight.kind != "neighbour":
+        what = Text("wall {to}", to=tight.to) if tight.kind == "wall" else Text("wheel {to}", to=tight.to)
     name, id = Text("Clearance of {wheel} to {what}", wheel=wheel, what=what), f"gears.{wheel}.clearance"
-    move = (
-        Text("give {wheel} another place", wheel=wheel)
-        if chosen
-        else Text("move {wheel} or {what} apart", wheel=wheel, what=what)
-    )
-    missing = Text(" by {g} mm", g=mm(-tight.g)) if tight.g < 0 else ""
+    move = Text("move {wheel} or {what} apart", wheel=wheel, what=what)
+    if chosen:
+        move = Text("give {wheel} another place", wheel=wheel)
+    more = Text(" by {g} mm", g=mm(-tight.g)) if tight.g < 0 else ""
     advice = Text(
         "The tip circle needs more room: {move}{missing}, or give it fewer teeth or a smaller shift.",
         move=move,
-        missing=missing,
+        missing=more,
     )
     if chosen and tight.kind != "wheel":
         advice += Text(" `choose FILE gears` tries its teeth.")
@@ -281,45 +258,32 @@ def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number
     if factor > 1:
         advice = Text(
             "Every tooth of {driver} meets only {z_2} of the {z_22} teeth of {driven}, and one fault returns after "
-            "{turns} turns of "
-            "{driver}: numbers of teeth without a common factor spread the wear (the teeth of an idler do not change "
-            "the ratio).",
+            "{turns} turns of {driver}: numbers of teeth without a common factor spread the wear (the teeth of an "
+            "idler do not change the ratio).",
             driver=mesh.driver,
             z_2=Amount(z_2 / factor, form="g"),
             z_22=z_2,
             driven=mesh.driven,
             turns=Amount(turns, form="g"),
         )
-    name = Text(
-        "Common factor of the teeth {driver} {z_1}, {driven} {z_2}",
-        driver=mesh.driver,
-        z_1=z_1,
-        driven=mesh.driven,
-        z_2=z_2,
-    )
+    wheels = {"driver": mesh.driver, "z_1": z_1, "driven": mesh.driven, "z_2": z_2}
+    name = Text("Common factor of the teeth {driver} {z_1}, {driven} {z_2}", **wheels)
     source = Text("mathematics, hunting tooth: every tooth meets every tooth where the numbers have no common factor")
     return check(f"gears.{key}.hunting", name, factor, "<=", 1.0, "", source, advice)
 
 
 def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
     more = Text(", give that journal {gap} mm more", gap=mm(-gap, ".4g")) if gap < 0 else ""
-    return check(
-        "gears.train.assembly",
-        Text("Gap between {wheel} and the seat of the {seat} journal", wheel=wheel, seat=seat),
-        gap,
-        ">=",
-        0.0,
-        "mm",
-        Text(
-            "geometry: the wheel passes through the seat of the journal where the shaft is inserted along its axis; "
-            "diametral"
-        ),
-        Text(
-            "Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the "
-            "shaft is inserted, "
-            "or split the support.",
-            wheel=wheel,
-            seat=seat,
-            more=more,
-        ),
+    name = Text("Gap between {wheel} and the seat of the {seat} journal", wheel=wheel, seat=seat)
+    source = Text(
+        "geometry: the wheel passes through the seat of the journal where the shaft is inserted along its axis; "
+        "diametral"
     )
+    advice = Text(
+        "Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the "
+        "shaft is inserted, or split the support.",
+        wheel=wheel,
+        seat=seat,
+        more=more,
+    )
+    return check("gears.train.assembly", name, gap, ">=", 0.0, "mm", source, advice)

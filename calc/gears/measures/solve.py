@@ -54,12 +54,8 @@ def _shift(system: ToothSystem, wheel: WheelResult, key: str, size: Metre) -> Nu
     if key == "measured_chordal_thickness":
         z_v = m.virtual_teeth(z=z, beta=system.beta)
         if size > z_v * m_n:
-            raise _no_tooth(
-                wheel,
-                key,
-                size,
-                Text("no chord of its virtual wheel is longer than {z_v} mm", z_v=mm(z_v * m_n, ".4g")),
-            )
+            why = Text("no chord of its virtual wheel is longer than {z_v} mm", z_v=mm(z_v * m_n, ".4g"))
+            raise _no_tooth(wheel, key, size, why)
         return m.shift_of_half_angle(psi=m.angle_of_chord(s_c=size, z_v=z_v, m_n=m_n), z_v=z_v, alpha_n=alpha_n)
     return _shift_of_balls(system, wheel, key, size)
 
@@ -71,12 +67,8 @@ def _shift_of_balls(system: ToothSystem, wheel: WheelResult, key: str, size: Met
     d_K = m.centres_opposite(M=size, D_M=D_M) if opposite else m.centres_odd(M=size, D_M=D_M, z=z)
     if d_K < d_b:
         least = d_b * (1.0 if opposite else math.cos(math.pi / (2 * z))) + D_M
-        raise _no_tooth(
-            wheel,
-            key,
-            size,
-            Text("with {d_m} mm in diameter it is at least {least} mm", d_m=mm(D_M, ".5g"), least=mm(least, ".4f")),
-        )
+        sizes = {"d_m": mm(D_M, ".5g"), "least": mm(least, ".4f")}
+        raise _no_tooth(wheel, key, size, Text("with {d_m} mm in diameter it is at least {least} mm", **sizes))
     alpha_t, beta_b = system.transverse_pressure_angle, system.base_helix_angle
     alpha_K = f.pressure_angle_at(d_b=d_b, d_y=d_K)
     s_t = m.thickness_of_centres(
@@ -90,24 +82,12 @@ def _tooth(system: ToothSystem, wheel: WheelResult, key: str, size: Metre, x_E: 
     s_n = m.normal_thickness(m_n=m_n, x=x_E, alpha_n=alpha_n)
     if not 0 < s_n < math.pi * m_n:
         fits = round(wheel.span_teeth + (size - wheel.span_length) / (math.pi * m_n * math.cos(alpha_n)))
-        hint = EMPTY
+        hint, K = EMPTY, Amount(wheel.span_teeth, form="g")
         if key == "measured_span" and fits > 0:
-            hint = Text(
-                "it is near a span over {fits} teeth, not {span_teeth}",
-                fits=fits,
-                span_teeth=Amount(wheel.span_teeth, form="g"),
-            )
-        raise _no_tooth(
-            wheel,
-            key,
-            size,
-            Text(
-                "its teeth would be {s_n} mm thick, at a pitch of {pi} mm",
-                s_n=mm(s_n, ".4g"),
-                pi=mm(math.pi * m_n, ".4g"),
-            ),
-            hint,
-        )
+            hint = Text("it is near a span over {fits} teeth, not {span_teeth}", fits=fits, span_teeth=K)
+        thick, pitch = mm(s_n, ".4g"), mm(math.pi * m_n, ".4g")
+        why = Text("its teeth would be {s_n} mm thick, at a pitch of {pi} mm", s_n=thick, pi=pitch)
+        raise _no_tooth(wheel, key, size, why, hint)
     E_W = m.span_change(x_E=x_E, x=wheel.profile_shift, m_n=m_n, alpha_n=alpha_n)
     return Measured(
         generating_shift=x_E,
@@ -164,15 +144,12 @@ def _span(system: ToothSystem, wheel: WheelResult, K: int) -> Span:
         system.m_n, system.alpha_n, float(K), wheel.teeth, system.transverse_pressure_angle, wheel.profile_shift
     )
     d_W, b_W = m.span_contact_diameter(wheel.base_diameter, W_K, beta_b), m.span_width(W_K, beta_b)
-    return Span(K, W_K, d_W, b_W, _fault(wheel, W_K, d_W, b_W))
-
-
-def _fault(wheel: WheelResult, W_K: Metre, d_W: Metre, b_W: Metre) -> Text:
+    fault = Text("needs a wider face") if wheel.face_width <= b_W else EMPTY
     if W_K <= 0 or d_W <= wheel.form_diameter:
-        return Text("touches below the form circle")
-    if d_W >= wheel.tip_diameter:
-        return Text("misses the tip circle")
-    return Text("needs a wider face") if wheel.face_width <= b_W else EMPTY
+        fault = Text("touches below the form circle")
+    elif d_W >= wheel.tip_diameter:
+        fault = Text("misses the tip circle")
+    return Span(K, W_K, d_W, b_W, fault)
 
 
 def best(spans: tuple[Span, ...], d_V: Metre) -> Span | None:
@@ -185,18 +162,10 @@ def spans_table(wheel: WheelResult, spans: tuple[Span, ...], chosen: Number, bes
     upper, lower = wheel.allowance or (None, None)
 
     def row(s: Span) -> tuple[str | float | None, ...]:
-        words = [
-            word for word, holds in ((Text("chosen"), round(chosen) == s.K), (Text("best"), best_K == s.K)) if holds
-        ]
+        words = Text("chosen") if round(chosen) == s.K else EMPTY, Text("best") if best_K == s.K else EMPTY, s.fault
         limits = (None if E is None else (s.length + E) / MM for E in (lower, upper))
-        return (
-            f"{s.K}",
-            s.length / MM,
-            *limits,
-            s.contact_diameter / MM,
-            s.width / MM,
-            COMMA.join(filter(None, (*words, s.fault))),
-        )
+        sizes = s.length / MM, *limits, s.contact_diameter / MM, s.width / MM
+        return f"{s.K}", *sizes, COMMA.join(filter(None, words))
 
     return Table(
         f"spans_{wheel.name}",
@@ -231,10 +200,8 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
     kind = "limit" if wheel.ball_given else "advice"
 
     def other_ball() -> tuple[Remedy, ...]:
-        fits, key = (
-            wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball,
-            dotted("gears", GearsInputs.ball_diameter),
-        )
+        key = dotted("gears", GearsInputs.ball_diameter)
+        fits = wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball
         per_wheel = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
         return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), per_wheel
 
@@ -248,42 +215,18 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
         Text("{iso}: the anvils must touch the involute", iso=ISO),
         Text("Span another number of teeth."),
     )
-    yield check(
-        f"{id}.ball",
-        Text("Measuring ball of {name}", name=name),
-        D_M,
-        "in",
-        balls,
-        "mm",
-        Text("geometry: the ball must touch between form and tip circle"),
-        kind=kind,
-        remedies=other_ball,
-    )
+    label = Text("Measuring ball of {name}", name=name)
+    source = Text("geometry: the ball must touch between form and tip circle")
+    yield check(f"{id}.ball", label, D_M, "in", balls, "mm", source, kind=kind, remedies=other_ball)
     if wheel.over_balls is not None:
-        yield check(
-            f"{id}.ball_proud",
-            Text("Balls of {name} above its tip", name=name),
-            (wheel.over_balls - wheel.tip_diameter) / 2,
-            ">",
-            0.0,
-            "mm",
-            Text("geometry: the balls must stand proud of the tip circle"),
-            kind=kind,
-            remedies=other_ball,
-        )
+        label, proud = Text("Balls of {name} above its tip", name=name), (wheel.over_balls - wheel.tip_diameter) / 2
+        source = Text("geometry: the balls must stand proud of the tip circle")
+        yield check(f"{id}.ball_proud", label, proud, ">", 0.0, "mm", source, kind=kind, remedies=other_ball)
     if sizes.over_one_ball is not None:
-        above_root = sizes.over_one_ball - D_M - wheel.root_diameter / 2
-        yield check(
-            f"{id}.ball_root",
-            Text("Ball of {name} above the root", name=name),
-            above_root,
-            ">=",
-            0.0,
-            "mm",
-            Text("geometry: the ball must not lie on the root"),
-            kind=kind,
-            remedies=other_ball,
-        )
+        label = Text("Ball of {name} above the root", name=name)
+        source = Text("geometry: the ball must not lie on the root")
+        above = sizes.over_one_ball - D_M - wheel.root_diameter / 2
+        yield check(f"{id}.ball_root", label, above, ">=", 0.0, "mm", source, kind=kind, remedies=other_ball)
     if system.beta:
         yield check(
             f"{id}.span_width",
@@ -299,11 +242,14 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
 
 def _touching_ball(system: ToothSystem, wheel: WheelResult, d_y: Metre) -> Metre:
     """Diameter of the ball that touches on a circle."""
-    alpha_yt = math.acos(min(wheel.base_diameter / d_y, 1.0))
+    return ball_at(system, wheel, math.acos(min(wheel.base_diameter / d_y, 1.0)))
+
+
+def ball_at(system: ToothSystem, wheel: WheelResult, alpha_yt: Radian) -> Metre:
+    """Diameter of the ball that touches where the flank has a pressure angle."""
+    s_t, d, d_b = wheel.reference_thickness, wheel.reference_diameter, wheel.base_diameter
     alpha_t, beta_b = system.transverse_pressure_angle, system.base_helix_angle
-    return m.ball_for_contact(
-        wheel.reference_thickness, wheel.reference_diameter, alpha_t, wheel.teeth, wheel.base_diameter, beta_b, alpha_yt
-    )
+    return m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, beta_b, alpha_yt)
 
 
 def checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> Iterator[Check]:
@@ -378,18 +324,14 @@ def _advice(system: ToothSystem, wheel: WheelResult, key: str, sizes: MeasuresRe
             less = mm(sizes.over_pins - sizes.over_two_pins, ".3f")
             free = Text(" Two pins under a free micrometer read {over_pins} mm less.", over_pins=less)
         return Text("{ball}, between faces parallel to the axis.{free}", ball=ball, free=free)
+    h_c, d_a = mm(wheel.chordal_height, ".4f"), mm(wheel.tip_diameter, ".4f")
     tip = Text(
-        "It is taken {chordal_height} mm below a tip circle of {tip_diameter} mm",
-        chordal_height=mm(wheel.chordal_height, ".4f"),
-        tip_diameter=mm(wheel.tip_diameter, ".4f"),
+        "It is taken {chordal_height} mm below a tip circle of {tip_diameter} mm", chordal_height=h_c, tip_diameter=d_a
     )
     psi = math.asin(wheel.chordal_thickness * math.cos(system.beta) ** 3 / (wheel.teeth * system.m_n))
-    more = math.tan(system.alpha_n - psi) * 0.1  # the flank leans by so much against the middle of the tooth
-    return Text(
-        "{tip}; a tip circle smaller by 0.1 mm makes the chord read {more} mm more.",
-        tip=tip,
-        more=Amount(more, form=".3f"),
-    )
+    # the flank leans by so much against the middle of the tooth
+    more = Amount(math.tan(system.alpha_n - psi) * 0.1, form=".3f")
+    return Text("{tip}; a tip circle smaller by 0.1 mm makes the chord read {more} mm more.", tip=tip, more=more)
 
 
 # --- the measures
@@ -413,7 +355,12 @@ def measures(
             wheel.base_diameter, wheel.span_length, system.base_helix_angle
         )
         sizes["span_width"] = m.span_width(wheel.span_length, system.base_helix_angle)
-        sizes |= _over_balls_and_pins(system, wheel, wheel.seat) | _constant_chord(system, wheel)
+        sizes |= _over_balls_and_pins(system, wheel, wheel.seat)
+        d, alpha_n = wheel.reference_diameter, system.alpha_n
+        chord = m.constant_chord(m_n=system.m_n, alpha_n=alpha_n, x=wheel.profile_shift)
+        sizes["constant_chord"] = chord
+        sizes["constant_chord_height"] = m.constant_chord_height(wheel.tip_diameter, d, chord, alpha_n)
+        sizes["constant_chord_diameter"] = m.constant_chord_diameter(d, chord, alpha_n, system.beta)
         if wheel.teeth % 2 and system.beta > STRAIGHT and "over_pins" in sizes:
             width = m.pins_width(m_n=system.m_n, beta=system.beta, D_M=ball, beta_b=system.base_helix_angle)
             sizes["pins_width"] = based_on(width, width, wheel.teeth)  # asked of odd numbers only
@@ -463,30 +410,12 @@ def over_pins(system: ToothSystem, z: int, d_K: Metre, D_M: Metre) -> Metre:
     return m.over_pins_opposite(d_K=d_K, D_M=D_M)
 
 
-def _constant_chord(system: ToothSystem, wheel: WheelResult) -> dict[str, Metre]:
-    d, alpha_n = wheel.reference_diameter, system.alpha_n
-    chord = m.constant_chord(m_n=system.m_n, alpha_n=alpha_n, x=wheel.profile_shift)
-    return {
-        "constant_chord": chord,
-        "constant_chord_height": m.constant_chord_height(d_a=wheel.tip_diameter, d=d, s_cc=chord, alpha_n=alpha_n),
-        "constant_chord_diameter": m.constant_chord_diameter(d=d, s_cc=chord, alpha_n=alpha_n, beta=system.beta),
-    }
-
-
 def _ideal_balls(system: ToothSystem, wheel: WheelResult, working: Iterable[tuple[str, Metre]]) -> dict[str, Stated]:
     """The balls that touch at the working circles; none where the flanks meet inside the circle."""
     balls = {}
     for mate, d_w in working:
         with about(Text("wheel {name}, working circle with {mate}", name=wheel.name, mate=mate)):
-            D = m.ball_for_contact(
-                wheel.reference_thickness,
-                wheel.reference_diameter,
-                system.transverse_pressure_angle,
-                wheel.teeth,
-                wheel.base_diameter,
-                system.base_helix_angle,
-                f.pressure_angle_at(wheel.base_diameter, d_w),
-            )
+            D = ball_at(system, wheel, f.pressure_angle_at(wheel.base_diameter, d_w))
         if D > 0:
             label = Text("Ball that touches at the working circle with {mate}", mate=mate)
             balls[f"ideal_ball_at_{mate}"] = Stated(Described(label, "mm", "D_w"), D)
@@ -501,22 +430,14 @@ def _limits(system: ToothSystem, wheel: WheelResult) -> dict[str, Metre]:
     m_n, alpha_n, z_v = system.m_n, system.alpha_n, wheel.virtual_teeth
     for end, side, E_W in zip(("max", "min"), ("upper", "lower"), wheel.allowance):
         tooth = wheel.ends[end]
-        with about(
-            Text(
-                "measures of {name}, {text} tooth",
-                name=wheel.name,
-                text=Text("thickest") if end == "max" else Text("thinnest"),
-            )
-        ):
+        extreme = Text("thickest") if end == "max" else Text("thinnest")
+        with about(Text("measures of {name}, {text} tooth", name=wheel.name, text=extreme)):
             E_sn = m.thickness_allowance(E_W=E_W, alpha_n=alpha_n)
             limits[f"thickness_allowance_{side}"] = E_sn
             limits[f"transverse_allowance_{side}"] = m.transverse_allowance(E_sn=E_sn, beta=system.beta)
             sizes = _over_balls_and_pins(system, wheel, tooth.seat)
-            limits |= {
-                f"{size}_{end}": sizes[size]
-                for size in ("over_one_ball", "over_pins", "over_two_pins")
-                if size in sizes
-            }
+            sizes.pop("ball_contact_diameter", None)  # of the tooth without allowance only
+            limits |= {f"{name}_{end}": size for name, size in sizes.items()}
             psi = m.half_tooth_angle(z_v=z_v, x=tooth.x_E, alpha_n=alpha_n)
             limits[f"chordal_thickness_{end}"] = m.chordal_thickness(z_v=z_v, m_n=m_n, psi=psi)
             limits[f"constant_chord_{end}"] = m.constant_chord(m_n=m_n, alpha_n=alpha_n, x=tooth.x_E)

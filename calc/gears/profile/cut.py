@@ -161,8 +161,7 @@ class Cut:
                     ),
                     advice=Text(
                         "a round corner of this tip radius comes back from {largest_residual_undercut} mm: give a "
-                        "smaller "
-                        "gears.protuberance_mm, a larger gears.stock_mm or tip radius, or less profile shift",
+                        "smaller gears.protuberance_mm, a larger gears.stock_mm or tip radius, or less profile shift",
                         largest_residual_undercut=mm(largest_residual_undercut(s), ".4g"),
                     ),
                 )

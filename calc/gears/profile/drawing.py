@@ -82,33 +82,23 @@ def train_drawing(
     `positions` [up, side] of every wheel from the crank's axis; left out, or not of every wheel: in a row, each beside
     its driver at their centre distance.  `tooth_angle`: of a tooth of the first driver, from up in the sense of crank
     rotation.  Where the train stands as its layout has it, the first tooth of every wheel is the layout's tooth 1."""
-    known = positions is not None and set(train.wheels) <= set(positions)
-    centres = (
-        {name: complex(side, up) for name, (up, side) in positions.items()}
-        if known and positions is not None
-        else in_row(train)
-    )
+    centres, standing = in_row(train), Text("In a row: where the axes stand is not known.")
+    if positions is not None and set(train.wheels) <= set(positions):
+        centres = {name: complex(side, up) for name, (up, side) in positions.items()}
+        standing = Text("Drawn up: up from the crank's axis; the crank turns clockwise.")
     teeth = _teeth(train, centres, tooth_angle)
     shapes: list[Primitive] = []
     for name, wheel in train.wheels.items():
         shapes += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
         shapes += _circles(wheel, train.mates(name), centres[name])
     h = LETTER * max(wheel.tip_diameter for wheel in train.wheels.values())
-    shapes += [
-        Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {w.teeth}", h)
-        for name, w in train.wheels.items()
-    ]
+    for name, wheel in train.wheels.items():
+        shapes.append(Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {wheel.teeth}", h))
     low = min(centres[name].imag - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     left = min(centres[name].real - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
-    placed, unplaced = (
-        Text("Drawn up: up from the crank's axis; the crank turns clockwise."),
-        Text("In a row: where the axes stand is not known."),
-    )
-    below = [Text("Millimetres, 1:1. Transverse section, outlines without allowance."), placed if known else unplaced]
-    shapes += [
-        Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h)
-        for i, line in enumerate([title, *below] if title else below)
-    ]
+    below = [Text("Millimetres, 1:1. Transverse section, outlines without allowance."), standing]
+    for i, line in enumerate([title, *below] if title else below):
+        shapes.append(Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h))
     return tuple(shapes)
 
 
@@ -155,14 +145,12 @@ def _outlines(
 
 
 def _circles(wheel: WheelResult, working: list[tuple[str, Metre, MeshResult]], at: complex) -> list[Primitive]:
-    circles = [(layer, getattr(wheel, field)) for layer, field in CIRCLES.items()] + [
-        ("WORKING", d_w) for _, d_w, _ in working
-    ]
+    circles = [(layer, getattr(wheel, field)) for layer, field in CIRCLES.items()]
+    circles += [("WORKING", d_w) for _, d_w, _ in working]
     shapes: list[Primitive] = [Arc(layer, _point(at), d / 2, 0.0, 2 * math.pi) for layer, d in circles]
     reach = wheel.tip_diameter * (0.5 + LETTER)
-    shapes += [
-        Polyline("AXIS", (_point(at - way), _point(at + way))) for way in (complex(reach, 0.0), complex(0.0, reach))
-    ]
+    for way in (complex(reach, 0.0), complex(0.0, reach)):
+        shapes.append(Polyline("AXIS", (_point(at - way), _point(at + way))))
     return shapes
 
 
@@ -177,15 +165,14 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
     """What stands beside a wheel on its drawing: a label and what is said, with limits where the design gives them."""
     s, wheel = train.system, train.wheels[name]
     known = {v.id.removeprefix("."): v for v in published(wheel, "")}
-    hand = HANDS[gears.hands()[name]] if gears is not None and s.beta else None
+    helix = _alone(_degrees(s.beta))
+    if gears is not None and s.beta:
+        helix = Text("{angle}, {hand}", angle=_degrees(s.beta), hand=HANDS[gears.hands()[name]])
     rows = [
         (Text("Normal module m_n"), _alone(_mm(s.m_n))),
         (Text("Teeth z"), Text("{z}", z=wheel.teeth)),
         (Text("Normal pressure angle"), _alone(_degrees(s.alpha_n))),
-        (
-            Text("Helix angle"),
-            Text("{angle}, {hand}", angle=_degrees(s.beta), hand=hand) if hand else _alone(_degrees(s.beta)),
-        ),
+        (Text("Helix angle"), helix),
         (Text("Profile shift coefficient x"), _alone(_number(wheel.profile_shift, 5))),
         (Text("Tool: addendum, tip radius"), Text("{h} / {rho} m_n", h=_number(s.h_aP0), rho=_number(s.rho_aP0))),
         (Text("Stock; residual undercut"), Text("{q}; {s_pr}", q=_mm(s.stock), s_pr=_mm(s.s_pr))),
@@ -198,49 +185,32 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
     ]
     if gears is not None:
         rows.append((Text("Accuracy grade (ISO 1328-1)"), Text("{grade}", grade=gears.accuracy_grade)))
-    rows += [
-        (
-            Text("Working diameter to {mate}", mate=mate),
-            Text("{mm}; centres {distance}", mm=_mm(d_w), distance=_distance(m)),
-        )
-        for mate, d_w, m in train.mates(name)
-    ]
-    return (*rows, *_measures(known))
-
-
-def _measures(known: Mapping[str, Published]) -> list[tuple[Text, Text]]:
-    """Span and size over balls, each with its limits where the wheel has an allowance."""
-    rows = []
+    for mate, d_w, mesh in train.mates(name):
+        distance, tolerance = _mm(mesh.centre_distance), _mm(mesh.centre_tolerance)
+        centres = Text("{a} ±{t}", a=distance, t=tolerance) if mesh.centre_tolerance else _alone(distance)
+        words = Text("{mm}; centres {distance}", mm=_mm(d_w), distance=centres)
+        rows.append((Text("Working diameter to {mate}", mate=mate), words))
     for id in known:
         if id.startswith("span_") and id[5:].isdigit():
             rows.append((Text("Span over {id} teeth W", id=id[5:]), _limits(known, id)))
     if "over_balls" in known and "ball_diameter" in known:
-        rows.append(
-            (Text("Size over balls M, D_M {shown}", shown=_shown(known["ball_diameter"])), _limits(known, "over_balls"))
-        )
-    return rows
+        label = Text("Size over balls M, D_M {shown}", shown=_number(known["ball_diameter"].shown))
+        rows.append((label, _limits(known, "over_balls")))
+    return tuple(rows)
 
 
 def _limits(known: Mapping[str, Published], id: str) -> Text:
+    """A size, or its limits where the wheel has an allowance."""
     low, high = known.get(f"{id}_min"), known.get(f"{id}_max")
     if low is None or high is None:
-        return _alone(_shown(known[id]))
-    return Text("{shown} to {shown2}", shown=_shown(low), shown2=_shown(high))
-
-
-def _shown(value: Published) -> Amount:
-    return _number(value.shown)
+        return _alone(_number(known[id].shown))
+    return Text("{shown} to {shown2}", shown=_number(low.shown), shown2=_number(high.shown))
 
 
 def _between(size: Metre, low: Metre | None, high: Metre | None) -> Text:
-    return (
-        Text("{mm} to {mm2}", mm=_mm(low), mm2=_mm(high)) if low is not None and high is not None else _alone(_mm(size))
-    )
-
-
-def _distance(mesh: MeshResult) -> Text:
-    distance = _mm(mesh.centre_distance)
-    return Text("{a} ±{t}", a=distance, t=_mm(mesh.centre_tolerance)) if mesh.centre_tolerance else _alone(distance)
+    if low is None or high is None:
+        return _alone(_mm(size))
+    return Text("{mm} to {mm2}", mm=_mm(low), mm2=_mm(high))
 
 
 def _alone(number: Amount) -> Text:

@@ -164,13 +164,8 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
     depths = {}
     for key, m in train.meshes.items():
         with about(Text("mesh {pair}", pair=m.title)):
-            pair = m.centre_distance, flanks[m.driver], flanks[m.driven]
-            sizes = (
-                m.working_diameter_driver,
-                train.wheels[m.driver].teeth,
-                m.working_thickness_driver,
-                m.working_thickness_driven,
-            )
+            pair, z_1 = (m.centre_distance, flanks[m.driver], flanks[m.driven]), train.wheels[m.driver].teeth
+            sizes = m.working_diameter_driver, z_1, m.working_thickness_driver, m.working_thickness_driven
             with untraced():
                 # before allowances: the shifts were given with the centre distance
                 loose = circumferential_backlash(*sizes) > DUST
@@ -185,50 +180,27 @@ def checks(train: TrainResult, depths: Mapping[str, Metre]) -> Iterator[Check]:
     """`depths`: how deep the outlines of each mesh enter each other, by `meshing.penetrations`."""
     for key, mesh in train.meshes.items():
         yield penetration_check(key, mesh, depths[key])
-    if train.system.stock > 0:
-        yield finishing_check(train)
+    if (stock := train.system.stock) > 0:  # whether finishing runs out into the fillet without a step
+        name, step = Text("Step that finishing leaves above the fillet"), finishing_step(train.system)
+        source = Text(
+            "rule of this program after the practice of gear handbooks, from memory: the protuberance at least as "
+            "large as the stock"
+        )
+        advice, key = Text("A step is a notch beside the root."), dotted("gears", GearsInputs.protuberance)
+        covering = by_key(GearsInputs, key, float(f"{stock * 1e3:.4g}"), bound=">=")
+        yield check("gears.train.finishing_step", name, step, "<=", 0.0, "µm", source, advice, remedies=covering)
 
 
 def penetration_check(key: str, mesh: MeshResult, depth: Metre) -> Check:
     """Whether a tip runs into a fillet or a root, whatever the formulas of form diameter and clearance say."""
-    return check(
-        f"gears.{key}.penetration",
-        Text(
-            "Outlines of {driver} and {driven} inside each other, without backlash",
-            driver=mesh.driver,
-            driven=mesh.driven,
-        ),
-        depth,
-        "<=",
-        CHORD_ERROR,
-        "µm",
-        Text("rule of this program: no deeper than the outlines are exact"),
-        Text(
-            "Cut the tips, or take a tool with a larger addendum, a smaller tip radius, or a protuberance that covers "
-            "the stock."
-        ),
+    pair = {"driver": mesh.driver, "driven": mesh.driven}
+    name = Text("Outlines of {driver} and {driven} inside each other, without backlash", **pair)
+    source = Text("rule of this program: no deeper than the outlines are exact")
+    advice = Text(
+        "Cut the tips, or take a tool with a larger addendum, a smaller tip radius, or a protuberance that covers the "
+        "stock."
     )
-
-
-def finishing_check(train: TrainResult) -> Check:
-    """Whether the tool's protuberance covers the stock, so that finishing runs out into the fillet without a step."""
-    s = train.system
-    return check(
-        "gears.train.finishing_step",
-        Text("Step that finishing leaves above the fillet"),
-        finishing_step(s),
-        "<=",
-        0.0,
-        "µm",
-        Text(
-            "rule of this program after the practice of gear handbooks, from memory: the protuberance at least as "
-            "large as the stock"
-        ),
-        Text("A step is a notch beside the root."),
-        remedies=by_key(
-            GearsInputs, dotted("gears", GearsInputs.protuberance), float(f"{s.stock * 1e3:.4g}"), bound=">="
-        ),
-    )
+    return check(f"gears.{key}.penetration", name, depth, "<=", CHORD_ERROR, "µm", source, advice)
 
 
 def notes(train: TrainResult) -> tuple[Text, ...]:

@@ -16,21 +16,7 @@ from ...sheet.text import Text
 from ...sheet.units import Metre, Number
 from ..measures.formulas import generating_shift
 from ..result import ToothSystem, WheelResult
-from .cut import ROOT, Cut, form_diameter_of_undercut
-
-__all__ = [
-    "CHORD_ERROR",
-    "Cut",
-    "Outline",
-    "Regions",
-    "form_diameter_of_undercut",
-    "outline",
-    "regions",
-    "repeated",
-    "shifts",
-    "tooth",
-    "whole_tooth",
-]
+from .cut import ROOT, Cut
 
 # rule of this program: a polyline stays within a micrometre of the curve, if nothing else is asked
 CHORD_ERROR: Metre = 1e-6
@@ -139,20 +125,9 @@ def whole_tooth(flank: Regions) -> Outline:
     return np.concatenate([half.conj(), half[-2::-1]])
 
 
-def outline(
-    system: ToothSystem,
-    wheel: WheelResult,
-    chord_error: Metre = CHORD_ERROR,
-    teeth: range | None = None,
-    shift: Number | None = None,
-) -> Outline:
+def repeated(tooth: Outline, z: int, teeth: range | None = None) -> Outline:
     """The teeth with the given numbers (all of them: a closed line, its first point again at its end), number 0 on the
     real axis."""
-    return repeated(tooth(system, wheel, chord_error, shift), wheel.teeth, teeth)
-
-
-def repeated(tooth: Outline, z: int, teeth: range | None = None) -> Outline:
-    """A tooth at each of its places."""
     numbers = np.arange(z) if teeth is None else np.asarray(teeth)
     turns = np.exp(2j * np.pi * numbers / z)
     # a closed line ends in the very point in which it begins

@@ -3,13 +3,13 @@
 temperature."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from ...sheet.check import Check, check
 from ...sheet.quantity import dotted
 from ...sheet.remedy import by_key
 from ...sheet.text import EMPTY, Amount, Text
-from ...sheet.units import Kelvin, Metre, NewtonMetre, NewtonPerMetre, Number, Pascal
+from ...sheet.units import Kelvin, Metre, NewtonPerMetre, Number, Pascal
 from ..inputs import GearsInputs
 from ..result import MeshResult
 from ..wheel_inputs import Wheel
@@ -25,8 +25,7 @@ from .screening.load import Screening
 S_H_USUAL, S_F_USUAL = 1.2, 1.6
 MINIMUM = (
     "ISO 6336-1 leaves the minimum to agreement; rule of this program: limit at the lower, advice at the upper end of "
-    "the usual {least} to {usual} "
-    "(IACS UR M56 for auxiliary gears: {auxiliary})"
+    "the usual {least} to {usual} (IACS UR M56 for auxiliary gears: {auxiliary})"
 )
 MINIMUM_H = Text(MINIMUM, least=S_H_LEAST, usual=S_H_USUAL, auxiliary=Text("{low} to {high}", low=1.15, high=1.2))
 MINIMUM_F = Text(MINIMUM, least=S_F_LEAST, usual=S_F_USUAL, auxiliary=Text("{low} to {high}", low=1.4, high=1.45))
@@ -42,7 +41,19 @@ def checks(context: RatingContext, rated: Mapping[str, MeshRating], load: Mappin
     for key, mesh_rating in rated.items():
         yield from mesh_checks(key, meshes[key], mesh_rating, load[key])
     yield from strength_checks({key: mesh.strength for key, mesh in rated.items() if mesh.strength is not None})
-    yield from unrated_checks(wheel.name for wheel in gears.wheels if wheel.name not in context.classes)
+    for wheel in gears.wheels:
+        if wheel.name not in context.classes:
+            yield check(
+                f"gears.{wheel.name}.safety_bending",
+                Text("Safety of {wheel} against tooth breakage", wheel=wheel.name),
+                math.nan,
+                ">=",
+                S_F_LEAST,
+                "",
+                MINIMUM_F,
+                Text("Without a strength class the wheel and its meshes have no safety."),
+                missing=(dotted("gears", GearsInputs.wheels, wheel.name, Wheel.gear_material),),
+            )
     yield roughness_check(gears.root_rz)
     for name, cls in context.classes.items():
         yield from hardness_checks(name, cls)
@@ -65,7 +76,19 @@ def mesh_checks(key: str, mesh: MeshResult, rated: MeshRating, load: RatingLoad)
     if (factor_check := application_factor_check(key, pair, load)) is not None:
         yield factor_check
     if rated.least_torque is not None:
-        yield reversal_check(key, pair, rated.least_torque)
+        yield check(
+            f"gears.{key}.flank_reversal",
+            Text("Least torque of {name} over the cycle", name=pair),
+            rated.least_torque,
+            ">=",
+            0.0,
+            "N·m",
+            Text("the flanks stay in touch while the torque does not change its sign"),
+            Text(
+                "The teeth rattle: hold the backlash small, prefer helical teeth with a large overlap, or take a "
+                "heavier flywheel or a wheel that is sprung against play."
+            ),
+        )
     if rated.influence is not None:
         yield from influence_checks(key, mesh, rated.influence)
     if rated.screening is not None:
@@ -79,39 +102,10 @@ def application_factor_check(key: str, pair: str, load: RatingLoad) -> Check | N
     """Whether a given application factor covers the torque that is known."""
     if load.dynamic is None or load.of_peak or not load.mean:
         return None
-    needed = 1 + load.dynamic / abs(load.mean)
-    return check(
-        f"gears.{key}.application_factor",
-        Text("Application factor {name}", name=pair),
-        load.K_A,
-        ">=",
-        needed,
-        "",
-        Text("mean and dynamic torque over the mean"),
-        remedies=by_key(
-            GearsInputs,
-            dotted("gears", GearsInputs.application_factor),
-            None,
-            effect=Text("the peak of both is then rated"),
-        ),
-    )
-
-
-def reversal_check(key: str, pair: str, least: NewtonMetre) -> Check:
-    return check(
-        f"gears.{key}.flank_reversal",
-        Text("Least torque of {name} over the cycle", name=pair),
-        least,
-        ">=",
-        0.0,
-        "N·m",
-        Text("the flanks stay in touch while the torque does not change its sign"),
-        Text(
-            "The teeth rattle: hold the backlash small, prefer helical teeth with a large overlap, or take a heavier "
-            "flywheel "
-            "or a wheel that is sprung against play."
-        ),
-    )
+    name, needed = Text("Application factor {name}", name=pair), 1 + load.dynamic / abs(load.mean)
+    source, effect = Text("mean and dynamic torque over the mean"), Text("the peak of both is then rated")
+    left_out = by_key(GearsInputs, dotted("gears", GearsInputs.application_factor), None, effect=effect)
+    return check(f"gears.{key}.application_factor", name, load.K_A, ">=", needed, "", source, remedies=left_out)
 
 
 def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> Iterator[Check]:
@@ -164,9 +158,8 @@ def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> Iterator
             "%",
             Text("{clause_7}: K_Hβ up to 2", clause_7=CLAUSE_7),
             Text(
-                "The load is too small to press the misaligned teeth together over the whole face width: "
-                "crown or end-relieve the teeth, "
-                "or hold the axes more parallel (misalignment of the mesh, accuracy grade)."
+                "The load is too small to press the misaligned teeth together over the whole face width: crown or "
+                "end-relieve the teeth, or hold the axes more parallel (misalignment of the mesh, accuracy grade)."
             ),
         )
 
@@ -221,37 +214,12 @@ def _advice(wheel: str, width: Number) -> Text:
     )
 
 
-def unrated_checks(wheels: Iterable[str]) -> Iterator[Check]:
-    """Of wheels whose strength class is not known."""
-    advice = Text("Without a strength class the wheel and its meshes have no safety.")
-    for wheel in wheels:
-        yield check(
-            f"gears.{wheel}.safety_bending",
-            Text("Safety of {wheel} against tooth breakage", wheel=wheel),
-            math.nan,
-            ">=",
-            S_F_LEAST,
-            "",
-            MINIMUM_F,
-            advice,
-            missing=(dotted("gears", GearsInputs.wheels, wheel, Wheel.gear_material),),
-        )
-
-
 def roughness_check(root_rz: Metre) -> Check:
     """Whether the surface factor of the root holds."""
-    return check(
-        "gears.train.root_roughness",
-        Text("Roughness Rz of the roots"),
-        root_rz,
-        "<=",
-        iso6336.ROUGHEST_ROOT,
-        "µm",
-        Text("ISO 6336-3: Y_RrelT was found up to 40 µm"),
-        remedies=by_key(
-            GearsInputs, dotted("gears", GearsInputs.root_rz), round(iso6336.ROUGHEST_ROOT * 1e6, 6), bound="<="
-        ),
-    )
+    name, most = Text("Roughness Rz of the roots"), iso6336.ROUGHEST_ROOT
+    source = Text("ISO 6336-3: Y_RrelT was found up to 40 µm")
+    smoother = by_key(GearsInputs, dotted("gears", GearsInputs.root_rz), round(most * 1e6, 6), bound="<=")
+    return check("gears.train.root_roughness", name, root_rz, "<=", most, "µm", source, remedies=smoother)
 
 
 def hardness_checks(wheel: str, cls: StrengthClass) -> Iterator[Check]:
@@ -259,36 +227,20 @@ def hardness_checks(wheel: str, cls: StrengthClass) -> Iterator[Check]:
     if cls.hardness is None:
         return
     factor = 1.0 if cls.scale == "HV" else 0.95
-    low, high = Amount(cls.low, form="g"), Amount(cls.high, form="g")
     source = Text(
         "ISO 6336-5:2016, Table 1: {name}, {quality}, {low} to {high} {scale}",
         name=cls.name,
         quality=cls.quality,
-        low=low,
-        high=high,
+        low=Amount(cls.low, form="g"),
+        high=Amount(cls.high, form="g"),
         scale=cls.scale,
     )
-    name = Text("Hardness of {wheel} for its strength class", wheel=wheel)
-    yield check(
-        f"gears.{wheel}.hardness",
-        name,
-        cls.hardness,
-        ">=",
-        cls.low / factor,
-        "HV",
-        source,
-        Text("A softer flank does not reach the class: choose another strength class."),
-    )
-    yield check(
-        f"gears.{wheel}.hardness_most",
-        Text("{name}, upper end", name=name),
-        cls.hardness,
-        "<=",
-        cls.high / factor,
-        "HV",
-        source,
-        Text("The strength is that of the upper end: more hardness adds none, and may make the teeth brittle."),
-    )
+    id, name = f"gears.{wheel}.hardness", Text("Hardness of {wheel} for its strength class", wheel=wheel)
+    advice = Text("A softer flank does not reach the class: choose another strength class.")
+    yield check(id, name, cls.hardness, ">=", cls.low / factor, "HV", source, advice)
+    name = Text("{name}, upper end", name=name)
+    advice = Text("The strength is that of the upper end: more hardness adds none, and may make the teeth brittle.")
+    yield check(f"{id}_most", name, cls.hardness, "<=", cls.high / factor, "HV", source, advice)
 
 
 # --- screening
@@ -298,26 +250,20 @@ def screening_checks(key: str, screened: Screening) -> Iterator[Check]:
     """Of the film, where there is one, and of the contact temperature."""
     title = screened.title
     if screened.specific_film_min is not None:
-        limit = (
-            Text("λ_GFP of the oil's test")
-            if screened.permissible_given
-            else Text("λ_GFP by a rule of this program; a test of the oil gives its own")
-        )
+        limit = Text("λ_GFP by a rule of this program; a test of the oil gives its own")
+        if screened.permissible_given:
+            limit = Text("λ_GFP of the oil's test")
+        place = screened.film_place
         yield check(
             f"gears.{key}.micropitting_film",
-            Text(
-                "Specific film thickness {title} at {film_place} (screening)",
-                title=title,
-                film_place=screened.film_place,
-            ),
+            Text("Specific film thickness {title} at {film_place} (screening)", title=title, film_place=place),
             screened.specific_film_min,
             ">=",
             screened.permissible_film,
             "",
             Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B; {limit}", limit=limit),
             Text(
-                "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not "
-                "help. "
+                "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not help. "
                 "{pressure}",
                 pressure=_pressure(screened.film_pressure or 0.0),
             ),

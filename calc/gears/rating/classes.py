@@ -208,14 +208,12 @@ def class_problem(name: str) -> Text | None:
 def _unknown(name: str) -> NoSolution:
     what = Text('strength class "{name}"', name=name)
     if "adi" in name.casefold().replace("-", " ").split() or "austemper" in name.casefold():
-        return NoSolution(
-            what,
-            Text("austempered ductile iron is not among the materials of ISO 6336-5"),
-            Text(
-                "rate it by its maker's own fatigue data; for a first guess take a class that is surely weaker "
-                "(nodular iron, pearlitic)"
-            ),
+        why = Text("austempered ductile iron is not among the materials of ISO 6336-5")
+        advice = Text(
+            "rate it by its maker's own fatigue data; for a first guess take a class that is surely weaker (nodular "
+            "iron, pearlitic)"
         )
+        return NoSolution(what, why, advice)
     if usual := classes_of(name):
         why = Text("it is a steel, not a class: its strength depends on the heat treatment")
         return NoSolution(what, why, Text("choose {or_}", or_=_or(usual)))

@@ -94,13 +94,10 @@ def strength_tables(meshes: Mapping[str, MeshStrength]) -> tuple[Table, Table]:
         "σ_FG = σ_Flim·Y_ST·Y_NT·Y_δrelT·Y_RrelT·Y_X·Y_M, Y_ST = 2; Y_M 0.7 where a wheel is driven by one and drives "
         "another, or the torque changes its sign."
     )
+    flanks, roots = Text("Flanks: stress and strength"), Text("Tooth roots: stress and strength")
     return (
-        _strength_table(
-            "gear_flank_strength", Text("Flanks: stress and strength"), CONTACT, "contact", meshes, flank_note
-        ),
-        _strength_table(
-            "gear_root_strength", Text("Tooth roots: stress and strength"), BENDING, "bending", meshes, root_note
-        ),
+        _strength_table("gear_flank_strength", flanks, CONTACT, "contact", meshes, flank_note),
+        _strength_table("gear_root_strength", roots, BENDING, "bending", meshes, root_note),
     )
 
 

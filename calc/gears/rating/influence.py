@@ -19,6 +19,7 @@ from ...sheet.units import (
     Pascal,
 )
 from ...sheet.value import about
+from ..limits import mm
 from ..result import MeshResult, ToothSystem, WheelResult
 from . import distribution as k
 from . import dynamic as v
@@ -169,19 +170,14 @@ def _deviations(
     """Of both wheels the larger; a wheel that is smaller in diameter is never the worse one of the same grade."""
 
     def graded(side: WheelOfPair) -> Text:
-        return Text(
-            "wheel {name} of mesh {pair}, grade {grade}",
-            name=side.wheel.name,
-            pair=mesh.title,
-            grade=Amount(grade, form="g"),
-        )
+        name, A = side.wheel.name, Amount(grade, form="g")
+        return Text("wheel {name} of mesh {pair}, grade {grade}", name=name, pair=mesh.title, grade=A)
 
     slopes = []
     for side in pair:
         with about(graded(side)):
-            slopes.append(
-                k.rounded(f=k.helix_slope_tolerance(d=side.wheel.pitch_diameter, b=side.wheel.face_width, A=grade))
-            )
+            slope = k.helix_slope_tolerance(d=side.wheel.pitch_diameter, b=side.wheel.face_width, A=grade)
+            slopes.append(k.rounded(f=slope))
     worse = max(pair, key=lambda side: side.wheel.pitch_diameter)
     with about(graded(worse)):
         f_pT = k.rounded(f=k.single_pitch_tolerance(d=worse.wheel.pitch_diameter, m_n=system.m_n, A=grade))
@@ -210,9 +206,7 @@ def _mean_run_in(y: list[Metre]) -> Metre:
 def _stiffness(system: ToothSystem, name: Text, pair: Pair) -> Pascal:
     """c' from 100 N/mm on."""
     (E_1, one), (E_2, two) = ((side.E, side.wheel) for side in pair)
-    z_n1, z_n2 = (
-        virtual_teeth(z=wheel.teeth, beta_b=system.base_helix_angle, beta=system.beta) for wheel in (one, two)
-    )
+    z_n1, z_n2 = (virtual_teeth(wheel.teeth, system.base_helix_angle, system.beta) for wheel in (one, two))
     q = v.tooth_compliance(z_n1=z_n1, z_n2=z_n2, x_1=one.profile_shift, x_2=two.profile_shift)
     C_B = v.basic_rack_factor(h_fP=system.h_fP, alpha_n=system.alpha_n)
     if q <= 0 or C_B <= 0:
@@ -227,9 +221,7 @@ def _stiffness(system: ToothSystem, name: Text, pair: Pair) -> Pascal:
             tried=Text("x_1 + x_2 = {profile_shift}; the formula holds from −0.5 to 2", profile_shift=shift_sum),
             advice=Text("give smaller profile shifts, more teeth, or a usual tool (addendum 1.25)"),
         )
-    return v.single_stiffness(
-        c_th=v.theoretical_stiffness(q=q), C_B=C_B, beta=system.beta, e=v.modulus_ratio(E_1=E_1, E_2=E_2)
-    )
+    return v.single_stiffness(v.theoretical_stiffness(q), C_B, system.beta, v.modulus_ratio(E_1, E_2))
 
 
 def _mass(side: WheelOfPair) -> KilogramPerMetre:
@@ -237,17 +229,14 @@ def _mass(side: WheelOfPair) -> KilogramPerMetre:
     wheel, inside = side.wheel, side.inner_diameter
     d_m = v.mean_diameter(d_a=wheel.tip_diameter, d_f=wheel.root_diameter)
     if inside >= d_m:
+        bore, most = mm(inside, ".4g"), mm(d_m, ".4f")
         raise NoSolution(
             Text(
                 "wheel {name}: its bore ({inner_diameter} mm) leaves nothing of its teeth",
                 name=wheel.name,
-                inner_diameter=Amount(inside * 1e3, form=".4g"),
+                inner_diameter=bore,
             ),
-            advice=Text(
-                "gears.wheels.{name}.bore_diameter_mm must be below {d_m} mm",
-                name=wheel.name,
-                d_m=Amount(d_m * 1e3, form=".4f"),
-            ),
+            advice=Text("gears.wheels.{name}.bore_diameter_mm must be below {d_m} mm", name=wheel.name, d_m=most),
         )
     return v.wheel_mass(rho=side.density, d_m=d_m, d_i=inside, d_b=wheel.base_diameter)
 

@@ -217,9 +217,8 @@ def loads(
             elif T_dyn is None:
                 rated[key] = RatingLoad(T_m, None, None, T_m, usual_application_factor())
             else:
-                rated[key] = RatingLoad(
-                    T_m, T_dyn, T_min, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak(), of_peak=True
-                )
+                peak = peak_torque(T_m=T_m, T_dyn=T_dyn)
+                rated[key] = RatingLoad(T_m, T_dyn, T_min, peak, factor_of_peak(), of_peak=True)
     return rated
 
 

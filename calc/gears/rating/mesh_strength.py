@@ -10,6 +10,7 @@ from functools import cache
 
 from ...library.catalogue import Material
 from ...sheet.errors import NoSolution
+from ...sheet.functions import pi
 from ...sheet.quantity import Described, Stated
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
@@ -46,6 +47,16 @@ class MeshLoad:
     grade: int
 
 
+@record
+class FlankFilm:
+    """The three factors of the film, of a mesh."""
+
+    Z_L: Number
+    Z_v: Number
+    Z_R: Number
+    rho_red: Metre
+
+
 Row = tuple[str, Described, str]  # id, description and attribute of what is shown of each wheel
 CONTACT: tuple[Row, ...] = (
     ("safety_contact", Described(Text("Safety against pitting of {wheel}, on stress"), "", "S_H"), "S_H"),
@@ -80,16 +91,7 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
     sides, pair = (driver, driven), Text("mesh {name}–{name2}", name=driver.name, name2=driven.name)
     softer = min(driver.strength.sigma_Hlim, driven.strength.sigma_Hlim)
     with about(Text("{pair}, film", pair=pair)):
-        film = iso6336.film_factors(
-            softer,
-            load.nu_40,
-            load.v,
-            load.flank_rz,
-            load.flank_rz,
-            driver.base_diameter,
-            driven.base_diameter,
-            load.alpha_wt,
-        )
+        film = film_factors(softer, load, driver.base_diameter, driven.base_diameter)
     contact, bending = {}, {}
     for wheel, mate in (sides, sides[::-1]):
         with about(Text("flank of {name} in {pair}", name=wheel.name, pair=pair)):
@@ -112,54 +114,61 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
     )
 
 
-def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: iso6336.FlankFilm) -> ContactStrength:
-    Z_BD = iso6336.single_pair(
-        load.alpha_wt,
-        wheel.tip_diameter,
-        wheel.base_diameter,
-        wheel.teeth,
-        mate.tip_diameter,
-        mate.base_diameter,
-        mate.teeth,
-        load.eps_alpha,
-        load.eps_beta,
-    )
-    Z_W = iso6336.work_hardening(
-        wheel.strength,
-        mate.strength,
-        load.flank_rz,
-        load.flank_rz,
-        film.rho_red,
-        load.v,
-        load.nu_40,
-        wheel.teeth / mate.teeth,
-    )
-    return iso6336.contact_strength(
-        wheel.strength,
-        sigma_H0=load.sigma_H0,
-        K_H=load.K_H,
-        Z_BD=Z_BD,
-        film=film,
-        Z_W=Z_W,
-        cycles=wheel.cycles,
-        S_Hmin=S_H_LEAST,
-    )
+def film_factors(sigma_Hlim: Pascal, load: MeshLoad, d_b1: Metre, d_b2: Metre) -> FlankFilm:
+    """`sigma_Hlim`: of the softer material."""
+    C_ZL = iso6336.lubricant_coefficient(sigma_Hlim)
+    rho = iso6336.relative_radius(d_b1, d_b2, load.alpha_wt)
+    Z_L = iso6336.lubricant_factor(C_ZL, load.nu_40)
+    Z_v = iso6336.velocity_factor(iso6336.velocity_coefficient(C_ZL), load.v)
+    Rz_10 = iso6336.relative_roughness(load.flank_rz, load.flank_rz, rho)
+    return FlankFilm(Z_L, Z_v, iso6336.roughness_factor(Rz_10, iso6336.roughness_coefficient(sigma_Hlim)), rho)
+
+
+def single_pair(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad) -> Number:
+    """Z_B or Z_D of a wheel.  Outside 1 < ε_α < 2 no point has single contact: 1 (rule of this program)."""
+    d_a, d_b, z, eps_alpha = wheel.tip_diameter, wheel.base_diameter, wheel.teeth, load.eps_alpha
+    d_am, d_bm, z_m = mate.tip_diameter, mate.base_diameter, mate.teeth
+    if not 1 < eps_alpha < 2:
+        return 1.0
+    if (d_a / d_b) ** 2 - 1 <= (2 * pi / z) ** 2 or (d_am / d_bm) ** 2 - 1 <= ((eps_alpha - 1) * 2 * pi / z_m) ** 2:
+        raise NoSolution(
+            Text("single pair factor Z_B, Z_D: the inner point of single contact lies on the base circle"),
+            advice=Text("give more teeth, a larger profile shift, or cut less off the tip"),
+        )
+    M = iso6336.curvature_ratio(load.alpha_wt, d_a, d_b, z, d_am, d_bm, z_m, eps_alpha)
+    return iso6336.single_pair_factor(M, load.eps_beta)
+
+
+def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: FlankFilm) -> ContactStrength:
+    """Stress and strength of one flank."""
+    of, Rz = wheel.strength, load.flank_rz
+    Z_BD, u = single_pair(wheel, mate, load), wheel.teeth / mate.teeth
+    Z_W = iso6336.work_hardening(of, mate.strength, Rz, Rz, film.rho_red, load.v, load.nu_40, u)
+    Z_NT = iso6336.flank_life(of.kind, wheel.cycles)
+    sigma_H = iso6336.contact_stress_of_wheel(Z_BD, load.sigma_H0, load.K_H)
+    sigma_HG = iso6336.pitting_limit(of.sigma_Hlim, Z_NT, film.Z_L, film.Z_v, film.Z_R, Z_W)
+    sigma_HP = iso6336.permissible_contact_stress(sigma_HG, S_H_LEAST)
+    S_H = iso6336.contact_safety(sigma_HG, sigma_H) if sigma_H > 0 else None
+    return ContactStrength(Z_BD, Z_NT, Z_W, sigma_H, sigma_HG, sigma_HP, S_H)
 
 
 def _bending(wheel: WheelStrength, load: MeshLoad) -> RootStrength:
-    return iso6336.root_strength(
-        wheel.strength,
-        sigma_F0=wheel.sigma_F0,
-        K_F=load.K_F,
-        Y_B=iso6336.rim_factor(wheel.name, wheel.tooth_depth, wheel.rim),
-        Y_DT=iso6336.deep_tooth_factor(load.grade, load.eps_alphan),
-        q_s=wheel.q_s,
-        Rz_F=load.root_rz,
-        m_n=load.m_n,
-        loading=wheel.loading,
-        cycles=wheel.cycles,
-        S_Fmin=S_F_LEAST,
-    )
+    """Stress and strength of one root."""
+    of, rho = wheel.strength, wheel.strength.slip_layer
+    Y_B = iso6336.rim_factor(wheel.name, wheel.tooth_depth, wheel.rim)
+    Y_DT = iso6336.deep_tooth_factor(load.grade, load.eps_alphan)
+    if of.proof_stress is not None:
+        rho = iso6336.slip_layer(of.proof_stress, float(of.kind == "St"))
+    assert rho is not None  # every row of the table has one of the two
+    Y_NT, Y_drelT = iso6336.root_life(of.kind, wheel.cycles), iso6336.notch_sensitivity(rho, wheel.q_s)
+    a, b, least = iso6336.SIZE.get(of.kind, iso6336.SIZE_HARDENED)
+    Y_RrelT, Y_X = iso6336.surface_factor(of.kind, load.root_rz), iso6336.size_factor(a, b, load.m_n, least)
+    Y_M = iso6336.mean_stress_factor(wheel.loading)
+    sigma_F = iso6336.root_stress_of_wheel(wheel.sigma_F0, Y_B, Y_DT, load.K_F)
+    sigma_FG = iso6336.root_limit(of.sigma_Flim, iso6336.TEST_GEAR, Y_NT, Y_drelT, Y_RrelT, Y_X, Y_M)
+    sigma_FP = iso6336.permissible_root_stress(sigma_FG, S_F_LEAST)
+    S_F = iso6336.bending_safety(sigma_FG, sigma_F) if sigma_F > 0 else None
+    return RootStrength(Y_B, Y_DT, Y_NT, Y_drelT, Y_RrelT, Y_X, Y_M, sigma_F, sigma_FG, sigma_FP, S_F)
 
 
 def _stated(contact: Mapping[str, ContactStrength], bending: Mapping[str, RootStrength]) -> dict[str, Stated]:
@@ -243,16 +252,20 @@ def nominal_root(system: ToothSystem, mesh: MeshResult, wheel: WheelResult, F_t:
         Y_beta = s.helix_factor_root(eps_beta, system.beta)
         return Root(form, s.root_stress(F_t, b, system.m_n, form.Y_F, form.Y_S, Y_beta), Y_beta)
     eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
-    f_eps = (
-        s.load_distribution(eps_beta, eps_alphan) if eps_alphan < 2 else s.load_distribution_high(eps_beta, eps_alphan)
-    )
+    f_eps = (s.load_distribution if eps_alphan < 2 else s.load_distribution_high)(eps_beta, eps_alphan)
     Y_beta = s.helix_factor_root_2019(eps_beta, system.beta)
     return Root(form, s.root_stress_2019(F_t, b, system.m_n, form.Y_F, f_eps, form.Y_S, Y_beta), Y_beta)
 
 
 def tooth_form(system: ToothSystem, wheel: WheelResult, eps_alpha: Number) -> ToothForm:
-    cut = section(system, wheel)
-    alpha_en, gamma_e, arm = lever(system, wheel, cut, load_circle(system, wheel, cut.z_n, eps_alpha))
+    cut, m_n, alpha_n = section(system, wheel), system.m_n, system.alpha_n
+    d_an = s.virtual_tip_diameter(m_n, cut.z_n, wheel.tip_diameter, wheel.pitch_diameter)
+    d_bn = s.virtual_base_diameter(m_n, cut.z_n, alpha_n)
+    if d_an <= d_bn:
+        raise _outside(wheel, Text("its tip lies inside the base circle of the virtual wheel"))
+    # d_en, where the load acts at the outer point of single contact
+    d_en = s.load_diameter(d_an, d_bn, m_n, alpha_n, s.virtual_contact_ratio(eps_alpha, system.base_helix_angle))
+    alpha_en, gamma_e, arm = lever(system, wheel, cut, d_en)
     Y_F = s.form_factor(arm, alpha_en, gamma_e, cut.chord, system.alpha_n)
     return ToothForm(Y_F, s.stress_correction(s.slenderness(cut.chord, arm), cut.q_s), cut.q_s)
 
@@ -267,17 +280,6 @@ def section(system: ToothSystem, wheel: WheelResult) -> ToothSection:
     if chord <= 0 or rho_F <= 0:
         raise _outside(wheel, Text("the teeth have no section at the 30° tangents"))
     return ToothSection(z_n, G, theta, chord, s.notch_parameter(chord, rho_F))
-
-
-def load_circle(system: ToothSystem, wheel: WheelResult, z_n: Number, eps_alpha: Number) -> Metre:
-    """d_en, where the load acts at the outer point of single contact."""
-    d_an = s.virtual_tip_diameter(system.m_n, z_n, wheel.tip_diameter, wheel.pitch_diameter)
-    d_bn = s.virtual_base_diameter(system.m_n, z_n, system.alpha_n)
-    if d_an <= d_bn:
-        raise _outside(wheel, Text("its tip lies inside the base circle of the virtual wheel"))
-    return s.load_diameter(
-        d_an, d_bn, system.m_n, system.alpha_n, s.virtual_contact_ratio(eps_alpha, system.base_helix_angle)
-    )
 
 
 def lever(system: ToothSystem, wheel: WheelResult, cut: ToothSection, d_en: Metre) -> tuple[Radian, Radian, Number]:

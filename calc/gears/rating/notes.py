@@ -27,9 +27,8 @@ def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping
             usual = classes_of(w.material)
             notes.append(
                 Text(
-                    "Wheel {name}: no strength class is given, and that of {material} is not plain: its meshes have "
-                    "no load "
-                    "factors and no safety. Give gears.wheels.{name}.gear_material{choices}.",
+                    "Wheel {name}: no strength class is given, and that of {material} is not plain: its meshes have no "
+                    "load factors and no safety. Give gears.wheels.{name}.gear_material{choices}.",
                     name=w.name,
                     material=w.material,
                     choices=Text(" ({usual})", usual=Text(" or ").join(usual)) if usual else "",
@@ -101,8 +100,7 @@ def influence_notes(factors: Mapping[str, Influence], grade: Number) -> Iterator
     if misaligned:
         yield Text(
             "Misalignment by manufacture not given; chosen: {meshes} from the helix slopes that grade {grade} of ISO "
-            "1328-1 permits "
-            "both wheels of a mesh; no crowning.",
+            "1328-1 permits both wheels of a mesh; no crowning.",
             meshes=COMMA.join(misaligned),
             grade=Amount(grade, form="g"),
         )
@@ -173,8 +171,7 @@ def strength_notes(meshes: Mapping[str, MeshStrength], edition: int) -> Iterator
     if edition >= 2019:
         yield Text(
             "ISO 6336-2:2019 adds f_ZCa to the flanks of helical wheels without tip relief (from memory up to 1.2 on "
-            "the square of the "
-            "contact stress): not applied."
+            "the square of the contact stress): not applied."
         )
 
 

@@ -96,9 +96,8 @@ def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapp
     for wheel in wheels:
         with about(Text("root of {name} in {name2}", name=wheel.name, name2=pair)):
             roots[wheel.name] = nominal.nominal_root(system, mesh, wheel, F_t, gears.iso_6336_edition)
-    sheet = (
-        source_sheet.sheet(system, mesh, wheels, mean[next(iter(mean))]) if gears.source_sheet == "finotti" else None
-    )
+    first = next(iter(mean.values()))
+    sheet = source_sheet.sheet(system, mesh, wheels, first) if gears.source_sheet == "finotti" else None
     rating = MeshRating(
         mean_torque=load.mean,
         dynamic_torque=load.dynamic,

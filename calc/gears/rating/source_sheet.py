@@ -17,7 +17,7 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
 from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
-from ..measures.formulas import ball_for_contact
+from ..measures.solve import ball_at
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
 from . import stress as s
 from .mesh_strength import lever, section
@@ -76,16 +76,6 @@ def ball(d_w: Metre, beta_b: Radian, eta: Radian, alpha_tr: Radian) -> Metre:
     return d_w * cos(beta_b) * sin(eta) / cos(alpha_tr)
 
 
-def sheet_contact(
-    system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, F_t: Newton
-) -> Pascal:
-    """σ_H of the sheet."""
-    Z_eps = s.contact_ratio_factor(mesh.transverse_contact_ratio, mesh.overlap_ratio)
-    u = based_on(driven.teeth / driver.teeth, driven.teeth, driver.teeth)
-    alpha_wt, alpha_t = mesh.working_pressure_angle, system.transverse_pressure_angle
-    return contact_stress(system.beta, alpha_wt, alpha_t, Z_eps, F_t, driver.pitch_diameter, mesh.face_width, u)
-
-
 def sheet_tooth_form(system: ToothSystem, wheel: WheelResult, sap_curvature: Metre) -> ToothForm:
     """Y_F and Y_S of the sheet; ρ at the outer single contact is that at the start of contact plus one base pitch."""
     cut = section(system, wheel)
@@ -107,7 +97,10 @@ def sheet(
     with about(Text("source's sheet, mesh {pair}", pair=mesh.title)):
         F_t = s.tangential_force(T, driver.pitch_diameter)
         addendum = transverse_addendum(h_aP0=system.h_aP0, beta=system.beta)
-        sigma_H = sheet_contact(system, mesh, driver, driven, F_t)
+        Z_eps = s.contact_ratio_factor(mesh.transverse_contact_ratio, mesh.overlap_ratio)
+        u = based_on(driven.teeth / driver.teeth, driven.teeth, driver.teeth)
+        alpha_wt, alpha_t, b = mesh.working_pressure_angle, system.transverse_pressure_angle, mesh.face_width
+        sigma_H = contact_stress(system.beta, alpha_wt, alpha_t, Z_eps, F_t, driver.pitch_diameter, b, u)
         Y_beta = s.helix_factor_root(mesh.overlap_ratio, system.beta)
         for end, wheel, rho, s_w, d_w in (
             ("driver", driver, mesh.sap_curvature_driver, mesh.working_thickness_driver, mesh.working_diameter_driver),
@@ -115,7 +108,7 @@ def sheet(
         ):
             try:
                 form = sheet_tooth_form(system, wheel, rho)
-                ends[f"root_stress_{end}"] = s.root_stress(F_t, mesh.face_width, system.m_n, form.Y_F, form.Y_S, Y_beta)
+                ends[f"root_stress_{end}"] = s.root_stress(F_t, b, system.m_n, form.Y_F, form.Y_S, Y_beta)
                 ends |= {
                     f"form_factor_{end}": form.Y_F,
                     f"stress_correction_{end}": form.Y_S,
@@ -124,7 +117,7 @@ def sheet(
             except NoSolution:  # its load circle can miss the tooth where the right one does not: then it has no value
                 pass
             eta = space_angle(wheel.teeth, s_w, d_w)
-            angle = ends[f"ball_angle_{end}"] = ball_angle(mesh.working_pressure_angle, eta)
+            angle = ends[f"ball_angle_{end}"] = ball_angle(alpha_wt, eta)
             if 0 < angle < math.pi / 2:
                 ends[f"ideal_ball_{end}"] = ball(d_w, system.base_helix_angle, eta, angle)
     return SheetResult(
@@ -145,8 +138,7 @@ WRONG = {  # quantity: (its name, its unit, what is wrong in the sheet)
 }
 CONTACT_OF_SHEET = Text(
     "Its modulus of 210000 daN/mm² is ten times that of steel, so the stress is √10 too high; it also takes β for β_b "
-    "in the zone factor, "
-    "and √cos β of the withdrawn edition. Its root stresses stand in the table of the sheet."
+    "in the zone factor, and √cos β of the withdrawn edition. Its root stresses stand in the table of the sheet."
 )
 
 
@@ -178,12 +170,9 @@ def comparison(train: TrainResult, rated: Mapping[str, MeshRating]) -> Table:
         tuple(rows),
         Text(
             "To compare with, not to design by; with the source's power and speed it gives the printed values. E is "
-            "210000 daN/mm², "
-            "ten times that of steel, so σ_H is √10 too high, and has β for β_b in Z_H and √cos β, withdrawn, for "
-            "Z_β. The height of the "
-            "outer single contact is carried to the virtual wheel without 1/cos² β_b, and Y_F has cos α_t for cos "
-            "α_n. The ball has the "
-            "product of two angles in degrees for their sum."
+            "210000 daN/mm², ten times that of steel, so σ_H is √10 too high, and has β for β_b in Z_H and √cos β, "
+            "withdrawn, for Z_β. The height of the outer single contact is carried to the virtual wheel without 1/cos² "
+            "β_b, and Y_F has cos α_t for cos α_n. The ball has the product of two angles in degrees for their sum."
         ),
     )
 
@@ -201,15 +190,7 @@ def _right(train: TrainResult, mesh: MeshResult, rating: MeshRating) -> Iterator
     for name in (mesh.driver, mesh.driven):
         wheel, system = train.wheels[name], train.system
         with untraced():
-            ball_at_working_circle = ball_for_contact(
-                wheel.reference_thickness,
-                wheel.pitch_diameter,
-                system.transverse_pressure_angle,
-                wheel.teeth,
-                wheel.base_diameter,
-                system.base_helix_angle,
-                mesh.working_pressure_angle,
-            )
+            ball_at_working_circle = ball_at(system, wheel, mesh.working_pressure_angle)
         yield "form_factor", name, rating.forms[name].Y_F
         yield "stress_correction", name, rating.forms[name].Y_S
         yield "root_stress", name, rating.root_stress[f"root_stress_{name}"].number * share
@@ -235,12 +216,8 @@ def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum
                 tangential_force=Amount(rating.sheet.tangential_force, form=".4g"),
                 force=Amount(force, form=".4g"),
             )
+        id, shown = dotted("gears", key, MeshRating.contact_stress), UNITS["MPa"].shown(rating.sheet.contact_stress)
         label = Text("{label} by the sheet of Finotti 2013", label=Text("Contact stress"))
-        shown = UNITS["MPa"].shown(rating.sheet.contact_stress)
         source = Text("method of Finotti 2013, Tables 4.5 and 4.6")
-        errata.append(
-            Erratum(
-                dotted("gears", key, MeshRating.contact_stress), label, shown, "MPa", source, CONTACT_OF_SHEET + speed
-            )
-        )
+        errata.append(Erratum(id, label, shown, "MPa", source, CONTACT_OF_SHEET + speed))
     return tuple(errata)

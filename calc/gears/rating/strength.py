@@ -306,16 +306,6 @@ def contact_safety_on_load(S_H: Number) -> Number:
 
 
 @record
-class FlankFilm:
-    """The three factors of the film, of a mesh."""
-
-    Z_L: Number
-    Z_v: Number
-    Z_R: Number
-    rho_red: Metre
-
-
-@record
 class ContactStrength:
     """One wheel of a mesh.  S_H is None where there is no load."""
 
@@ -326,53 +316,6 @@ class ContactStrength:
     sigma_HG: Pascal
     sigma_HP: Pascal
     S_H: Number | None
-
-
-def film_factors(
-    sigma_Hlim: Pascal,
-    nu_40: SquareMetrePerSecond,
-    v: MetrePerSecond,
-    Rz_1: Metre,
-    Rz_2: Metre,
-    d_b1: Metre,
-    d_b2: Metre,
-    alpha_wt: Radian,
-) -> FlankFilm:
-    """`sigma_Hlim`: of the softer material; `nu_40`: the oil at 40 °C; `v`: at the pitch circle, above 0."""
-    C_ZL = lubricant_coefficient(sigma=sigma_Hlim)
-    rho = relative_radius(d_b1=d_b1, d_b2=d_b2, alpha_wt=alpha_wt)
-    return FlankFilm(
-        Z_L=lubricant_factor(C_ZL=C_ZL, nu_40=nu_40),
-        Z_v=velocity_factor(C_Zv=velocity_coefficient(C_ZL=C_ZL), v=v),
-        Z_R=roughness_factor(
-            Rz_10=relative_roughness(Rz_1=Rz_1, Rz_2=Rz_2, rho=rho), C_ZR=roughness_coefficient(sigma=sigma_Hlim)
-        ),
-        rho_red=rho,
-    )
-
-
-def single_pair(
-    alpha_wt: Radian,
-    d_a: Metre,
-    d_b: Metre,
-    z: Number,
-    d_am: Metre,
-    d_bm: Metre,
-    z_m: Number,
-    eps_alpha: Number,
-    eps_beta: Number,
-) -> Number:
-    """Z_B or Z_D of a wheel (index m: its mate).  Outside 1 < ε_α < 2 no point has single contact: 1 (rule of this
-    program)."""
-    if not 1 < eps_alpha < 2:
-        return 1.0
-    if (d_a / d_b) ** 2 - 1 <= (2 * pi / z) ** 2 or (d_am / d_bm) ** 2 - 1 <= ((eps_alpha - 1) * 2 * pi / z_m) ** 2:
-        raise NoSolution(
-            Text("single pair factor Z_B, Z_D: the inner point of single contact lies on the base circle"),
-            advice=Text("give more teeth, a larger profile shift, or cut less off the tip"),
-        )
-    M = curvature_ratio(alpha_wt=alpha_wt, d_a=d_a, d_b=d_b, z=z, d_am=d_am, d_bm=d_bm, z_m=z_m, eps_alpha=eps_alpha)
-    return single_pair_factor(M=M, eps_beta=eps_beta)
 
 
 @formula("Z_W", Text("{iacs}: no hard flank works on a softer steel one", iacs=IACS_FLANK), shows="1")
@@ -398,35 +341,6 @@ def work_hardening(
     if strength.through_hardened and mate.through_hardened and u > 1 and mate.brinell >= 1.2 * strength.brinell:
         return work_hardening_through(HBW_1=mate.brinell, HBW_2=strength.brinell, u=u)
     return no_work_hardening()
-
-
-def contact_strength(
-    strength: StrengthClass,
-    *,
-    sigma_H0: Pascal,
-    K_H: Number,
-    Z_BD: Number,
-    film: FlankFilm,
-    Z_W: Number,
-    cycles: Number | None,
-    S_Hmin: Number,
-    pitting: bool = False,
-) -> ContactStrength:
-    """Stress and strength of one flank.  `cycles` None: the endurance limit."""
-    Z_NT = flank_life(strength.kind, cycles, pitting)
-    sigma_H = contact_stress_of_wheel(Z_BD=Z_BD, sigma_H0=sigma_H0, K_H=K_H)
-    sigma_HG = pitting_limit(
-        sigma_Hlim=strength.sigma_Hlim, Z_NT=Z_NT, Z_L=film.Z_L, Z_v=film.Z_v, Z_R=film.Z_R, Z_W=Z_W
-    )
-    return ContactStrength(
-        Z_BD=Z_BD,
-        Z_NT=Z_NT,
-        Z_W=Z_W,
-        sigma_H=sigma_H,
-        sigma_HG=sigma_HG,
-        sigma_HP=permissible_contact_stress(sigma_HG=sigma_HG, S_Hmin=S_Hmin),
-        S_H=contact_safety(sigma_HG=sigma_HG, sigma_H=sigma_H) if sigma_H > 0 else None,
-    )
 
 
 # --- strength of the tooth root, ISO 6336-3: rim, notch, surface, size, reversed load, the safety
@@ -654,47 +568,3 @@ def surface_factor(kind: str, Rz_F: Metre) -> Number:
     if kind in HARDENED:
         return surface_hardened(Rz_F=Rz_F)
     return surface_structural(Rz_F=Rz_F) if kind == "St" else surface_nitrided(Rz_F=Rz_F)
-
-
-def root_strength(
-    strength: StrengthClass,
-    *,
-    sigma_F0: Pascal,
-    K_F: Number,
-    Y_B: Number,
-    Y_DT: Number,
-    q_s: Number,
-    Rz_F: Metre,
-    m_n: Metre,
-    loading: str,
-    cycles: Number | None,
-    S_Fmin: Number,
-) -> RootStrength:
-    """Stress and strength of one root.  `loading`: pulsating or reversed; `cycles` None: the endurance limit."""
-    rho = (
-        strength.slip_layer
-        if strength.proof_stress is None
-        else slip_layer(R_p=strength.proof_stress, structural=float(strength.kind == "St"))
-    )
-    assert rho is not None  # every row of the table has one of the two
-    a, b, least = SIZE.get(strength.kind, SIZE_HARDENED)
-    Y_NT, Y_drelT = root_life(strength.kind, cycles), notch_sensitivity(rho=rho, q_s=q_s)
-    Y_RrelT, Y_X = surface_factor(strength.kind, Rz_F), size_factor(a=a, b=b, m_n=m_n, Y=least)
-    Y_M = mean_stress_factor(loading=loading)
-    sigma_F = root_stress_of_wheel(sigma_F0=sigma_F0, Y_B=Y_B, Y_DT=Y_DT, K_F=K_F)
-    sigma_FG = root_limit(
-        sigma_Flim=strength.sigma_Flim, Y_ST=TEST_GEAR, Y_NT=Y_NT, Y_drelT=Y_drelT, Y_RrelT=Y_RrelT, Y_X=Y_X, Y_M=Y_M
-    )
-    return RootStrength(
-        Y_B=Y_B,
-        Y_DT=Y_DT,
-        Y_NT=Y_NT,
-        Y_drelT=Y_drelT,
-        Y_RrelT=Y_RrelT,
-        Y_X=Y_X,
-        Y_M=Y_M,
-        sigma_F=sigma_F,
-        sigma_FG=sigma_FG,
-        sigma_FP=permissible_root_stress(sigma_FG=sigma_FG, S_Fmin=S_Fmin),
-        S_F=bending_safety(sigma_FG=sigma_FG, sigma_F=sigma_F) if sigma_F > 0 else None,
-    )

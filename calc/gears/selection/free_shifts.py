@@ -48,14 +48,10 @@ class Freedom:
         """The shift of every wheel, numbers or arrays."""
         shifts: dict[str, float | Array] = {}
         for name, x in self.start.items():
-            leader = self.follows[name]
-            shifts[name] = (
-                x
-                if leader is None
-                else free[leader]
-                if leader == name
-                else x + self.sign[name] * (free[leader] - self.start[leader])
-            )
+            shifts[name] = x
+            if (leader := self.follows[name]) is not None:
+                follower = x + self.sign[name] * (free[leader] - self.start[leader])
+                shifts[name] = free[leader] if leader == name else follower
         return shifts
 
     def contains(self, other: "Freedom") -> bool:
@@ -111,9 +107,8 @@ def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = Non
         whole = tied(fixed := replace(gears, meshes=meshes))
         with suppress(NoSolution):  # two given axes may be too far apart, or too near, for the shifts that are tried
             ways.append(replace(_freedom("held", name, fixed, system, whole), held=held))
-    ways.append(
-        _freedom("free", Text("distance free") if len(parts) == 2 else Text("distances free"), gears, system, parts)
-    )
+    name = Text("distance free") if len(parts) == 2 else Text("distances free")
+    ways.append(_freedom("free", name, gears, system, parts))
     return tuple(way for way in ways if all(way.gears.meshes[i].centre_distance for i in apart)) or tuple(ways)
 
 

@@ -105,13 +105,8 @@ def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Pro
             grown = {i: free.distances[key] - present.distances[key] for i in given for key in [gears.meshes[i].key]}
             apart = {i: round(a + grown[i], HELD) for i, a in given.items()}
             distances = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 4) for i, a in apart.items()}
-            yield _judged(
-                _with(gears, name, teeth, apart),
-                name,
-                teeth,
-                axis,
-                {wheel_key(name, Wheel.teeth): teeth, **distances, **gone},
-            )
+            changes = {wheel_key(name, Wheel.teeth): teeth, **distances, **gone}
+            yield _judged(_with(gears, name, teeth, apart), name, teeth, axis, changes)
 
 
 def _with(gears: GearsInputs, name: str, teeth: int, apart: Mapping[int, Metre | None]) -> GearsInputs:
@@ -154,38 +149,22 @@ def idler_table(rows: Sequence[Idler], first: int, top: int) -> Table:
     """The design, the numbers that pass, numbered from `first`, and those beside them, which do not."""
     passing = passed(rows)
     near = {row.teeth + n for row in rows if row.passes or not row.changes for n in (-1, 1)}
-    fails = sorted(
-        (row for row in rows if row.teeth in near and row.changes and not row.passes), key=lambda row: row.teeth
-    )
-    shown = [
-        *((NOW, row) for row in rows if not row.changes),
-        *((str(first + n), row) for n, row in enumerate(passing[:top])),
-    ]
-    cells = [_cells(number, row) for number, row in (*shown, *(("", row) for row in fails))]
+    failing = [row for row in rows if row.teeth in near and row.changes and not row.passes]
+    cells = [_cells(NOW, row) for row in rows if not row.changes]
+    cells += [_cells(str(first + n), row) for n, row in enumerate(passing[:top])]
+    cells += [_cells("", row) for row in sorted(failing, key=lambda row: row.teeth)]
     title = Text("Teeth of {wheel}: its place, and what is against it", wheel=rows[0].wheel)
     legend = Text(
         "With the profile shifts as they are. up, side: its axis from the crank's; room: to the nearest thing that it "
-        "does not mesh with. "
-        "First the fewest warnings and notes, then the least sliding in its meshes. Rows without number fail; farther "
-        "ones are left out."
+        "does not mesh with. First the fewest warnings and notes, then the least sliding in its meshes. Rows without "
+        "number fail; farther ones are left out."
     )
     left = len(passing) - top
     note = legend + Text(" {n} more; --top N shows more.", n=left) if left > 0 else legend
-    labels = (
-        (NUMBER, ""),
-        (Text("teeth"), ""),
-        (Text("up"), "mm"),
-        (Text("side"), "mm"),
-        (Text("room"), "mm"),
-        (Text("to"), ""),
-    )
-    return Table(
-        f"teeth_{rows[0].wheel}",
-        title,
-        (*labels, (Text("its own max |ζ_A|"), ""), (Text("against it"), "")),
-        tuple(cells),
-        note,
-    )
+    place = (Text("up"), "mm"), (Text("side"), "mm"), (Text("room"), "mm"), (Text("to"), "")
+    judged = (Text("its own max |ζ_A|"), ""), (Text("against it"), "")
+    columns = (NUMBER, ""), (Text("teeth"), ""), *place, *judged
+    return Table(f"teeth_{rows[0].wheel}", title, columns, tuple(cells), note)
 
 
 def passed(rows: Iterable[Idler]) -> list[Idler]:

@@ -199,11 +199,9 @@ def _end(along: Slice, side: str) -> str:
     """The wheel that ends the slice: by undercut, or by the end of what can be given."""
     wheel, i = (along.low, 0) if side == "low" else (along.high, -1)
     x = float(along.states.shifts[wheel][i])
-    return (
-        wheel
-        if x < along.states.undercut_limit[wheel] + 1e-3
-        else Text("{wheel} at x = {x}", wheel=wheel, x=Amount(x, digits=3))
-    )
+    if x < along.states.undercut_limit[wheel] + 1e-3:
+        return wheel
+    return Text("{wheel} at x = {x}", wheel=wheel, x=Amount(x, digits=3))
 
 
 def too_narrow(case: ShiftCase, way: Freedom) -> NoSolution:

@@ -103,7 +103,10 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
         raise NoSolution(
             Text("more shifts are free than can be searched"), advice=Text("give the centre distances of the train")
         )
-    now = _now(case)
+    train = settled(gears, case.system)
+    now = None
+    if train is not None:
+        now = _row(case, Text("now"), None, {}, {}, states(case.system, gears, train.shifts))
     if now is not None and (bar := eased(now.states, case.system)) is not None:
         case = replace(case, bars=(*case.bars, bar))
     optima, passing = _offered(case, ways, progress)
@@ -130,7 +133,9 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
         along=along,
         exact=exact,
         refused=tuple(freedom.name for freedom in ways if freedom.name not in passing),
-        no_better=_no_better(ways, passing, optima),
+        no_better=tuple(
+            way.name for way in ways if way.name in passing and not any(row.freedom is way for row in optima)
+        ),
         unsought=tuple(freedom.name for freedom in every if freedom not in ways),
     )
 
@@ -172,10 +177,6 @@ def _starting_point(
     return way, bar, optimum.free if optimum else None
 
 
-def _no_better(ways: Sequence[Freedom], passing: frozenset[Text], optima: Sequence[ShiftRow]) -> tuple[Text, ...]:
-    return tuple(way.name for way in ways if way.name in passing and not any(row.freedom is way for row in optima))
-
-
 # --- rows
 
 
@@ -196,13 +197,6 @@ def _row(
     sliding = {at: abs(float(zeta[0])) for at, zeta in states.sliding.items()}
     of = max(sliding, key=lambda at: np.inf if np.isnan(sliding[at]) else sliding[at])
     return ShiftRow(name, freedom, free, cuts, states, float(states.largest[0]), of, governing(rules, 0), bar, wants)
-
-
-def _now(case: ShiftCase) -> ShiftRow | None:
-    train = settled(case.gears, case.system)
-    return (
-        None if train is None else _row(case, Text("now"), None, {}, {}, states(case.system, case.gears, train.shifts))
-    )
 
 
 def _shown(row: ShiftRow) -> float:
@@ -229,16 +223,14 @@ def _optima(
     """
     rows: list[ShiftRow] = []
     known: dict[bytes, States] = {}
+    cuts, title = cuts or {}, name or way.name
     for n, bar in enumerate(case.bars):
-        tell(progress, n / len(case.bars), name or way.name)
-        near = [row.states.shifts for row in within if _keeps(case, row, bar)]
-        optimum = best(
-            case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near], known
-        )
+        tell(progress, n / len(case.bars), title)
+        beside = [row.states.shifts for row in within if _keeps(case, row, bar)]
+        near = [{wheel: float(x[0]) for wheel, x in shifts.items()} for shifts in beside]
+        optimum = best(case, way, cuts, bar, near, known)
         if optimum is not None and optimum.margin >= 0:
-            row = _row(
-                case, name or way.name, way, optimum.free, cuts or {}, evaluated(case, way, optimum.free, cuts or {})
-            )
+            row = _row(case, title, way, optimum.free, cuts, evaluated(case, way, optimum.free, cuts))
             if not rows or _shown(row) < _shown(rows[-1]):
                 rows.append(row)
     return rows

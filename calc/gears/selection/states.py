@@ -20,7 +20,7 @@ from ..formulas import ISO
 from ..inputs import GearsInputs, Mesh
 from ..limits import above_fillet
 from ..measures.formulas import generating_shift
-from ..profile.outline import Cut, form_diameter_of_undercut
+from ..profile.cut import Cut, form_diameter_of_undercut
 from ..result import ToothSystem
 from ..wheel_inputs import Wheel
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What was found, as tables, and the keys that put a row into a design file."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +9,7 @@ import numpy as np
 from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SPACE, Amount, Name, Text, listed, plural
-from ..inputs import GearsInputs, Mesh, mesh_key, wheel_key
+from ..inputs import Mesh, mesh_key, wheel_key
 from ..wheel_inputs import Wheel
 from .free_shifts import Freedom
 from .optimum import GRID
@@ -27,8 +27,7 @@ BARS = {  # by which limits a row is judged: its word in a column, and what it s
 
 EXPLAIN = Text(
     "x: profile shifts. max |ζ_A|: the largest specific sliding at the start of contact, of which wheel/in mesh with "
-    "which. margin: the "
-    "least of all rules, and by which (of undercut: the shift above it, in hundredths)."
+    "which. margin: the least of all rules, and by which (of undercut: the shift above it, in hundredths)."
 )
 
 
@@ -152,13 +151,11 @@ def sliding_table(result: ShiftsFound, top: int) -> Table:
     columns += _columns(Name("s_an/m_n"), Text("above fillet/m_n"), Name("c/m_n"))
     cells: list[Cells] = []
     for n, row in _now(result) + _numbered(result, (*result.optima[:top], *result.wants)):
-        cells += [
-            (n if i == 0 else "", *_mesh_cells(result, row, key)) for i, key in enumerate(row.states.contact_ratio)
-        ]
+        for i, key in enumerate(row.states.contact_ratio):
+            cells.append((n if i == 0 else "", *_mesh_cells(result, row, key)))
     note = Text(
         "Signed, negative in the dedendum: A at the start of contact, B at the lowest point of single contact. The "
-        "last three: the less of "
-        "both wheels; above fillet: (d_N − d_Ff)/2 of the thinnest tooth."
+        "last three: the less of both wheels; above fillet: (d_N − d_Ff)/2 of the thinnest tooth."
     )
     return Table("sliding", Text("Specific sliding in every mesh"), tuple(columns), tuple(cells), note)
 
@@ -167,16 +164,11 @@ def _mesh_cells(result: ShiftsFound, row: ShiftRow, key: str) -> Cells:
     s, m_n, pair = row.states, result.case.system.m_n, key.split("_")
     at: list[Place] = [(key, wheel) for wheel in pair]
     zeta = [float(s.sliding[p][0]) for p in at] + [float(s.sliding_lpstc[p][0]) for p in at]
-    lengths = (
-        min(float(s.tip_thickness[w][0]) for w in pair),
-        *(min(float(by[p][0]) for p in at) for by in (s.margin, s.clearance)),
-    )
+    s_an = min(float(s.tip_thickness[w][0]) for w in pair)
+    lengths = s_an, *(min(float(by[p][0]) for p in at) for by in (s.margin, s.clearance))
     ratio, a_w = float(s.contact_ratio[key][0]), float(s.distances[key][0])
-    return (
-        key.replace("_", "–"),
-        _round(a_w * 1e3, 4),
-        *(_round(x, 3) for x in (*zeta, ratio, *(length / m_n for length in lengths))),
-    )
+    numbers = *zeta, ratio, *(length / m_n for length in lengths)
+    return key.replace("_", "–"), _round(a_w * 1e3, 4), *(_round(x, 3) for x in numbers)
 
 
 def limits_table(result: ShiftsFound) -> Table:
@@ -184,21 +176,13 @@ def limits_table(result: ShiftsFound) -> Table:
     rows: list[Cells] = []
     for limit in result.limits:
         needs = Text("{symbol} ≥ {limit}", symbol=limit.rule.symbol, limit=Amount(limit.rule.limit, form="g"))
-        ends = (
-            (limit.range[0], limit.low, limit.range[1], limit.high)
-            if limit.range
-            else (None, Text("nowhere"), None, "")
-        )
+        ends: Cells = (None, Text("nowhere"), None, "")
+        if limit.range:
+            ends = limit.range[0], limit.low, limit.range[1], limit.high
         rows.append((limit.rule.name, needs, *ends))
     leader, way = result.along.leader, result.along.freedom.name
-    columns = _columns(
-        Text("rule"),
-        Text("needs"),
-        Text("x {wheel} from", wheel=leader),
-        Text("stopped by"),
-        Text("to"),
-        Text("stopped by "),
-    )
+    start = Text("x {wheel} from", wheel=leader)
+    columns = _columns(Text("rule"), Text("needs"), start, Text("stopped by"), Text("to"), Text("stopped by "))
     note = Text(
         "Around the optimum, or nearest to it. Where nothing is named the rule holds to the end of undercut, or x = 3."
     )
@@ -247,16 +231,10 @@ def cuts_best_table(result: ShiftsFound, top: int) -> Table | None:
         return None
     free = result.along.freedom.free
     columns = [*_columns(NUMBER, Text("cut")), (Name("k"), "mm"), *_shifts_of(free), *VERDICT]
-    cells = [
-        (
-            result.number(row),
-            row.name,
-            round(row.cuts[row.name] * 1e3, 6),
-            *(_shift(row, name) for name in free),
-            *_verdict(row),
-        )
-        for row in result.cut_best[:top]
-    ]
+    cells: list[Cells] = []
+    for row in result.cut_best[:top]:
+        k, shifts = round(row.cuts[row.name] * 1e3, 6), (_shift(row, name) for name in free)
+        cells.append((result.number(row), row.name, k, *shifts, *_verdict(row)))
     left = len(result.cut_best) - len(cells)
     note = Text(
         "One wheel is cut at a time, the others as they are; only cuts that lower the largest sliding, or keep "
@@ -276,12 +254,10 @@ def summary(result: ShiftsFound) -> tuple[Text, ...]:
     for way in result.freedoms:
         more = EMPTY
         if way.held:
-            held = (
-                Text("{mesh} at {a} mm", mesh=_name(result.case.gears, i), a=Amount(a * 1e3, form=".4f"))
-                for i, a in way.held.items()
-            )
+            titles = ((result.case.gears.meshes[i].title, Amount(a * 1e3, form=".4f")) for i, a in way.held.items())
+            held = (Text("{mesh} at {a} mm", mesh=title, a=a) for title, a in titles)
             more = Text(" Held: {distances}.", distances=COMMA.join(held))
-        elif opened := [f"{m.driver}–{m.driven}" for m in way.gears.meshes if m.centre_distance is None]:
+        elif opened := [m.title for m in way.gears.meshes if m.centre_distance is None]:
             more = Text(" The centre distance {meshes} follows without backlash.", meshes=", ".join(opened))
         if way.name in result.refused:
             more += Text(" Nothing passes so.")
@@ -305,65 +281,44 @@ def summary(result: ShiftsFound) -> tuple[Text, ...]:
     return tuple(words)
 
 
-def notes(result: ShiftsFound) -> tuple[Text, ...]:
-    texts = [
-        Text(
-            "Kept by numbered rows: x ≥ x_min, s_an ≥ {tip}·m_n, ε_α ≥ {contact}, start of contact {fillet}·m_n above "
-            "the fillet of the "
-            "thinnest tooth, and c ≥ {clearance}·m_n.",
-            tip=TIP.limit,
-            contact=CONTACT.limit,
-            fillet=FILLET.limit,
-            clearance=CLEARANCE.limit,
+def notes(result: ShiftsFound) -> Iterator[Text]:
+    yield Text(
+        "Kept by numbered rows: x ≥ x_min, s_an ≥ {tip}·m_n, ε_α ≥ {contact}, start of contact {fillet}·m_n above the "
+        "fillet of the thinnest tooth, and c ≥ {clearance}·m_n.",
+        tip=TIP.limit,
+        contact=CONTACT.limit,
+        fillet=FILLET.limit,
+        clearance=CLEARANCE.limit,
+    )
+    if below := [n for n, row in enumerate(result.all, 1) if not row.usual]:
+        lower = []
+        for rule, usual in zip(result.case.bars[-1], USUAL):
+            if rule is not usual:
+                limits = {"limit": Amount(rule.limit, form=".4g"), "usual": usual.limit}
+                lower.append(Text("{symbol} ≥ {limit} instead of {usual}", symbol=rule.symbol, **limits))
+        yield Text(
+            "The design itself is below that. No worse than it ({limits}): {rows}.",
+            limits=COMMA.join(lower),
+            rows=_rows(below),
         )
-    ]
-    below = [n for n, row in enumerate(result.all, 1) if not row.usual]
-    if below:
-        pairs = [(rule, usual) for rule, usual in zip(result.case.bars[-1], USUAL) if rule is not usual]
-        lower = COMMA.join(
-            Text(
-                "{symbol} ≥ {limit} instead of {usual}",
-                symbol=rule.symbol,
-                limit=Amount(rule.limit, form=".4g"),
-                usual=usual.limit,
-            )
-            for rule, usual in pairs
-        )
-        texts.append(
-            Text(
-                "The design itself is below that. No worse than it ({limits}): {rows}.", limits=lower, rows=_rows(below)
-            )
-        )
-    thin, limit = [n for n, row in enumerate(result.all, 1) if _thinnest(result, row) < HARDENED.limit], HARDENED.limit
-    if thin:
-        texts.append(
-            Text("Tips under {limit}·m_n, not for case-hardened teeth: {rows}.", limit=limit, rows=_rows(thin))
-        )
+    limit = HARDENED.limit
+    tips = [min(float(s[0]) for s in row.states.tip_thickness.values()) for row in result.all]
+    if thin := [n for n, s_an in enumerate(tips, 1) if s_an / result.case.system.m_n < limit]:
+        yield Text("Tips under {limit}·m_n, not for case-hardened teeth: {rows}.", limit=limit, rows=_rows(thin))
     else:
-        texts.append(Text("All have tips for case-hardened teeth ({limit}·m_n).", limit=limit))
-    return (
-        *texts,
-        Text(
-            "Shifts are multiples of 0.0001. What follows from a centre distance or from the design's own rules has "
-            "no key in the file."
-        ),
-        Text(
-            "Spans, sizes over balls, backlash and root stresses change with the shifts: `contralbero check FILE "
-            "--step gears` shows them."
-        ),
+        yield Text("All have tips for case-hardened teeth ({limit}·m_n).", limit=limit)
+    yield Text(
+        "Shifts are multiples of 0.0001. What follows from a centre distance or from the design's own rules has no key "
+        "in the file."
+    )
+    yield Text(
+        "Spans, sizes over balls, backlash and root stresses change with the shifts: `contralbero check FILE --step "
+        "gears` shows them."
     )
 
 
 def _rows(numbers: list[int]) -> Text:
     return plural("row {rows}", "rows {rows}", n=len(numbers), rows=", ".join(map(str, numbers)))
-
-
-def _thinnest(result: ShiftsFound, row: ShiftRow) -> float:
-    return min(float(s[0]) for s in row.states.tip_thickness.values()) / result.case.system.m_n
-
-
-def _name(gears: GearsInputs, i: int) -> str:
-    return f"{gears.meshes[i].driver}–{gears.meshes[i].driven}"
 
 
 def changes(row: ShiftRow) -> Changes:
@@ -383,9 +338,7 @@ def changed(row: ShiftRow) -> Text:
     """`x central = 0.0873, tip cut idler 0.3 mm`."""
     words = [Text("x {wheel} = {x}", wheel=name, x=Amount(x, form=".4f")) for name, x in row.free.items()]
     if row.freedom is not None:
-        held = ((_name(row.freedom.gears, i), Amount(a * 1e3, form=".4f")) for i, a in row.freedom.held.items())
+        held = ((row.freedom.gears.meshes[i].title, Amount(a * 1e3, form=".4f")) for i, a in row.freedom.held.items())
         words += [Text("{mesh} {a} mm", mesh=mesh, a=a) for mesh, a in held]
-    return COMMA.join(
-        words
-        + [Text("tip cut {wheel} {k}", wheel=name, k=Amount(k * 1e3, "mm", form="g")) for name, k in row.cuts.items()]
-    )
+    cuts = ((name, Amount(k * 1e3, "mm", form="g")) for name, k in row.cuts.items())
+    return COMMA.join(words + [Text("tip cut {wheel} {k}", wheel=name, k=k) for name, k in cuts])

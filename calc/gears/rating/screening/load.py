@@ -3,7 +3,6 @@
 
 Of the oil its friction factor and the way it arrives."""
 
-from collections.abc import Mapping
 from typing import Annotated
 
 from ....library.catalogue import Material
@@ -132,24 +131,16 @@ def load_of(
     b: Metre,
     alpha_t: Radian,
     eps_gamma: Number,
-    pair: tuple[str, str],
-    materials: Mapping[str, Material],
+    one: Material,
+    two: Material,
     Ra: tuple[Metre, Metre],
 ) -> ScreeningLoad:
-    one, two = (materials[name] for name in pair)
     w_Bt = line_load(K=K, F_t=F_t, b=b)
-    return ScreeningLoad(
-        F_t=F_t,
-        w_Bt=w_Bt,
-        w_t=load_in_plane_of_action(w_Bt=w_Bt, alpha_t=alpha_t),
-        K=K,
-        K_A=K_A,
-        K_Bgamma=helical_load_factor(eps_gamma=eps_gamma),
-        E_r=reduced_modulus(nu_1=one.poisson, E_1=one.E, nu_2=two.poisson, E_2=two.E),
-        b_1=thermal_product(lam=CONDUCTIVITY, rho=one.density, c=SPECIFIC_HEAT),
-        b_2=thermal_product(lam=CONDUCTIVITY, rho=two.density, c=SPECIFIC_HEAT),
-        Ra=mean_roughness(Ra_1=Ra[0], Ra_2=Ra[1]),
-    )
+    w_t = load_in_plane_of_action(w_Bt=w_Bt, alpha_t=alpha_t)
+    K_Bgamma = helical_load_factor(eps_gamma=eps_gamma)
+    E_r = reduced_modulus(nu_1=one.poisson, E_1=one.E, nu_2=two.poisson, E_2=two.E)
+    b_1, b_2 = (thermal_product(lam=CONDUCTIVITY, rho=solid.density, c=SPECIFIC_HEAT) for solid in (one, two))
+    return ScreeningLoad(F_t, w_Bt, w_t, K, K_A, K_Bgamma, E_r, b_1, b_2, mean_roughness(Ra_1=Ra[0], Ra_2=Ra[1]))
 
 
 # --- what the screening of a mesh gives
@@ -176,7 +167,7 @@ class Screening:
     scuffing_safety: Number = value("Safety against scuffing, by temperatures (screening)", "", "S_B")
     scuffing_margin: Kelvin
     title: str  # "driver–driven"
-    film_place: str  # A, AB, B, C, D, DE or E; empty: no film
+    film_place: str = ""  # A, AB, B, C, D, DE or E; empty: no film
     permissible_film: Number
     permissible_given: bool
     load_stage: Number
@@ -187,4 +178,4 @@ class Screening:
     method_applies: bool  # spur or narrow helical wheels with ε_α below 2, or wide helical ones
     way: Array  # samples: way on the line of action from the pitch point
     flash: Array
-    specific_film: Array | None
+    specific_film: Array | None = None

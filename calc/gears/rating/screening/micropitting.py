@@ -6,6 +6,8 @@ The film is that of Dowson and Higginson with the oil at the temperature of the 
 (S_GF).  Unmodified profiles, external wheels.  Tests behind it: modules 3 to 11 mm, 8 to 60 m/s; results agree with
 others above 2 m/s (scope of ISO/TS 6336-22:2018)."""
 
+from typing import Any
+
 import numpy as np
 
 from ....library import contact as teeth
@@ -31,11 +33,6 @@ from .load import OilBath, ScreeningLoad, ThermalProduct, transmitted_power
 from .path import Path, PathPoint
 
 ISO = Text("ISO/TR 15144-1:2014")
-METRE_PER_SECOND: MetrePerSecond = 1.0
-MICROMETRE: Metre = 1e-6
-MILLIMETRE: Metre = 1e-3
-NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
-MILLIPASCAL_SECOND: PascalSecond = 1e-3
 ZERO: Celsius = 273.0  # as the standard rounds it
 THIRTY_EIGHT: Celsius = 311.0
 FALL: Celsius = 516.0
@@ -120,19 +117,6 @@ def specific_film(h_Y: Metre, Ra: Metre) -> Number:
 
 
 @record
-class MicropittingFilm:
-    """The film of one mesh."""
-
-    mu_m: Number
-    T_M: Celsius
-    place: str  # where it is thinnest, of the seven points
-    h: Metre | None  # there; None: beside the range of the oil's laws
-    p_dyn: Pascal | None  # Hertzian pressure there
-    lam: Number | None
-    along: Array | None  # λ_GF at the samples of the path
-
-
-@record
 class WarmOil:
     """The oil at the temperature of the teeth."""
 
@@ -144,51 +128,39 @@ class WarmOil:
     G_M: Number
 
 
-def film(
-    path: Path,
-    load: ScreeningLoad,
-    oil: OilBath,
-    a: Metre,
-    b: Metre,
-    d: Metre,
-    z: tuple[int, int],
-    places: PathPoint[Array],
-) -> MicropittingFilm:
-    """The specific film thickness at the points of method B, the least of which counts, and along the path.
+def film(path: Path, load: ScreeningLoad, oil: OilBath, places: PathPoint[Array]) -> dict[str, Any]:
+    """The specific film thickness at the points of method B, the least of which counts, and along the path, as fields
+    of `Screening`.
 
-    d is the reference diameter of the driver, z the teeth of both; `places` are the points, then the samples of the
-    path."""
-    warm, marks = _warm_oil(path, load, oil, a, b, d, z), path.marks()
+    `places` are the points, then the samples of the path."""
+    warm, marks = _warm_oil(path, load, oil), path.marks()
+    values: dict[str, Any] = dict(friction_film=warm.mu_m, bulk_temperature_film=warm.T_M)
     with untraced():
         thickness, _ = _local(path, load, warm, places)
-    if thickness is None:
-        return MicropittingFilm(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
-    along = thickness
-    place = list(marks)[np.argmin(along[: len(marks)])]
-    h, p_dyn = _local(path, load, warm, path.at(marks[place]))
-    assert h is not None
-    lam = specific_film(h_Y=h, Ra=load.Ra)
-    return MicropittingFilm(
-        mu_m=warm.mu_m, T_M=warm.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra
-    )
+    if thickness is not None:
+        place = list(marks)[np.argmin(thickness[: len(marks)])]
+        h, p_dyn = _local(path, load, warm, path.at(marks[place]))
+        assert h is not None
+        values |= dict(specific_film_min=specific_film(h_Y=h, Ra=load.Ra), film_min=h, film_pressure=p_dyn)
+        values |= dict(film_place=place, specific_film=thickness[len(marks) :] / load.Ra)
+    return values
 
 
-def _warm_oil(
-    path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]
-) -> WarmOil:
+def _warm_oil(path: Path, load: ScreeningLoad, oil: OilBath) -> WarmOil:
     """Friction, bulk temperature, and the oil at that temperature."""
     X_R, v_SumC = teeth.roughness_factor(Ra=load.Ra, rho_nC=path.rho_nC), teeth.sum_of_speeds(v_C=path.v_C)
     mu_m = teeth.mean_friction(
         w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=v_SumC, rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L
     )
-    eps_alpha, (z_1, z_2), beta_b = path.eps_alpha, z, path.beta_b
+    eps_alpha, z_1, z_2, beta_b = path.eps_alpha, path.driver.teeth, path.driven.teeth, path.beta_b
     if eps_alpha < 2:
         H_v = teeth.ohlendorf_loss_factor(
             eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b
         )
     else:
         H_v = teeth.ohlendorf_loss_factor_high(eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b)
-    P = transmitted_power(F_t=load.F_t, d=d, n=path.n_1)
+    P = transmitted_power(F_t=load.F_t, d=path.driver.pitch_diameter, n=path.n_1)
+    a, b = path.mesh.centre_distance, path.mesh.face_width
     rise = teeth.bulk_rise(P=P, mu_m=mu_m, H_v=H_v, a=a, b=b, X_S=oil.X_S, X_Ca=UNRELIEVED)
     T_M = teeth.bulk_temperature(T_oil=oil.T_oil, Delta_T=rise)
     alpha_M = pressure_viscosity_at(alpha_38=oil.alpha_38, T=T_M)
@@ -207,12 +179,8 @@ def _local(path: Path, load: ScreeningLoad, warm: WarmOil, at: PathPoint[Value])
         return None, p_dyn
     with untraced():
         eta_B = warm.oil.lubricant.at(T_B).mu
-    S_GF = sliding_parameter(
-        alpha_B=pressure_viscosity_at(alpha_38=warm.oil.alpha_38, T=T_B),
-        eta_B=eta_B,
-        alpha_M=warm.alpha_M,
-        eta_M=warm.eta_M,
-    )
+    alpha_B = pressure_viscosity_at(alpha_38=warm.oil.alpha_38, T=T_B)
+    S_GF = sliding_parameter(alpha_B=alpha_B, eta_B=eta_B, alpha_M=warm.alpha_M, eta_M=warm.eta_M)
     U_Y = velocity_parameter(eta_M=warm.eta_M, v_1=at.v_1, v_2=at.v_2, E_r=load.E_r, rho_n=at.rho_n)
     W_Y = load_parameter(p_dyn=p_dyn, E_r=load.E_r)
     return film_thickness(rho_n=at.rho_n, G_M=warm.G_M, U_Y=U_Y, W_Y=W_Y, S_GF=S_GF), p_dyn

@@ -106,6 +106,7 @@ class Path:
     def __init__(
         self, system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, Q: Number
     ) -> None:
+        self.mesh, self.driver, self.driven = mesh, driver, driven
         self.beta_b, self.n_1, self.n_2, self.Q = system.base_helix_angle, driver.speed, driven.speed, Q
         self.T, self.eps_alpha, self.eps_beta = mesh.line_of_action, mesh.transverse_contact_ratio, mesh.overlap_ratio
         self.A = mesh.sap_curvature_driver

@@ -9,6 +9,7 @@ the standard's μ_m·X_M·X_J·X_G·(X_Γ·w_Bt)^0.75·v_t^0.5/a^0.25 with X_M =
 
 import math
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,6 @@ from ....sheet.arrays import Array, Value
 from ....sheet.errors import NoSolution
 from ....sheet.formula import formula
 from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
-from ....sheet.record import record
 from ....sheet.text import Amount, Text
 from ....sheet.units import (
     Celsius,
@@ -162,41 +162,24 @@ def margin(T_S: Celsius, T_B: Celsius) -> Kelvin:
     return T_S - T_B
 
 
-@record
-class Flash:
-    """Temperatures of one mesh."""
-
-    mu_m: Number
-    T_fl: Kelvin  # the highest
-    T_M: Celsius
-    T_B: Celsius  # the highest
-    T_S: Celsius
-    S_B: Number
-    margin: Kelvin
-    rho_1: Metre  # where the flash temperature is highest
-    along: Array  # Θ_fl at the samples of the path
-
-
 def flash(
     path: Path,
     load: ScreeningLoad,
     oil: OilBath,
-    b: Metre,
-    alpha_wt: Radian,
     alpha_t: Radian,
     places: PathPoint[Array],
     n_p: Number,
     S_FZG: Number,
     X_W: Number,
     c_gamma: Pascal,
-) -> Flash:
-    """The flash temperature along the path, and once more where it is highest; `places` are the points, then the
-    samples of the path."""
+) -> dict[str, Any]:
+    """The flash temperature along the path, and once more where it is highest, as fields of `Screening`; `places` are
+    the points, then the samples of the path."""
     X_L = lubricant_factor(X=oil.X_L, eta=oil.eta)
     X_R = roughness_factor(Ra=load.Ra)
-    v = sum_of_speeds(v_C=path.v_C, alpha_wt=alpha_wt)
+    v = sum_of_speeds(v_C=path.v_C, alpha_wt=path.mesh.working_pressure_angle)
     mu_m = mean_friction(w_Bt=load.w_Bt, v=v, rho_relC=path.rho_relC, X_L=X_L, X_R=X_R)
-    C_eff = deflection(K_A=load.K_A, F_t=load.F_t, b=b, alpha_t=alpha_t, c_gamma=c_gamma)
+    C_eff = deflection(K_A=load.K_A, F_t=load.F_t, b=path.mesh.face_width, alpha_t=alpha_t, c_gamma=c_gamma)
     with untraced():
         temperatures = _local(path, load, mu_m, C_eff, places)
     points = len(path.marks())
@@ -208,17 +191,15 @@ def flash(
     T_M = bulk_temperature(T_oil=oil.T_oil, X_S=oil.X_S, X_mp=multiple_path_factor(n_p=n_p), T_flm=T_flm)
     T_B = contact_temperature(T_M=T_M, T_fl=T_fl)
     T_S = scuffing_temperature(X_W=X_W, X_L=X_L, S=S_FZG)
-    S_B = safety(T_S=T_S, T_oil=oil.T_oil, T_B=T_B)
-    return Flash(
-        mu_m=mu_m,
-        T_fl=T_fl,
-        T_M=T_M,
-        T_B=T_B,
-        T_S=T_S,
-        S_B=S_B,
-        margin=margin(T_S=T_S, T_B=T_B),
-        rho_1=hottest,
-        along=along,
+    return dict(
+        flash_temperature_max=T_fl,
+        friction_flash=mu_m,
+        bulk_temperature_flash=T_M,
+        contact_temperature_max=T_B,
+        scuffing_temperature=T_S,
+        scuffing_safety=safety(T_S=T_S, T_oil=oil.T_oil, T_B=T_B),
+        scuffing_margin=margin(T_S=T_S, T_B=T_B),
+        flash=along,
     )
 
 
@@ -262,57 +243,34 @@ def screening(
     the oil scuffs; `structural_factor` X_W of the steel (1 case-hardened,
     1.5 nitrided); `permissible_film` λ_GFP from a test of the oil.
     """
-    title = mesh.title
-    _possible(title, F_t, abs(driver.speed), roughness)
+    title, alpha_t = mesh.title, system.transverse_pressure_angle
+    for what, number in (
+        (Text("the tangential force"), F_t),
+        (Text("the speed"), abs(driver.speed)),
+        (Text("the flank roughness"), min(roughness)),
+    ):
+        if not number > 0:
+            raise NoSolution(
+                Text("screening of mesh {title}: {what} is {number}", title=title, what=what, number=Amount(number)),
+                advice=Text("film and flash temperature need load, speed and roughness"),
+            )
     stage = LOAD_STAGE if load_stage is None else load_stage
-    a, b, z = mesh.centre_distance, mesh.face_width, (driver.teeth, driven.teeth)
     with about(Text("screening of mesh {title}", title=title)):
         path = Path(system, mesh, driver, driven, accuracy_grade)
-        load = load_of(
-            F_t,
-            load_factor,
-            application_factor,
-            b,
-            system.transverse_pressure_angle,
-            mesh.total_contact_ratio,
-            (driver.material, driven.material),
-            materials,
-            roughness,
-        )
+        one, two, b = materials[driver.material], materials[driven.material], mesh.face_width
+        eps_gamma, K_A = mesh.total_contact_ratio, application_factor
+        load = load_of(F_t, load_factor, K_A, b, alpha_t, eps_gamma, one, two, roughness)
         with untraced():
             samples = path.samples()
             places = path.at(np.concatenate([list(path.marks().values()), samples]))
     with about(Text("film of mesh {title}", title=title)):
-        thin = film(path, load, oil, a, b, driver.pitch_diameter, z, places)
+        thin = film(path, load, oil, places)
     with about(Text("flash temperature of mesh {title}", title=title)):
-        hot = flash(
-            path,
-            load,
-            oil,
-            b,
-            mesh.working_pressure_angle,
-            system.transverse_pressure_angle,
-            places,
-            mates,
-            stage,
-            structural_factor,
-            mesh_stiffness,
-        )
+        hot = flash(path, load, oil, alpha_t, places, mates, stage, structural_factor, mesh_stiffness)
     return Screening(
-        specific_film_min=thin.lam,
-        film_min=thin.h,
-        film_pressure=thin.p_dyn,
-        friction_film=thin.mu_m,
-        bulk_temperature_film=thin.T_M,
-        flash_temperature_max=hot.T_fl,
-        friction_flash=hot.mu_m,
-        bulk_temperature_flash=hot.T_M,
-        contact_temperature_max=hot.T_B,
-        scuffing_temperature=hot.T_S,
-        scuffing_safety=hot.S_B,
-        scuffing_margin=hot.margin,
+        **thin,
+        **hot,
         title=title,
-        film_place=thin.place,
         permissible_film=PERMISSIBLE_FILM if permissible_film is None else permissible_film,
         permissible_given=permissible_film is not None,
         load_stage=stage,
@@ -322,19 +280,4 @@ def screening(
         oil_temperature=oil.T_oil,
         method_applies=path.shared_by_two,
         way=samples - path.C,
-        flash=hot.along,
-        specific_film=thin.along,
     )
-
-
-def _possible(title: str, F_t: Newton, n: float, roughness: tuple[Metre, Metre]) -> None:
-    for what, number in (
-        (Text("the tangential force"), F_t),
-        (Text("the speed"), n),
-        (Text("the flank roughness"), min(roughness)),
-    ):
-        if not number > 0:
-            raise NoSolution(
-                Text("screening of mesh {title}: {what} is {number}", title=title, what=what, number=Amount(number)),
-                advice=Text("film and flash temperature need load, speed and roughness"),
-            )

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from calc.gears.layout.solve import ShaftInTrain, layout
-from calc.gears.profile.outline import outline, regions
+from calc.gears.profile.outline import regions, repeated, tooth
 from tests.calc.gears.layout.trains import AXIS, at, laid, mesh, r753, solved, train, triangle, verdicts
 
 R753_AXIS = 0.130 + 0.103j
@@ -26,7 +26,9 @@ def depth(gears, found, key, turned=0.0):
     radius = np.concatenate([flank.fillet[0], flank.involute[0][1:]])
     half = np.concatenate([flank.fillet[1], flank.involute[1][1:]])
     edge = (
-        outline(result.system, driven, FINE) * cmath.exp(1j * (two.tooth_angle + turned)) + two.position - one.position
+        repeated(tooth(result.system, driven, FINE), driven.teeth) * cmath.exp(1j * (two.tooth_angle + turned))
+        + two.position
+        - one.position
     )
     edge = edge[np.abs(edge) < driver.tip_diameter / 2]
     pitch = 2 * np.pi / driver.teeth

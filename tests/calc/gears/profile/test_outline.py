@@ -7,7 +7,7 @@ import pytest
 
 from calc.gears.curves import pitch_point_view
 from calc.gears.profile.cut import Cut
-from calc.gears.profile.outline import outline, regions, shifts, tooth
+from calc.gears.profile.outline import regions, repeated, shifts, tooth
 from tests.calc.gears.trains import mesh, r753, solved, train, wheel
 
 TOOTH = [
@@ -106,7 +106,7 @@ def test_critical_section_of_iso_6336_on_the_real_fillet():
 
 def test_outline_is_closed_and_repeats():
     system, w = cut_wheel(*TOOTH[0])
-    whole, one = outline(system, w), tooth(system, w)
+    whole, one = repeated(tooth(system, w), w.teeth), tooth(system, w)
     assert abs(whole[0] - whole[-1]) < 1e-15
     assert whole.size == w.teeth * (one.size - 1) + 1
     assert np.allclose(whole[one.size - 1 : 2 * one.size - 1], one * np.exp(2j * np.pi / w.teeth))

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from calc.gears.rating import strength as f
 from calc.gears.rating import strength as r
 from calc.gears.rating.classes import strength_class
+from calc.gears.rating.mesh_strength import film_factors, single_pair
 from calc.sheet.errors import NoSolution
 from tests.calc.gears.trains import r753, solved
 
@@ -50,17 +51,10 @@ def test_curvature_ratio_is_hertz_at_the_inner_single_contact(pair, which):
 
 def pair_factor(eps_beta, eps_alpha=None):
     x = of_train("crank_central", "driver")
-    return f.single_pair(
-        x.m.working_pressure_angle,
-        x.one.tip_diameter,
-        x.one.base_diameter,
-        x.one.teeth,
-        x.two.tip_diameter,
-        x.two.base_diameter,
-        x.two.teeth,
-        eps_alpha or x.m.transverse_contact_ratio,
-        eps_beta,
+    load = SimpleNamespace(
+        alpha_wt=x.m.working_pressure_angle, eps_alpha=eps_alpha or x.m.transverse_contact_ratio, eps_beta=eps_beta
     )
+    return single_pair(x.one, x.two, load)
 
 
 def test_single_pair_factor_falls_straight_to_one():
@@ -82,7 +76,7 @@ def test_coefficients_of_the_film(sigma, C_ZL, C_ZR):
 
 
 def film(sigma=1500e6, nu=100e-6, v=10.0, Rz=4e-6, d=0.1):
-    return f.film_factors(sigma, nu, v, Rz, Rz, d, d, math.radians(20))
+    return film_factors(sigma, SimpleNamespace(nu_40=nu, v=v, flank_rz=Rz, alpha_wt=math.radians(20)), d, d)
 
 
 def test_film_factors_of_the_test_gears_are_one():
