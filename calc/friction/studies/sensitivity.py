@@ -22,7 +22,7 @@ from ..inputs import FrictionInputs
 from ..losses.oil_and_air import AIR_DENSITY
 from ..mesh.geometry import column
 from ..mesh.mixed import LOAD_SHARES, PUBLISHED, Surfaces
-from ..power_balance import TrainDrive, drive, total_losses
+from ..power_balance import TrainDrive, drive, losses_of
 
 WARMER = 10.0  # K
 DUST = 1e-9  # of the losses: what the last digits make
@@ -247,7 +247,7 @@ def _power(
         other = drive(
             friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, Lambda, thickening
         )
-        return total_losses(replace(other, rolling=rolling), power)
+        return losses_of(replace(other, rolling=rolling), power).total
     except NoSolution:
         return None
 
