@@ -152,13 +152,7 @@ class PlainBearing(Carried):
     """The bush of an idler on its fixed pin."""
 
     diameter: float = quantity(
-        "Diameter",
-        "mm",
-        above=0,
-        high=1000,
-        symbol="d",
-        help="Diameter of the pin in the bush.",
-        brief="diameter",
+        "Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush.", brief="diameter"
     )
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", help="Length of the bush along its pin.")
     clearance: float = quantity(
@@ -463,11 +457,7 @@ class FrictionInputs:
         fold=LOSSES,
     )
     scenarios: tuple[Scenario, ...] = tables(
-        "Scenarios",
-        Scenario,
-        default=(),
-        help="The same train under other conditions, side by side.",
-        fold=LOSSES,
+        "Scenarios", Scenario, default=(), help="The same train under other conditions, side by side.", fold=LOSSES
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:

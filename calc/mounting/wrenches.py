@@ -164,14 +164,7 @@ def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *
     parts[:, 0], parts[:, 1] = b.up_to(until)
     parts[:, 2:] = b.fixed
     of = [part for _, g in cycles for part in (g.p_max, g.p_in, g.p_ex, g.eps_p, g.x_p, g.h_c, g.n_c, g.n_e)]
-    return x.one_cylinder(
-        basis=parts,
-        p_max=based_on(p_max, *of),
-        p_2=p_2,
-        p_ex=p_ex,
-        p_in=p_in,
-        p_case=p_case,
-    )
+    return x.one_cylinder(basis=parts, p_max=based_on(p_max, *of), p_2=p_2, p_ex=p_ex, p_in=p_in, p_case=p_case)
 
 
 # --- the wrenches
@@ -234,13 +227,7 @@ class EngineWrenches:
         of_masses = self.torque_of_masses * self._squares(speeds)[:, None]
         gas = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
         of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
-        return x.all_cylinders(
-            t_one=gas,
-            t_inertia=of_masses,
-            spread=self.spread,
-            fires=self.fires,
-            n=self.orders,
-        )
+        return x.all_cylinders(t_one=gas, t_inertia=of_masses, spread=self.spread, fires=self.fires, n=self.orders)
 
     def strengths(self, wrench: ComplexArray | None, rho: float) -> Array:
         """How strong each order is with half on the crank, of a wrench (orders, variants, 6); None: of the masses

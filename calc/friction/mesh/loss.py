@@ -243,12 +243,7 @@ class MeshCase:
 
 
 def case(
-    friction: FrictionInputs,
-    mesh: MeshGeometry,
-    oil: Oil,
-    n_1: Num,
-    warming: Warming | None = None,
-    **fineness: int,
+    friction: FrictionInputs, mesh: MeshGeometry, oil: Oil, n_1: Num, warming: Warming | None = None, **fineness: int
 ) -> MeshCase:
     """What does not change with the power.  `fineness` of the path (points, strips) is for tests of convergence."""
     way = path(mesh, friction.load_sharing, **fineness)

@@ -391,11 +391,7 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         x, width, part, s = _strips(marks, g_alpha, g_beta, p_bt, points, strips)
         weight = width * part * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
         carried = contact_length(
-            s=based_on(s.ravel(), *places),
-            g_alpha=g_alpha,
-            g_beta=g_beta,
-            p_bt=p_bt,
-            beta_b=mesh.base_helix_angle,
+            s=based_on(s.ravel(), *places), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle
         )
     parts = cells(x, width, points, marks.size)
     middle = len(x) // 2 * x.shape[-1] + np.argsort(x[len(x) // 2], kind="stable")
