@@ -214,6 +214,7 @@ def settled(warmed: Callable[[Array], Array], T_m: Any, highest: Array, x: Array
 
     Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside
     the bracket; a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position."""
+    what = Text("{subject}: temperature of the film", subject=subject)
     before: Array = np.broadcast_to(T_m, np.shape(highest))
     gap_before = warmed(before) - before
     low, high = before, np.minimum(highest + SLACK, HOTTEST)
@@ -223,7 +224,13 @@ def settled(warmed: Callable[[Array], Array], T_m: Any, highest: Array, x: Array
         if np.all(np.abs(gap) <= TOLERANCE):  # NaN never is
             return T
         if np.any((gap > 0) & (T >= HOTTEST)):
-            raise _beyond(x, np.where(T >= HOTTEST, gap, -np.inf), subject)
+            where = place(x, gap, int(np.argmax(np.where(T >= HOTTEST, gap, -np.inf))))
+            tried = Text(
+                "{where} it would be above {hottest} °C, where the laws of the oil end",
+                where=where,
+                hottest=Amount(HOTTEST, form="g"),
+            )
+            raise NoSolution(what, tried, ADVICE)
         low, high = np.where(gap > 0, T, low), np.where(gap < 0, T, high)
         step = T - before
         slope = np.minimum((gap - gap_before) / np.where(step == 0, 1.0, step), -1.0)
@@ -231,36 +238,18 @@ def settled(warmed: Callable[[Array], Array], T_m: Any, highest: Array, x: Array
         T = T - gap / slope
         T = np.where((T >= low) & (T <= high), T, (low + high) / 2)
     worst = int(np.nanargmax(np.where(np.isnan(gap), np.inf, np.abs(gap))))
-    left = float(np.ravel(gap)[worst])
-    off = (
-        Text("off by {left} K after {passes} passes", left=Amount(left, form=".3g"), passes=PASSES)
-        if np.isfinite(left)
-        else Text("the formulas give no number there")
-    )
-    raise NoSolution(
-        Text("{subject}: temperature of the film", subject=subject),
-        Text("{place}: {off}", place=place(x, gap, worst), off=off),
-        ADVICE,
-    )
-
-
-def _beyond(x: Array, gap: Array, subject: str) -> NoSolution:
-    where = place(x, gap, int(np.argmax(gap)))
-    tried = Text(
-        "{where} it would be above {hottest} °C, where the laws of the oil end",
-        where=where,
-        hottest=Amount(HOTTEST, form="g"),
-    )
-    return NoSolution(Text("{subject}: temperature of the film", subject=subject), tried, ADVICE)
+    left, off = float(np.ravel(gap)[worst]), Text("the formulas give no number there")
+    if np.isfinite(left):
+        off = Text("off by {left} K after {passes} passes", left=Amount(left, form=".3g"), passes=PASSES)
+    raise NoSolution(what, Text("{place}: {off}", place=place(x, gap, worst), off=off), ADVICE)
 
 
 def place(x: Array, gap: Array, worst: int) -> str:
     """The position of one element, and of many operating points which it is."""
     point, position = divmod(worst, np.size(x))
     which = Text("operating point {point}, ", point=point) if gap.ndim > 1 else ""
-    return Text(
-        "{which}{ravel} mm from T₁", which=which, ravel=Amount(float(np.ravel(x)[position]) * 1000.0, form=".4g")
-    )
+    millimetres = Amount(float(np.ravel(x)[position]) * 1000.0, form=".4g")
+    return Text("{which}{ravel} mm from T₁", which=which, ravel=millimetres)
 
 
 # --- together
