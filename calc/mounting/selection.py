@@ -167,21 +167,16 @@ def changes(candidate: Candidate, mounting: MountingInputs, at: MountRoom) -> Ch
 
 def table(candidates: tuple[Candidate, ...], at: MountRoom, top: int) -> Table:
     leaning = (Text("shear"), ""), (Text("leans"), "°")
-    modes = (
-        (Text("lowest"), "Hz"),
-        (Text("highest"), "Hz"),
-        (Text("bounce"), "%"),
-        (Text("roll"), "%"),
-        (Text("least"), "%"),
-    )
     front, rear = (Text("front"), "N/mm"), (Text("rear"), "N/mm")
-    columns = ((Text("number"), ""), front, *leaning, rear, *leaning, *modes)
+    frequencies = (Text("lowest"), "Hz"), (Text("highest"), "Hz")
+    energies = (Text("bounce"), "%"), (Text("roll"), "%"), (Text("least"), "%")
+    columns = ((Text("number"), ""), front, *leaning, rear, *leaning, *frequencies, *energies)
     rows = []
     for n, candidate in enumerate(candidates[:top], 1):
         mounts = (candidate.variables / (1e3, 1.0, math.pi / 180)).round(6).ravel().tolist()
         f, E = candidate.frequencies.tolist(), candidate.energies.tolist()
-        energies = (100 * energy for energy in (E[DOFS.index("bounce")], E[DOFS.index("roll")], min(E)))
-        rows.append((n, *mounts, min(f), max(f), *energies))
+        percent = (100 * energy for energy in (E[DOFS.index("bounce")], E[DOFS.index("roll")], min(E)))
+        rows.append((n, *mounts, min(f), max(f), *percent))
     note = Text(
         "Static stiffness in compression, shear over compression, inclination inwards; all modes from {low} to {high}: "
         "the road's, and what isolates at idle.",
