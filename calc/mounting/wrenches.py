@@ -291,22 +291,21 @@ def drive(
     whole[np.abs(whole) < 1e-12 * np.abs(whole).max(initial=0.0)] = 0.0
     moment = x.about_gravity(F=whole[..., :3], M=whole[..., 3:], r_G=mounting.centre_of_gravity)
     at_gravity = based_on(np.concatenate([whole[..., :3], moment], -1), moment)
-    gas = nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None
-    apart = sorted({index(n, 1.0)} | ({index(n, round(abs(shaft.ratio)))} if shaft is not None else set()))
+    of_shaft = float(round(abs(shaft.ratio))) if shaft is not None else 1.0
     return EngineWrenches(
-        engine,
-        e,
-        n,
-        tuple(variants),
-        at_gravity,
-        based_on(torque, turning.harmonics),
-        gas,
-        _spread(mounting, engine, fires.order),
-        fires.angles,
-        np.asarray(mounting.centre_of_gravity),
-        tuple(apart),
-        float(round(abs(shaft.ratio))) if shaft is not None else 1.0,
-        _first_order(n, half, shaft),
+        engine=engine,
+        e=e,
+        orders=n,
+        variants=tuple(variants),
+        inertia=at_gravity,
+        torque_of_masses=based_on(torque, turning.harmonics),
+        nodes=nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None,
+        spread=_spread(mounting, engine, fires.order),
+        fires=fires.angles,
+        r_G=np.asarray(mounting.centre_of_gravity),
+        apart=tuple(sorted({index(n, 1.0), index(n, of_shaft)})),
+        of_shaft=of_shaft,
+        first_order=_first_order(n, half, shaft),
     )
 
 
@@ -319,12 +318,10 @@ def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[st
     F_f, F_b, C_f, C_b = (complex(part[i]) for part in half)
     if not C_b or max(abs(F_f), abs(F_b), abs(C_f)) > PURE * abs(C_b):
         return {}
-    left = C_b + shaft.couple
-    ratios = (
-        {"shaft": x.couple_ratio(C=based_on(C_b, half[3]), C_left=based_on(left, half[3], shaft.couple))}
-        if left
-        else {}
-    )
+    ratios, left = {}, C_b + shaft.couple
+    if left:
+        C_left = based_on(left, half[3], shaft.couple)
+        ratios["shaft"] = x.couple_ratio(C=based_on(C_b, half[3]), C_left=C_left)
     others = {name: given for name, given in shaft.deviations().items() if name != "shaft" and any(given)}
     return ratios | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
 
