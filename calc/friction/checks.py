@@ -2,6 +2,7 @@
 """What is to be said about solved friction: checks, where the source is wrong, notes and curves."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from functools import partial
 
 import numpy as np
@@ -27,6 +28,7 @@ from .power_balance import TrainDrive
 from .result import FrictionResult, MeshResult, by_regime
 
 OWN = Text("rule of this program")
+CONSERVATION = Text("conservation of energy")
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
 HOT_TEETH = 150.0  # °C
@@ -52,18 +54,16 @@ def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome
 
 
 def checks(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> Iterator[Check]:
-    yield check(
-        "friction.train.balance",
-        Text("Power balance of the train: what is left over"),
-        abs(result.residual),
-        "<=",
-        BALANCE_LIMIT,
-        "W",
-        Text("conservation of energy"),
-        Text("A fault of the program, not of the design: please report it."),
-    )
-    if result.delivered_power is not None:
-        yield _delivered_check(result.delivered_power)
+    label = Text("Power balance of the train: what is left over")
+    advice = Text("A fault of the program, not of the design: please report it.")
+    yield check("friction.train.balance", label, abs(result.residual), "<=", BALANCE_LIMIT, "W", CONSERVATION, advice)
+    if (power := result.delivered_power) is not None:
+        label = Text("Power that the last wheel delivers: more than nothing")
+        advice = Text(
+            "Windage, other losses and the meshes eat all of the power: give more power, or less speed, mist or face "
+            "width."
+        )
+        yield check("friction.train.delivered", label, power, ">", 0.0, "W", CONSERVATION, advice)
     yield _models_check(result)
     for name, mesh in result.meshes.items():
         yield from _mesh_checks(f"friction.{name}", friction, mesh)
@@ -78,64 +78,27 @@ def _models_check(result: FrictionResult) -> Check:
         for name in MODELS
         if any(regression is None or regression.outside for regression in (m.published_models[name] for m in meshes))
     ]
-    return check(
-        "friction.train.models",
-        Text("Published regressions inside their range at every mesh"),
-        float(len(MODELS) - len(outside)),
-        ">=",
-        float(len(MODELS)),
-        "",
-        Text("ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005, Benedict and Kelley 1961"),
-        Text(
-            "Outside: {authors}. The tables of the models say by what. Their losses are extrapolations; nothing is "
-            "judged by them.",
-            authors=SEMICOLON.join(MODELS[name].authors for name in outside) if outside else Text("none"),
-        ),
+    label = Text("Published regressions inside their range at every mesh")
+    source = Text("ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005, Benedict and Kelley 1961")
+    advice = Text(
+        "Outside: {authors}. The tables of the models say by what. Their losses are extrapolations; nothing is "
+        "judged by them.",
+        authors=SEMICOLON.join(MODELS[name].authors for name in outside) if outside else Text("none"),
     )
+    inside, count = float(len(MODELS) - len(outside)), float(len(MODELS))
+    return check("friction.train.models", label, inside, ">=", count, "", source, advice)
 
 
 def _oil_checks(oil: Oil) -> Iterator[Check]:
     """Whether the oil's own table of viscosities, where it has one, reaches to its temperature, and whether its law
     does."""
-    nu = oil.lubricant.nu(oil.T_m)
-    if not (oil.lubricant.constant or oils.VISCOSITIES[0] <= nu <= oils.VISCOSITIES[1]):
-        yield check(
-            "friction.train.viscosity_range",
-            Text("Oil viscosity"),
-            nu,
-            "in",
-            oils.VISCOSITIES,
-            "mm²/s",
-            oils.LAW_RANGE,
-            oils.OTHER_OIL,
-        )
+    nu, usual = oil.lubricant.nu(oil.T_m), oils.VISCOSITIES
+    if not (oil.lubricant.constant or usual[0] <= nu <= usual[1]):
+        label, source, advice = Text("Oil viscosity"), oils.LAW_RANGE, oils.OTHER_OIL
+        yield check("friction.train.viscosity_range", label, nu, "in", usual, "mm²/s", source, advice)
     if (reach := oil.lubricant.reach) is not None:
-        yield check(
-            "friction.train.oil_rows",
-            Text("Oil temperature within the rows of the oil"),
-            oil.T_m,
-            "in",
-            reach,
-            "°C",
-            oils.BEYOND_ROWS,
-            oils.MORE_ROWS,
-        )
-
-
-def _delivered_check(power: float) -> Check:
-    return check(
-        "friction.train.delivered",
-        Text("Power that the last wheel delivers: more than nothing"),
-        power,
-        ">",
-        0.0,
-        "W",
-        Text("conservation of energy"),
-        Text(
-            "Windage, other losses and the meshes eat all of the power: give more power, or less speed, mist or face "
-            "width."
-        ),
-    )
+        label, source, advice = Text("Oil temperature within the rows of the oil"), oils.BEYOND_ROWS, oils.MORE_ROWS
+        yield check("friction.train.oil_rows", label, oil.T_m, "in", reach, "°C", source, advice)
 
 
 def _published_check(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
@@ -146,113 +109,67 @@ def _published_check(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Chec
     each = Text("; ").join(
         Text("{authors} {P_of} W", authors=MODELS[name].authors, P_of=Amount(P)) for name, P in inside.items()
     )
-    return check(
-        f"{id}.models",
-        Text("Sliding loss as judged against published models inside their range, {title}", title=mesh.case.mesh.title),
-        factors[worst],
-        "<=",
-        APART,
-        "",
-        Text("rule of this program; published models of tooth friction differ by as much among themselves"),
-        Text(
-            "Factor of the farthest. Judged: {P_s} W; {each}. Take the loss as known to this factor.",
-            P_s=Amount(P_s),
-            each=each,
-        ),
+    title = mesh.case.mesh.title
+    label = Text("Sliding loss as judged against published models inside their range, {title}", title=title)
+    source = Text("rule of this program; published models of tooth friction differ by as much among themselves")
+    known = Text(
+        "Factor of the farthest. Judged: {P_s} W; {each}. Take the loss as known to this factor.",
+        P_s=Amount(P_s),
+        each=each,
     )
+    return check(f"{id}.models", label, factors[worst], "<=", APART, "", source, known)
 
 
 def _mesh_checks(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
     """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would
     like."""
-    yield check(
-        f"{id}.power_out",
-        Text("Mesh {title} passes on more than nothing", title=mesh.case.mesh.title),
-        mesh.power_out,
-        ">",
-        0.0,
-        "W",
-        Text("conservation of energy"),
-        Text(
-            "The loss, whose rolling part is an upper bound, comes up to the power: "
-            "give more power, less speed, a narrower face, or a thinner oil."
-        ),
+    judged, title, by_film = mesh.judged, mesh.case.mesh.title, friction.film == "judged"
+    label = Text("Mesh {title} passes on more than nothing", title=title)
+    advice = Text(
+        "The loss, whose rolling part is an upper bound, comes up to the power: "
+        "give more power, less speed, a narrower face, or a thinner oil."
     )
-    yield check(
-        f"{id}.regime",
-        Text("EHL film over rigid isoviscous film at the pitch point, {title}", title=mesh.case.mesh.title),
-        by_regime(mesh).lead_at_pitch,
-        ">=",
-        1.0,
-        "",
-        Text("Johnson 1970, regimes of fluid-film lubrication"),
-        Text("EHL formula outside its validity: the load is so light that the rigid isoviscous film governs. ")
-        + (Text("The rolling loss is an upper bound.") if friction.film == "judged" else EMPTY),
-        remedies=None
-        if friction.film == "judged"
-        else by_key(FrictionInputs, dotted("friction", FrictionInputs.film), "judged"),
-    )
-    yield check(
-        f"{id}.lambda",
-        Text("Smallest film over roughness, {title}", title=mesh.case.mesh.title),
-        mesh.judged.lambda_min,
-        ">=",
-        1.0,
-        "",
-        Text("AGMA 925-A03: mixed friction below about 1"),
-        Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
-    )
+    yield check(f"{id}.power_out", label, mesh.power_out, ">", 0.0, "W", CONSERVATION, advice)
+    lead = by_regime(mesh).lead_at_pitch
+    label = Text("EHL film over rigid isoviscous film at the pitch point, {title}", title=title)
+    source = Text("Johnson 1970, regimes of fluid-film lubrication")
+    advice = Text("EHL formula outside its validity: the load is so light that the rigid isoviscous film governs. ")
+    advice += Text("The rolling loss is an upper bound.") if by_film else EMPTY
+    ways = None if by_film else by_key(FrictionInputs, dotted("friction", FrictionInputs.film), "judged")
+    yield check(f"{id}.regime", label, lead, ">=", 1.0, "", source, advice, remedies=ways)
+    label = Text("Smallest film over roughness, {title}", title=title)
+    source = Text("AGMA 925-A03: mixed friction below about 1")
+    advice = Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed.")
+    yield check(f"{id}.lambda", label, judged.lambda_min, ">=", 1.0, "", source, advice)
     inside = {
         name: regression.loss
         for name, regression in mesh.published_models.items()
         if regression is not None and not regression.outside and regression.loss > 0
     }
-    elastic = by_regime(mesh).lead_at_pitch >= 1  # all of them come from loaded teeth and discs, whose films are EHL
-    if inside and elastic and mesh.judged.sliding_loss > 0:
+    # all of them come from loaded teeth and discs, whose films are EHL
+    if inside and lead >= 1 and judged.sliding_loss > 0:
         yield _published_check(id, mesh, inside)
-    yield check(
-        f"{id}.deborah",
-        Text("Largest Deborah number, {title}", title=mesh.case.mesh.title),
-        mesh.judged.deborah_max,
-        "<=",
-        1.0,
-        "",
-        Text("{thesis}, 4.4: range of Eyring's law", thesis=THESIS),
-        Text("The oil answers as a solid: its friction is overestimated."),
+    label = Text("Largest Deborah number, {title}", title=title)
+    source = Text("{thesis}, 4.4: range of Eyring's law", thesis=THESIS)
+    advice = Text("The oil answers as a solid: its friction is overestimated.")
+    yield check(f"{id}.deborah", label, judged.deborah_max, "<=", 1.0, "", source, advice)
+    label = Text("Smallest thermal reduction of the film, {title}", title=title)
+    advice = Text(
+        "The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil."
     )
-    yield check(
-        f"{id}.inlet_heating",
-        Text("Smallest thermal reduction of the film, {title}", title=mesh.case.mesh.title),
-        mesh.judged.thermal_reduction_min,
-        ">",
-        LEAST_FACTOR,
-        "",
-        OWN,
-        Text("The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil."),
-    )
+    yield check(f"{id}.inlet_heating", label, judged.thermal_reduction_min, ">", LEAST_FACTOR, "", OWN, advice)
     if friction.bulk_temperature is None and friction.bulk == "oil":
-        yield check(
-            f"{id}.bulk",
-            Text("Estimated warming of the teeth above the oil, {title}", title=mesh.case.mesh.title),
-            mesh.bulk_rise,
-            "<=",
-            BULK_LIMIT,
-            "K",
-            OWN,
-            Text("The teeth run hotter than the oil: estimate their temperature, or give it."),
-            remedies=by_key(FrictionInputs, dotted("friction", FrictionInputs.bulk), "estimated"),
+        label = Text("Estimated warming of the teeth above the oil, {title}", title=title)
+        advice = Text("The teeth run hotter than the oil: estimate their temperature, or give it.")
+        ways = by_key(FrictionInputs, dotted("friction", FrictionInputs.bulk), "estimated")
+        yield check(f"{id}.bulk", label, mesh.bulk_rise, "<=", BULK_LIMIT, "K", OWN, advice, remedies=ways)
+    if judged.bulk_temperature is not None:
+        label = Text("Estimated temperature of the teeth, {title}", title=title)
+        source = Text(
+            "rule of this program: case-hardened steel loses hardness from about 150 to 180 °C on, from memory"
         )
-    if mesh.judged.bulk_temperature is not None:
-        yield check(
-            f"{id}.bulk_temperature",
-            Text("Estimated temperature of the teeth, {title}", title=mesh.case.mesh.title),
-            mesh.judged.bulk_temperature,
-            "<=",
-            HOT_TEETH,
-            "°C",
-            Text("rule of this program: case-hardened steel loses hardness from about 150 to 180 °C on, from memory"),
-            Text("The teeth run hot: less power or loss, a wider face, more oil on them."),
-        )
+        advice = Text("The teeth run hot: less power or loss, a wider face, more oil on them.")
+        yield check(f"{id}.bulk_temperature", label, judged.bulk_temperature, "<=", HOT_TEETH, "°C", source, advice)
 
 
 # --- where the source is wrong
@@ -262,78 +179,51 @@ def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[
     meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
     name, mesh = next(iter(result.meshes.items()))
     meshes += oils.errata(oil.lubricant, oil.T_m, dotted("friction", FrictionResult.oil_viscosity))
-    if not mesh.case.mesh.spur:
-        return tuple(meshes)  # the source's pair is spur: the rest is about its own calculation
-    loss_ratio = Erratum(
-        dotted("friction", name, MeshLoss.efficiency),
-        Text("Efficiency of the mesh"),
-        1 - mesh.judged.efficiency,
-        "",
-        Text("method of the {thesis}, eq. 1", thesis=THESIS),
-        Text("The printed quotient is the share that is lost, not the efficiency."),
-    )
-    return (*meshes, loss_ratio)
+    if mesh.case.mesh.spur:  # as the source's pair: this is about its own calculation
+        source = Text("method of the {thesis}, eq. 1", thesis=THESIS)
+        why = Text("The printed quotient is the share that is lost, not the efficiency.")
+        about, label = dotted("friction", name, MeshLoss.efficiency), Text("Efficiency of the mesh")
+        meshes.append(Erratum(about, label, 1 - mesh.judged.efficiency, "", source, why))
+    return tuple(meshes)
 
 
 def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
-    c, P = mesh.case, mesh.judged.load
-    if mesh.source is None:
+    c, P, by_source, lead = mesh.case, mesh.judged.load, mesh.source, by_regime(mesh).lead_at_pitch
+    if by_source is None:
         return
-    if by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
-        yield Erratum(
-            f"{id}.film_min",
-            Text("Thinnest film"),
-            mesh.source.film_min * 1e6,
-            "µm",
-            Text("method of the {thesis}, 4.3", thesis=THESIS),
-            Text(
-                "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin "
-                "as without pressure: "
-                "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count."
-            ),
+    if lead < 1 and friction.film == "judged":
+        source = Text("method of the {thesis}, 4.3", thesis=THESIS)
+        why = Text(
+            "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin "
+            "as without pressure: "
+            "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count."
         )
+        yield Erratum(f"{id}.film_min", Text("Thinnest film"), by_source.film_min * 1e6, "µm", source, why)
     if not c.mesh.spur:
         return
     own_law = friction.film == "judged" and friction.solid_friction is None and friction.load_share != "thesis"
-    if own_law and by_regime(mesh).lead_at_pitch >= 1:
-        yield Erratum(
-            f"{id}.friction_mean",
-            Text("Mean coefficient of friction"),
-            mesh.source.friction_mean,
-            "",
-            Text("method of the {thesis}, section on mixed lubrication", thesis=THESIS),
-            Text(
-                "Peaks that rub as those of rollers do, and too many of them: measured gears have half of that and "
-                "less, and so has the "
-                "paper that the source follows (Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07 where it takes 0.135)."
-            ),
+    if own_law and lead >= 1:
+        label = Text("Mean coefficient of friction")
+        source = Text("method of the {thesis}, section on mixed lubrication", thesis=THESIS)
+        why = Text(
+            "Peaks that rub as those of rollers do, and too many of them: measured gears have half of that and "
+            "less, and so has the "
+            "paper that the source follows (Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07 where it takes 0.135)."
         )
-    try:
-        elliptical = solve_mesh(c, P, False, ELLIPTICAL)
-    except NoSolution:
-        # the thinner film of the source can get too hot where the right one does not: then it has no value
-        elliptical = None
-    if elliptical is not None:
-        yield Erratum(
-            dotted(id, "source", MeshLoss.loss),
-            Text("Power lost in the mesh, EHL film"),
-            elliptical.loss,
-            "W",
-            Text("method of the {thesis}, eq. 26", thesis=THESIS),
-            Text(
-                "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts "
-                "have 0.56."
-            ),
+        yield Erratum(f"{id}.friction_mean", label, by_source.friction_mean, "", source, why)
+    with suppress(NoSolution):  # the thinner film of the source can get too hot where the right one does not
+        elliptical = solve_mesh(c, P, False, ELLIPTICAL).loss
+        about, label = dotted(id, "source", MeshLoss.loss), Text("Power lost in the mesh, EHL film")
+        source = Text("method of the {thesis}, eq. 26", thesis=THESIS)
+        why = Text(
+            "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts "
+            "have 0.56."
         )
+        yield Erratum(about, label, elliptical, "W", source, why)
     if friction.load_sharing == "linear":
         share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)
         w, _ = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
         short_of_load = loss_factor(s=c.path.weight, w=share * w, V_s=c.motion.V_s, P=P)
-        yield Erratum(
-            f"{id}.loss_factor",
-            Text("Loss factor"),
-            short_of_load,
-            "",
-            Text("method of the {thesis}, 5.1, load sharing", thesis=THESIS),
-            Text("Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody."),
-        )
+        source = Text("method of the {thesis}, 5.1, load sharing", thesis=THESIS)
+        why = Text("Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody.")
+        yield Erratum(f"{id}.loss_factor", Text("Loss factor"), short_of_load, "", source, why)

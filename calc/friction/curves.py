@@ -43,21 +43,12 @@ def _where(r: FrictionResult) -> Table:
     """The balance, from the first driver to the end of the train."""
     rows: list[tuple[str | float | None, ...]] = [(name, P, P / r.total_loss * 100) for name, P in _parts(r)]
     rows.append((Text("all losses"), r.total_loss, 100.0))
-    left_out = sum(mesh.judged.rolling_estimate or 0.0 for mesh in r.meshes.values())
-    note = (
-        Text(
-            "Not counted: rolling of EHL films, by Goksem and Hargreaves about {left_out} W.", left_out=Amount(left_out)
-        )
-        if left_out
-        else EMPTY
-    )
-    return Table(
-        "balance",
-        Text("Where the power goes"),
-        ((Text("Loss"), ""), (Text("P"), "W"), (Text("share"), "%")),
-        tuple(rows),
-        note,
-    )
+    left_out, note = sum(mesh.judged.rolling_estimate or 0.0 for mesh in r.meshes.values()), EMPTY
+    if left_out:
+        rolling = Amount(left_out)
+        note = Text("Not counted: rolling of EHL films, by Goksem and Hargreaves about {left_out} W.", left_out=rolling)
+    columns = ((Text("Loss"), ""), (Text("P"), "W"), (Text("share"), "%"))
+    return Table("balance", Text("Where the power goes"), columns, tuple(rows), note)
 
 
 def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
@@ -90,21 +81,11 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
 def curves(result: FrictionResult, d: TrainDrive) -> tuple[Curve, ...]:
     names, powers = zip(*_parts(result))
     labels = Text(", ").join(f"{i} {name}" for i, name in enumerate(names, 1))
-    places = np.arange(1.0, len(names) + 1)
-    bars = Curve(
-        "losses",
-        Text("Where the power goes"),
-        labels,
-        axis_label("P", "W"),
-        (Series(Text("loss"), places, np.array(powers)),),
-        bars=True,
-        names=names,
-    )
-    return (
-        bars,
-        *(c for name, mesh in result.meshes.items() for c in (*_curves(name, mesh), *_stribeck(name, mesh))),
-        _shear(d),
-    )
+    losses = Series(Text("loss"), np.arange(1.0, len(names) + 1), np.array(powers))
+    title, P = Text("Where the power goes"), axis_label("P", "W")
+    bars = Curve("losses", title, labels, P, (losses,), bars=True, names=names)
+    of_meshes = (c for name, mesh in result.meshes.items() for c in (*_curves(name, mesh), *_stribeck(name, mesh)))
+    return bars, *of_meshes, _shear(d)
 
 
 def way(mesh: MeshResult) -> Text:
@@ -119,50 +100,25 @@ def way(mesh: MeshResult) -> Text:
 def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
     """Along the path in the middle of the face, judged and by the other model."""
     title, x_label = Text("Mesh {title}", title=mesh.case.mesh.title), way(mesh)
-    models = ((Text("by regime"), mesh.by_regime or mesh.judged), (Text("source: EHL everywhere"), mesh.source))
+    models = ((Text("by regime"), by_regime(mesh)), (Text("source: EHL everywhere"), mesh.source))
 
     def lines(quantity: str, factor: float = 1.0) -> tuple[Series, ...]:
         there = [(label, model.local) for label, model in models if model is not None]
         return tuple(Series(label, np.asarray(local.x) * 1e3, local.drawn(quantity) * factor) for label, local in there)
 
+    heading = Text("{title}: coefficient of friction along the line of action", title=title)
+    yield Curve(f"{name}.friction", heading, x_label, Text("μ"), lines("mu"))
+    heading = Text("{title}: film along the line of action", title=title)
     roughness = ((Text("combined roughness"), mesh.case.surfaces.sigma * 1e6),)
-    yield Curve(
-        f"{name}.friction",
-        Text("{title}: coefficient of friction along the line of action", title=title),
-        x_label,
-        Text("μ"),
-        lines("mu"),
-    )
-    yield Curve(
-        f"{name}.film",
-        Text("{title}: film along the line of action", title=title),
-        x_label,
-        axis_label("h", "µm"),
-        lines("h", 1e6),
-        roughness,
-    )
-    yield Curve(
-        f"{name}.heat",
-        Text("{title}: loss along the line of action", title=title),
-        x_label,
-        axis_label("q", "W/mm of contact line"),
-        lines("q", 1e-3),
-    )
-    yield Curve(
-        f"{name}.temperature",
-        Text("{title}: film temperature along the line of action", title=title),
-        x_label,
-        axis_label("T_f", "°C"),
-        lines("T_f"),
-    )
-    yield Curve(
-        f"{name}.deborah",
-        Text("{title}: Deborah number along the line of action", title=title),
-        x_label,
-        Text("lg De"),
-        tuple(replace(line, y=np.log10(line.y)) for line in lines("De")),
-        ((Text("Eyring's law holds below"), 0.0),),
-    )
+    yield Curve(f"{name}.film", heading, x_label, axis_label("h", "µm"), lines("h", 1e6), roughness)
+    heading = Text("{title}: loss along the line of action", title=title)
+    yield Curve(f"{name}.heat", heading, x_label, axis_label("q", "W/mm of contact line"), lines("q", 1e-3))
+    heading = Text("{title}: film temperature along the line of action", title=title)
+    yield Curve(f"{name}.temperature", heading, x_label, axis_label("T_f", "°C"), lines("T_f"))
+    heading = Text("{title}: Deborah number along the line of action", title=title)
+    logarithms = tuple(replace(line, y=np.log10(line.y)) for line in lines("De"))
+    limit = ((Text("Eyring's law holds below"), 0.0),)
+    yield Curve(f"{name}.deborah", heading, x_label, Text("lg De"), logarithms, limit)
 
 
 PACES = np.geomspace(1 / 64, 4.0, 33)  # of the speed of the design
@@ -176,16 +132,17 @@ def _stribeck(name: str, mesh: MeshResult) -> Iterator[Curve]:
         sweep = solve_mesh(at, PACES * m.load, mesh.by_regime is None)
     except NoSolution:
         return
-    line = Series(
-        Text("torque of the design, other speeds"), np.log10(sweep.lambda_min), np.asarray(sweep.friction_mean)
+    at_speeds, designed = Text("torque of the design, other speeds"), Text("as designed")
+    lines = (
+        Series(at_speeds, np.log10(sweep.lambda_min), np.asarray(sweep.friction_mean)),
+        Series(designed, np.log10([m.lambda_min]), np.array([m.friction_mean])),
     )
-    designed = Series(Text("as designed"), np.log10([m.lambda_min]), np.array([m.friction_mean]))
     boundary, full = (Amount(math.log10(lam), form=".2f") for lam in MIXED)
     over = Text(
         "lg of the smallest λ (boundary below {boundary}, full film above {full})", boundary=boundary, full=full
     )
     title = Text("Mesh {title}: mean friction over λ (Stribeck)", title=c.mesh.title)
-    yield Curve(f"{name}.stribeck", title, over, Text("μ_m"), (line, designed))
+    yield Curve(f"{name}.stribeck", title, over, Text("μ_m"), lines)
 
 
 def _shear(d: TrainDrive) -> Curve:
@@ -198,13 +155,7 @@ def _shear(d: TrainDrive) -> Curve:
         if s.roelands and s.relieved:
             alpha = slope_under_pressure(alpha_f=alpha, Z=roelands_index(alpha_f=alpha, eta_f=eta), p_m=p)
         tau = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha)
-        lines.append(
-            Series(Text("Eyring stress at {T}", T=Amount(T, "°C")), p * 1e-9, np.broadcast_to(tau, p.shape) * 1e-6)
-        )
-    return Curve(
-        "shear",
-        Text("Shear stress that the oil bears over pressure"),
-        axis_label("p", "GPa"),
-        axis_label("τ", "MPa"),
-        tuple(lines),
-    )
+        label = Text("Eyring stress at {T}", T=Amount(T, "°C"))
+        lines.append(Series(label, p * 1e-9, np.broadcast_to(tau, p.shape) * 1e-6))
+    title = Text("Shear stress that the oil bears over pressure")
+    return Curve("shear", title, axis_label("p", "GPa"), axis_label("τ", "MPa"), tuple(lines))

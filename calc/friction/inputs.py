@@ -30,22 +30,26 @@ LOSSES = Text("Seals, rolling bearings, splash")
 
 
 @inputs
-class OtherLoss:
-    """A loss that the train carries besides those computed."""
+class Carried:
+    """A loss, or what makes one, that a wheel carries."""
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
+
+
+@inputs
+class OtherLoss(Carried):
+    """A loss that the train carries besides those computed."""
+
     power: float = quantity(
         "Power", "W", within=(0, 1e6), symbol="P", help="Power that is lost there, known from elsewhere."
     )
 
 
 @inputs
-class Seal:
+class Seal(Carried):
     """A radial shaft seal on the shaft of a wheel."""
 
-    name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     diameter: float = quantity(
         "Shaft diameter",
         "mm",
@@ -68,11 +72,9 @@ class Seal:
 
 
 @inputs
-class RollingBearing:
+class RollingBearing(Carried):
     """Rolling bearings that carry a wheel."""
 
-    name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     kind: str = choice("Type", *BEARING_TYPES, default="deep-groove-ball")
     bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d", help="Inner diameter of the bearing.")
     outside_diameter: float = quantity(
@@ -146,19 +148,11 @@ class RollingBearing:
 
 
 @inputs
-class PlainBearing:
+class PlainBearing(Carried):
     """The bush of an idler on its fixed pin."""
 
-    name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     diameter: float = quantity(
-        "Diameter",
-        "mm",
-        above=0,
-        high=1000,
-        symbol="d",
-        help="Diameter of the pin in the bush.",
-        brief="diameter",
+        "Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush.", brief="diameter"
     )
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", help="Length of the bush along its pin.")
     clearance: float = quantity(
@@ -182,11 +176,9 @@ class PlainBearing:
 
 
 @inputs
-class Dip:
+class Dip(Carried):
     """A wheel that dips into oil."""
 
-    name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     depth: float = quantity(
         "Depth of its lowest tooth below the oil at rest",
         "mm",
@@ -208,11 +200,9 @@ class Dip:
 
 
 @inputs
-class Jet:
+class Jet(Carried):
     """Oil thrown onto a wheel, which carries it along."""
 
-    name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     flow: float = quantity(
         "Flow",
         "L/min",
@@ -467,11 +457,7 @@ class FrictionInputs:
         fold=LOSSES,
     )
     scenarios: tuple[Scenario, ...] = tables(
-        "Scenarios",
-        Scenario,
-        default=(),
-        help="The same train under other conditions, side by side.",
-        fold=LOSSES,
+        "Scenarios", Scenario, default=(), help="The same train under other conditions, side by side.", fold=LOSSES
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -480,9 +466,6 @@ class FrictionInputs:
                 dotted(FrictionInputs.bulk_temperature),
                 Text('leave it out where bulk = "estimated": it is measured or estimated, not both'),
             )
-
-
-Carried = OtherLoss | Seal | RollingBearing | PlainBearing | Dip | Jet  # by a wheel
 
 
 def carrier(entry: Carried, wheels: Iterable[str], last: str) -> str:

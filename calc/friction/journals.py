@@ -6,6 +6,7 @@ The eccentric masses load them with a force that turns; weight and gear force st
 load is that of the bearings step; what the standing part adds over a turn closes with the power of the train, which
 makes the gear force."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -95,31 +96,23 @@ class Journals:
             journals[place] = JournalResult(standing_load=R_0, friction_power=P_f)
         return journals
 
-    def notes(self, journals: dict[str, JournalResult]) -> list[Text]:
-        notes = []
+    def notes(self, journals: dict[str, JournalResult]) -> Iterator[Text]:
         for place, journal in journals.items():
             F = self.responses[place].load
-            if journal.standing_load is not None and self.unsteady[place]:
-                notes.append(
-                    Text(
-                        "{place} journal: no film is found 5 % beside its load; its friction is that of the turning "
-                        "load.",
-                        place=IN_TITLES[place],
-                    )
+            if journal.standing_load is None:
+                continue
+            if self.unsteady[place]:
+                yield Text(
+                    "{place} journal: no film is found 5 % beside its load; its friction is that of the turning load.",
+                    place=IN_TITLES[place],
                 )
-            elif journal.standing_load is not None and journal.standing_load > SECOND_ORDER * F:
-                share = Text(
-                    "the standing load is {standing_load} % of the turning one",
-                    standing_load=Amount(journal.standing_load / F * 100, form=".0f"),
+            elif journal.standing_load > SECOND_ORDER * F:
+                percent = Amount(journal.standing_load / F * 100, form=".0f")
+                yield Text(
+                    "{place} journal: {share}; the mean over a turn, of second order in it, is rough.",
+                    place=IN_TITLES[place],
+                    share=Text("the standing load is {standing_load} % of the turning one", standing_load=percent),
                 )
-                notes.append(
-                    Text(
-                        "{place} journal: {share}; the mean over a turn, of second order in it, is rough.",
-                        place=IN_TITLES[place],
-                        share=share,
-                    )
-                )
-        return notes
 
 
 def journals_of(on: OnShaft) -> Journals:
@@ -131,9 +124,8 @@ def journals_of(on: OnShaft) -> Journals:
             with about(Text("{place} bearing, over a turn", place=IN_WORDS[place])):
                 responses[place] = answered(bearing.beside, bearing.duty, bearing.friction_power)
         else:
-            responses[place] = Response(
-                load=bearing.load, friction_power=bearing.friction_power, slope=0.0, curvature=0.0
-            )
+            P_f = bearing.friction_power
+            responses[place] = Response(load=bearing.load, friction_power=P_f, slope=0.0, curvature=0.0)
     return Journals(on, responses, speed)
 
 

@@ -47,17 +47,15 @@ LOWEST_LINE_LOAD: NewtonPerMetre = 150e3
 ROUGHEST: Metre = 2e-6
 RUNS = (0.5e9, 2.5e9)  # Pa, the pressures of Xu and Kahraman's runs, from memory
 SMOOTH: Metre = 1e-6  # roughness up to which they hold, from memory
+RUNS_IN_MPA = tuple(Amount(p / 1000000.0, form="g") for p in RUNS)
+SMOOTH_IN_UM = Amount(SMOOTH * 1000000.0, form="g")
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, ISO/TR 13989-2, as in public code
 HELD = 0.5  # share of the path on which Benedict and Kelley's bounds may hold
 
 XU = Text("Xu and Kahraman 2005")
 
 
-@formula(
-    "μ_m",
-    "Schlenk 1994, ISO/TR 14179-2",
-    names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"},
-)
+@formula("μ_m", "Schlenk 1994, ISO/TR 14179-2", names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"})
 def schlenk(
     w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number
 ) -> Number:
@@ -192,35 +190,31 @@ def beside(c: MeshCase, P: Watt, H_V: Number) -> dict[str, Regression | None]:
 
 @friction_model("schlenk", Text("Schlenk"), OHLENDORF, TESTS)
 def of_schlenk(c: MeshCase, P: Watt, H_V: Number) -> Regression:
-    u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
-    mu_m = schlenk(
-        w_t=counted_line_load(w_bt=w_bt),
-        v_SumC=sum_of_speeds(v_C=u_C),
-        rho_C=R_C,
-        eta_0=flat(_eta(c)),
-        Ra=flat(c.Ra),
-        X_L=_X_L(c),
-    )
-    return Regression(
-        friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C)
-    )
+    def coefficient(w_t: NewtonPerMetre, v_SumC: MetrePerSecond, R_C: Metre) -> Number:
+        return schlenk(w_t=w_t, v_SumC=v_SumC, rho_C=R_C, eta_0=flat(_eta(c)), Ra=flat(c.Ra), X_L=_X_L(c))
+
+    return _by_tests(c, P, H_V, coefficient)
 
 
 @friction_model("niemann", Text("Niemann and Winter, Michaelis"), OHLENDORF, TESTS, brief=Name("Niemann"))
 def of_niemann(c: MeshCase, P: Watt, H_V: Number) -> Regression:
-    u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
-    mu_m = mean_friction(
-        w_t=counted_line_load(w_bt=w_bt),
-        K_Bgamma=1.0,
-        v_SumC=sum_of_speeds(v_C=u_C),
-        rho_nC=R_C,
-        eta=flat(_eta(c)),
-        X_R=roughness_factor(Ra=flat(c.Ra), rho_nC=R_C),
-        X_L=_X_L(c),
-    )
-    return Regression(
-        friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C)
-    )
+    def coefficient(w_t: NewtonPerMetre, v_SumC: MetrePerSecond, R_C: Metre) -> Number:
+        eta, X_R = flat(_eta(c)), roughness_factor(Ra=flat(c.Ra), rho_nC=R_C)
+        return mean_friction(w_t=w_t, K_Bgamma=1.0, v_SumC=v_SumC, rho_nC=R_C, eta=eta, X_R=X_R, X_L=_X_L(c))
+
+    return _by_tests(c, P, H_V, coefficient)
+
+
+def _by_tests(
+    c: MeshCase, P: Watt, H_V: Number, coefficient: Callable[[NewtonPerMetre, MetrePerSecond, Metre], Number]
+) -> Regression:
+    """By one mean coefficient, from line load, sum of speeds and curvature at the pitch point."""
+    u_C, R_C = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R)
+    F_bt = transverse_force(P=P, omega_1=flat(c.motion.omega_1), r_b1=c.mesh.driver.base_radius)
+    w_bt = line_load_of(F_bt=F_bt, b=c.mesh.face_width)
+    mu_m = coefficient(counted_line_load(w_bt=w_bt), sum_of_speeds(v_C=u_C), R_C)
+    loss = loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V)
+    return Regression(friction_mean=mu_m, loss=loss, outside=_outside_tests(c, w_bt, u_C))
 
 
 def _eta(c: MeshCase) -> PascalSecond:
@@ -244,13 +238,8 @@ def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Te
     if np.any(2 * u_C < 1.0):
         reasons.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * float(np.min(u_C)))))
     if np.any(v_t > FASTEST):
-        reasons.append(
-            Text(
-                "pitch line {max} m/s, tests up to {fastest}",
-                max=Amount(float(np.max(v_t))),
-                fastest=Amount(FASTEST, form="g"),
-            )
-        )
+        most, limit = Amount(float(np.max(v_t))), Amount(FASTEST, form="g")
+        reasons.append(Text("pitch line {max} m/s, tests up to {fastest}", max=most, fastest=limit))
     return SEMICOLON.join(reasons) if reasons else EMPTY
 
 
@@ -263,9 +252,9 @@ def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Te
     INTEGRATED,
     Text(
         "{runs} to {runs2} MPa, roughness to {smooth} µm (from memory); one gear oil, 75W-90",
-        runs=Amount(RUNS[0] / 1000000.0, form="g"),
-        runs2=Amount(RUNS[1] / 1000000.0, form="g"),
-        smooth=Amount(SMOOTH * 1000000.0, form="g"),
+        runs=RUNS_IN_MPA[0],
+        runs2=RUNS_IN_MPA[1],
+        smooth=SMOOTH_IN_UM,
     ),
     brief=Name("Xu, Kahraman"),
 )
@@ -281,22 +270,13 @@ def of_xu_kahraman(c: MeshCase, P: Watt, H_V: Number) -> Regression | None:
     mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=eta_0, R=c.motion.R)
     highest, outside = float(np.max(p_H)), []
     if not RUNS[0] <= highest <= RUNS[1]:
+        MPa, (low, high) = Amount(highest / 1000000.0), RUNS_IN_MPA
         outside.append(
-            Text(
-                "pressure up to {highest} MPa, runs from {runs} to {runs2}",
-                highest=Amount(highest / 1000000.0),
-                runs=Amount(RUNS[0] / 1000000.0, form="g"),
-                runs2=Amount(RUNS[1] / 1000000.0, form="g"),
-            )
+            Text("pressure up to {highest} MPa, runs from {runs} to {runs2}", highest=MPa, runs=low, runs2=high)
         )
     if np.any(sigma > SMOOTH):
-        outside.append(
-            Text(
-                "roughness {max} µm, runs up to {smooth}",
-                max=Amount(float(np.max(sigma)) * 1000000.0),
-                smooth=Amount(SMOOTH * 1000000.0, form="g"),
-            )
-        )
+        most = Amount(float(np.max(sigma)) * 1000000.0)
+        outside.append(Text("roughness {max} µm, runs up to {smooth}", max=most, smooth=SMOOTH_IN_UM))
     regression = _summed(c, P, w, mu, SEMICOLON.join(outside) if outside else EMPTY)
     return regression if np.all(np.isfinite(regression.loss)) else None
 
@@ -317,15 +297,9 @@ def of_benedict_kelley(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     return _summed(c, P, w, mu, held if share > HELD else EMPTY)
 
 
-def _line_load(c: MeshCase, P: Watt) -> NewtonPerMetre:
-    F_bt = transverse_force(P=P, omega_1=flat(c.motion.omega_1), r_b1=c.mesh.driver.base_radius)
-    return line_load_of(F_bt=F_bt, b=c.mesh.face_width)
-
-
 def _load(c: MeshCase, P: Watt) -> tuple[Array, Array]:
-    return line_load(
-        c.mesh, c.path, transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius)
-    )
+    F_bt = transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius)
+    return line_load(c.mesh, c.path, F_bt)
 
 
 def _summed(c: MeshCase, P: Watt, w: Array, mu: Array, outside: Text) -> Regression:
@@ -357,58 +331,26 @@ def table(
     key: str, title: str, by_regime: MeshLoss, source: MeshLoss, H_V: Number, published: dict[str, Regression | None]
 ) -> Table:
     """`key` of the mesh; the own models integrate with the local film."""
-    rigid = by_regime.lead_at_pitch < 1
+    any_load, ehl = Text("any load; rolling an upper bound"), Text("EHL film thicker than a rigid one")
+    here = Text("outside: a rigid isoviscous film governs") if by_regime.lead_at_pitch < 1 else ""
     rows: list[tuple[str | float | None, ...]] = [
-        (
-            Text("by regime, integrated"),
-            by_regime.loss,
-            by_regime.friction_mean,
-            by_regime.loss_factor,
-            Text("any load; rolling an upper bound"),
-            "",
-        ),
-        (
-            Text("EHL film, integrated (source)"),
-            source.loss,
-            source.friction_mean,
-            source.loss_factor,
-            Text("EHL film thicker than a rigid one"),
-            Text("outside: a rigid isoviscous film governs") if rigid else "",
-        ),
+        (Text("by regime, integrated"), by_regime.loss, by_regime.friction_mean, by_regime.loss_factor, any_load, ""),
+        (Text("EHL film, integrated (source)"), source.loss, source.friction_mean, source.loss_factor, ehl, here),
     ]
     for name, model in MODELS.items():
-        regression, named = published[name], Text("{authors} {how}", authors=model.authors, how=model.how)
+        regression, words = published[name], Text("{authors} {how}", authors=model.authors, how=model.how)
         if regression is None:
-            rows.append((named, None, None, None, model.range, Text("runs away: not shown")))
+            rows.append((words, None, None, None, model.range, Text("runs away: not shown")))
             continue
+        here = Text("outside: {outside}", outside=regression.outside) if regression.outside else ""
         H = H_V if model.how is OHLENDORF else by_regime.loss_factor
-        rows.append(
-            (
-                named,
-                regression.loss,
-                regression.friction_mean,
-                H,
-                model.range,
-                Text("outside: {outside}", outside=regression.outside) if regression.outside else "",
-            )
-        )
-    columns = (
-        (Text("Model"), ""),
-        (Text("P_VZ"), "W"),
-        (Text("μ_m"), ""),
-        (Text("H"), ""),
-        (Text("Range"), ""),
-        (Text("Here"), ""),
-    )
+        rows.append((words, regression.loss, regression.friction_mean, H, model.range, here))
+    numbers = (Text("P_VZ"), "W"), (Text("μ_m"), ""), (Text("H"), "")
+    columns = ((Text("Model"), ""), *numbers, (Text("Range"), ""), (Text("Here"), ""))
     note = Text(
         "μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local "
         "film."
     )
-    return Table(
-        f"models_{key}",
-        Text("Mesh {title}: models of friction side by side", title=title),
-        columns,
-        tuple(rows),
-        note,
-        covers=tuple(f"friction.{key}.{name}" for name in published),
-    )
+    heading = Text("Mesh {title}: models of friction side by side", title=title)
+    covers = tuple(f"friction.{key}.{name}" for name in published)
+    return Table(f"models_{key}", heading, columns, tuple(rows), note, covers=covers)

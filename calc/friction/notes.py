@@ -46,8 +46,7 @@ def _of_temperatures(friction: FrictionInputs, oil: Oil) -> Iterator[Text]:
         yield rises
     if friction.bulk_temperature is None and friction.bulk == "oil":
         yield Text(
-            "The teeth are taken as warm as the oil, {t_m} °C; their warming is estimated beside.",
-            t_m=Amount(oil.T_m),
+            "The teeth are taken as warm as the oil, {t_m} °C; their warming is estimated beside.", t_m=Amount(oil.T_m)
         )
 
 
@@ -231,8 +230,7 @@ def _of_dips(friction: FrictionInputs, result: FrictionResult, last: str) -> Ite
     deep = [dip.name for dip, wheel in dipping if dip.depth > 2 * wheel.tip_radius]
     if deep:
         yield Text(
-            "Under oil altogether, which the correlation of churning was not made for: {deep}.",
-            deep=", ".join(deep),
+            "Under oil altogether, which the correlation of churning was not made for: {deep}.", deep=", ".join(deep)
         )
 
 

@@ -10,10 +10,10 @@ the other way.
 `TrainDrive` is the train at its speed with its oil, one operating point or many at once; `loads_of` finds the powers,
 `balance` traces them."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial, reduce
-from typing import Any, Protocol, overload
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from ..sheet.units import Celsius, Newton, Number, RevPerSecond, Watt
 from ..sheet.value import about, based_on, converged, unlinked, untraced
 from . import models
 from .inputs import FrictionInputs
+from .journals import Journals
 from .losses import sums
 from .losses.wheels import WheelResult, carrying, has_bearings, unloaded
 from .mesh.film import Oil, oil_at
@@ -45,6 +46,7 @@ from .result import FrictionResult, JournalResult, MeshResult, carbon_dioxide, f
 
 TOLERANCE = 1e-9  # of the power
 PASSES = 40
+TRAIN = Text("power balance of the train")
 MORE_POWER = Text("give more gears.power_kW, less speed, a narrower face, or a thinner oil")
 # of the power: what a jump of the loss may leave between the power that loads a mesh and the one it takes in
 LEFT: Number = 1e-2
@@ -52,6 +54,7 @@ FINE = 1e-9  # of the power: steps below it say nothing about a slope
 
 Loss = Callable[[str, Watt], Watt]
 Needs = Callable[[Mapping[str, Watt]], dict[str, Watt]]
+Part = TypeVar("Part", Watt, Watt | None)
 
 
 @formula("P_in", "conservation of energy")
@@ -149,17 +152,13 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> di
                 loads[name] = P
                 carried[mesh.driver.name] += P_out + lost
             if max(moved, *off.values()) <= TOLERANCE:
-                return {name: _number(loads[name]) for name in meshes}
+                break
     name, worst = max(off.items(), key=lambda item: item[1])
-    if worst <= LEFT:
-        return {name: _number(loads[name]) for name in meshes}
-    tried = Text(
-        "off by {worst} % of {max} W after {passes} passes",
-        worst=Amount(worst * 100, form=".3g"),
-        max=Amount(float(np.max(loads[name])), form=".6g"),
-        passes=PASSES,
-    )
-    raise NoSolution(Text("power balance of mesh {name}", name=name), tried, Text("less friction, or more power"))
+    if not worst <= LEFT:
+        share, most = Amount(worst * 100, form=".3g"), Amount(float(np.max(loads[name])), form=".6g")
+        tried = Text("off by {worst} % of {max} W after {passes} passes", worst=share, max=most, passes=PASSES)
+        raise NoSolution(Text("power balance of mesh {name}", name=name), tried, Text("less friction, or more power"))
+    return {name: loads[name] if np.ndim(loads[name]) else float(loads[name]) for name in meshes}
 
 
 def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs, P: Watt) -> dict[str, Watt]:
@@ -171,9 +170,7 @@ def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs, P: 
             if all(np.all(np.abs(loads[name] - before.get(name, np.nan)) <= TOLERANCE * P) for name in meshes):
                 return loads
             before = loads
-    raise NoSolution(
-        Text("power balance of the train"), Text("not settled after {passes} passes", passes=PASSES), MORE_POWER
-    )
+    raise NoSolution(TRAIN, Text("not settled after {passes} passes", passes=PASSES), MORE_POWER)
 
 
 def _powers_down(
@@ -186,18 +183,13 @@ def _powers_down(
             branches = Text("the train branches, and the power of its first driver does not say how it divides")
             raise NoSolution(Text("mesh {title}", title=mesh.title), branches, Text("give one chain of wheels"))
         if np.any(P <= 0):
-            nothing = Text(
-                "{min} W come in: what lies before it loses more than it gets", min=Amount(float(np.min(P)), form=".4g")
-            )
+            least = Amount(float(np.min(P)), form=".4g")
+            nothing = Text("{min} W come in: what lies before it loses more than it gets", min=least)
             raise NoSolution(Text("mesh {title}: power", title=mesh.title), nothing, MORE_POWER)
         loads[name] = require(mesh.power, P)
         wheel = mesh.driven.name
         P = loads[name] - loss(name, loads[name]) - needed[wheel]
     return loads
-
-
-def _number(x: Watt) -> Watt:
-    return x if np.ndim(x) else float(x)
 
 
 # --- the train at its speed
@@ -206,15 +198,8 @@ Meshes = Mapping[str, MeshGeometry]
 Forces = Callable[[Mapping[str, Watt], Mapping[str, RevPerSecond]], Mapping[str, Newton]]
 
 
-class Shaft(Protocol):
-    """The counter-shaft at the end of the train: what its journals lose when its gear takes in P."""
-
-    def journals(self, P: Watt | None) -> dict[str, JournalResult]: ...
-
-    def sum(self, journals: dict[str, JournalResult]) -> Watt: ...
-
-
-def shaft_loss(shaft: Shaft, P: Watt | None) -> Watt:
+def shaft_loss(shaft: Journals, P: Watt | None) -> Watt:
+    """What the journals of the counter-shaft lose when its gear takes in P."""
     return shaft.sum(shaft.journals(P))
 
 
@@ -230,7 +215,7 @@ class TrainDrive:
     lubricant: Lubricant
     T_oil: Celsius
     oil: Oil
-    shaft: Shaft | None
+    shaft: Journals | None  # the counter-shaft at the end of the train
     forces: Forces
     lubrication: str
     rolling: bool = True  # whether the balance counts what the rigid film rolls
@@ -261,7 +246,7 @@ def drive(
     lubricant: Lubricant,
     T_oil: Celsius,
     first_speed: RevPerSecond,
-    shaft: Shaft | None,
+    shaft: Journals | None,
     forces: Forces | None = None,
     lubrication: str = "spray",
     Lambda: Number | None = None,
@@ -275,9 +260,7 @@ def drive(
     `Lambda` and `thickening` as `oil_at` takes them, of many operating points as columns.
     """
     if not meshes:
-        raise NoSolution(
-            Text("power balance of the train"), Text("there is no mesh"), Text("give at least one [[gears.meshes]]")
-        )
+        raise NoSolution(TRAIN, Text("there is no mesh"), Text("give at least one [[gears.meshes]]"))
     T_b = column(require_temperature(T_oil if friction.bulk_temperature is None else friction.bulk_temperature))
     with about(Text("oil")):
         oil = oil_at(lubricant, T_b, Lambda, thickening)
@@ -306,11 +289,8 @@ def require_temperature(T: Celsius) -> Celsius:
     good = (T > -60) & (T < 400)  # NaN is not
     if not np.all(good):
         wrong = float(np.ravel(T)[int(np.argmin(np.ravel(good)))])
-        raise NoSolution(
-            Text("temperature of the oil"),
-            Text("is {wrong} °C", wrong=Amount(wrong)),
-            Text("a temperature of a liquid oil is needed"),
-        )
+        needed = Text("a temperature of a liquid oil is needed")
+        raise NoSolution(Text("temperature of the oil"), Text("is {wrong} °C", wrong=Amount(wrong)), needed)
     return T
 
 
@@ -341,15 +321,14 @@ def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt],
         for name, wheel in d.wheels.items():
             needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
         if d.shaft is not None:
-            needed[d.last] += require(
-                Text("losses of the counter-shaft's bearings"), shaft_loss(d.shaft, before), zero=True
-            )
+            what = Text("losses of the counter-shaft's bearings")
+            needed[d.last] += require(what, shaft_loss(d.shaft, before), zero=True)
         return dict(needed)
 
     if d.shaft is None:
         if power is None:
             unknown = Text("neither the losses of a counter-shaft nor the power of the first driver is known")
-            raise NoSolution(Text("power balance of the train"), unknown, Text("give gears.power_kW"))
+            raise NoSolution(TRAIN, unknown, Text("give gears.power_kW"))
         return downstream(d.meshes, d.loss, needs, require(Text("power of the first driver"), power)), needed
     return upstream(d.meshes, d.loss, needs), needed
 
@@ -371,21 +350,12 @@ def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
     """The losses of the closed balance, nothing traced; `power` as in `loads_of`."""
     with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         loads, needed = loads_of(d, power)
-        bearings = d.bearings(loads)
-        wheels = sum(sum(wheel.parts()) for wheel in d.wheels.values()) + sum(P for _, P in bearings.values())
+        of_wheels = [sum(wheel.parts()) for wheel in d.wheels.values()]
         return Losses(
             mesh=sum(d.loss(name, P) for name, P in loads.items()),
-            wheels=wheels,
+            wheels=sum(of_wheels) + sum(P for _, P in d.bearings(loads).values()),
             journals=0.0 if d.shaft is None else shaft_loss(d.shaft, needed[d.last]),
         )
-
-
-def _or_nothing(P: Watt | None) -> Watt:
-    return 0.0 if P is None else P
-
-
-def total_losses(d: TrainDrive, power: Watt | None = None) -> Watt:
-    return losses_of(d, power).total
 
 
 def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
@@ -398,13 +368,9 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
     if has_bearings(d.friction):
         of = (d.friction, d.meshes, d.wheels, d.lubricant.oil, d.T_oil, power)
         loads = {name: based_on(P, *of) for name, P in loads.items()}
-    bearings = d.bearings(loads)
-    wheels = {
-        name: replace(wheel, bearing_force=bearings[name][0], bearing_loss=bearings[name][1])
-        if name in bearings
-        else wheel
-        for name, wheel in d.wheels.items()
-    }
+    wheels = dict(d.wheels)
+    for name, (force, loss) in d.bearings(loads).items():
+        wheels[name] = replace(wheels[name], bearing_force=force, bearing_loss=loss)
     for name, wheel in wheels.items():
         with about(Text("wheel {name}", name=name)):
             needed[name] = reduce(lambda P, P_i: and_need(P=P, P_i=P_i), wheel.parts())
@@ -431,16 +397,8 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         P_D = _total(sums.seals, [wheel.seal_loss for wheel in wheels.values()])
         P_L = _total(sums.bearings, [wheel.bearing_loss for wheel in wheels.values()])
         P_X = _total(sums.other_losses, [wheel.other_loss for wheel in wheels.values()])
-        P = sums.total_loss(
-            P_B=_or_nothing(P_B),
-            P_VZ=_or_nothing(P_VZ),
-            P_W=_or_nothing(P_W),
-            P_C=_or_nothing(P_C),
-            P_J=_or_nothing(P_J),
-            P_D=_or_nothing(P_D),
-            P_L=_or_nothing(P_L),
-            P_X=_or_nothing(P_X),
-        )
+        P_B0, P_C0, P_J0, P_D0, P_L0 = (0.0 if part is None else part for part in (P_B, P_C, P_J, P_D, P_L))
+        P = sums.total_loss(P_B=P_B0, P_VZ=P_VZ, P_W=P_W, P_C=P_C0, P_J=P_J0, P_D=P_D0, P_L=P_L0, P_X=P_X)
         T_1 = torque(P=P_1, n=wheels[d.first].speed)
         b_e = d.friction.specific_fuel_consumption
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)
@@ -478,14 +436,10 @@ def closing_power(P: Watt) -> Watt:
     return P
 
 
-@overload
-def _total(adding: Callable[..., Watt], parts: list[Watt]) -> Watt: ...
-@overload
-def _total(adding: Callable[..., Watt], parts: list[Watt | None]) -> Watt | None: ...
-def _total(adding: Callable[..., Watt], parts: Sequence[Watt | None]) -> Watt | None:
+def _total(adding: Callable[..., Watt], parts: list[Part]) -> Part:
     """The sum of what is there, line by line; None where nothing is."""
     there = [part for part in parts if part is not None]
-    return reduce(lambda P, P_i: adding(P=P, P_i=P_i), there) if there else None
+    return reduce(lambda P, P_i: adding(P=P, P_i=P_i), there) if there else parts[0]
 
 
 def _up(d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tuple[dict[str, MeshResult], Watt]:
@@ -534,23 +488,16 @@ def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
     else:
         P_in = power_in(P_out=P_out, P_VZ=judged.loss)
     rise = warming_of(c, P, judged.friction_mean, judged.loss_factor)
-    z_1, z_2, way = mesh.driver.teeth, mesh.driven.teeth, c.path
-    if way.epsilon_alpha < 2:
-        H_V = ohlendorf_loss_factor(
-            eps_1=way.epsilon_1,
-            eps_2=way.epsilon_2,
-            eps_alpha=way.epsilon_alpha,
-            z_1=z_1,
-            z_2=z_2,
-            beta_b=mesh.base_helix_angle,
-        )
+    z_1, z_2, beta_b, eps_alpha = mesh.driver.teeth, mesh.driven.teeth, mesh.base_helix_angle, c.path.epsilon_alpha
+    if eps_alpha < 2:
+        eps_1, eps_2 = c.path.epsilon_1, c.path.epsilon_2
+        H_V = ohlendorf_loss_factor(eps_1=eps_1, eps_2=eps_2, eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b)
     else:
-        H_V = ohlendorf_loss_factor_high(eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle)
+        H_V = ohlendorf_loss_factor_high(eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b)
     beside = None
     if d.compared or not regimes:
-        with about(
-            Text("mesh {title}, {text}", title=mesh.title, text=Text("source model") if regimes else Text("by regime"))
-        ):
+        other = Text("source model") if regimes else Text("by regime")
+        with about(Text("mesh {title}, {text}", title=mesh.title, text=other)):
             beside = solve_mesh(c, P, not regimes)
     with about(Text("mesh {title}, regressions", title=mesh.title)):
         published = models.beside(c, P, H_V)

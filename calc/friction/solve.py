@@ -100,17 +100,8 @@ def solve(
         with about(Text("oil")):
             lubricant = Lubricant(oil.oil, oil.viscosity_law)
         journals = journals_of(on) if on is not None else None
-        d = drive(
-            friction,
-            meshes,
-            lubricant,
-            oil.temperature,
-            first_speed,
-            journals,
-            forces_of(gears, train),
-            gears.lubrication,
-            compared=compared,
-        )
+        forces, T, lubrication = forces_of(gears, train), oil.temperature, gears.lubrication
+        d = drive(friction, meshes, lubricant, T, first_speed, journals, forces, lubrication, compared=compared)
     power = gears.power if on is None else None
     outcome = closed(d, power)
     result = outcome.solution
@@ -173,18 +164,15 @@ def _open_constants(d: TrainDrive, result: FrictionResult, power: Watt | None) -
         return sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
 
 
-def _notes(gears: GearsInputs, closed: bool) -> tuple[Text, ...]:
+def _notes(gears: GearsInputs, closed: bool) -> Iterator[Text]:
     """What the given power means."""
     if not closed:
-        return (
-            Text(
-                "The power at the first driver is gears.power_kW, which its first mesh takes in, plus its own windage "
-                "and other losses."
-            ),
+        yield Text(
+            "The power at the first driver is gears.power_kW, which its first mesh takes in, plus its own windage "
+            "and other losses."
         )
-    if gears.power is not None:
-        return (Text("gears.power_kW rates the teeth only; the losses are those of the closed balance."),)
-    return ()
+    elif gears.power is not None:
+        yield Text("gears.power_kW rates the teeth only; the losses are those of the closed balance.")
 
 
 # --- from Python, in SI: `from calc import friction`

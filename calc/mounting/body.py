@@ -149,10 +149,6 @@ def rotation(turned: tuple[float, ...] | None) -> Array:
     return turning
 
 
-def static(mount: Mount) -> Array:
-    return np.asarray(mount.stiffness, dtype=float)
-
-
 def dynamic(mount: Mount) -> Array:
     """Along its own axes, without loss and without foundation."""
     return dynamic_stiffness(k=gathered(mount.stiffness), d=mount.dynamic_ratio)
@@ -165,12 +161,15 @@ def constant(spring: Mount | Support) -> bool:
     return isinstance(spring, Support) or (spring.frequency_dependence == "none" and not spring.mobility)
 
 
+def own_foundation(mount: Mount) -> Array:
+    """The foundation's own stiffness along the mount's axes, without its loss; infinite where it is rigid."""
+    given = np.inf if mount.foundation is None else np.asarray(mount.foundation, dtype=float)
+    return np.broadcast_to(given, (3,))
+
+
 def foundation(mount: Mount) -> ComplexArray | None:
-    """The foundation's own stiffness along the mount's axes."""
-    if mount.foundation is None:
-        return None
-    k_f = np.broadcast_to(np.asarray(mount.foundation, dtype=float), (3,))
-    return lossy(k=k_f, eta=mount.foundation_loss or 0.0)
+    """The same with its loss; None where it is rigid."""
+    return None if mount.foundation is None else lossy(k=own_foundation(mount), eta=mount.foundation_loss or 0.0)
 
 
 def at_rest(mount: Mount) -> ComplexArray:
@@ -183,10 +182,7 @@ def at_rest(mount: Mount) -> ComplexArray:
 def real_at_rest(mount: Mount) -> Array:
     """Its real counterpart: the springs alone in series."""
     k = dynamic(mount)
-    if mount.foundation is None:
-        return k
-    k_f: Array = np.broadcast_to(np.asarray(mount.foundation, dtype=float), (3,))
-    return np.real(in_series(k=k, k_f=k_f))
+    return k if mount.foundation is None else np.real(in_series(k=k, k_f=own_foundation(mount)))
 
 
 def own(spring: Mount | Support, Omega: Array) -> ComplexArray:

@@ -3,6 +3,8 @@
 
 Orders with and without the shaft."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ..sheet.arrays import Array
@@ -20,34 +22,21 @@ def curves(result: MountingResult) -> tuple[Curve, ...]:
     return (*seat_over_speed(result), *orders_at(result), forces(result))
 
 
-def seat_over_speed(result: MountingResult) -> tuple[Curve, ...]:
+def seat_over_speed(result: MountingResult) -> Iterator[Curve]:
     """The weighted level of each seat from idle to rated, one line for each variant; limits: perception and comfort."""
     limits = (
         (Text("felt by half of all people"), table()["perception"]["peak_m_s2"] / np.sqrt(2)),
         (Text("comfort"), next(row["above_m_s2"] for row in table()["comfort"] if row["above_m_s2"])),
     )
-    curves = []
     for seat, c in result.courses.items():
-        series = tuple(
-            Series(VARIANT_WORDS[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants)
-        )
-        curves.append(
-            Curve(
-                f"seat_{seat}",
-                Text("Weighted acceleration at {seat} over speed", seat=Name(seat)),
-                axis_label("speed", "rpm"),
-                axis_label("a_w", "m/s²"),
-                series,
-                limits,
-                short=1,
-            )
-        )
-    return tuple(curves)
+        lines = tuple(Series(VARIANT_WORDS[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants))
+        title = Text("Weighted acceleration at {seat} over speed", seat=Name(seat))
+        x_label, y_label = axis_label("speed", "rpm"), axis_label("a_w", "m/s²")
+        yield Curve(f"seat_{seat}", title, x_label, y_label, lines, limits, short=1)
 
 
-def orders_at(result: MountingResult) -> tuple[Curve, ...]:
+def orders_at(result: MountingResult) -> Iterator[Curve]:
     """Bars by order at each operation, half beside shaft: order 1 goes, the firing order stays."""
-    curves = []
     for seat, weight in result.levels.weight.items():
         a = np.abs(result.levels.acceleration[seat])
         sizes = np.sqrt(((weight * a) ** 2).sum(2) / 2)  # (operations, variants, orders)
@@ -60,25 +49,12 @@ def orders_at(result: MountingResult) -> tuple[Curve, ...]:
                 for variant in ("half", "shaft")
                 if variant in result.drive.variants
             )
+            rpm = Amount(speed * 60, "rpm", digits=4)
             title = Text(
-                "Orders at {seat}, {operation}, {speed}",
-                seat=Name(seat),
-                operation=Name(operation),
-                speed=Amount(speed * 60, "rpm", digits=4),
+                "Orders at {seat}, {operation}, {speed}", seat=Name(seat), operation=Name(operation), speed=rpm
             )
-            curves.append(
-                Curve(
-                    f"orders_{seat}_{operation}",
-                    title,
-                    Text("order"),
-                    axis_label("a_w", "m/s²"),
-                    series,
-                    bars=True,
-                    names=names,
-                    short=2,
-                )
-            )
-    return tuple(curves)
+            id, x_label, y_label = f"orders_{seat}_{operation}", Text("order"), axis_label("a_w", "m/s²")
+            yield Curve(id, title, x_label, y_label, series, bars=True, names=names, short=2)
 
 
 def forces(result: MountingResult) -> Curve:
@@ -96,16 +72,8 @@ def forces(result: MountingResult) -> Curve:
         for variant in ("half", "shaft")
         if variant in result.drive.variants
     )
-    return Curve(
-        "mount_forces",
-        Text("Forces of the mounts"),
-        Text("mount"),
-        axis_label("F", "N"),
-        series,
-        bars=True,
-        names=names,
-        short=3,
-    )
+    title, x_label, y_label = Text("Forces of the mounts"), Text("mount"), axis_label("F", "N")
+    return Curve("mount_forces", title, x_label, y_label, series, bars=True, names=names, short=3)
 
 
 # --- tables
@@ -138,17 +106,11 @@ def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
         (Text("engine"), "mm/s"),
         (Text("mounts"), "N"),
     )
-    return Table(
-        "felt",
-        Text("What is felt"),
-        columns,
-        tuple(rows),
-        Text(
-            "Root mean squares of all orders. Half over shaft gives three ratios at every operation, and never one "
-            "for the engine."
-        ),
-        short=True,
+    note = Text(
+        "Root mean squares of all orders. Half over shaft gives three ratios at every operation, and never one for the "
+        "engine."
     )
+    return Table("felt", Text("What is felt"), columns, tuple(rows), note, short=True)
 
 
 def _shown(x: float | None, factor: float) -> float | None:
@@ -167,22 +129,13 @@ def mode_table(result: MountingResult) -> Table:
         )
         for i in range(6)
     )
-    columns = (
-        (Text("mode"), ""),
-        (Text("frequency"), "Hz"),
-        (Text("loss"), ""),
-        *((DOF_WORDS[dof], "%") for dof in DOFS),
+    energies = ((DOF_WORDS[dof], "%") for dof in DOFS)
+    columns = ((Text("mode"), ""), (Text("frequency"), "Hz"), (Text("loss"), ""), *energies)
+    title = Text("Modes of the engine on rigid ground and their energies")
+    note = Text(
+        "Rows and columns add up to 100 %; a single entry may be negative where the body has products of inertia."
     )
-    return Table(
-        "modes",
-        Text("Modes of the engine on rigid ground and their energies"),
-        columns,
-        rows,
-        Text(
-            "Rows and columns add up to 100 %; a single entry may be negative where the body has products of inertia."
-        ),
-        short=True,
-    )
+    return Table("modes", title, columns, rows, note, short=True)
 
 
 def rest_table(mounting: MountingInputs, result: MountingResult) -> Table:
@@ -226,18 +179,9 @@ def mode_pictures(mounting: MountingInputs, result: MountingResult) -> tuple[Mod
     for i in range(6):
         moves = [_moves(places - centre, result.mode_data.shapes[:, i]) for places in (corners, mounts)]
         size = max(float(np.abs(part).max()) for part in moves)
-        pictures.append(
-            ModePicture(
-                result.mode_data.words(i),
-                float(result.mode_data.frequencies[i]),
-                corners,
-                moves[0] / size,
-                mounts,
-                moves[1] / size,
-                centre,
-                axis,
-            )
-        )
+        corner_moves, mount_moves = moves[0] / size, moves[1] / size
+        words, f = result.mode_data.words(i), float(result.mode_data.frequencies[i])
+        pictures.append(ModePicture(words, f, corners, corner_moves, mounts, mount_moves, centre, axis))
     return tuple(pictures)
 
 

@@ -419,13 +419,7 @@ class MountingInputs:
         decides=1,
     )
     centre_of_gravity: tuple[float, ...] = series(
-        "Centre of gravity",
-        "mm",
-        count=(3, 3),
-        within=(-10000, 10000),
-        symbol="r_G",
-        help=PLACE,
-        decides=2,
+        "Centre of gravity", "mm", count=(3, 3), within=(-10000, 10000), symbol="r_G", help=PLACE, decides=2
     )
     inertia: tuple[float, ...] | None = series(
         "Inertia",

@@ -189,13 +189,10 @@ def levels(s: System, drive: EngineWrenches, speeds: Array, torque: ComplexArray
     u = _ordered(np.einsum("pac,fvc->fvpa", P, np.asarray(r.q)), S)
     w = (2j * math.pi * np.asarray(speeds)[:, None] * drive.orders)[:, None, None, None, :]
     motion = np.stack([u, w * u, w * w * u], axis=3)
-    felt = {
-        point.name: _felt(s.mounting, point, motion[:, :, i, 2])
-        for i, point in enumerate(points)
-        if point.role != "machine"
-    }
+    of_people = [(i, point) for i, point in enumerate(points) if point.role != "machine"]
+    felt = {point.name: _felt(s.mounting, point, motion[:, :, i, 2]) for i, point in of_people}
     f = Omega.reshape(S, O) / (2 * math.pi)
-    weight = {point.name: point_weights(point, f) for point in points if point.role != "machine"}
+    weight = {point.name: point_weights(point, f) for _, point in of_people}
     F_t, M_t = (part.reshape(S, O, V, 3).swapaxes(1, 2) for part in transmitted(s, r))
     return Levels(
         np.asarray(speeds),
@@ -222,10 +219,13 @@ def _felt(mounting: MountingInputs, point: Point, a: ComplexArray) -> ComplexArr
     transmissibility."""
     if point.role == "hand":
         return a
-    turned: ComplexArray = np.einsum(
-        "ij,...jo->...io", seat_axes(mounting) * np.asarray(mounting.seat_transmissibility)[:, None], a
-    )
+    turned: ComplexArray = np.einsum("ij,...jo->...io", _through_the_seat(mounting), a)
     return np.ascontiguousarray(turned)
+
+
+def _through_the_seat(mounting: MountingInputs) -> Array:
+    rows: Array = seat_axes(mounting) * np.asarray(mounting.seat_transmissibility)[:, None]
+    return rows
 
 
 def point_weights(point: Point, f: Array) -> Array:
@@ -264,21 +264,14 @@ def course(s: System, drive: EngineWrenches, point: Point, speeds: Array, torque
     driven = sorted({*np.flatnonzero(np.asarray(wrench[:, :, half]).any(axis=(0, 2))).tolist(), *drive.apart})
     apart = [driven.index(n) for n in drive.apart]
     of_half, of_each = np.asarray(wrench[:, driven, half : half + 1]), np.asarray(wrench[:, list(drive.apart)])
-    common, separate = _weighted(
-        s, point, np.asarray(speeds)[:, None] * drive.orders[driven], (of_half, of_each), (slice(None), apart)
-    )
+    f = np.asarray(speeds)[:, None] * drive.orders[driven]
+    common, separate = _weighted(s, point, f, (of_half, of_each), (slice(None), apart))
     squares = np.zeros((len(speeds), len(drive.variants), drive.orders.size))
     squares[:, :, driven] = common[:, None, :, 0] ** 2
     squares[:, :, list(drive.apart)] = np.swapaxes(separate, 1, 2) ** 2
     by_order = {name: np.sqrt(squares[:, i]) for i, name in enumerate(drive.variants) if name in ("half", "shaft")}
-    return Course(
-        np.asarray(speeds),
-        drive.orders,
-        drive.variants,
-        np.sqrt(squares.sum(-1)).T,
-        by_order,
-        (s.source, wrench, point.position),
-    )
+    total, source = np.sqrt(squares.sum(-1)).T, (s.source, wrench, point.position)
+    return Course(np.asarray(speeds), drive.orders, drive.variants, total, by_order, source)
 
 
 def _weighted(
@@ -288,23 +281,17 @@ def _weighted(
     (speeds, orders)."""
     Omega, P = 2 * math.pi * f, _felt_rows(s, point)
     sizes = point_weights(point, f)[:, 0].swapaxes(1, 2) * (Omega**2)[:, :, None]  # (speeds, orders, 3)
-    rms = []
     if s.constant:
         _, whole = s.mount_stiffness(Omega.ravel()[:1])
         d = decomposed(s.stiffness(whole, Omega.ravel()[:1])[0], s.M)
         gains = gain(d.values, Omega.ravel()).reshape(*f.shape, -1)
-        moved = [
-            ((wrench @ d.left.T) * gains[:, which, None, :]) @ (P @ d.right).T
-            for wrench, which in zip(wrenches, orders)
-        ]
-    else:
-        moved = [
-            (respond_at(s, Omega[:, which].ravel(), wrench.reshape(-1, *wrench.shape[2:])) @ P.T).reshape(
-                *wrench.shape[:3], 3
-            )
-            for wrench, which in zip(wrenches, orders)
-        ]
-    for u, which in zip(moved, orders):
+    rms = []
+    for wrench, which in zip(wrenches, orders):
+        if s.constant:
+            u = ((wrench @ d.left.T) * gains[:, which, None, :]) @ (P @ d.right).T
+        else:
+            q = respond_at(s, Omega[:, which].ravel(), wrench.reshape(-1, *wrench.shape[2:]))
+            u = (q @ P.T).reshape(*wrench.shape[:3], 3)
         a = np.abs(u) * sizes[:, which, None, :]
         rms.append(np.sqrt((a**2).sum(-1) / 2))
     return rms
@@ -312,7 +299,4 @@ def _weighted(
 
 def _felt_rows(s: System, point: Point) -> Array:
     rows = moves(s, point)
-    if point.role == "hand":
-        return rows
-    turned: Array = (seat_axes(s.mounting) * np.asarray(s.mounting.seat_transmissibility)[:, None]) @ rows
-    return turned
+    return rows if point.role == "hand" else _through_the_seat(s.mounting) @ rows

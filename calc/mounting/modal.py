@@ -18,7 +18,6 @@ from ..sheet.text import Text
 from ..sheet.units import Hertz, Hertzes, Kilogram, KilogramMetre2, Metre, NewtonPerMetre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on, link_of, linked
 from . import body, modes
-from . import body as rigid_body
 from .body import DOFS
 from .excitation import strength
 from .inputs import DOF_WORDS, Mount, MountingInputs
@@ -171,7 +170,7 @@ def matrices(mounting: MountingInputs, free: System, J: Array) -> Matrices:
     """Raises NoSolution where the mounts leave the engine a motion."""
     mounts = mounting.mounts
     B, R = based_on(free.between, mounting.centre_of_gravity), free.axes
-    k, loss = (np.stack([of(mount) for mount in mounts]) for of in (rigid_body.real_at_rest, rigid_body.loss_at_rest))
+    k, loss = (np.stack([of(mount) for mount in mounts]) for of in (body.real_at_rest, body.loss_at_rest))
     K = modes.stiffness_matrix(k=based_on(k, mounts), B=B, R=R)
     K_loss = modes.stiffness_matrix(k=based_on(loss, mounts), B=B, R=R)
     M = body.mass_matrix(m=mounting.mass, J=J)
@@ -184,18 +183,14 @@ def matrices(mounting: MountingInputs, free: System, J: Array) -> Matrices:
 
 def of_modes(m: Matrices) -> dict[str, Mode]:
     """Mode by mode, slowest first."""
-    squares, losses = (
-        elements(modes.eigenvalues(K=m.K, M=m.M)),
-        elements(modes.mode_loss(K_loss=m.K_loss, K=m.K, M=m.M)),
-    )
-    E = m.energies
-    shares = {
-        i: {dof: Stated(described(SHARE[dof], "%", "E"), E[j][i]) for j, dof in enumerate(DOFS)} for i in range(6)
-    }
-    return {
-        f"mode_{i + 1}": Mode(frequency=modes.frequency(omega2=squares[i]), loss_factor=losses[i], share=shares[i])
-        for i in range(6)
-    }
+    squares = elements(modes.eigenvalues(K=m.K, M=m.M))
+    losses = elements(modes.mode_loss(K_loss=m.K_loss, K=m.K, M=m.M))
+    by_mode = {}
+    for i in range(6):
+        share = {dof: Stated(described(SHARE[dof], "%", "E"), m.energies[j][i]) for j, dof in enumerate(DOFS)}
+        f = modes.frequency(omega2=squares[i])
+        by_mode[f"mode_{i + 1}"] = Mode(frequency=f, loss_factor=losses[i], share=share)
+    return by_mode
 
 
 SHARE = {dof: Text("Energy of the mode in {dof}", dof=words) for dof, words in DOF_WORDS.items()}
@@ -211,13 +206,11 @@ def _of(x: Array, *place: int) -> float:
 
 def frequencies(m: Matrices, mode_values: dict[str, Mode]) -> dict[str, Stated]:
     """By the coordinate that a mode is named after, which is not its number."""
-    return {
-        dof: Stated(
-            described(NAMED[dof], "Hz", "f", short=True, headline=HEADLINES.get(dof, 0)),
-            mode_values[f"mode_{m.found.of[i] + 1}"].frequency,
-        )
-        for i, dof in enumerate(DOFS)
-    }
+    named = {}
+    for i, dof in enumerate(DOFS):
+        about = described(NAMED[dof], "Hz", "f", short=True, headline=HEADLINES.get(dof, 0))
+        named[dof] = Stated(about, mode_values[f"mode_{m.found.of[i] + 1}"].frequency)
+    return named
 
 
 def energies(m: Matrices) -> dict[str, Stated]:
@@ -230,14 +223,13 @@ def roll_axis(m: Matrices) -> RollAxis:
         axis: Stated(described(Text("Torque roll axis along {axis}", axis=axis), "", "e_T"), _of(e_T, i))
         for i, axis in enumerate("xyz")
     }
-    return RollAxis(
-        angle=body.roll_axis_angle(e_T=e_T), decoupling=_of(shares, int(np.argmax(np.asarray(shares)))), direction=along
-    )
+    decoupling = _of(shares, int(np.argmax(np.asarray(shares))))
+    return RollAxis(angle=body.roll_axis_angle(e_T=e_T), decoupling=decoupling, direction=along)
 
 
 def with_chassis(whole: System) -> Tree:
     """The frequencies of engine and frame together, slowest first."""
-    omega = np.array([2 * math.pi * rigid_body.REFERENCE])
+    omega = np.array([2 * math.pi * body.REFERENCE])
     frequencies = modes.of_whole(whole.stiffness(whole.mount_stiffness(omega)[1], omega)[0], whole.M)
     about = described(Text("Frequency of engine and frame together"), "Hz", "f")
     return {
@@ -253,11 +245,9 @@ def window(mounting: MountingInputs, driven: EngineWrenches, m: Matrices, mode_v
     wrench = driven.wrench(speeds, driven.torque(speeds))[0]
     rho = body.radius_of_gyration(float(mounting.mass), m.J)
     for name in ("half", "shaft"):
-        order = (
-            None
-            if name not in driven.variants
-            else lowest_order(driven.orders, np.asarray(wrench[:, driven.variants.index(name)]), rho)
-        )
+        if name not in driven.variants:
+            continue
+        order = lowest_order(driven.orders, np.asarray(wrench[:, driven.variants.index(name)]), rho)
         if order is not None:
             n = based_on(order, wrench)
             f_exc = excitation_frequency(i=n, n=mounting.idle_speed)

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..sheet.arrays import Array
-from ..sheet.text import Amount, Name, Text
+from ..sheet.text import EMPTY, Amount, Name, Text
 from .body import radius_of_gyration
 from .inputs import MountingInputs
 from .levels import NONE_BELOW
@@ -21,12 +21,14 @@ from .wrenches import ShaftOnEngine
 def honest(result: MountingResult) -> Text:
     """What the shaft takes and what it leaves, in a sentence with its numbers."""
     if not result.has_shaft:
+        orders, sizes = result.drive.orders, _strengths(result)
+        counted = [Text("{n}", n=Amount(float(n))) for n, size in zip(orders, sizes) if size > NOTICED * sizes.max()]
         return Text(
             "No shaft: with half on the crank the orders {orders} drive the engine, the strongest at {operation} is "
             "{strongest}.",
-            orders=Text(", ").join(_orders(result)),
+            orders=Text(", ").join(counted),
             operation=Name(next(iter(result.speeds))),
-            strongest=_strongest(result),
+            strongest=Amount(float(orders[sizes.argmax()])),
         )
     return Text("{takes} {leaves}{felt}", takes=_takes(result), leaves=_leaves(result), felt=_felt(result))
 
@@ -48,18 +50,16 @@ def _leaves(result: MountingResult) -> Text:
         for size, n in zip(masses.tolist(), result.drive.orders.tolist())
         if n not in (taken, firing) and size > NOTICED * masses.max()
     ]
-    if result.drive.nodes is None:
-        return (
-            Text("order {n} stays, and the gas is not given.", n=Amount(max(others)[1]))
-            if others
-            else Text("the gas is not given.")
-        )
-    if not others:
-        return Text("the firing torque of order {firing}, which one feels at idle, stays.", firing=Amount(firing))
+    gas, strongest = result.drive.nodes is not None, Amount(max(others)[1]) if others else None
+    if strongest is None:
+        stays = Text("the firing torque of order {firing}, which one feels at idle, stays.", firing=Amount(firing))
+        return stays if gas else Text("the gas is not given.")
+    if not gas:
+        return Text("order {n} stays, and the gas is not given.", n=strongest)
     return Text(
         "the firing torque of order {firing}, which one feels at idle, and order {n} stay.",
         firing=Amount(firing),
-        n=Amount(max(others)[1]),
+        n=strongest,
     )
 
 
@@ -70,19 +70,18 @@ def _felt(result: MountingResult) -> Text:
     place, unit = (f"{seat}.weighted", "m/s²") if seat is not None else ("force_sum", "N")
     a, b, c, d = (result.leaf(f"{name}.{variant}.{place}") for name in (first, last) for variant in ("half", "shaft"))
     if a is None or b is None or c is None or d is None:
-        return Text("")
-    where = Text(" At the seat") if seat is not None else Text(" In the mounts")
+        return EMPTY
     return Text(
         "{where} {a} → {b} {unit} at {first}, {c} → {d} at {last}.{worse}",
-        where=where,
-        a=_level(a),
-        b=_level(b),
+        where=Text(" At the seat") if seat is not None else Text(" In the mounts"),
+        a=Amount(a, digits=3),
+        b=Amount(b, digits=3),
         unit=unit,
         first=Name(first),
-        c=_level(c),
-        d=_level(d),
+        c=Amount(c, digits=3),
+        d=Amount(d, digits=3),
         last=Name(last),
-        worse=WORSE if b > a or d > c else Text(""),
+        worse=Text(" Here the shaft makes it worse.") if b > a or d > c else EMPTY,
     )
 
 
@@ -91,24 +90,6 @@ def _strengths(result: MountingResult, *, of_masses: bool = False) -> Array:
     M = result.stiffness[1]
     wrench = None if of_masses else np.asarray(result.levels.wrench)[0]
     return result.drive.strengths(wrench, radius_of_gyration(float(M[0, 0]), M[3:, 3:]))
-
-
-def _orders(result: MountingResult) -> list[Text]:
-    sizes = _strengths(result)
-    return [
-        Text("{n}", n=Amount(float(n))) for n, size in zip(result.drive.orders, sizes) if size > NOTICED * sizes.max()
-    ]
-
-
-def _strongest(result: MountingResult) -> Amount:
-    return Amount(float(result.drive.orders[_strengths(result).argmax()]))
-
-
-WORSE = Text(" Here the shaft makes it worse.")
-
-
-def _level(a: float) -> Amount:
-    return Amount(a, digits=3)
 
 
 def notes(
@@ -135,6 +116,7 @@ def notes(
 def _worse(result: MountingResult) -> Iterator[Text]:
     """A shaft that is late, or mistuned, and makes it worse: in the mounts, or where it is felt."""
     for name, (speed, _) in result.speeds.items():
+        rpm = Amount(speed * 60, "rpm")
         for id, place in (("felt_seat", Text("at the seat")), ("felt_engine", Text("at the engine"))):
             ratio = result.leaf(f"{name}.{id}")
             if ratio is not None and ratio < 1 - NONE_BELOW:
@@ -142,7 +124,7 @@ def _worse(result: MountingResult) -> Iterator[Text]:
                     "The shaft makes it worse {place} at {name}, {speed}: half over shaft is {ratio}.",
                     place=place,
                     name=Name(name),
-                    speed=Amount(speed * 60, "rpm"),
+                    speed=rpm,
                     ratio=Amount(ratio, digits=3),
                 )
         for variant, words in VARIANTS.items():
@@ -153,7 +135,7 @@ def _worse(result: MountingResult) -> Iterator[Text]:
                     "{with_it}.",
                     words=words,
                     name=Name(name),
-                    speed=Amount(speed * 60, "rpm"),
+                    speed=rpm,
                     half=Amount(half, "N", digits=3),
                     with_it=Amount(with_it, "N", digits=3),
                 )

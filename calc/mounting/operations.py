@@ -56,9 +56,8 @@ def operations(
     points, mounts = s.mounting.points, s.mounting.mounts
     _torque(tree, driven, rows, torque, there)
     for p, point in enumerate(points):
-        levels = _points(
-            driven, lines, p, point.name, _felt(driven, lines, point.name, there) if point.role != "machine" else None
-        )
+        felt = _felt(driven, lines, point.name, there) if point.role != "machine" else None
+        levels = _points(driven, lines, p, point.name, felt)
         for (name, _, _), of_operation in zip(rows, levels):
             for variant, level in zip(driven.variants, of_operation):
                 tree[name].setdefault(variant, {})[point.name] = level
@@ -80,14 +79,9 @@ def _torque(
 ) -> None:
     about = described(Text("Torque on the crank, this order"), "N·m", "T_n")
     for (name, _, _), t in zip(rows, np.asarray(torque).tolist()):
-        for i in there:
+        for i, order in zip(there, _words(driven, there)):
             if t[i]:
-                put(
-                    tree[name],
-                    ("torque", f"order_{order_word(driven.orders[i])}"),
-                    about,
-                    x.amplitude(t_n=based_on(t[i], torque)),
-                )
+                put(tree[name], ("torque", order), about, x.amplitude(t_n=based_on(t[i], torque)))
 
 
 def _points(
@@ -97,21 +91,17 @@ def _points(
     numbers, source = [], (lines.source, lines.places[name])
     banded = np.sqrt((np.abs(np.where(lines.band, lines.motion, 0.0)[:, :, point]) ** 2).sum(-1) / 2)
     for k, (of_axis, of_all) in enumerate(l.KINDS):
-        level = mapped(of_axis, lines.motion[:, :, point, k], source=source)
-        numbers += [joined(of_all, level), *along_last(level)]
+        axes = mapped(of_axis, lines.motion[:, :, point, k], source=source)
+        numbers += [joined(of_all, axes), *along_last(axes)]
     numbers.append(mapped(standards.grade, *np.moveaxis(banded, 2, 0), source=source))
     if felt is not None:
         numbers += [felt.whole, *along_last(felt.axes)]
-    return [
-        [
-            PointLevel(
-                **dict(zip(SHOWN, map(there, (x[i][v] for x in numbers)))),
-                orders=felt.orders(i, v) if felt is not None else None,
-            )
-            for v in range(len(driven.variants))
-        ]
-        for i in range(len(lines.speeds))
-    ]
+
+    def level(i: int, v: int) -> PointLevel:
+        by_name = dict(zip(SHOWN, map(there, (x[i][v] for x in numbers))))
+        return PointLevel(**by_name, orders=felt.orders(i, v) if felt is not None else None)
+
+    return [[level(i, v) for v in range(len(driven.variants))] for i in range(len(lines.speeds))]
 
 
 @record
@@ -175,9 +165,8 @@ def _mounts(
                 parts = None
                 if v in shown:
                     parts = {word: OrderForce(force=there(x)) for word, x in zip(words, by_order[i][shown.index(v)][j])}
-                here[mount] = MountLevel(
-                    force=there(whole[i][v][j]), deflection_peak=there(peaks[i][v][j]), orders=parts
-                )
+                force, peak = there(whole[i][v][j]), there(peaks[i][v][j])
+                here[mount] = MountLevel(force=force, deflection_peak=peak, orders=parts)
             put(here, ("force_sum",), together, sums[i][v])
 
 
@@ -187,27 +176,22 @@ def _transmissibility(
     """With half on the crank: with the shaft the first order is a residue, and its ratio no property of the mounts."""
     v = driven.variants.index("half")
     wrench = np.asarray(lines.wrench)[:, :, v]
-    about = (
-        described(Text("Moment passed on over the moment that drives, this order"), "", "T_M"),
-        described(Text("Force passed on over the force that drives, this order"), "", "T_F"),
-    )
+    of_moment = described(Text("Moment passed on over the moment that drives, this order"), "", "T_M")
+    of_force = described(Text("Force passed on over the force that drives, this order"), "", "T_F")
     isolation = described(Text("Isolation of the moment, this order"), "%", "1 − T_M")
     for i, (name, _, _) in enumerate(rows):
         F, M = (np.linalg.norm(part, axis=-1) for part in (wrench[i, :, :3], wrench[i, :, 3:]))
         F_t, M_t = (np.linalg.norm(part[i, v], axis=-1) for part in lines.passed_on)
-        for n in there:
-            way = ("half", f"order_{order_word(driven.orders[n])}")
+        for n, order in zip(there, _words(driven, there)):
             if M[n] > l.NONE_BELOW * M.max():
-                T = l.moment_transmissibility(
-                    M_t=based_on(float(M_t[n]), lines.source), M=based_on(float(M[n]), lines.wrench)
-                )
-                put(tree[name], (*way, "transmissibility_moment"), about[0], T)
-                put(tree[name], (*way, "isolation"), isolation, based_on(1 - T, T))
+                passed_on, driving = based_on(float(M_t[n]), lines.source), based_on(float(M[n]), lines.wrench)
+                T = l.moment_transmissibility(M_t=passed_on, M=driving)
+                put(tree[name], ("half", order, "transmissibility_moment"), of_moment, T)
+                put(tree[name], ("half", order, "isolation"), isolation, based_on(1 - T, T))
             if F[n] > l.NONE_BELOW * F.max():
-                T = l.force_transmissibility(
-                    F_t=based_on(float(F_t[n]), lines.source), F=based_on(float(F[n]), lines.wrench)
-                )
-                put(tree[name], (*way, "transmissibility_force"), about[1], T)
+                passed_on, driving = based_on(float(F_t[n]), lines.source), based_on(float(F[n]), lines.wrench)
+                T = l.force_transmissibility(F_t=passed_on, F=driving)
+                put(tree[name], ("half", order, "transmissibility_force"), of_force, T)
 
 
 def _ratios(
@@ -244,15 +228,9 @@ def felt_order_1(driven: EngineWrenches) -> Tree | None:
     error."""
     tree: Tree = {}
     for name in ("shaft", "scatter", "tooth"):
-        if name in driven.variants and (ratio := driven.first_order.get(name)) is not None:
-            put(
-                tree,
-                (name,),
-                described(
-                    Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name]), "", "q_S,1", short=True
-                ),
-                ratio,
-            )
+        if name in driven.variants:
+            label = Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name])
+            put(tree, (name,), described(label, "", "q_S,1", short=True), driven.first_order.get(name))
     return tree or None
 
 

@@ -57,10 +57,8 @@ def courses(
 def course_values(over_speed: dict[str, Course]) -> Tree | None:
     """The largest level of each variant between idle and rated, and at which speed."""
     tree: Tree = {}
-    about, speed = (
-        described(Text("Largest weighted acceleration, idle to rated"), "m/s²", "a_w"),
-        described(Text("Speed at which it is"), "rpm", "n"),
-    )
+    about = described(Text("Largest weighted acceleration, idle to rated"), "m/s²", "a_w")
+    speed = described(Text("Speed at which it is"), "rpm", "n")
     for seat, c in over_speed.items():
         for v, variant in enumerate(c.variants):
             n, a = top(c.speeds, c.total[v])
@@ -91,13 +89,12 @@ def crossings(
     idle, rated = float(mounting.idle_speed), float(driven.engine.rated_speed)
     low, high = CRITICAL
     orders = [float(driven.orders[i]) for i in existing if low <= driven.orders[i] <= high]
-    rows = [
+    return [
         (dof, f"order_{order_word(i)}", modal.critical_speed(f=frequency[dof].number, i=i))
         for dof in DOFS
         for i in orders
         if idle <= frequency[dof].number / i <= rated
     ]
-    return rows
 
 
 def critical(rows: Sequence[Crossing], at: Course | None) -> Tree:
@@ -135,7 +132,6 @@ HAND_ARM = Text("Daily exposure of hand and arm by the engine alone, A(8)")
 
 
 def _day(result: MountingResult, name: str, role: str, v: int, which: list[int], hours: Array) -> float:
-    lines = result.levels
     operations = list(result.operations.values())
     of = [operations[i][result.drive.variants[v]][name] for i in which]
     if role == "hand":
@@ -144,7 +140,7 @@ def _day(result: MountingResult, name: str, role: str, v: int, which: list[int],
         return standards.hand_arm(a=based_on(a, whole), T=hours)
     axes = [[_number(x) for x in (level.weighted_x, level.weighted_y, level.weighted_z)] for level in of]
     a = np.array(axes)
-    return standards.whole_body(a=based_on(a, axes, lines.source), T=hours)
+    return standards.whole_body(a=based_on(a, axes, result.levels.source), T=hours)
 
 
 def _number(x: float | None) -> float:

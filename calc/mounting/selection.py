@@ -21,7 +21,7 @@ from ..sheet.remedy import Changes
 from ..sheet.search import judged, least, narrowed
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
-from .body import DOFS
+from .body import DOFS, own_foundation
 from .inputs import Mount, MountingInputs
 from .modes import assignments, eigen
 from .result import MountingResult
@@ -76,19 +76,11 @@ def room(mounting: MountingInputs, result: MountingResult) -> MountRoom:
         raise NoSolution(Text("there is nothing to isolate from"), Text("no order drives the engine"))
     highest = float(ceiling.lowest_order) * float(mounting.idle_speed) / ISOLATES
     if highest <= mounting.road_frequency:
-        raise NoSolution(
-            Text("no frequency is left between the road's and what isolates at idle"),
-            Text("{low} to {high}", low=Amount(mounting.road_frequency, "Hz"), high=Amount(highest, "Hz")),
-            Text("raise idle_speed_rpm or lower road_frequency_Hz"),
-        )
+        what = Text("no frequency is left between the road's and what isolates at idle")
+        tried = Text("{low} to {high}", low=Amount(mounting.road_frequency, "Hz"), high=Amount(highest, "Hz"))
+        raise NoSolution(what, tried, Text("raise idle_speed_rpm or lower road_frequency_Hz"))
     places = np.array([mount.position for mount in mounting.mounts])
-    grounds = [mount.foundation for mount in mounting.mounts]
-    ground = np.array(
-        [
-            np.full(3, np.inf) if foundation is None else np.broadcast_to(np.asarray(foundation, dtype=float), (3,))
-            for foundation in grounds
-        ]
-    )
+    ground = np.array([own_foundation(mount) for mount in mounting.mounts])
     middle = float((places[:, 2].min() + places[:, 2].max()) / 2)
     return MountRoom(
         result.system.between[:, :, :6],
@@ -152,15 +144,11 @@ def choices(
         tell(progress, n / len(STARTS), Text("start {n} of {count}", n=n + 1, count=len(STARTS)))
         best, _, _ = narrowed(evaluate, low, high, np.tile(start, 2), np.full(6, FIRST_STEP), SIDE)
         margin, missed, f, E = evaluated(at, best[None])
-        candidates.setdefault(
-            tuple(best.tolist()),
-            Candidate(best.reshape(2, 3) * STEPS, f[0], E[0], float(missed[0]), bool(margin[0] >= 0)),
-        )
+        variables = best.reshape(2, 3) * STEPS
+        candidate = Candidate(variables, f[0], E[0], float(missed[0]), bool(margin[0] >= 0))
+        candidates.setdefault(tuple(best.tolist()), candidate)
     return at, tuple(
-        sorted(
-            candidates.values(),
-            key=lambda candidate: (not candidate.inside, candidate.missed, -float(candidate.energies.min())),
-        )
+        sorted(candidates.values(), key=lambda row: (not row.inside, row.missed, -float(row.energies.min())))
     )
 
 
@@ -170,55 +158,29 @@ def changes(candidate: Candidate, mounting: MountingInputs, at: MountRoom) -> Ch
     changed: Changes = {}
     for mount in design.mounts:
         assert mount.turned is not None
-        changed[dotted("mounting", MountingInputs.mounts, mount.name, Mount.stiffness)] = [
-            round(k / 1e3, 6) for k in mount.stiffness
-        ]
-        changed[dotted("mounting", MountingInputs.mounts, mount.name, Mount.turned)] = [
-            round(math.degrees(angle), 6) + 0.0 for angle in mount.turned
-        ]
+        stiffness = dotted("mounting", MountingInputs.mounts, mount.name, Mount.stiffness)
+        changed[stiffness] = [round(k / 1e3, 6) for k in mount.stiffness]
+        turned = dotted("mounting", MountingInputs.mounts, mount.name, Mount.turned)
+        changed[turned] = [round(math.degrees(angle), 6) + 0.0 for angle in mount.turned]
     return changed
 
 
 def table(candidates: tuple[Candidate, ...], at: MountRoom, top: int) -> Table:
-    columns = (
-        (Text("number"), ""),
-        (Text("front"), "N/mm"),
-        (Text("shear"), ""),
-        (Text("leans"), "°"),
-        (Text("rear"), "N/mm"),
-        (Text("shear"), ""),
-        (Text("leans"), "°"),
-        (Text("lowest"), "Hz"),
-        (Text("highest"), "Hz"),
-        (Text("bounce"), "%"),
-        (Text("roll"), "%"),
-        (Text("least"), "%"),
+    leaning = (Text("shear"), ""), (Text("leans"), "°")
+    front, rear = (Text("front"), "N/mm"), (Text("rear"), "N/mm")
+    frequencies = (Text("lowest"), "Hz"), (Text("highest"), "Hz")
+    energies = (Text("bounce"), "%"), (Text("roll"), "%"), (Text("least"), "%")
+    columns = ((Text("number"), ""), front, *leaning, rear, *leaning, *frequencies, *energies)
+    rows = []
+    for n, candidate in enumerate(candidates[:top], 1):
+        mounts = (candidate.variables / (1e3, 1.0, math.pi / 180)).round(6).ravel().tolist()
+        f, E = candidate.frequencies.tolist(), candidate.energies.tolist()
+        percent = (100 * energy for energy in (E[DOFS.index("bounce")], E[DOFS.index("roll")], min(E)))
+        rows.append((n, *mounts, min(f), max(f), *percent))
+    note = Text(
+        "Static stiffness in compression, shear over compression, inclination inwards; all modes from {low} to {high}: "
+        "the road's, and what isolates at idle.",
+        low=Amount(at.lowest, "Hz"),
+        high=Amount(at.highest, "Hz", digits=3),
     )
-    rows = tuple(
-        (
-            n,
-            *(_shown(x) for part in candidate.variables for x in zip(part, (1e3, 1.0, math.pi / 180))),
-            float(candidate.frequencies.min()),
-            float(candidate.frequencies.max()),
-            *(100 * float(candidate.energies[DOFS.index(dof)]) for dof in ("bounce", "roll")),
-            100 * float(candidate.energies.min()),
-        )
-        for n, candidate in enumerate(candidates[:top], 1)
-    )
-    return Table(
-        "mounts",
-        Text("Mounts that decouple the modes"),
-        columns,
-        rows,
-        Text(
-            "Static stiffness in compression, shear over compression, inclination inwards; all modes from {low} to "
-            "{high}: the road's, and "
-            "what isolates at idle.",
-            low=Amount(at.lowest, "Hz"),
-            high=Amount(at.highest, "Hz", digits=3),
-        ),
-    )
-
-
-def _shown(x: tuple[float, float]) -> float:
-    return round(x[0] / x[1], 6)
+    return Table("mounts", Text("Mounts that decouple the modes"), columns, tuple(rows), note)

@@ -38,20 +38,8 @@ if TYPE_CHECKING:
 DOT, CROSS, SWING = 0.02, 0.04, 0.16  # of the box's diagonal: a mount, the cross of the centre, the largest move
 # where what lies to the side is drawn
 BACK = 0.5 * np.array([math.cos(math.radians(35.0)), math.sin(math.radians(35.0))])
-EDGES = (
-    (0, 1),
-    (0, 2),
-    (0, 4),
-    (1, 3),
-    (1, 5),
-    (2, 3),
-    (2, 6),
-    (3, 7),
-    (4, 5),
-    (4, 6),
-    (5, 7),
-    (6, 7),
-)  # of the corners of `box`
+# of the corners of `box`
+EDGES = ((0, 1), (0, 2), (0, 4), (1, 3), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 6), (5, 7), (6, 7))
 
 
 def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int = 0) -> Sketch:

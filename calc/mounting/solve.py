@@ -13,7 +13,7 @@ from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import Stated
-from ..sheet.step import Curve, Outcome, Table
+from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import trace, untraced
 from . import body, modal, statics
@@ -49,8 +49,8 @@ def solve(
         result=result,
         checks=all_checks,
         lines=tuple(lines),
-        curves=Later(partial(_curves, result)),
-        tables=Later(partial(_tables, mounting, result)),
+        curves=Later(partial(curves, result)),
+        tables=Later(partial(tables, mounting, result)),
         notes=Later(lambda: notes(mounting, engine, result, shaft)),
         reason=honest(result),
     )
@@ -110,20 +110,11 @@ def _over_boxes(
     with untraced():
         others = [values(mounting, driven, body.inertia(mounting, share)) for share in (body.LEAST, body.MOST)]
         verdicts = [{c.id: c.holds for c in checks(mounting, engine, other)} for other in others]
+    lowest = described(Text("Lowest frequency over the range of the inertia"), "Hz")
+    highest = described(Text("Highest frequency over the range of the inertia"), "Hz")
     span: Tree = {}
     for dof in body.DOFS:
         ends = [case.frequency[dof].number for case in (result, *others)]
-        span[dof] = {
-            "lowest": Stated(described(Text("Lowest frequency over the range of the inertia"), "Hz"), min(ends)),
-            "highest": Stated(described(Text("Highest frequency over the range of the inertia"), "Hz"), max(ends)),
-        }
+        span[dof] = {"lowest": Stated(lowest, min(ends)), "highest": Stated(highest, max(ends))}
     flips = [c.name for c in all_checks if any(verdict.get(c.id, c.holds) != c.holds for verdict in verdicts)]
     return replace(result, frequency_range=span), inertia_check(flips)
-
-
-def _curves(result: MountingResult) -> tuple[Curve, ...]:
-    return curves(result)
-
-
-def _tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
-    return tables(mounting, result)

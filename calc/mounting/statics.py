@@ -11,7 +11,6 @@ from ..sheet.quantity import Described, Stated
 from ..sheet.text import Text
 from ..sheet.units import Metre, Metres, NewtonMetre, Newtons, NewtonsPerMetre, Number, Numbers, Radian
 from ..sheet.value import based_on, link_of, linked
-from .body import static
 from .inputs import MountingInputs
 from .modes import stiffness_matrix
 from .result import Rest, StaticMount, Tree
@@ -52,7 +51,7 @@ def roll(q_s: Metres) -> Radian:
 
 def at_rest(mounting: MountingInputs, s: System) -> Rest:
     """`s`: on rigid ground."""
-    k = based_on(np.stack([static(mount) for mount in mounting.mounts]), mounting.mounts)
+    k = based_on(np.array([mount.stiffness for mount in mounting.mounts], dtype=float), mounting.mounts)
     between = based_on(s.between, mounting.centre_of_gravity)
     up = np.asarray(mounting.up, dtype=float) / np.linalg.norm(mounting.up)
     K_s = stiffness_matrix(k=k, B=between, R=s.axes)
@@ -62,9 +61,7 @@ def at_rest(mounting: MountingInputs, s: System) -> Rest:
     delta = own_deflection(q_s=q, B=between, R=s.axes)
     by_torque = own_deflection(q_s=q_T, B=between, R=s.axes)
     carried = load(k=k, delta_s=delta, R=s.axes, up=up)
-    return Rest(
-        np.asanyarray(delta), np.asanyarray(by_torque), np.asanyarray(carried), np.asanyarray(q), np.asanyarray(q_T)
-    )
+    return Rest(*(np.asanyarray(x) for x in (delta, by_torque, carried, q, q_T)))
 
 
 @formula("M_out", "statics: mean torque that the mounts carry where it leaves the body")
@@ -86,12 +83,10 @@ def output(mounting: MountingInputs, driven: EngineWrenches, speeds: Array) -> t
 def published(mounting: MountingInputs, rest: Rest, out: tuple[float, ...]) -> Tree:
     """Mount by mount, and the roll of the engine under its weight and the largest mean torque."""
     loads = elements(rest.load)
-    tree: Tree = {
-        mount.name: StaticMount(
-            deflection=first_axis(delta_s=linked(float(rest.deflection[j, 0]), link_of(rest.deflection))), load=loads[j]
-        )
-        for j, mount in enumerate(mounting.mounts)
-    }
+    tree: Tree = {}
+    for j, mount in enumerate(mounting.mounts):
+        delta_s = linked(float(rest.deflection[j, 0]), link_of(rest.deflection))
+        tree[mount.name] = StaticMount(deflection=first_axis(delta_s=delta_s), load=loads[j])
     M_z = max(out, key=abs, default=0.0)
     q = based_on(rest.q + rest.q_by_torque * M_z, rest.q, rest.q_by_torque, M_z)
     tree["roll"] = Stated(Described(Text("Static roll, from up to the side"), "°", "φ_s"), roll(q_s=q))
@@ -102,10 +97,7 @@ def preload(mounting: MountingInputs, K: Array) -> float:
     """What the weight itself adds to the stiffness against tilting, m·g·h over the lesser of the two; it is left out of
     the model."""
     up = np.asarray(mounting.up, dtype=float) / np.linalg.norm(mounting.up)
-    above = [
-        abs(float((np.asarray(mounting.centre_of_gravity) - np.asarray(mount.position)) @ up))
-        for mount in mounting.mounts
-    ]
+    arms = np.asarray(mounting.centre_of_gravity) - np.array([mount.position for mount in mounting.mounts])
     level = np.eye(3) - np.outer(up, up)
     _, least, _ = np.linalg.eigvalsh(level @ K[3:, 3:] @ level)  # the first: about up, which the weight leaves alone
-    return float(mounting.mass) * GRAVITY * max(above) / float(least)
+    return float(mounting.mass) * GRAVITY * float(np.abs(arms @ up).max()) / float(least)

@@ -41,8 +41,8 @@ class System:
     def constant(self) -> bool:
         """Whether nothing depends on frequency: one eigenproblem then answers all speeds."""
         frame = self.mounting.chassis
-        mounts = all([body.constant(mount) for mount in self.mounting.mounts])
-        return mounts and all([body.constant(support) for support in (frame.supports if frame is not None else ())])
+        supports = frame.supports if frame is not None else ()
+        return all([*map(body.constant, self.mounting.mounts), *map(body.constant, supports)])
 
     def mount_stiffness(self, Omega: Array) -> tuple[ComplexArray, ComplexArray]:
         """Along the own axes of each mount itself (mounts, frequencies, 3), and with its foundation in engine axes."""
@@ -89,13 +89,9 @@ def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
         for j, support in enumerate(supports):
             ground[j, :, 6:] = _on_frame(chassis, support.name, support.position)
     axes = np.stack([body.rotation(mount.turned) for mount in mounting.mounts])
-    design = mounting if chassis is mounting.chassis else _without_frame(mounting)
+    design = mounting if chassis is mounting.chassis else replace(mounting, chassis=None)
     source = (J, mounting.mass, mounting.centre_of_gravity, mounting.mounts, chassis)
     return System(design, size, M, between, axes, ground, arms, static_frame, source)
-
-
-def _without_frame(mounting: MountingInputs) -> MountingInputs:
-    return replace(mounting, chassis=None)
 
 
 def _on_frame(chassis: Chassis, name: str, position: tuple[float, ...]) -> Array:

@@ -164,14 +164,7 @@ def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *
     parts[:, 0], parts[:, 1] = b.up_to(until)
     parts[:, 2:] = b.fixed
     of = [part for _, g in cycles for part in (g.p_max, g.p_in, g.p_ex, g.eps_p, g.x_p, g.h_c, g.n_c, g.n_e)]
-    return x.one_cylinder(
-        basis=parts,
-        p_max=based_on(p_max, *of),
-        p_2=p_2,
-        p_ex=p_ex,
-        p_in=p_in,
-        p_case=p_case,
-    )
+    return x.one_cylinder(basis=parts, p_max=based_on(p_max, *of), p_2=p_2, p_ex=p_ex, p_in=p_in, p_case=p_case)
 
 
 # --- the wrenches
@@ -234,13 +227,7 @@ class EngineWrenches:
         of_masses = self.torque_of_masses * self._squares(speeds)[:, None]
         gas = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
         of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
-        return x.all_cylinders(
-            t_one=gas,
-            t_inertia=of_masses,
-            spread=self.spread,
-            fires=self.fires,
-            n=self.orders,
-        )
+        return x.all_cylinders(t_one=gas, t_inertia=of_masses, spread=self.spread, fires=self.fires, n=self.orders)
 
     def strengths(self, wrench: ComplexArray | None, rho: float) -> Array:
         """How strong each order is with half on the crank, of a wrench (orders, variants, 6); None: of the masses
@@ -304,22 +291,21 @@ def drive(
     whole[np.abs(whole) < 1e-12 * np.abs(whole).max(initial=0.0)] = 0.0
     moment = x.about_gravity(F=whole[..., :3], M=whole[..., 3:], r_G=mounting.centre_of_gravity)
     at_gravity = based_on(np.concatenate([whole[..., :3], moment], -1), moment)
-    gas = nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None
-    apart = sorted({index(n, 1.0)} | ({index(n, round(abs(shaft.ratio)))} if shaft is not None else set()))
+    of_shaft = float(round(abs(shaft.ratio))) if shaft is not None else 1.0
     return EngineWrenches(
-        engine,
-        e,
-        n,
-        tuple(variants),
-        at_gravity,
-        based_on(torque, turning.harmonics),
-        gas,
-        _spread(mounting, engine, fires.order),
-        fires.angles,
-        np.asarray(mounting.centre_of_gravity),
-        tuple(apart),
-        float(round(abs(shaft.ratio))) if shaft is not None else 1.0,
-        _first_order(n, half, shaft),
+        engine=engine,
+        e=e,
+        orders=n,
+        variants=tuple(variants),
+        inertia=at_gravity,
+        torque_of_masses=based_on(torque, turning.harmonics),
+        nodes=nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None,
+        spread=_spread(mounting, engine, fires.order),
+        fires=fires.angles,
+        r_G=np.asarray(mounting.centre_of_gravity),
+        apart=tuple(sorted({index(n, 1.0), index(n, of_shaft)})),
+        of_shaft=of_shaft,
+        first_order=_first_order(n, half, shaft),
     )
 
 
@@ -332,12 +318,10 @@ def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[st
     F_f, F_b, C_f, C_b = (complex(part[i]) for part in half)
     if not C_b or max(abs(F_f), abs(F_b), abs(C_f)) > PURE * abs(C_b):
         return {}
-    left = C_b + shaft.couple
-    ratios = (
-        {"shaft": x.couple_ratio(C=based_on(C_b, half[3]), C_left=based_on(left, half[3], shaft.couple))}
-        if left
-        else {}
-    )
+    ratios, left = {}, C_b + shaft.couple
+    if left:
+        C_left = based_on(left, half[3], shaft.couple)
+        ratios["shaft"] = x.couple_ratio(C=based_on(C_b, half[3]), C_left=C_left)
     others = {name: given for name, given in shaft.deviations().items() if name != "shaft" and any(given)}
     return ratios | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
 

@@ -180,45 +180,30 @@ def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePe
         usual_0, usual_1 = FACTORS[bearing.kind]
         f_0 = usual_0 * SUPPLY[bearing.lubrication] if bearing.f_0 is None else bearing.f_0
         f_1 = usual_1 if bearing.f_1 is None else bearing.f_1
-        M = torque_by_palmgren(
-            M_0=torque_of_oil(f_0=f_0, nu=nu, n=n, d_m=d_m), M_1=torque_of_load(f_1=f_1, F=F_L, d_m=d_m)
-        )
-        return bearing_power(N=bearing.count, M=M, n=n)
+        M_0, M_1 = torque_of_oil(f_0=f_0, nu=nu, n=n, d_m=d_m), torque_of_load(f_1=f_1, F=F_L, d_m=d_m)
+        return bearing_power(N=bearing.count, M=torque_by_palmgren(M_0=M_0, M_1=M_1), n=n)
     balls = bearing.kind == "deep-groove-ball"
     known = BALLS if balls else ROLLERS if bearing.kind == "cylindrical-roller" else {}
     if bearing.series not in known:
+        what, series = (
+            Text("rolling bearing {name}: SKF's model", name=bearing.name),
+            bearing.series or Text("not given"),
+        )
+        unread = Text("its constants for {kind} of series {series} could not be read", kind=bearing.kind, series=series)
         listed = Text(
             "deep-groove-ball {balls}; cylindrical-roller {rollers}", balls=", ".join(BALLS), rollers=", ".join(ROLLERS)
         )
-        tried = Text(
-            "its constants for {kind} of series {series} could not be read",
-            kind=bearing.kind,
-            series=bearing.series or Text("not given"),
-        )
-        raise NoSolution(
-            Text("rolling bearing {name}: SKF's model", name=bearing.name),
-            tried,
-            Text('take method = "palmgren", or one of these series: {listed}', listed=listed),
-        )
+        advice = Text('take method = "palmgren", or one of these series: {listed}', listed=listed)
+        raise NoSolution(what, unread, advice)
     R_1, S_1 = known[bearing.series]
     mu_EHL = SYNTHETIC if balls and base != "mineral" else MU_EHL[bearing.kind]
     rolling, sliding = (rolling_of_balls, sliding_of_balls) if balls else (rolling_of_rollers, sliding_of_rollers)
-    M = torque_by_skf(
-        phi_ish=inlet_heat(n=n, d_m=d_m, nu=nu),
-        phi_rs=starvation(
-            K_rs=STARVED[bearing.lubrication],
-            nu=nu,
-            n=n,
-            d=bearing.bore,
-            D=bearing.outside_diameter,
-            K_Z=K_Z[bearing.kind],
-        ),
-        G_rr=rolling(R_1=R_1, d_m=d_m, F=F_L),
-        nu=nu,
-        n=n,
-        G_sl=sliding(S_1=S_1, d_m=d_m, F=F_L),
-        mu_sl=sliding_friction(phi_bl=boundary_share(n=n, nu=nu, d_m=d_m), mu_EHL=mu_EHL),
-    )
+    d, D, K_rs = bearing.bore, bearing.outside_diameter, STARVED[bearing.lubrication]
+    phi_ish = inlet_heat(n=n, d_m=d_m, nu=nu)
+    phi_rs = starvation(K_rs=K_rs, nu=nu, n=n, d=d, D=D, K_Z=K_Z[bearing.kind])
+    G_rr, G_sl = rolling(R_1=R_1, d_m=d_m, F=F_L), sliding(S_1=S_1, d_m=d_m, F=F_L)
+    mu_sl = sliding_friction(phi_bl=boundary_share(n=n, nu=nu, d_m=d_m), mu_EHL=mu_EHL)
+    M = torque_by_skf(phi_ish=phi_ish, phi_rs=phi_rs, G_rr=G_rr, nu=nu, n=n, G_sl=G_sl, mu_sl=mu_sl)
     return bearing_power(N=bearing.count, M=M, n=n)
 
 
@@ -258,11 +243,8 @@ def plain_bearing_power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: 
     where = Text("plain bearing {name}", name=bearing.name)
     b, psi = f.length_ratio(l=l, d=d), f.relative_clearance(g=bearing.clearance, d=d)
     if not 0.1 <= b <= 2:
-        raise NoSolution(
-            where,
-            Text("its length is {b} diameters", b=Amount(b, form=".3g")),
-            Text("choose a length between 0.1 and 2 diameters"),
-        )
+        length = Text("its length is {b} diameters", b=Amount(b, form=".3g"))
+        raise NoSolution(where, length, Text("choose a length between 0.1 and 2 diameters"))
     u = f.surface_speed(d=d, n=n)
     p = specific_load(F=largest(F, NOTHING), d=d, l=l)
     S = f.sommerfeld(mu=eta, n_h=n, p=p, psi=psi)
@@ -274,11 +256,8 @@ def plain_bearing_power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: 
             max=Amount(float(np.max(F)), form=".4g"),
             least=Amount(least, form=".3g"),
         )
-        raise NoSolution(
-            Text("{where}: no film carries its load", where=where),
-            tried,
-            Text("a larger bush, less clearance, or a thicker oil"),
-        )
+        what = Text("{where}: no film carries its load", where=where)
+        raise NoSolution(what, tried, Text("a larger bush, less clearance, or a thicker oil"))
     eps = eccentricity(S=S, b=b)
     return friction_power(u=u, eta=eta, d=d, l=l, psi=psi, eps=eps, F=F, phi=attitude(eps=eps, b=b))
 

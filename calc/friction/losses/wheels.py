@@ -13,18 +13,14 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, tan
 from ...sheet.quantity import result, value
-from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import (
     Celsius,
-    KilogramPerMetre3,
     Metre,
     Newton,
     Number,
-    PascalSecond,
     Radian,
     RevPerSecond,
-    SquareMetrePerSecond,
     Watt,
 )
 from ...sheet.value import about
@@ -73,31 +69,17 @@ def normal_module(r: Metre, beta: Radian, z: Number) -> Metre:
     return 2 * r * cos(beta) / z
 
 
-@record
-class Surroundings:
-    """The oil around the wheels, and the mist."""
-
-    lubricant: Lubricant
-    T: Celsius
-    rho: KilogramPerMetre3
-    nu: SquareMetrePerSecond
-    mu: PascalSecond
-
-
 def speeds_of(meshes: Mapping[str, MeshGeometry], first_speed: RevPerSecond) -> dict[str, RevPerSecond]:
     """The speed of every wheel, all positive."""
     speeds = {next(iter(meshes.values())).driver.name: require(Text("speed of the first driver"), first_speed)}
     for mesh in meshes.values():
         if mesh.driver.name not in speeds:
-            raise NoSolution(
-                Text("mesh {title}", title=mesh.title),
-                Text("nothing drives {name}", name=mesh.driver.name),
-                Text("list the meshes along the flow of power"),
-            )
+            undriven = Text("nothing drives {name}", name=mesh.driver.name)
+            advice = Text("list the meshes along the flow of power")
+            raise NoSolution(Text("mesh {title}", title=mesh.title), undriven, advice)
+        n, z_1, z_2 = speeds[mesh.driver.name], mesh.driver.teeth, mesh.driven.teeth
         with about(Text("wheel {name}", name=mesh.driven.name)):
-            speeds[mesh.driven.name] = wheel_speed(
-                n=speeds[mesh.driver.name], z_1=mesh.driver.teeth, z_2=mesh.driven.teeth
-            )
+            speeds[mesh.driven.name] = wheel_speed(n=n, z_1=z_1, z_2=z_2)
     return speeds
 
 
@@ -126,7 +108,6 @@ def unloaded(
     thrown, sealed = carried_by(friction.jets, speeds, last), carried_by(friction.seals, speeds, last)
     with about(Text("mist")):
         state = lubricant.at(T)
-        around = Surroundings(lubricant, T, state.rho, state.nu, state.mu)
         rho_m = require(Text("density of the mist"), friction.mist_density)
         rho_0 = mist_of_the_tests(rho_oil=state.rho)
         eta_m = mist_viscosity(s_oil=oil_share(rho_m=rho_m, rho_oil=state.rho), eta_oil=state.mu, eta_air=AIR_VISCOSITY)
@@ -136,18 +117,17 @@ def unloaded(
         with about(Text("wheel {name}", name=name)):
             P_X = sums.no_other_loss()
             for other in others.get(name, ()):
+                given = require(Text("other loss {name}", name=other.name), other.power, zero=True)
                 with about(Text("wheel {name}, {name2}", name=name, name2=other.name)):
-                    P_X = sums.other_losses_on_wheel(
-                        P=P_X, P_i=require(Text("other loss {name}", name=other.name), other.power, zero=True)
-                    )
+                    P_X = sums.other_losses_on_wheel(P=P_X, P_i=given)
             P_W = windage(b=wheel.face_width, r=wheel.reference_radius, n=n, eta_m=eta_m, rho_m=rho_m, rho_0=rho_0)
         results[name] = WheelResult(
             speed=n,
             windage=P_W,
             other_loss=P_X,
-            churning=_sum(name, dips.get(name, ()), sums.churning_on_wheel, _churned, wheel, beta_b, n, around),
-            thrown_oil=_sum(name, thrown.get(name, ()), sums.thrown_oil_on_wheel, _thrown, wheel, n, around),
-            seal_loss=_sum(name, sealed.get(name, ()), sums.seals_on_wheel, _sealed, n, around),
+            churning=_sum(name, dips.get(name, ()), sums.churning_on_wheel, _churned, wheel, beta_b, n, state),
+            thrown_oil=_sum(name, thrown.get(name, ()), sums.thrown_oil_on_wheel, _thrown, wheel, n, state),
+            seal_loss=_sum(name, sealed.get(name, ()), sums.seals_on_wheel, _sealed, n, lubricant, T),
         )
     return results
 
@@ -168,7 +148,7 @@ def _sum(
     return total
 
 
-def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Surroundings) -> Watt:
+def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: OilState) -> Watt:
     r, b = wheel.reference_radius, wheel.face_width
     h = oil_and_air.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
     alpha_t = transverse_angle(r_b=wheel.base_radius, r=r)
@@ -186,17 +166,16 @@ def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oi
     )
 
 
-def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Surroundings) -> Watt:
-    return oil_and_air.thrown_oil(
-        rho=oil.rho, Q=jet.flow, v_t=oil_and_air.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed
-    )
+def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: OilState) -> Watt:
+    v_t = oil_and_air.pitch_line_speed(r=wheel.reference_radius, n=n)
+    return oil_and_air.thrown_oil(rho=oil.rho, Q=jet.flow, v_t=v_t, v_j=jet.jet_speed)
 
 
-def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
+def _sealed(seal: Seal, n: RevPerSecond, lubricant: Lubricant, T: Celsius) -> Watt:
     if seal.method == "simrit":
         loss = bearing_losses.simrit(d_sh=seal.diameter, n=n)
     else:
-        loss = bearing_losses.linke(T_oil=oil.T, nu_40=oil.lubricant.nu40, d_sh=seal.diameter, n=n)
+        loss = bearing_losses.linke(T_oil=T, nu_40=lubricant.nu40, d_sh=seal.diameter, n=n)
     return loss if seal.count == 1 else bearing_losses.several(N=seal.count, P=loss)
 
 
@@ -213,12 +192,8 @@ def carrying(
     forces: Mapping[str, Newton],
 ) -> dict[str, tuple[Newton, Watt]]:
     """Load and friction of the bearings of every wheel that has some; `forces` of the teeth on each wheel."""
-    rolling, plain = (
-        carried_by(friction.rolling_bearings, wheels, last),
-        carried_by(friction.plain_bearings, wheels, last),
-    )
-    if not rolling and not plain:
-        return {}
+    rolling = carried_by(friction.rolling_bearings, wheels, last)
+    plain = carried_by(friction.plain_bearings, wheels, last)
     with about(Text("oil of the wheels' bearings")):
         state = lubricant.at(T)
     bearings: dict[str, tuple[Newton, Watt]] = {}

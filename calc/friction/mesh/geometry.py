@@ -74,11 +74,8 @@ def sound(mesh: MeshGeometry) -> None:
         for field in fields(part):
             number = getattr(part, field.name)
             if isinstance(number, (int, float)) and not 0 < number < math.inf:
-                require(
-                    Text("mesh {title}: {name}", title=mesh.title, name=field.name),
-                    number,
-                    zero=field.name in MAY_BE_ZERO,
-                )
+                what = Text("mesh {title}: {name}", title=mesh.title, name=field.name)
+                require(what, number, zero=field.name in MAY_BE_ZERO)
 
 
 def require(what: Text, number: Any, *, zero: bool = False) -> Any:
@@ -88,11 +85,9 @@ def require(what: Text, number: Any, *, zero: bool = False) -> Any:
     good = np.isfinite(number) & ((number >= 0) if zero else (number > 0))
     if not np.all(good):
         wrong = float(np.ravel(number)[int(np.argmin(np.ravel(good)))])
-        raise NoSolution(
-            what,
-            Text("is {wrong}", wrong=wrong if math.isfinite(wrong) else short(wrong)),
-            Text("a finite number ") + (Text("of zero or more") if zero else Text("above zero")) + Text(" is needed"),
-        )
+        tried = Text("is {wrong}", wrong=wrong if math.isfinite(wrong) else short(wrong))
+        sign = Text("of zero or more") if zero else Text("above zero")
+        raise NoSolution(what, tried, Text("a finite number ") + sign + Text(" is needed"))
     return number
 
 

@@ -9,18 +9,11 @@ what is assumed of oil and flanks may be arrays: N operating points in one call,
 
 from collections.abc import Callable
 from dataclasses import field, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
-from ...library.contact import (
-    LUBRICATION_FACTOR,
-    bulk_rise,
-    bulk_temperature,
-    half_width,
-    hertz_pressure,
-    mean_pressure,
-)
+from ...library import contact
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, Num
 from ...sheet.errors import NoSolution
@@ -205,6 +198,7 @@ MICROMETRE: Metre = 1e-6
 SKIN = 1e-8
 PASSES = 100
 HOTTER_TEETH = Text("give friction.bulk_temperature_C, less power or speed, or a wider face")
+State = TypeVar("State")
 LOADED = 0.05  # of the full load, from which film and friction of a place are drawn
 
 
@@ -243,12 +237,7 @@ class MeshCase:
 
 
 def case(
-    friction: FrictionInputs,
-    mesh: MeshGeometry,
-    oil: Oil,
-    n_1: Num,
-    warming: Warming | None = None,
-    **fineness: int,
+    friction: FrictionInputs, mesh: MeshGeometry, oil: Oil, n_1: Num, warming: Warming | None = None, **fineness: int
 ) -> MeshCase:
     """What does not change with the power.  `fineness` of the path (points, strips) is for tests of convergence."""
     way = path(mesh, friction.load_sharing, **fineness)
@@ -261,7 +250,7 @@ def case(
         Ra=surfaces.Ra,
         surfaces=surfaces,
         source_surfaces=source,
-        warming=warming or Warming(oil.T_m, LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
+        warming=warming or Warming(oil.T_m, contact.LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
         estimated=friction.bulk == "estimated" and friction.bulk_temperature is None,
     )
 
@@ -333,32 +322,34 @@ def solve_mesh(c: MeshCase, P: Any, by_regime: bool, exponent: Number = EXPONENT
     if not c.estimated:
         return _solved(c, P, by_regime, exponent)
     with untraced():
-        _, T_b = _warmed(unlinked(c), unlinked(P), by_regime, exponent)
+        T_b = _warmed(unlinked(c), unlinked(P), by_regime, exponent)
 
     def last(T: Celsius) -> tuple[MeshLoss, Celsius]:
         trial = _solved(replace(c, oil=c.oil.at(T)), P, by_regime, exponent)
         return trial, warming_of(c, P, trial.friction_mean, trial.loss_factor)
 
     loss, rise = converged(closing_tooth_temperature, T_b, last, lambda both: both[1])
-    return replace(loss, bulk_temperature=bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=rise))
+    return replace(loss, bulk_temperature=contact.bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=rise))
 
 
 def warming_of(c: MeshCase, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
     """How much warmer than the oil the teeth become."""
-    w = c.warming
-    return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
+    a, b, w = c.mesh.centre_distance, c.mesh.face_width, c.warming
+    return contact.bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=a, b=b, X_S=w.X_S, X_Ca=w.X_Ca)
 
 
-def _steadied(gap_at: Callable[[Any], Any], T: Any, flattest: float, fail: Callable[[Any, str], NoSolution]) -> None:
-    """Secant steps until the temperature that follows from T is T; `gap_at` is called last with that one.
+def _steadied(
+    at: Callable[[Any], tuple[Any, State]], T: Any, flattest: float, fail: Callable[[Any, str], NoSolution]
+) -> State:
+    """Secant steps until the temperature that follows from T is T; what `at` gives there beside its gap.
 
     `flattest`: the largest slope of what follows that a step may trust; `fail` makes the exception of the last gap and
     its reason."""
     before: tuple[Celsius, Kelvin] | None = None
     for _ in range(PASSES):
-        gap = gap_at(T)
+        gap, state = at(T)
         if np.all(np.abs(gap) <= SKIN):
-            return
+            return state
         slope: Any = 0.0
         if before is not None:
             step = T - before[0]
@@ -366,34 +357,26 @@ def _steadied(gap_at: Callable[[Any], Any], T: Any, flattest: float, fail: Calla
         before = T, gap
         T = T + gap / (1 - slope)
         if not np.all(T < HOTTEST):
-            raise fail(
-                gap, Text("above {hottest} °C, where the laws of the oil end", hottest=Amount(HOTTEST, form="g"))
-            )
+            end = Amount(HOTTEST, form="g")
+            raise fail(gap, Text("above {hottest} °C, where the laws of the oil end", hottest=end))
         T = T if np.ndim(T) else float(T)
-    raise fail(
-        gap,
-        Text("off by {max} K after {passes} passes", max=Amount(float(np.max(np.abs(gap))), form=".3g"), passes=PASSES),
-    )
+    most = Amount(float(np.max(np.abs(gap))), form=".3g")
+    raise fail(gap, Text("off by {max} K after {passes} passes", max=most, passes=PASSES))
 
 
-def _warmed(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
-    """The loss with teeth as warm as it makes them, and their temperature, as a column where there are many points."""
-    T_oil = flat(c.warming.T_oil)
-    last: list[tuple[MeshLoss, Celsius]] = []
+def _warmed(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Celsius:
+    """The temperature of teeth as warm as the loss makes them, as a column where there are many points."""
+    T_oil, what = flat(c.warming.T_oil), Text("mesh {title}: temperature of the teeth", title=c.mesh.title)
 
-    def gap_at(T: Celsius) -> Kelvin:
+    def at(T: Celsius) -> tuple[Kelvin, Celsius]:
         loss = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime, exponent)
-        last[:] = [(loss, column(T))]
-        return T_oil + warming_of(c, P, loss.friction_mean, loss.loss_factor) - T
+        return T_oil + warming_of(c, P, loss.friction_mean, loss.loss_factor) - T, column(T)
 
     def fail(gap: Kelvin, reason: str) -> NoSolution:
         point = Text("operating point {argmax}: ", argmax=int(np.argmax(np.abs(gap)))) if np.ndim(gap) else EMPTY
-        return NoSolution(
-            Text("mesh {title}: temperature of the teeth", title=c.mesh.title), point + reason, HOTTER_TEETH
-        )
+        return NoSolution(what, point + reason, HOTTER_TEETH)
 
-    _steadied(gap_at, T_oil + 0.0 * P, 0.9, fail)
-    return last[0]
+    return _steadied(at, T_oil + 0.0 * P, 0.9, fail)
 
 
 def power_lost(c: MeshCase, P: Watt, by_regime: bool, *, rolling: bool = True) -> Watt:
@@ -437,9 +420,9 @@ def _lost(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
 def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     s, m, name = c.path.weight, c.motion, Text("mesh {title}", title=c.mesh.title)
     w, w_f = line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=m.omega_1, r_b1=c.mesh.driver.base_radius))
-    b_H = half_width(w=w_f, rho_n=m.R, E_r=m.E_r)
-    p_H = hertz_pressure(w=w_f, E_r=m.E_r, rho_n=m.R)
-    p_m = mean_pressure(p_H=p_H)
+    b_H = contact.half_width(w=w_f, rho_n=m.R, E_r=m.E_r)
+    p_H = contact.hertz_pressure(w=w_f, E_r=m.E_r, rho_n=m.R)
+    p_m = contact.mean_pressure(p_H=p_H)
 
     def rubbing(oil: Oil) -> tuple[MeshFilm, Traction]:
         f = film(by_regime, oil, m, w_f, p_H, c.path.cells, exponent)
@@ -448,10 +431,10 @@ def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     oil = _skins(c, rubbing)
     f, t = rubbing(oil)
     P_s = sliding_loss(s=s, mu=t.mu, w=w, V_s=m.V_s)
-    if not np.any(f.rigid > 0):
-        P_R = no_rolling_loss()
-    else:
+    if np.any(f.rigid > 0):
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
+    else:
+        P_R = no_rolling_loss()
     return Lost(P_s=P_s, P_R=P_R, w=w, b_H=b_H, p_H=p_H, oil=oil, f=f, t=t)
 
 
@@ -498,27 +481,23 @@ def _skins(c: MeshCase, rubbing: Callable[[Oil], tuple[MeshFilm, Traction]]) -> 
     s, m = c.surfaces, c.motion
     if not (np.any(s.M_1) or np.any(s.M_2)):
         return c.oil
-    T_b = c.oil.T_m
-    last: list[tuple[Oil, Traction]] = []
+    T_b, what = c.oil.T_m, Text("mesh {title}: temperature of the skins", title=c.mesh.title)
 
-    def gap_at(T: Any) -> Any:
-        oil = c.oil.at(T) if last else c.oil
+    def skins(t: Traction) -> Any:
+        return skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
+
+    def at(T: Any) -> tuple[Any, tuple[Oil, Traction]]:
+        oil = c.oil if T is T_b else c.oil.at(T)
         _, t = rubbing(oil)
-        last[:] = [(oil, t)]
-        return skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2) - T
+        return skins(t) - T, (oil, t)
 
     def fail(gap: Any, reason: str) -> NoSolution:
         where = Text("{place}: {reason}", place=place(c.path.x, gap, int(np.argmax(np.abs(gap)))), reason=reason)
-        return NoSolution(
-            Text("mesh {title}: temperature of the skins", title=c.mesh.title),
-            where,
-            Text("less friction.body_resistance_K_W, power or speed"),
-        )
+        return NoSolution(what, where, Text("less friction.body_resistance_K_W, power or speed"))
 
     with untraced():
-        _steadied(gap_at, T_b, 0.5, fail)
-    oil, t = last[0]
-    skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
+        oil, t = _steadied(at, T_b, 0.5, fail)
+    skins(t)  # its line
     return oil
 
 
@@ -551,13 +530,11 @@ def losses(
     the path where the temperature of the film does not settle, or the quantity that has no meaning."""
     T_all, n_all, P_all = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (T, n_1, P)))
     points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
-    if not np.all((T_all > COLDEST_OIL) & (T_all < HOTTEST_OIL)):  # NaN is not
-        wrong = float(T_all[~((T_all > COLDEST_OIL) & (T_all < HOTTEST_OIL))][0])
-        raise NoSolution(
-            Text("mesh {title}: temperature of the teeth", title=mesh.title),
-            Text("is {wrong} °C", wrong=Amount(wrong, form="g")),
-            Text("a temperature of a liquid oil is needed"),
-        )
+    liquid = (T_all > COLDEST_OIL) & (T_all < HOTTEST_OIL)  # NaN is not
+    if not liquid.all():
+        what, wrong = Text("mesh {title}: temperature of the teeth", title=mesh.title), float(T_all[~liquid][0])
+        needed = Text("a temperature of a liquid oil is needed")
+        raise NoSolution(what, Text("is {wrong} °C", wrong=Amount(wrong, form="g")), needed)
     friction = replace(friction, bulk="oil")  # the teeth have the temperature that is asked for
     parts = []
     with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
@@ -568,11 +545,9 @@ def losses(
             try:
                 parts.append(solve_mesh(c, P_all[some], by_regime))
             except NoSolution as none:
-                among = (
-                    Text("{tried} (counted from operating point {start})", tried=none.tried, start=start)
-                    if start
-                    else none.tried
-                )
+                if not start:
+                    raise
+                among = Text("{tried} (counted from operating point {start})", tried=none.tried, start=start)
                 raise NoSolution(none.what, among, none.advice) from None
     return _joined(parts)
 

@@ -23,18 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from ...library.contact import (
-    approach_contact_ratio,
-    driven_curvature,
-    normal_relative_radius,
-    pitch_point,
-    recess_contact_ratio,
-    reduced_modulus,
-    relative_radius,
-    rolling_speed,
-    sole_contact_begins,
-    sole_contact_ends,
-)
+from ...library import contact
 from ...sheet.arrays import Array, IndexArray, Num
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
@@ -123,8 +112,8 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     last = np.where(in_piece < points - 1, place + 1, place)
     marks = np.arange(columns - others, columns)
     base = np.arange(rows)[:, None] * columns
-    pair_before = np.where(in_piece > 0, first, place), np.where(in_piece > 0, place, last)
-    pair_after = np.where(in_piece < points - 1, place, first), np.where(in_piece < points - 1, last, place)
+    pair_before = first, np.where(in_piece > 0, place, last)
+    pair_after = np.where(in_piece < points - 1, place, first), last
     before, after = (
         tuple((base + np.concatenate((indices, marks))).ravel() for indices in pair)
         for pair in (pair_before, pair_after)
@@ -136,14 +125,8 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
         apart = flat[pair[1]] - flat[pair[0]]
         return np.where(apart > 0, stretch / np.where(apart > 0, apart, 1.0), 0.0)
 
-    return Cells(
-        left=lefts,
-        right=rights,
-        before=before,
-        after=after,
-        to_left=share(lefts, before),
-        to_right=share(rights, after),
-    )
+    to_left, to_right = share(lefts, before), share(rights, after)
+    return Cells(left=lefts, right=rights, before=before, after=after, to_left=to_left, to_right=to_right)
 
 
 # --- the line of action
@@ -327,29 +310,21 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
     one, two = mesh.driver, mesh.driven
     where = Text("mesh {title}: path of contact", title=mesh.title)
     if mesh.centre_distance <= one.base_radius + two.base_radius:
-        raise NoSolution(
-            where,
-            Text(
-                "the base circles overlap at a_w = {centre_distance} mm",
-                centre_distance=Amount(mesh.centre_distance * 1000.0, form=".6g"),
-            ),
-            Text("more centre distance"),
-        )
+        a_w = Amount(mesh.centre_distance * 1000.0, form=".6g")
+        overlap = Text("the base circles overlap at a_w = {centre_distance} mm", centre_distance=a_w)
+        raise NoSolution(where, overlap, Text("more centre distance"))
     for wheel in (one, two):
         if wheel.tip_radius <= wheel.base_radius:
-            raise NoSolution(
-                where,
-                Text("the tip of {name} lies inside its base circle", name=wheel.name),
-                Text("a larger tip diameter"),
-            )
+            inside = Text("the tip of {name} lies inside its base circle", name=wheel.name)
+            raise NoSolution(where, inside, Text("a larger tip diameter"))
     alpha_wt = working_pressure_angle(r_b1=one.base_radius, r_b2=two.base_radius, a_w=mesh.centre_distance)
     p_bt = base_pitch(r_b1=one.base_radius, z_1=one.teeth)
     C_F = line_of_action(a_w=mesh.centre_distance, alpha_wt=alpha_wt)
     C_A = start_of_contact(T=C_F, r_a2=two.tip_radius, r_b2=two.base_radius)
     C_E = end_of_contact(r_a1=one.tip_radius, r_b1=one.base_radius)
-    C_B = sole_contact_begins(rho_E=C_E, p_bt=p_bt)
-    C_D = sole_contact_ends(rho_A=C_A, p_bt=p_bt)
-    C_C = pitch_point(T=C_F, z_1=one.teeth, z_2=two.teeth)
+    C_B = contact.sole_contact_begins(rho_E=C_E, p_bt=p_bt)
+    C_D = contact.sole_contact_ends(rho_A=C_A, p_bt=p_bt)
+    C_C = contact.pitch_point(T=C_F, z_1=one.teeth, z_2=two.teeth)
     if not 0 < C_A < C_C < C_E < C_F:
         order = Text(
             "0 < A {c_a} < C {c_c} < E {c_e} < F {c_f} m does not hold",
@@ -359,21 +334,18 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
             c_f=Amount(C_F, form=".4g"),
         )
         raise NoSolution(where, order, Text("smaller tip diameters, or more centre distance"))
-    epsilon_1 = recess_contact_ratio(rho_E=C_E, rho_C=C_C, p_bt=p_bt)
-    epsilon_2 = approach_contact_ratio(rho_C=C_C, rho_A=C_A, p_bt=p_bt)
+    epsilon_1 = contact.recess_contact_ratio(rho_E=C_E, rho_C=C_C, p_bt=p_bt)
+    epsilon_2 = contact.approach_contact_ratio(rho_C=C_C, rho_A=C_A, p_bt=p_bt)
     epsilon_alpha = transverse_contact_ratio(epsilon_1=epsilon_1, epsilon_2=epsilon_2)
     epsilon_beta = overlap_ratio(b=mesh.face_width, beta_b=mesh.base_helix_angle, p_bt=p_bt)
     if mesh.spur and not 1 <= epsilon_alpha <= 2:
-        raise NoSolution(
-            where,
-            Text("ε_α = {epsilon_alpha}", epsilon_alpha=Amount(epsilon_alpha, form=".12g")),
-            Text("the load sharing of a spur pair needs a contact ratio from 1 to 2"),
-        )
+        ratio = Text("ε_α = {epsilon_alpha}", epsilon_alpha=Amount(epsilon_alpha, form=".12g"))
+        raise NoSolution(where, ratio, Text("the load sharing of a spur pair needs a contact ratio from 1 to 2"))
     if epsilon_alpha + epsilon_beta < 1:
         ratios = Text("ε_α + ε_β = {epsilon_alpha}", epsilon_alpha=Amount(epsilon_alpha + epsilon_beta, form=".4g"))
         raise NoSolution(where, ratios, Text("below 1 the teeth lose contact: a wider face or higher teeth"))
-    marks = np.clip([C_A, C_B, C_C, C_D, C_E], C_A, C_E)
     places: tuple[float, ...] = (C_A, C_B, C_C, C_D, C_E)
+    marks = np.clip(places, C_A, C_E)
     if mesh.spur:
         points = points or POINTS
         x, width = _gauss(np.sort(marks)[None, :], points)
@@ -382,20 +354,13 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         with np.errstate(divide="ignore", invalid="ignore"):  # at ε_α = 1 or 2 two of the points are one
             carried = share(x=based_on(x.ravel(), *places), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
     else:
-        g_alpha, g_beta = (
-            based_on(epsilon_alpha * p_bt, epsilon_alpha, p_bt),
-            based_on(epsilon_beta * p_bt, epsilon_beta, p_bt),
-        )
+        g_alpha, g_beta = (based_on(ratio * p_bt, ratio, p_bt) for ratio in (epsilon_alpha, epsilon_beta))
         places = (C_A, C_C, C_E, g_alpha, g_beta, p_bt)
         points = points or HELICAL_POINTS
         x, width, part, s = _strips(marks, g_alpha, g_beta, p_bt, points, strips)
         weight = width * part * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
         carried = contact_length(
-            s=based_on(s.ravel(), *places),
-            g_alpha=g_alpha,
-            g_beta=g_beta,
-            p_bt=p_bt,
-            beta_b=mesh.base_helix_angle,
+            s=based_on(s.ravel(), *places), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle
         )
     parts = cells(x, width, points, marks.size)
     middle = len(x) // 2 * x.shape[-1] + np.argsort(x[len(x) // 2], kind="stable")
@@ -508,17 +473,21 @@ def motion(mesh: MeshGeometry, path: Path, n_1: Num) -> Motion:
     omega_1 = driver_speed(n_1=n)
     n_2 = wheel_speed(n=n, z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
     omega_2 = driven_speed(omega_1=omega_1, z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
-    rho_2 = driven_curvature(T=path.C_F, rho_1=path.x)
-    u_1, u_2 = rolling_speed(n=n, rho=path.x), rolling_speed(n=n_2, rho=rho_2)
+    rho_2 = contact.driven_curvature(T=path.C_F, rho_1=path.x)
+    u_1, u_2 = contact.rolling_speed(n=n, rho=path.x), contact.rolling_speed(n=n_2, rho=rho_2)
     V_s = sliding_speed(omega_1=omega_1, omega_2=omega_2, x=path.x, rho_C=path.C_C)
     u_e = entrainment_speed(u_1=u_1, u_2=u_2)
     return Motion(
         omega_1=omega_1,
-        R=normal_relative_radius(rho_rel=relative_radius(rho_1=path.x, rho_2=rho_2), beta_b=mesh.base_helix_angle),
+        R=contact.normal_relative_radius(
+            rho_rel=contact.relative_radius(rho_1=path.x, rho_2=rho_2), beta_b=mesh.base_helix_angle
+        ),
         u_1=u_1,
         u_2=u_2,
         V_s=V_s,
         u_e=u_e,
         S=slide_to_roll(V_s=V_s, u_e=u_e),
-        E_r=reduced_modulus(nu_1=mesh.driver.poisson, E_1=mesh.driver.E, nu_2=mesh.driven.poisson, E_2=mesh.driven.E),
+        E_r=contact.reduced_modulus(
+            nu_1=mesh.driver.poisson, E_1=mesh.driver.E, nu_2=mesh.driven.poisson, E_2=mesh.driven.E
+        ),
     )

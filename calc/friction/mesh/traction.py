@@ -14,6 +14,7 @@ The friction heat warms the film, warm oil rubs less: at every position the film
 The skins of the teeth have the bulk temperature, unless the bodies' own resistance to heat is given (`loss.py`)."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -213,6 +214,7 @@ def settled(warmed: Callable[[Array], Array], T_m: Any, highest: Array, x: Array
 
     Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside
     the bracket; a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position."""
+    what = Text("{subject}: temperature of the film", subject=subject)
     before: Array = np.broadcast_to(T_m, np.shape(highest))
     gap_before = warmed(before) - before
     low, high = before, np.minimum(highest + SLACK, HOTTEST)
@@ -222,7 +224,13 @@ def settled(warmed: Callable[[Array], Array], T_m: Any, highest: Array, x: Array
         if np.all(np.abs(gap) <= TOLERANCE):  # NaN never is
             return T
         if np.any((gap > 0) & (T >= HOTTEST)):
-            raise _beyond(x, np.where(T >= HOTTEST, gap, -np.inf), subject)
+            where = place(x, gap, int(np.argmax(np.where(T >= HOTTEST, gap, -np.inf))))
+            tried = Text(
+                "{where} it would be above {hottest} °C, where the laws of the oil end",
+                where=where,
+                hottest=Amount(HOTTEST, form="g"),
+            )
+            raise NoSolution(what, tried, ADVICE)
         low, high = np.where(gap > 0, T, low), np.where(gap < 0, T, high)
         step = T - before
         slope = np.minimum((gap - gap_before) / np.where(step == 0, 1.0, step), -1.0)
@@ -230,55 +238,27 @@ def settled(warmed: Callable[[Array], Array], T_m: Any, highest: Array, x: Array
         T = T - gap / slope
         T = np.where((T >= low) & (T <= high), T, (low + high) / 2)
     worst = int(np.nanargmax(np.where(np.isnan(gap), np.inf, np.abs(gap))))
-    left = float(np.ravel(gap)[worst])
-    off = (
-        Text("off by {left} K after {passes} passes", left=Amount(left, form=".3g"), passes=PASSES)
-        if np.isfinite(left)
-        else Text("the formulas give no number there")
-    )
-    raise NoSolution(
-        Text("{subject}: temperature of the film", subject=subject),
-        Text("{place}: {off}", place=place(x, gap, worst), off=off),
-        ADVICE,
-    )
-
-
-def _beyond(x: Array, gap: Array, subject: str) -> NoSolution:
-    where = place(x, gap, int(np.argmax(gap)))
-    tried = Text(
-        "{where} it would be above {hottest} °C, where the laws of the oil end",
-        where=where,
-        hottest=Amount(HOTTEST, form="g"),
-    )
-    return NoSolution(Text("{subject}: temperature of the film", subject=subject), tried, ADVICE)
+    left, off = float(np.ravel(gap)[worst]), Text("the formulas give no number there")
+    if np.isfinite(left):
+        off = Text("off by {left} K after {passes} passes", left=Amount(left, form=".3g"), passes=PASSES)
+    raise NoSolution(what, Text("{place}: {off}", place=place(x, gap, worst), off=off), ADVICE)
 
 
 def place(x: Array, gap: Array, worst: int) -> str:
     """The position of one element, and of many operating points which it is."""
     point, position = divmod(worst, np.size(x))
     which = Text("operating point {point}, ", point=point) if gap.ndim > 1 else ""
-    return Text(
-        "{which}{ravel} mm from T₁", which=which, ravel=Amount(float(np.ravel(x)[position]) * 1000.0, form=".4g")
-    )
+    millimetres = Amount(float(np.ravel(x)[position]) * 1000.0, form=".4g")
+    return Text("{which}{ravel} mm from T₁", which=which, ravel=millimetres)
 
 
 # --- together
 
 
 @record
-class Rubbing:
-    """What rubs by one law: coefficient, heat and its partition, film temperature, Deborah number."""
-
-    mu: Array
-    q: Array
-    epsilon: Array
-    T_f: Array
-    De: Array
-
-
-@record
 class Traction:
-    """Friction at every position: film over roughness, load share of the solids, and what rubs."""
+    """Friction at every position: film over roughness, load share of the solids; coefficient, heat and its partition,
+    film temperature, Deborah number."""
 
     lam: Array
     xi: Array
@@ -292,7 +272,7 @@ class Traction:
 @record
 class Contact:
     """What both laws are told: oil, motion, film; the load with and without its floor, pressure and half width; the
-    flanks."""
+    flanks, the film over their roughness, their share of the load."""
 
     oil: Oil
     motion: Motion
@@ -302,7 +282,16 @@ class Contact:
     p_m: Array
     b_H: Array
     surfaces: Surfaces
+    lam: Array
     xi: Array
+
+    def traction(self, mu_f: Array, eta: Any, a: Array, epsilon: Array, R_th: Array) -> Traction:
+        """What follows of the friction of the film, whose oil of the viscosity eta is sheared over the half width a."""
+        mu = friction(xi=self.xi, mu_s=self.surfaces.mu_s, mu_f=mu_f)
+        q = friction_power(mu=mu, w=self.w, V_s=self.motion.V_s)
+        T_f = film_temperature(T_m=self.oil.T_m, q=q, R_th=R_th)
+        De = deborah(eta=eta, u_e=self.motion.u_e, a=a)
+        return Traction(lam=self.lam, xi=self.xi, mu=mu, q=q, epsilon=epsilon, T_f=T_f, De=De)
 
 
 def traction(
@@ -324,41 +313,39 @@ def traction(
     """
     lam = film_ratio(h=film.h, sigma=s.sigma)
     xi = s.mixing.solid(lam, s.sigma, s.Ra)
-    at = Contact(oil, motion, film, w, w_f, p_m, b_H, s, xi)
+    at = Contact(oil, motion, film, w, w_f, p_m, b_H, s, lam, xi)
     rigid = film.rigid
     if not np.any(rigid > 0):
-        return Traction(lam=lam, xi=xi, **vars(_elastic(at, np.ones_like(rigid), x, subject)))
+        return _elastic(at, np.ones_like(rigid), x, subject)
     thin = _rigid(at)
     if not np.any(rigid < 1):
-        return Traction(lam=lam, xi=xi, **vars(thin))
+        return thin
     thick = _elastic(at, np.where(rigid < 1, 1.0, 0.0), x, subject)
-    both = {
-        name: based_on(rigid * value + (1 - rigid) * getattr(thick, name), film.rigid, value, getattr(thick, name))
-        for name, value in vars(thin).items()
-    }
-    return Traction(lam=lam, xi=xi, **both)
+
+    def mixed(by_thin: Array, by_thick: Array) -> Array:
+        return based_on(rigid * by_thin + (1 - rigid) * by_thick, film.rigid, by_thin, by_thick)
+
+    rubbing = ("mu", "q", "epsilon", "T_f", "De")
+    return replace(thin, **{name: mixed(getattr(thin, name), getattr(thick, name)) for name in rubbing})
 
 
-def _rigid(c: Contact) -> Rubbing:
+def _rigid(c: Contact) -> Traction:
     """Oil sheared over the whole gap of a rigid film, with the viscosity of the inlet: explicit."""
     m, film = c.motion, c.film
     mu_IR = rigid_fluid_friction(eta_0=c.oil.eta_0, V_s=m.V_s, R=m.R, h_0=film.h_0, w_f=c.w_f)
     a = sheared_half_width(R=m.R, h_0=film.h_0)
     epsilon, R_th = _heat(c, a)
-    mu = friction(xi=c.xi, mu_s=c.surfaces.mu_s, mu_f=mu_IR)
-    q = friction_power(mu=mu, w=c.w, V_s=m.V_s)
-    T_f = film_temperature(T_m=c.oil.T_m, q=q, R_th=R_th)
-    return Rubbing(mu=mu, q=q, epsilon=epsilon, T_f=T_f, De=deborah(eta=c.oil.eta_0, u_e=m.u_e, a=a))
+    return c.traction(mu_IR, c.oil.eta_0, a, epsilon, R_th)
 
 
-def _elastic(c: Contact, there: Array, x: Array, subject: str) -> Rubbing:
+def _elastic(c: Contact, there: Array, x: Array, subject: str) -> Traction:
     """Oil sheared between the flattened flanks, at the temperature that this makes.  `there`: 0 where no part of a
     stretch is elastic."""
     oil, m, film, s = c.oil, c.motion, c.film, c.surfaces
     epsilon, R_th = _heat(c, c.b_H)
     p_f = film_pressure(xi=c.xi, p_m=c.p_m) if s.relieved else c.p_m
 
-    def at(T_f: Array) -> Rubbing:
+    def at(T_f: Array) -> Traction:
         eta_f = oil.lubricant.at(T_f).mu
         alpha_f = oil.alpha_at(eta_f)
         if s.roelands:
@@ -369,10 +356,7 @@ def _elastic(c: Contact, there: Array, x: Array, subject: str) -> Rubbing:
             eta, alpha_p = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=p_f), alpha_f
         tau_E = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha_p)
         mu_f = fluid_friction(tau_E=tau_E, p_m=p_f, eta=eta, V_s=m.V_s, h=film.h, Lambda=oil.Lambda)
-        mu = friction(xi=c.xi, mu_s=s.mu_s, mu_f=mu_f)
-        q = friction_power(mu=mu, w=c.w, V_s=m.V_s)
-        T = film_temperature(T_m=oil.T_m, q=q, R_th=R_th)
-        return Rubbing(mu=mu, q=q, epsilon=epsilon, T_f=T, De=deborah(eta=eta, u_e=m.u_e, a=c.b_H))
+        return c.traction(mu_f, eta, c.b_H, epsilon, R_th)
 
     with untraced():
         most = friction(xi=c.xi, mu_s=s.mu_s, mu_f=oil.Lambda)

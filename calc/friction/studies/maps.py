@@ -5,6 +5,7 @@ CO₂.
 The journals' load grows with the square of the speed, their oil comes at the temperature of the map; other losses that
 are given stay. A train alone carries its torque at every speed."""
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -76,15 +77,11 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
             shaft = journals_at(on, ratio, grid_T)
             good &= np.isfinite(shaft_loss(shaft, None))
     parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels")}
-    missing = (
-        ""
-        if good.all()
-        else Text(
-            "at {sum} of {size} points a journal has no film in the range of its table",
-            sum=int((~good).sum()),
-            size=good.size,
+    missing, bad = "", int((~good).sum())
+    if bad:
+        missing = Text(
+            "at {sum} of {size} points a journal has no film in the range of its table", sum=bad, size=good.size
         )
-    )
     if good.any():
         try:
             losses = _losses(d, power, shaft.only(good) if shaft is not None else None, ratio[good], grid_T[good])
@@ -93,12 +90,8 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
         except NoSolution as none:
             missing = str(none)
     shape = speeds.size, temperatures.size
-    return Map(
-        speeds=speeds,
-        temperatures=temperatures,
-        missing=missing,
-        **{name: x.reshape(shape) for name, x in parts.items()},
-    )
+    by_name = {name: x.reshape(shape) for name, x in parts.items()}
+    return Map(speeds=speeds, temperatures=temperatures, missing=missing, **by_name)
 
 
 def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Any, T: Any) -> Losses:
@@ -120,10 +113,18 @@ def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Tab
     """A line over the speeds for every temperature; the tables of losses, of fuel and of CO₂; what is missing."""
     if not np.isfinite(loss_map.total).any():
         return (), (), (Text("No map of losses over speed and temperature: {missing}.", missing=loss_map.missing),)
-    rpm = loss_map.speeds * 60
+    rpm, total = loss_map.speeds * 60, loss_map.total
     labels = [Text("{T}", T=Amount(T, "°C")) for T in loss_map.temperatures.tolist()]
-    total = loss_map.total
-    lines = tuple(Series(label, rpm, total[:, i]) for i, label in enumerate(labels))
+    n_label = axis_label("n of the first driver", "rpm")
+
+    def lines(values: Array) -> tuple[Series, ...]:
+        return tuple(Series(label, rpm, values[:, i]) for i, label in enumerate(labels))
+
+    def table(id: str, title: Text, unit: str, values: Array, note: Text) -> Table:
+        columns = ((Text("n"), "rpm"), *((label, unit) for label in labels))
+        rows = ((float(n), *(x if math.isfinite(x) else None for x in row)) for n, row in zip(rpm, values.tolist()))
+        return Table(id, title, columns, tuple(rows), note)
+
     at = int(np.argmin(np.abs(loss_map.temperatures - d.T_oil)))
     parts = tuple(
         Series(label, rpm, part[:, at])
@@ -134,52 +135,26 @@ def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Tab
         )
         if np.any(part[:, at] != 0)
     )
+    of_losses, of_parts = (
+        Text("Power lost over speed and oil temperature"),
+        Text("What loses it, oil at {labels}", labels=labels[at]),
+    )
     curves = [
-        Curve(
-            "over_speed",
-            Text("Power lost over speed and oil temperature"),
-            axis_label("n of the first driver", "rpm"),
-            axis_label("P", "W"),
-            lines,
-        ),
-        Curve(
-            "over_speed_parts",
-            Text("What loses it, oil at {labels}", labels=labels[at]),
-            axis_label("n of the first driver", "rpm"),
-            axis_label("P", "W"),
-            parts,
-        ),
+        Curve("over_speed", of_losses, n_label, axis_label("P", "W"), lines(total)),
+        Curve("over_speed_parts", of_parts, n_label, axis_label("P", "W"), parts),
     ]
-    columns = ((Text("n"), "rpm"), *((label, "W") for label in labels))
     note = BOUND + (AS_OIL if d.friction.bulk_temperature is not None else "")
-    tables = [Table("map", Text("Power lost over speed and oil temperature"), columns, _rows(rpm, total), note)]
-    b_e = d.friction.specific_fuel_consumption
+    tables = [table("map", of_losses, "W", total, note)]
+    b_e, e_CO2 = d.friction.specific_fuel_consumption, d.friction.co2_per_fuel
     if b_e is not None:
         with untraced():
             m_B = fuel(b_e=b_e, P=total)
-            m_CO2 = carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
-        curves.append(
-            Curve(
-                "over_speed_fuel",
-                Text("Fuel that the losses cost"),
-                axis_label("n of the first driver", "rpm"),
-                axis_label("m_B", "g/h"),
-                tuple(Series(label, rpm, m_B[:, i] / GRAM_PER_HOUR) for i, label in enumerate(labels)),
-            )
-        )
-        columns = ((Text("n"), "rpm"), *((label, "g/h") for label in labels))
+            m_CO2 = carbon_dioxide(e_CO2=e_CO2, m_B=m_B)
+        of_fuel, burnt = Text("Fuel that the losses cost"), m_B / GRAM_PER_HOUR
+        curves.append(Curve("over_speed_fuel", of_fuel, n_label, axis_label("m_B", "g/h"), lines(burnt)))
         note = Text("At {b_e} g/kWh at every point of the map.", b_e=Amount(b_e * 3600000000.0))
-        tables.append(
-            Table("map_fuel", Text("Fuel that the losses cost"), columns, _rows(rpm, m_B / GRAM_PER_HOUR), note)
-        )
-        note = Text("{co2_per_fuel} kg per kg of fuel, burnt completely.", co2_per_fuel=Amount(d.friction.co2_per_fuel))
-        tables.append(Table("map_co2", Text("CO₂ of that fuel"), columns, _rows(rpm, m_CO2 / GRAM_PER_HOUR), note))
-    return (
-        tuple(curves),
-        tuple(tables),
-        (Text("Map of losses: {missing}.", missing=loss_map.missing),) if loss_map.missing else (),
-    )
-
-
-def _rows(rpm: Array, values: Array) -> tuple[tuple[float | None, ...], ...]:
-    return tuple((float(n), *(float(x) if np.isfinite(x) else None for x in row)) for n, row in zip(rpm, values))
+        tables.append(table("map_fuel", of_fuel, "g/h", burnt, note))
+        note = Text("{co2_per_fuel} kg per kg of fuel, burnt completely.", co2_per_fuel=Amount(e_CO2))
+        tables.append(table("map_co2", Text("CO₂ of that fuel"), "g/h", m_CO2 / GRAM_PER_HOUR, note))
+    missing = (Text("Map of losses: {missing}.", missing=loss_map.missing),) if loss_map.missing else ()
+    return tuple(curves), tuple(tables), missing

@@ -38,6 +38,20 @@ ALONG = (
     ("q", Text("friction power"), axis_label("q", "W/mm of contact line"), 1e-3),
 )
 
+# What is tabulated of every mesh: label and unit of the column, attribute of `MeshLoss`, factor.
+TABULATED = (
+    (Text("P_VZ"), "W", "loss", 1.0),
+    (Text("sliding"), "W", "sliding_loss", 1.0),
+    (Text("rolling"), "W", "rolling_loss", 1.0),
+    (Text("η_Z"), "%", "efficiency", 100.0),
+    (Text("μ_m"), "", "friction_mean", 1.0),
+    (Text("H_VL"), "", "loss_factor", 1.0),
+    (Text("h_min"), "µm", "film_min", 1e6),
+    (Text("λ_min"), "", "lambda_min", 1.0),
+    (Text("p_H"), "MPa", "pressure_max", 1e-6),
+    (Text("T_f max"), "°C", "temperature_max", 1.0),
+)
+
 
 def solved(
     d: TrainDrive, friction: FrictionInputs, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
@@ -61,32 +75,31 @@ def solved(
 def _one(
     d: TrainDrive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
 ) -> ScenarioResult:
-    measured = d.friction.bulk_temperature if s.oil_temperature is None else None
+    shaft, f = d.shaft, d.friction
     friction = replace(
-        d.friction,
-        load_sharing=s.load_sharing or d.friction.load_sharing,
-        flank_roughness=s.flank_roughness or d.friction.flank_roughness,
-        bulk_temperature=measured,
+        f,
+        load_sharing=s.load_sharing or f.load_sharing,
+        flank_roughness=s.flank_roughness or f.flank_roughness,
+        bulk_temperature=f.bulk_temperature if s.oil_temperature is None else None,
     )
     name = s.oil or d.lubricant.oil.name
     T = d.T_oil if s.oil_temperature is None else s.oil_temperature
     lubricant = Lubricant(oils[name], law) if s.oil else d.lubricant
-    shaft, f = d.shaft, d.friction
     shared = (s.oil_temperature is not None and f.oil_temperature is None, s.oil is not None and f.oil is None)
     if on is not None and any(shared):
         supply = T if shared[0] else next(iter(on.bearings.bearings.values())).duty.supply_temperature
         shaft = journals_at(on, 1.0, supply, lubricant if shared[1] else None)
         if not np.isfinite(shaft_loss(shaft, None)):
+            what, advice = (
+                Text("friction of the counter-shaft's journals"),
+                Text("another oil or temperature for this scenario"),
+            )
             tried = Text(
                 "with {name} supplied at {supply} °C a journal has no film in the range of its table",
                 name=name,
                 supply=Amount(supply, form="g"),
             )
-            raise NoSolution(
-                Text("friction of the counter-shaft's journals"),
-                tried,
-                Text("another oil or temperature for this scenario"),
-            )
+            raise NoSolution(what, tried, advice)
     other = drive(friction, d.meshes, lubricant, T, d.wheels[d.first].speed, shaft, d.forces, d.lubrication)
     r = balance(other, None if d.shaft is not None else s.power or power)
     meshes = {
@@ -132,9 +145,8 @@ def tables(result: FrictionResult) -> tuple[Table, ...]:
     if not scenarios:
         return ()
     meshes = next(iter(scenarios.values())).meshes
-    return _balance(scenarios, result), *(
-        _table(scenarios, key, model, words) for key in meshes for model, words in MODELS
-    )
+    by_mesh = (_table(scenarios, key, model, words) for key in meshes for model, words in MODELS)
+    return _balance(scenarios, result), *by_mesh
 
 
 def _balance(scenarios: Mapping[str, ScenarioResult], design: FrictionResult) -> Table:
@@ -150,24 +162,18 @@ def _balance(scenarios: Mapping[str, ScenarioResult], design: FrictionResult) ->
         (Text("delivered"), "W"),
     )
     rows: list[tuple[str | float | None, ...]] = []
-    compared: list[tuple[str, str, ScenarioResult | FrictionResult]] = [
-        (name, s.about, s) for name, s in scenarios.items()
-    ]
+    compared: list[tuple[str, str, ScenarioResult | FrictionResult]]
+    compared = [(name, s.about, s) for name, s in scenarios.items()]
     if all(s.total_loss != design.total_loss for s in scenarios.values()):
         compared.insert(0, (Text("as designed"), "", design))
     for name, about, s in compared:
         wheels = s.total_loss - s.mesh_loss - (s.bearing_loss or 0.0)
         torque = s.crank_torque if s.delivered_power is None else None  # given, where the power is
         rows.append((name, about, s.bearing_loss, s.mesh_loss, wheels, s.total_loss, torque, s.delivered_power))
-    kept = [i for i in range(len(columns)) if any(row[i] is not None for row in rows)]
-    return Table(
-        "scenarios",
-        Text("Scenarios: the whole balance, as judged"),
-        tuple(columns[i] for i in kept),
-        tuple(tuple(row[i] for i in kept) for row in rows),
-        Text("wheels: windage, churning, seals and bearings of the wheels, other losses."),
-        covers=("friction.scenarios.",),
-    )
+    title = Text("Scenarios: the whole balance, as judged")
+    note = Text("wheels: windage, churning, seals and bearings of the wheels, other losses.")
+    whole = Table("scenarios", title, columns, tuple(rows), note, covers=("friction.scenarios.",))
+    return _narrowed(whole, [i for i in range(len(columns)) if any(row[i] is not None for row in rows)])
 
 
 def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, str | float | list[float] | None]:
@@ -175,21 +181,14 @@ def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, 
     oil and temperature the teeth have too where the design says so."""
     changes: dict[str, str | float | list[float] | None] = {}
     if s.oil is not None:
-        changes[
-            dotted("bearings", BearingsInputs.oil)
-            if shared and friction.oil is None
-            else dotted("friction", FrictionInputs.oil)
-        ] = s.oil
+        of_bearings, of_teeth = dotted("bearings", BearingsInputs.oil), dotted("friction", FrictionInputs.oil)
+        changes[of_bearings if shared and friction.oil is None else of_teeth] = s.oil
     if s.oil_temperature is not None:
-        if friction.bulk_temperature is not None:
-            changes[dotted("friction", FrictionInputs.bulk_temperature)] = (
-                None  # it was measured at another temperature
-            )
-        changes[
-            dotted("bearings", BearingsInputs.supply_temperature)
-            if shared and friction.oil_temperature is None
-            else dotted("friction", FrictionInputs.oil_temperature)
-        ] = s.oil_temperature
+        if friction.bulk_temperature is not None:  # it was measured at another temperature
+            changes[dotted("friction", FrictionInputs.bulk_temperature)] = None
+        of_bearings = dotted("bearings", BearingsInputs.supply_temperature)
+        of_teeth = dotted("friction", FrictionInputs.oil_temperature)
+        changes[of_bearings if shared and friction.oil_temperature is None else of_teeth] = s.oil_temperature
     if s.load_sharing is not None:
         changes[dotted("friction", FrictionInputs.load_sharing)] = s.load_sharing
     if s.flank_roughness is not None:
@@ -202,58 +201,30 @@ def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, 
 def _table(scenarios: Mapping[str, ScenarioResult], key: str, model: str, words: Text) -> Table:
     """What differs stands in columns, what is the same in all scenarios in the note."""
     columns = (
-        (Text("Scenario"), ""),
-        (Text("Oil"), ""),
-        (Text("T_oil"), "°C"),
-        (Text("η_0"), "mPa·s"),
-        (Text("P_VZ"), "W"),
-        (Text("sliding"), "W"),
-        (Text("rolling"), "W"),
-        (Text("η_Z"), "%"),
-        (Text("μ_m"), ""),
-        (Text("H_VL"), ""),
-        (Text("h_min"), "µm"),
-        (Text("λ_min"), ""),
-        (Text("p_H"), "MPa"),
-        (Text("T_f max"), "°C"),
+        *((Text("Scenario"), ""), (Text("Oil"), ""), (Text("T_oil"), "°C"), (Text("η_0"), "mPa·s")),
+        *((label, unit) for label, unit, _, _ in TABULATED),
     )
     rows: list[tuple[str | float | None, ...]] = []
     for name, s in scenarios.items():
-        m: MeshLoss = getattr(s.meshes[key], model)
-        rows.append(
-            (
-                name,
-                s.oil,
-                s.temperature,
-                s.oil_viscosity * 1e3,
-                m.loss,
-                m.sliding_loss,
-                m.rolling_loss,
-                m.efficiency * 100,
-                m.friction_mean,
-                m.loss_factor,
-                m.film_min * 1e6,
-                m.lambda_min,
-                m.pressure_max * 1e-6,
-                m.temperature_max,
-            )
-        )
+        loss: MeshLoss = getattr(s.meshes[key], model)
+        numbers = (getattr(loss, attribute) * factor for _, _, attribute, factor in TABULATED)
+        rows.append((name, s.oil, s.temperature, s.oil_viscosity * 1e3, *numbers))
     same = [i for i in range(1, len(columns)) if len(rows) > 1 and all(row[i] == rows[0][i] for row in rows)]
-    kept = [i for i in range(len(columns)) if i not in same]
+    cells = [(*columns[i], rows[0][i]) for i in same]
     note = COMMA.join(
-        Text("{label} {value}", label=columns[i][0], value=_shown(rows[0][i], columns[i][1])) for i in same
+        Text("{label} {value}", label=label, value=Amount(cell, unit) if isinstance(cell, float) else cell or "")
+        for label, unit, cell in cells
     )
-    return Table(
-        f"scenarios_{key}_{model}",
-        Text("Scenarios, mesh {key}, {words}", key=key.replace("_", "–"), words=words),
-        tuple(columns[i] for i in kept),
-        tuple(tuple(row[i] for i in kept) for row in rows),
-        Text("The same in all: {note}.", note=note) if note else EMPTY,
-    )
+    heading = Text("Scenarios, mesh {key}, {words}", key=key.replace("_", "–"), words=words)
+    note = Text("The same in all: {note}.", note=note) if note else EMPTY
+    whole = Table(f"scenarios_{key}_{model}", heading, columns, tuple(rows), note)
+    return _narrowed(whole, [i for i in range(len(columns)) if i not in same])
 
 
-def _shown(cell: str | float | None, unit: str) -> str | Amount:
-    return Amount(cell, unit) if isinstance(cell, float) else cell or ""
+def _narrowed(table: Table, kept: list[int]) -> Table:
+    """The table with some of its columns."""
+    rows = tuple(tuple(row[i] for i in kept) for row in table.rows)
+    return replace(table, columns=tuple(table.columns[i] for i in kept), rows=rows)
 
 
 def curves(scenarios: Mapping[str, ScenarioResult], marks: Mapping[str, Text]) -> Iterator[Curve]:

@@ -5,7 +5,7 @@ closed anew.
 A range is what the sources support: the spread of published values where there are several, else a rule of this
 program, and it says which."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -22,11 +22,14 @@ from ..inputs import FrictionInputs
 from ..losses.oil_and_air import AIR_DENSITY
 from ..mesh.geometry import column
 from ..mesh.mixed import LOAD_SHARES, PUBLISHED, Surfaces
-from ..power_balance import TrainDrive, drive, total_losses
+from ..power_balance import TrainDrive, drive, losses_of
 
 WARMER = 10.0  # K
 DUST = 1e-9  # of the losses: what the last digits make
+# the two laws of each kind in words
 LAWS = {"barus": Text("Barus"), "roelands": Text("Roelands")}
+SHARINGS = {"linear": Text("linear"), "smooth": Text("smooth")}
+FILMS = {"judged": Text("by regime, with rolling"), "source": Text("EHL everywhere, no rolling")}
 
 
 @record
@@ -60,64 +63,28 @@ def _numbers(d: TrainDrive, power: Watt | None) -> list[Swing]:
     f = d.friction
     Lambda, mu_s, rho_m = d.oil.Lambda, _rubbing(d).mu_s, f.mist_density
     shown = listed(Text("{Ra}", Ra=Amount(Ra * 1e6)) for Ra in f.flank_roughness)
-    thin = min(AIR_DENSITY, rho_m)
-    published = f.solid_friction is None and f.film == "judged"
-    ends_mu, words_mu = (PUBLISHED, _ends_of(*PUBLISHED)) if published else (_about(mu_s, 0.2), _both(mu_s, 0.2))
-    why_mu = Text("published for lubricated steel") if published else Text("±20 %, the spread of the literature")
-    why_Lambda = Text("as given, ±40 %") if d.lubricant.oil.limiting_shear is not None else Text("by base stock, ±40 %")
-    open_: list[tuple[str, float, tuple[float, float], Text, str, tuple[Text, Text], Text]] = [
-        ("Lambda", Lambda, _about(Lambda, 0.4), Text("limiting shear Λ"), "Λ", _both(Lambda, 0.4), why_Lambda),
-        (
-            "thickening",
-            1.0,
-            _about(1.0, 0.2),
-            Text("pressure-viscosity α"),
-            "α",
-            (Text("−20 %"), Text("+20 %")),
-            Text("published laws for one oil differ so much"),
-        ),
-        (
-            "rough",
-            1.0,
-            _about(1.0, 0.3),
-            Text("flank roughness Ra"),
-            "Ra",
-            (Text("{shown} µm −30 %", shown=shown), Text("+30 %")),
-            Text("new to run-in flanks, own rule"),
-        ),
-        (
-            "mu_s",
-            mu_s,
-            ends_mu,
-            Text("friction of the solids μ_s"),
-            "μ_s",
-            words_mu,
-            why_mu,
-        ),
-        (
-            "mist",
-            rho_m,
-            (thin, 2 * rho_m),
-            Text("density of the oil mist"),
-            "mist",
-            _kgm3(thin, 2 * rho_m),
-            Text("air alone to twice what is assumed"),
-        ),
-    ]
-    T = d.T_oil if f.bulk_temperature is None else f.bulk_temperature
+    mist = min(AIR_DENSITY, rho_m), 2 * rho_m
+    # each with its nominal value, its ends, what it is, its symbol, its ends in words, and why this far
+    open_: list[tuple[str, float, tuple[float, float], Text, str, tuple[Text, Text], Text]] = []
+    ends, words = _about(Lambda, 0.4), _both(*_about(Lambda, 0.4))
+    why = Text("as given, ±40 %") if d.lubricant.oil.limiting_shear is not None else Text("by base stock, ±40 %")
+    open_.append(("Lambda", Lambda, ends, Text("limiting shear Λ"), "Λ", words, why))
+    words, why = (Text("−20 %"), Text("+20 %")), Text("published laws for one oil differ so much")
+    open_.append(("thickening", 1.0, _about(1.0, 0.2), Text("pressure-viscosity α"), "α", words, why))
+    words, why = (Text("{shown} µm −30 %", shown=shown), Text("+30 %")), Text("new to run-in flanks, own rule")
+    open_.append(("rough", 1.0, _about(1.0, 0.3), Text("flank roughness Ra"), "Ra", words, why))
+    ends, why = _about(mu_s, 0.2), Text("±20 %, the spread of the literature")
+    if f.solid_friction is None and f.film == "judged":
+        ends, why = PUBLISHED, Text("published for lubricated steel")
+    open_.append(("mu_s", mu_s, ends, Text("friction of the solids μ_s"), "μ_s", _both(*ends), why))
+    words = Text("{low} kg/m³", low=Amount(mist[0])), Text("{high} kg/m³", high=Amount(mist[1]))
+    why = Text("air alone to twice what is assumed")
+    open_.append(("mist", rho_m, mist, Text("density of the oil mist"), "mist", words, why))
     if f.bulk_temperature is None and f.bulk == "oil":
-        words = (Text("{t} °C", t=Amount(T)), Text("{t} °C", t=Amount(T + WARMER)))
-        open_.append(
-            (
-                "bulk",
-                T,
-                (T, T + WARMER),
-                Text("temperature of the teeth"),
-                "T_b",
-                words,
-                Text("taken as the oil's; often some 10 K above"),
-            )
-        )
+        T, hot = d.T_oil, d.T_oil + WARMER
+        words = Text("{t} °C", t=Amount(T)), Text("{t} °C", t=Amount(hot))
+        why = Text("taken as the oil's; often some 10 K above")
+        open_.append(("bulk", T, (T, hot), Text("temperature of the teeth"), "T_b", words, why))
     at = {key: np.full(2 * len(open_), nominal) for key, nominal, *_ in open_}
     for i, (key, _, ends, *_) in enumerate(open_):
         at[key][2 * i : 2 * i + 2] = ends
@@ -137,12 +104,12 @@ def _ends(d: TrainDrive, power: Watt | None, at: Mapping[str, Array]) -> Any:
     """The losses at many ends at once, `at` holding every constant at each of them; None where one has no
     solution."""
     f = d.friction
-    open_: dict[str, Any] = dict(
-        flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness),
-        solid_friction=column(at["mu_s"]),
-        mist_density=at["mist"],
-        bulk_temperature=at.get("bulk", f.bulk_temperature),
-    )
+    open_: dict[str, Any] = {
+        "flank_roughness": tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness),
+        "solid_friction": column(at["mu_s"]),
+        "mist_density": at["mist"],
+        "bulk_temperature": at.get("bulk", f.bulk_temperature),
+    }
     return _power(d, replace(f, **open_), power, Lambda=column(at["Lambda"]), thickening=column(at["thickening"]))
 
 
@@ -154,11 +121,7 @@ def _about(x: float, share: float) -> tuple[float, float]:
     return x * (1 - share), x * (1 + share)
 
 
-def _both(x: float, share: float) -> tuple[Text, Text]:
-    return _ends_of(*_about(x, share))
-
-
-def _ends_of(low: float, high: float) -> tuple[Text, Text]:
+def _both(low: float, high: float) -> tuple[Text, Text]:
     return Text("{low}", low=Amount(low)), Text("{high}", high=Amount(high))
 
 
@@ -167,55 +130,35 @@ def _rubbing(d: TrainDrive) -> Surfaces:
     return next(iter(d.cases.values())).rubbing(d.friction.film == "judged")
 
 
-def _kgm3(low: float, high: float) -> tuple[Text, Text]:
-    return Text("{low} kg/m³", low=Amount(low)), Text("{high} kg/m³", high=Amount(high))
-
-
-SHARINGS = {"linear": Text("linear"), "smooth": Text("smooth")}
-
-
 def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
     """The laws between which one has to choose: the one that is taken stands at the nominal value."""
     f = d.friction
     swings = []
 
-    def other(name: Text, symbol: str, taken: Text, instead: Text, why: Text, changed: FrictionInputs) -> None:
-        swings.append(Swing(name, symbol, taken, instead, nominal, _number(_power(d, changed, power)), why))
+    def other(name: Text, symbol: str, laws: tuple[Text, Text], why: Text, changed: FrictionInputs) -> None:
+        swings.append(Swing(name, symbol, *laws, nominal, _number(_power(d, changed, power)), why))
 
     if all(mesh.spur for mesh in d.meshes.values()):
-        sharing = {"linear": "smooth", "smooth": "linear"}[f.load_sharing]
-        other(
-            Text("load sharing of two pairs"),
-            "X_Γ",
-            SHARINGS[f.load_sharing],
-            SHARINGS[sharing],
-            Text("flanks as generated, or both tips relieved"),
-            replace(f, load_sharing=sharing),
-        )
-    taken, law = ("roelands", "barus") if _rubbing(d).roelands else ("barus", "roelands")
-    other(
-        Text("viscosity under pressure"), "η(p)", LAWS[taken], LAWS[law], Text("two laws"), replace(f, pressure_law=law)
-    )
+        why, sharing = Text("flanks as generated, or both tips relieved"), _other(SHARINGS, f.load_sharing)
+        laws = SHARINGS[f.load_sharing], SHARINGS[sharing]
+        other(Text("load sharing of two pairs"), "X_Γ", laws, why, replace(f, load_sharing=sharing))
+    taken = "roelands" if _rubbing(d).roelands else "barus"
+    law = _other(LAWS, taken)
+    laws, changed = (LAWS[taken], LAWS[law]), replace(f, pressure_law=law)
+    other(Text("viscosity under pressure"), "η(p)", laws, Text("two laws"), changed)
     if f.film == "judged":
         swings.append(_shares(d, power, nominal))
-    film = {"judged": "source", "source": "judged"}[f.film]
-    words = {"judged": Text("by regime, with rolling"), "source": Text("EHL everywhere, no rolling")}
-    why = Text("the friction source's model, or by Johnson's regimes")
-    other(Text("film"), "film", words[f.film], words[film], why, replace(f, film=film))
+    why, film = Text("the friction source's model, or by Johnson's regimes"), _other(FILMS, f.film)
+    other(Text("film"), "film", (FILMS[f.film], FILMS[film]), why, replace(f, film=film))
     if f.film == "judged":
         P, why = _number(_power(d, f, power, rolling=False)), Text("the bound supposes a full inlet")
-        swings.append(
-            Swing(
-                Text("rolling of the rigid film"),
-                "rolling",
-                Text("none: a starved inlet"),
-                Text("full inlet"),
-                P,
-                nominal,
-                why,
-            )
-        )
+        name, ends = Text("rolling of the rigid film"), (Text("none: a starved inlet"), Text("full inlet"))
+        swings.append(Swing(name, "rolling", *ends, P, nominal, why))
     return swings
+
+
+def _other(laws: Mapping[str, Text], taken: str) -> str:
+    return next(law for law in laws if law != taken)
 
 
 def _shares(d: TrainDrive, power: Watt | None, nominal: Watt) -> Swing:
@@ -247,7 +190,7 @@ def _power(
         other = drive(
             friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, Lambda, thickening
         )
-        return total_losses(replace(other, rolling=rolling), power)
+        return losses_of(replace(other, rolling=rolling), power).total
     except NoSolution:
         return None
 
@@ -258,23 +201,13 @@ def _power(
 def tornado(swings: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
     """Bars of what each constant changes, the widest first, and the numbers behind them."""
     places = np.arange(1.0, len(swings) + 1)
-    ends: tuple[tuple[Text, Callable[[Swing], Watt | None]], ...] = (
-        (Text("low end"), lambda s: s.at_low),
-        (Text("high end"), lambda s: s.at_high),
-    )
-    series = tuple(Series(label, places, np.array([_off(at(s), nominal) for s in swings])) for label, at in ends)
+    low = np.array([0.0 if s.at_low is None else s.at_low - nominal for s in swings])
+    high = np.array([0.0 if s.at_high is None else s.at_high - nominal for s in swings])
+    series = Series(Text("low end"), places, low), Series(Text("high end"), places, high)
     names = tuple(s.name for s in swings)
     x_label = Text(", ").join(f"{i} {s.symbol}" for i, s in enumerate(swings, 1))
-    curve = Curve(
-        "open_constants",
-        Text("What the open constants of mesh and mist change in the power lost"),
-        x_label,
-        axis_label("ΔP", "W"),
-        series,
-        bars=True,
-        names=names,
-        short=1,
-    )
+    title = Text("What the open constants of mesh and mist change in the power lost")
+    curve = Curve("open_constants", title, x_label, axis_label("ΔP", "W"), series, bars=True, names=names, short=1)
     rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in swings)
     columns = (
         (Text("Constant"), ""),
@@ -293,7 +226,3 @@ def tornado(swings: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
     if any(s.at_low is None or s.at_high is None for s in swings):
         note += Text(" An empty cell: no solution with the constant there.")
     return curve, Table("tornado", Text("Sensitivity to what the literature leaves open"), columns, rows, note)
-
-
-def _off(P: Watt | None, nominal: Watt) -> float:
-    return 0.0 if P is None else P - nominal
