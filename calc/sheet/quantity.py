@@ -303,6 +303,22 @@ def described(field: object) -> Quantity:
     return field.about
 
 
+def given(inputs: object, prefix: str, *, named: bool = False) -> Iterator[tuple[str, Quantity, Any]]:
+    """The inputs of a table, and of the tables in it, that are not left out: key, description, content in SI.
+
+    `named`: elements of arrays by their names where they have some, else by index."""
+    kind: type = type(inputs)
+    for key in keys(kind).values():
+        content, here = getattr(inputs, key.attribute), f"{prefix}.{key.key}"
+        if key.about.kind == "tables":
+            for n, element in enumerate(content):
+                yield from given(element, f"{here}.{(named and getattr(element, 'name', '')) or n}", named=named)
+        elif content is not None and key.about.kind == "table":
+            yield from given(content, here, named=named)
+        elif content is not None:
+            yield here, key.about, content
+
+
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
     near = get_close_matches(key, known, 1, 0.5)
