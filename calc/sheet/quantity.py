@@ -89,6 +89,13 @@ class Quantity:
     def units(self) -> Unit:
         return UNITS[self.unit]
 
+    def allows(self, x: float) -> bool:
+        """Whether its ends allow a number, in the shown unit."""
+        low, high, above = self.low, self.high, self.above
+        return not (
+            (low is not None and x < low) or (high is not None and x > high) or (above is not None and x <= above)
+        )
+
     def allowed(self) -> Text:
         """What may stand here, in words."""
         match self.kind:
@@ -509,13 +516,7 @@ def published(result: object, prefix: str, wanted: frozenset[str] = frozenset())
 
 
 def _inside(
-    result: object,
-    prefix: str,
-    formerly: str,
-    wanted: frozenset[str],
-    group: Group,
-    short: bool,
-    leads: bool,
+    result: object, prefix: str, formerly: str, wanted: frozenset[str], group: Group, short: bool, leads: bool
 ) -> Iterator[Published]:
     """`formerly`: the prefix that they had.  `group`: the description of the field that holds the result; `short`,
     `leads`: what those around it let them."""
