@@ -126,10 +126,10 @@ class Quantity:
             bounds.append(Text("from {low} to {high}", low=low, high=high))
         elif self.low is not None:
             bounds.append(Text("{low} or more", low=low))
+        elif self.high is not None and self.above is not None:
+            bounds.append(Text("and up to {high}", high=high))
         elif self.high is not None:
-            bounds.append(
-                Text("up to {high}", high=high) if self.above is None else Text("and up to {high}", high=high)
-            )
+            bounds.append(Text("up to {high}", high=high))
         if self.unit:
             bounds.append(Text("{unit}", unit=self.unit) if len(bounds) > 1 else Text("in {unit}", unit=self.unit))
         return SPACE.join(bounds)
@@ -201,7 +201,7 @@ def _make(
         source=Text(source),
         negative=Text(negative),
         brief=Text(brief),
-        change=_change_words(*map(Text, change)),
+        change=ChangeWords(other=Text(change[0])) if len(change) == 1 else ChangeWords(*map(Text, change)),
         where=_where(*where) if where else None,
         choices=choices,
         table=table,
@@ -209,10 +209,6 @@ def _make(
         **options,
     )
     return field(default=default, kw_only=True, metadata={"quantity": what})
-
-
-def _change_words(*words: Text) -> ChangeWords:
-    return ChangeWords(other=words[0]) if len(words) == 1 else ChangeWords(*words)
 
 
 def _where(choice: object, *words: object) -> Where:
@@ -285,12 +281,8 @@ class Key:
 def keys(inputs: type) -> dict[str, Key]:
     """The keys of an Inputs class in their order: file key → Key.  The class itself has each by its attribute:
     `EngineInputs.bore` is the Key of `bore_mm`, as `EngineInputs(…).bore` is its number."""
-    by_key = {}
-    for f in fields(inputs):
-        if (about := f.metadata.get("quantity")) is not None:
-            key = _key(f)
-            by_key[key] = Key(key, f.name, about, f)
-    return by_key
+    known = [f for f in fields(inputs) if "quantity" in f.metadata]
+    return {_key(f): Key(_key(f), f.name, f.metadata["quantity"], f) for f in known}
 
 
 def _key(f: Field[Any]) -> str:
@@ -329,9 +321,8 @@ def given(inputs: object, prefix: str, *, named: bool = False) -> Iterator[tuple
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
     near = get_close_matches(key, known, 1, 0.5)
-    return Text("is not known") + (
-        Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
-    )
+    others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
+    return Text("is not known") + others
 
 
 # --- results
@@ -480,11 +471,8 @@ def inputs(cls: type[T]) -> type[T]:
 @cache
 def _shown(cls: type) -> tuple[tuple[str, Described | None, Group], ...]:
     """The fields of a class of results that are shown: a value's description, or that of a group."""
-    return tuple(
-        (f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP))
-        for f in fields(cls)
-        if "value" in f.metadata or "group" in f.metadata
-    )
+    known = [f for f in fields(cls) if "value" in f.metadata or "group" in f.metadata]
+    return tuple((f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP)) for f in known)
 
 
 def insides(result: object) -> list[float]:
@@ -561,17 +549,6 @@ def _lets(which: bool | tuple[str, ...], name: str) -> bool:
 def _published(id: str, about: Described, inside: float, former: str, short: bool, leads: bool) -> Published:
     unit = UNITS[about.unit]
     shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))
-    leads = leads and short
-    return Published(
-        id,
-        shown,
-        about.unit,
-        about.label,
-        about.symbol,
-        inside,
-        about,
-        former,
-        short and about.short,
-        about.page_one if leads else 0,
-        about.headline if leads else 0,
-    )
+    what = (id, shown, about.unit, about.label, about.symbol, inside, about, former)
+    page_one, headline = (about.page_one, about.headline) if leads and short else (0, 0)
+    return Published(*what, short and about.short, page_one, headline)
