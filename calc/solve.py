@@ -15,9 +15,7 @@ from typing import TypeVar
 
 from .bearings import solve as bearings
 from .bearings.loads import with_standing as bearings_with_standing
-from .bearings.result import BearingsResult
 from .countershaft import solve as countershaft
-from .countershaft.inputs import CountershaftInputs
 from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_oil
 from .countershaft.supports import with_standing
@@ -42,7 +40,7 @@ from .sheet.number import aligned, short
 from .sheet.quantity import Published, ValueKey
 from .sheet.record import record
 from .sheet.reuse import Enough, Kept, Parts
-from .sheet.step import Curve, Outcome, accepted
+from .sheet.step import Outcome, accepted
 from .sheet.value import recorded, recording
 
 R = TypeVar("R")
@@ -85,9 +83,8 @@ class Results:
 
     def values(self) -> dict[str, Published]:
         if not self._values:
-            self._values.update(
-                {id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids}
-            )
+            published = (value for outcome in self.outcomes.values() for value in outcome.values())
+            self._values.update((id, value) for value in published for id in value.ids)
         return self._values
 
     def values_of(self, field: object) -> list[Published]:
@@ -244,20 +241,11 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
         b = bearings_with_standing(b, c.solution.standing)
-        c = _drained(c, design.countershaft, b)
+        c = with_oil(c, b.result)
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)
         g = _on_engine(g, design, c)
     return accepted((e, i, c, b, g, f, _mounted(part, design, e, i, c, g)), design.accepted)
-
-
-def _drained(
-    c: Outcome[CountershaftResult], inputs: CountershaftInputs, b: Outcome[BearingsResult]
-) -> Outcome[CountershaftResult]:
-    """A shaft whose drains, if it has any, take the bearings' oil."""
-    if inputs.oil_drain is None and not inputs.further_drains:
-        return c
-    return with_oil(c, b.result)
 
 
 def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftResult]) -> Outcome[TrainResult]:
@@ -267,7 +255,7 @@ def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftR
         g = gears.with_residual_couple(g, c.result.couple)
     if design.countershaft is not None:
         g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
-    return replace(g, curves=g.curves + Later(partial(_gear_curves, g.solution)))
+    return replace(g, curves=g.curves + Later(partial(curves, g.solution)))
 
 
 def _mounted(
@@ -285,10 +273,6 @@ def _mounted(
     return part(
         "mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g)
     )
-
-
-def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:
-    return curves(train)
 
 
 def _placed(

@@ -324,12 +324,7 @@ def stepped(session: Session, place: Place, default: str, by: int) -> str:
     else:
         step = about.step or _increment(abs(float(content)))
     number = float(f"{content + by * step:.10g}")
-    low, high, above = about.low, about.high, about.above
-    if (
-        (low is not None and number < low)
-        or (high is not None and number > high)
-        or (above is not None and number <= above)
-    ):
+    if not about.allows(number):
         return text
     return numbers.written(int(number) if about.kind == "integer" else number, about)
 

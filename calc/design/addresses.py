@@ -64,14 +64,8 @@ def _number(numbers: tuple[object, ...], rest: list[str], key: str) -> int:
     """The index of a number, which is where its key ends."""
     index = _place(rest[0], len(numbers))
     if index is None or len(rest) > 1:
-        raise _no_such(
-            key,
-            Text(
-                "has {count} numbers; name one by its place, from 0 to {count2}",
-                count=len(numbers),
-                count2=len(numbers) - 1,
-            ),
-        )
+        counts = dict(count=len(numbers), count2=len(numbers) - 1)
+        raise _no_such(key, Text("has {count} numbers; name one by its place, from 0 to {count2}", **counts))
     return index
 
 
@@ -104,13 +98,10 @@ def value_at(data: Table, key: str, whole: bool = False) -> object:
     """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too."""
     here: object = data
     for part in address(data, key, whole):
-        here = (
-            here[part]
-            if isinstance(here, list) and isinstance(part, int)
-            else here.get(part)
-            if isinstance(here, dict)
-            else None
-        )
+        if isinstance(here, list) and isinstance(part, int):
+            here = here[part]
+        else:
+            here = here.get(part) if isinstance(here, dict) else None
     return here
 
 
@@ -135,12 +126,9 @@ def _changed(here: object, where: tuple[str | int, ...], value: object) -> objec
         return value
     first, rest = where[0], where[1:]
     if isinstance(here, list):
-        gone = not rest and value is None
-        return [
-            _changed(item, rest, value) if n == first else item
-            for n, item in enumerate(here)
-            if not (gone and n == first)
-        ]
+        if not rest and value is None:
+            return [item for n, item in enumerate(here) if n != first]
+        return [_changed(item, rest, value) if n == first else item for n, item in enumerate(here)]
     table = dict(as_table(here))
     if rest or value is not None:
         table[str(first)] = _changed(table.get(str(first), {}), rest, value)
@@ -172,15 +160,9 @@ def join(prefix: str, key: str) -> str:
 
 
 def written(value: object) -> str:
-    text = (
-        f'"{value}"'
-        if isinstance(value, str)
-        else str(value).lower()
-        if isinstance(value, bool)
-        else Text("a table")
-        if isinstance(value, dict)
-        else str(value)
-    )
+    if isinstance(value, dict):
+        return Text("a table")
+    text = f'"{value}"' if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
     return text if len(text) <= 60 else text[:57] + "…"
 
 

@@ -65,9 +65,8 @@ def _no_name() -> OSError:
 
 def bare_name(name: str) -> bool:
     """Whether this is the mere name of a file, on any system, and none that hides."""
-    return (
-        0 < len(name) <= LONGEST_NAME and not NOT_BARE & set(name) and name.isprintable() and not name.startswith(".")
-    )
+    visible = name.isprintable() and not name.startswith(".")
+    return 0 < len(name) <= LONGEST_NAME and not NOT_BARE & set(name) and visible
 
 
 def same_file(a: Path | str, b: Path | str) -> bool:
@@ -181,13 +180,12 @@ def _replace(target: Path, data: bytes | Path, old: os.stat_result | None, backu
 
 def _put(draft: Path, data: bytes | Path, old: os.stat_result | None) -> None:
     """A file that lies on the disk when this returns, with the rights of the old one or those of the umask."""
-    handle = os.open(
-        draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL | BINARY, 0o666 if old is None else stat.S_IMODE(old.st_mode)
-    )
+    rights = 0o666 if old is None else stat.S_IMODE(old.st_mode)
+    handle = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL | BINARY, rights)
     with open(handle, "wb") as file:
         if old is not None:
             with suppress(OSError):
-                os.chmod(draft, stat.S_IMODE(old.st_mode))
+                os.chmod(draft, rights)
         if isinstance(data, Path):
             with data.open("rb") as source:
                 copyfileobj(source, file)

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Mapping
 from fnmatch import translate
 from functools import cache
+from operator import attrgetter
 
 from ..sheet.check import Check, pattern_of
 from ..sheet.quantity import Published, dotted
@@ -30,14 +31,9 @@ VALIDITY: dict[str, tuple[str, ...]] = {
 }
 
 
-def _like(id: str, patterns: tuple[str, ...]) -> bool:
-    """Whether an id is of one of these patterns; a `*` stands for no more than one part of it."""
-    return _any_of(patterns).fullmatch(id) is not None
-
-
 @cache
 def _any_of(patterns: tuple[str, ...]) -> re.Pattern[str]:
-    # of none: nothing
+    """What matches ids of one of these patterns, of none nothing; a `*` stands for no more than one part of an id."""
     return re.compile("|".join(translate(pattern).replace(".*", "[^.]*") for pattern in patterns) or "(?!)")
 
 
@@ -52,17 +48,11 @@ def key_results(values: Mapping[str, Published]) -> dict[Line, Published]:
         if v.page_one and v.shown == v.shown:
             part = v.id.rpartition(".")[0] if v.about.each else ""
             lines.setdefault((v.id.partition(".")[0], v.page_one, part), []).append(v)
-    worst = {line: (min if is_least(lines[line][0]) else max)(lines[line], key=_shown) for line in _in_order(lines)}
+    worst = {}
+    for line in sorted(lines, key=lambda line: (STEP_KEYS.index(line[0]), line[1])):  # of one place each as it comes
+        values_of_line = lines[line]
+        worst[line] = (min if is_least(values_of_line[0]) else max)(values_of_line, key=attrgetter("shown"))
     return {line: v for line, v in worst.items() if v.shown or line[0] != dotted(Design.imbalance)}
-
-
-def _in_order(lines: Iterable[Line]) -> list[Line]:
-    """Of one place each part as it comes."""
-    return sorted(lines, key=lambda line: (STEP_KEYS.index(line[0]), line[1]))
-
-
-def _shown(v: Published) -> float:
-    return v.shown
 
 
 def is_least(v: Published) -> bool:
@@ -71,17 +61,19 @@ def is_least(v: Published) -> bool:
 
 
 def concerns(method: str, check: str) -> bool:
-    """Whether a check of a method, passed over, puts a check of the same part outside the validity of its formula."""
-    return _like(pattern_of(check), VALIDITY.get(pattern_of(method), ())) and _same_part(
-        method.split(".")[1:-1], check.split(".")[1:-1]
-    )
+    """Whether a check of a method, passed over, puts a check of the same part outside the validity of its formula.
+
+    Of the same part: both are of one bearing, mesh or wheel, or one is of all; a wheel is part of its meshes."""
+    if not _any_of(VALIDITY.get(pattern_of(method), ())).fullmatch(pattern_of(check)):
+        return False
+    of, part = method.split(".")[1:-1], check.split(".")[1:-1]
+    return not of or not part or "train" in of or of[0] == part[0] or part[0] in of[0].split("_")
 
 
 def stretched(checks: Iterable[Check]) -> list[Check]:
     """The checks of the method among these that put others outside the validity of their formulas."""
-    return [
-        check for check in checks if check.kind == "method" and not check.holds and pattern_of(check.id) in VALIDITY
-    ]
+    missed = [check for check in checks if check.kind == "method" and not check.holds]
+    return [check for check in missed if pattern_of(check.id) in VALIDITY]
 
 
 def outside(check: Check, checks: Iterable[Check]) -> list[Check]:
@@ -93,8 +85,3 @@ def judged(check: Check, checks: Iterable[Check]) -> str:
     """The verdict of a check; one that holds by a formula outside its validity is not called a pass.  `checks`: of its
     step."""
     return "outside" if check.verdict == "pass" and outside(check, checks) else check.verdict
-
-
-def _same_part(method: list[str], check: list[str]) -> bool:
-    """Whether both are of one bearing, mesh or wheel, or one is of all of them; a wheel is part of its meshes."""
-    return not method or not check or "train" in method or method[0] == check[0] or check[0] in method[0].split("_")

@@ -6,6 +6,7 @@ What was measured, and what the user accepted, nothing changes but the user.
 """
 
 from collections.abc import Mapping
+from contextlib import suppress
 
 from ..bearings.inputs import BearingsInputs
 from ..friction.inputs import FrictionInputs
@@ -30,14 +31,12 @@ def locks(data: Table) -> Mapping[str, str]:
 
 def standing(data: Table) -> Mapping[str, str]:
     """Those of the locks whose keys the design has."""
-    return {key: reason for key, reason in locks(data).items() if _given(data, key)}
-
-
-def _given(data: Table, key: str) -> bool:
-    try:
-        return value_at(data, key, whole=True) is not None
-    except BadInput:
-        return False
+    there = {}
+    for key, reason in locks(data).items():
+        with suppress(BadInput):
+            if value_at(data, key, whole=True) is not None:
+                there[key] = reason
+    return there
 
 
 def locked(data: Table, key: str) -> str:

@@ -25,17 +25,16 @@ if TYPE_CHECKING:
 
 
 # the arrays that are not named where their elements are
-_ARRAYS: tuple[object, ...] = (
-    GearsInputs.wheels,
-    GearsInputs.meshes,
-    CountershaftInputs.masses,
-    CountershaftInputs.extras,
-    CountershaftInputs.sections,
-    CountershaftInputs.journals,
-    ImbalanceInputs.unbalances,
-    ImbalanceInputs.crank_bodies,
+ARRAYS = (
+    dotted(GearsInputs.wheels),
+    dotted(GearsInputs.meshes),
+    dotted(CountershaftInputs.masses),
+    dotted(CountershaftInputs.extras),
+    dotted(CountershaftInputs.sections),
+    dotted(CountershaftInputs.journals),
+    dotted(ImbalanceInputs.unbalances),
+    dotted(ImbalanceInputs.crank_bodies),
 )
-ARRAYS = tuple(map(dotted, _ARRAYS))
 NUMBERED = {
     dotted(GearsInputs.meshes): Text("mesh"),
     dotted(CountershaftInputs.sections): Text("section"),
@@ -64,20 +63,15 @@ def _change(document: Document, results: "Results", key: str, new: object) -> Te
         old = float(f"{there.shown:.4g}")
         if isinstance(new, float) and old == float(f"{new:.4g}"):
             return None
-    if (
-        isinstance(old, list)
-        and isinstance(new, list)
-        and len(old) == len(new)
-        and sum(a != b for a, b in zip(old, new)) == 1
-    ):
-        old, new = next((a, b) for a, b in zip(old, new) if a != b)  # the one number of a list that changes
-    label, place, last = about.brief or Small(about.label), _place(key), written(new, about.unit)
-    change = Text("{label} {now} → {new}", label=label, now=written(old), new=last)
-    if not place:
-        return change
-    if key.split(".")[1] in ARRAYS:
-        return Text("{label} of {place} {now} → {new}", label=label, place=place, now=written(old), new=last)
-    return Text("{place} {change}", place=PLACES.get(place, place), change=change)
+    if isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        changed = [(a, b) for a, b in zip(old, new) if a != b]
+        old, new = changed[0] if len(changed) == 1 else (old, new)  # the one number of a list that changes
+    label, place = about.brief or Small(about.label), _place(key)
+    parts = dict(label=label, now=written(old), new=written(new, about.unit))
+    if place and key.split(".")[1] in ARRAYS:
+        return Text("{label} of {place} {now} → {new}", place=place, **parts)
+    change = Text("{label} {now} → {new}", **parts)
+    return Text("{place} {change}", place=PLACES.get(place, place), change=change) if place else change
 
 
 def named(document: Document, key: str) -> Text:
@@ -120,11 +114,9 @@ def written(value: object, unit: str = "") -> Text | Amount:
     if isinstance(value, list):
         row = Name("/").join(Text("{x}", x=written(entry)) for entry in value)
         return Text("{row}°", row=row) if unit == "°" else Text("{row} {unit}", row=row, unit=unit) if unit else row
-    return (
-        Amount(value, unit, digits=DIGITS)
-        if isinstance(value, (int, float)) and not isinstance(value, bool)
-        else Name(str(value))
-    )
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return Amount(value, unit, digits=DIGITS)
+    return Name(str(value))
 
 
 # --- what the parts of an id are called: the value `bearings.front.film_edge` belongs to "front"

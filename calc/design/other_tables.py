@@ -75,10 +75,8 @@ class DocumentControl:
         if not bare_name(self.logo):
             yield dotted(DocumentControl.logo), Text("must be the bare name of a file beside the design, like logo.png")
         elif not self.logo.lower().endswith(".png"):
-            yield (
-                dotted(DocumentControl.logo),
-                Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG"),
-            )
+            must = Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG")
+            yield dotted(DocumentControl.logo), must
 
     def signatures(self) -> list[tuple[str, Signature]]:
         """Who signs, in order, by the keys of the table."""
@@ -120,13 +118,8 @@ def said_twice(document: DocumentControl | None, former: Mapping[str, str]) -> I
     for key, (place, part) in FORMER.items():
         there = getattr(document, place, None)
         if former[key] and (getattr(there, part, "") if part else there):
-            yield (
-                key,
-                Text(
-                    "stands as {place} too; keep that and leave this out",
-                    place=".".join(filter(None, ("document", place, part))),
-                ),
-            )
+            stands = ".".join(filter(None, ("document", place, part)))
+            yield key, Text("stands as {place} too; keep that and leave this out", place=stands)
 
 
 # --- [optimise]: what `contralbero design` may vary, what it must keep, and what it wants
@@ -198,9 +191,8 @@ class OptimiseInputs:
             given = getattr(self, name)
             if given is not None and not (isinstance(given, list) and all(isinstance(word, str) for word in given)):
                 yield name, Text("must be a list of words")
-            elif name == "objectives" and given is not None:
-                if not given or set(given) - set(OBJECTIVES):
-                    yield name, Text("must be some of {known}", known=", ".join(OBJECTIVES))
+            elif name == "objectives" and given is not None and (not given or set(given) - set(OBJECTIVES)):
+                yield name, Text("must be some of {known}", known=", ".join(OBJECTIVES))
         yield from self._bounds("most", MOST)
         yield from self._bounds("least", LEAST)
         if self.vary is not None and not isinstance(self.vary, dict):

@@ -153,10 +153,8 @@ BENCH = {
 
 def _of_bench(address: str, design: Design, speed: float) -> bool:
     """Whether the engine's bench run says what an input is at a speed."""
-    bench = design.engine.bench if design.engine is not None else ()
-    return (
-        address in BENCH and bool(bench) and min(row.speed for row in bench) <= speed <= max(row.speed for row in bench)
-    )
+    speeds = [row.speed for row in design.engine.bench] if design.engine is not None else []
+    return address in BENCH and bool(speeds) and min(speeds) <= speed <= max(speeds)
 
 
 def at_speed(design: Design, speed: float, values: Values) -> Design:
@@ -180,8 +178,6 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
 
 def _as_made(side: BearingInputs, clearance: Published | None) -> BearingInputs:
     """A bearing whose clearance does not follow the speed."""
-    return (
-        side
-        if side.clearance_factor is None or clearance is None
-        else replace(side, clearance=clearance.inside, clearance_factor=None)
-    )
+    if side.clearance_factor is None or clearance is None:
+        return side
+    return replace(side, clearance=clearance.inside, clearance_factor=None)

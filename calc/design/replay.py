@@ -77,9 +77,8 @@ class Compared:
 
     @property
     def text(self) -> str:
-        return f"{'✓' if self.agrees else '✗'} {self.about}: {self.found}, expected {self.expected}" + (
-            f"   [{self.source}]" if self.source else ""
-        )
+        source = f"   [{self.source}]" if self.source else ""
+        return f"{'✓' if self.agrees else '✗'} {self.about}: {self.found}, expected {self.expected}{source}"
 
 
 @dataclass(frozen=True)
@@ -127,12 +126,8 @@ def load(path: Path | str) -> Script:
     elif isinstance(given, str):
         start = read(path.parent / given)
     elif isinstance(given, dict):
-        start = Document(
-            given,
-            raw.place,
-            {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")},
-            raw.raw,
-        )
+        lines = {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}
+        start = Document(given, raw.place, lines, raw.raw)
     else:
         error("design", Text("is missing; needs the path of a design file, or a whole [design] table"))
     if not expects and "expect" not in data:
@@ -157,11 +152,8 @@ def _check_step(key: str, row: Table, error: Complain) -> None:
     if wrong or not isinstance(name, str) or row.get("undo", True) is not True:
         error(key, STEP)
     elif not bare_name(name) or not name.lower().endswith(".pdf"):
-        error(
-            f"{key}.report",
-            Text("must be the bare name of a PDF file, which is written beside the replay, like out.pdf"),
-            name,
-        )
+        must = Text("must be the bare name of a PDF file, which is written beside the replay, like out.pdf")
+        error(f"{key}.report", must, name)
 
 
 def _check_expect(key: str, row: Table, steps: int, error: Complain) -> None:

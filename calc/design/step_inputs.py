@@ -77,12 +77,8 @@ def journals(design: Design) -> tuple[tuple[float, float], ...]:
     are not known."""
     if design.countershaft is not None and design.countershaft.journals:
         return tuple((j.diameter, j.length) for j in design.countershaft.journals)
-    bearings = design.bearings
-    return (
-        ((bearings.front.diameter, bearings.front.length), (bearings.rear.diameter, bearings.rear.length))
-        if bearings is not None
-        else ()
-    )
+    sides = (design.bearings.front, design.bearings.rear) if design.bearings is not None else ()
+    return tuple((side.diameter, side.length) for side in sides)
 
 
 def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
@@ -114,11 +110,8 @@ def mesh_oil(design: Design) -> MeshOil | None:
         temperature = there.supply_temperature
     if name is None or temperature is None:
         return None
-    return MeshOil(
-        oil=design.oils[name],
-        viscosity_law=there.viscosity_law if there is not None else "walther",
-        temperature=temperature,
-    )
+    law = there.viscosity_law if there is not None else "walther"
+    return MeshOil(oil=design.oils[name], viscosity_law=law, temperature=temperature)
 
 
 def power(gears: GearsInputs, f: Outcome[FrictionResult]) -> Power | None:
@@ -187,9 +180,8 @@ def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: flo
     highest, mean, lowest = torque.torque_highest, torque.mean_torque, torque.torque_lowest
     if highest is None or mean is None or lowest is None:
         return None
-    return Swing(
-        highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=speed / crank.rated_speed
-    )
+    ratio = speed / crank.rated_speed
+    return Swing(highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=ratio)
 
 
 def eccentric(design: Design) -> float | None:
@@ -293,19 +285,15 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     `solve`: that of the program, which stands above this room.  `results`: of the design, where it is solved already.
     Raises NoSolution where it has no bearings."""
     if design.bearings is None:
-        raise NoSolution(
-            Text("there are no bearings to choose"), Text("the design has no [bearings]"), Text("give the table")
-        )
+        lacks = Text("the design has no [bearings]")
+        raise NoSolution(Text("there are no bearings to choose"), lacks, Text("give the table"))
     done = results if results is not None else solve(design)
     gear = shaft_gear(design, done.result(TrainResult))
 
     def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> Any:
+        enough = (lambda outcome: outcome.key == "bearings") if last else None
         with recorded(False):
-            return solve(
-                replace(design, bearings=bearings),
-                done,
-                enough=(lambda outcome: outcome.key == "bearings") if last else None,
-            )
+            return solve(replace(design, bearings=bearings), done, enough=enough)
 
     return SelectionCase(
         design.bearings,

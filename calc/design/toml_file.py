@@ -63,14 +63,9 @@ class Document:
 
         A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.
         """
-        whole = (
-            value is None
-            or isinstance(value, dict)
-            or (isinstance(value, list) and all(isinstance(item, dict) for item in value))
-        )
-        return replace(
-            self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0}
-        )
+        array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
+        where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
+        return replace(self, data=changed(self.data, where, value), lines={**self.lines, key: 0})
 
 
 def same_content(a: Table, b: Table, key: str) -> bool:
@@ -114,15 +109,13 @@ def parse(raw: bytes, place: str) -> Document:
         return BadInput(place, [InputError(line, "", "", reason)])
 
     if len(raw) > DESIGN_BYTES:
-        raise refuse(
-            Text("is {count} bytes long; a design file has at most {most}", count=len(raw), most=f"{DESIGN_BYTES:,}")
-        )
+        sizes = dict(count=len(raw), most=f"{DESIGN_BYTES:,}")
+        raise refuse(Text("is {count} bytes long; a design file has at most {most}", **sizes))
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise refuse(
-            Text("is not text in UTF-8; a design is a TOML text file"), raw[: error.start].count(b"\n") + 1
-        ) from None
+        line = raw[: error.start].count(b"\n") + 1
+        raise refuse(Text("is not text in UTF-8; a design is a TOML text file"), line) from None
     if not text.strip():
         raise refuse(Text("is empty; `contralbero new FILE` writes a complete design"))
     try:
@@ -134,14 +127,13 @@ def parse(raw: bytes, place: str) -> Document:
         at = re.search(r"at line (\d+)", str(error))
         line = int(at[1]) if at else text.count("\n") + 1
         comma = COMMA.search(text.splitlines()[line - 1]) if line <= len(text.splitlines()) else None
-        hint = (
-            Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else EMPTY
-        )
+        hint = EMPTY
+        if comma:
+            hint = Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", "."))
         if str(error).startswith(("Cannot overwrite", "Cannot declare")):
             hint += Text("; what stands on this line stands above already: leave only one of the two")
-        raise refuse(
-            Text("is not TOML: {sub}{hint}", sub=re.sub(" *[(]at .*[)]", "", str(error)), hint=hint), line
-        ) from None
+        wrong = re.sub(" *[(]at .*[)]", "", str(error))
+        raise refuse(Text("is not TOML: {sub}{hint}", sub=wrong, hint=hint), line) from None
     except ValueError as error:  # a number of 5000 digits
         raise refuse(Text("is not a design: ") + str(error)) from None
     return Document(data, place, lines, raw)
@@ -183,6 +175,10 @@ class _Reader:
         self.errors.append(InputError(self.line(key), key, "" if value is None else written(value), reason))
         return PLACEHOLDER[kind]
 
+    def refused(self, about: Quantity, value: object, key: str) -> object:
+        """Note a value that is not allowed, with what is."""
+        return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), about.kind)
+
     def line(self, key: str) -> int:
         """The line of a key, or of the nearest table around it."""
         while key and key not in self.document.lines:
@@ -208,9 +204,8 @@ class _Reader:
                 values[about.attribute] = getattr(like[1], about.attribute)
             elif key in data:
                 there = None if like is None else (like[0].get(key), getattr(like[1], about.attribute))
-                values[about.attribute] = self.value(
-                    about.about, data[key], join(prefix, key), join(address, key), there
-                )
+                here, named = join(prefix, key), join(address, key)
+                values[about.attribute] = self.value(about.about, data[key], here, named, there)
             elif about.field.default is not MISSING:
                 values[about.attribute] = _keyed(about.about, about.field.default, join(address, key))
             elif not about.about.optional:
@@ -240,16 +235,12 @@ class _Reader:
             case "reasons":
                 return self.reasons(value, key)
             case "open":
-                return (
-                    value
-                    if isinstance(value, (dict, list))
-                    else self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "open")
-                )
+                return value if isinstance(value, (dict, list)) else self.refused(about, value, key)
             case "text" | "choice":
                 if about.kind == "choice" and not isinstance(value, (str, bool)) and str(value) in about.choices:
                     return linked(str(value), address)  # a choice that looks like a number, like the property class 8.8
                 if not isinstance(value, str) or (about.choices and value not in about.choices):
-                    return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), about.kind)
+                    return self.refused(about, value, key)
                 return _keyed(about, value, address)
             case "date":
                 return self.date(about, value, key)
@@ -260,50 +251,33 @@ class _Reader:
         written = value.isoformat() if type(value) is date else value
         if isinstance(written, str) and (about.free or not written or is_day(written)):
             return written
-        return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "date")
+        return self.refused(about, value, key)
 
     def number(self, about: Quantity, value: object, key: str) -> object:
         whole = about.kind in ("integer", "integers")
         if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and isinstance(value, float)):
-            point = (
-                Text("; write {value}", value=value.replace(",", "."))
-                if isinstance(value, str) and COMMA.fullmatch(value)
-                else ""
-            )
-            return self.error(
-                key, value, Text("must be {allowed}{point}", allowed=about.allowed(), point=point), "number"
-            )
-        if value and not SMALLEST <= abs(value) <= LARGEST:
-            allowed = about.allowed()
-            if abs(value) > 1e300 or value != value:
-                return self.error(key, value, Text("must be {allowed}, and finite", allowed=allowed), "number")
-            return self.error(
-                key, value, Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=allowed), "number"
-            )
-        low, high, above = about.low, about.high, about.above
-        if (
-            (low is not None and value < low)
-            or (high is not None and value > high)
-            or (above is not None and value <= above)
-        ):
-            why = Text("; {negative}", negative=about.negative) if about.negative and value < 0 else ""
-            return self.error(key, value, Text("must be {allowed}{why}", allowed=about.allowed(), why=why), "number")
-        return value if whole else about.units.inside(float(value))
+            point = EMPTY
+            if isinstance(value, str) and COMMA.fullmatch(value):
+                point = Text("; write {value}", value=value.replace(",", "."))
+            reason = Text("must be {allowed}{point}", allowed=about.allowed(), point=point)
+        elif abs(value) > 1e300 or value != value:
+            reason = Text("must be {allowed}, and finite", allowed=about.allowed())
+        elif value and not SMALLEST <= abs(value) <= LARGEST:
+            reason = Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=about.allowed())
+        elif not about.allows(value):
+            why = Text("; {negative}", negative=about.negative) if about.negative and value < 0 else EMPTY
+            reason = Text("must be {allowed}{why}", allowed=about.allowed(), why=why)
+        else:
+            return value if whole else about.units.inside(float(value))
+        return self.error(key, value, reason, "number")
 
     def series(self, about: Quantity, value: object, key: str) -> object:
         items = as_list(value)
         if about.count and not about.count[0] <= len(items) <= about.count[1]:
             low, high = about.count
-            return self.error(
-                key,
-                value,
-                Text(
-                    "has {count} entries; needs {low}",
-                    count=len(items),
-                    low=low if low == high else Text("{low} to {high}", low=low, high=high),
-                ),
-                "series",
-            )
+            needed = low if low == high else Text("{low} to {high}", low=low, high=high)
+            reason = Text("has {count} entries; needs {low}", count=len(items), low=needed)
+            return self.error(key, value, reason, "series")
         if not items:
             return self.error(key, value, Text("is empty; needs {allowed}", allowed=about.allowed()), "series")
         return tuple(self.number(about, item, key) for item in items)
@@ -314,11 +288,9 @@ class _Reader:
         if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
             return self.error(key, value, Text("must be an array of tables: [[") + key + "]]", "tables")
         names = [item.get("name") for item in value]
-        before = (
-            list(zip(like, read))
-            if isinstance(like, list) and [item.get("name") for item in like] == names
-            else [None] * len(value)
-        )
+        before: list[Like | None] = [None] * len(value)
+        if isinstance(like, list) and [item.get("name") for item in like] == names:
+            before = list(zip(like, read))
         elements: tuple[object, ...] = tuple(
             self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}", known)  # type: ignore[arg-type]
             for i, (item, name, known) in enumerate(zip(value, names, before))
@@ -327,14 +299,12 @@ class _Reader:
         seen: set[str] = set()
         for i, name in enumerate(names):
             if isinstance(name, str):
+                here = f"{key}.{i}.name"
                 if addressed and not NAME.match(name):
-                    self.error(
-                        f"{key}.{i}.name",
-                        name,
-                        Text("must be made of letters, digits and -, since the element is addressed by it"),
-                    )
+                    must = Text("must be made of letters, digits and -, since the element is addressed by it")
+                    self.error(here, name, must)
                 if name in seen:
-                    self.error(f"{key}.{i}.name", name, Text("stands twice; every element needs a name of its own"))
+                    self.error(here, name, Text("stands twice; every element needs a name of its own"))
                 seen.add(name)
         return elements
 
@@ -358,9 +328,8 @@ def is_day(words: str) -> bool:
 def _keyed(about: Quantity, value: object, address: str) -> object:
     """A number, or a word that may choose numbers, with the key that it stands under; what only names or tells
     something has none."""
-    if about.kind in ("text", "choice") and (
-        not value or address.rpartition(".")[2] in ("name", "note", "source", "label")
-    ):
+    words = about.kind in ("text", "choice")
+    if words and (not value or address.rpartition(".")[2] in ("name", "note", "source", "label")):
         return value
     return linked(value, address)
 
@@ -368,14 +337,10 @@ def _keyed(about: Quantity, value: object, address: str) -> object:
 def _plain(data: object, key: str) -> object:
     """What stands at a key below this table, if it is a number or a word; else None."""
     for part in key.split("."):
-        here = (
-            data.get(part)
-            if isinstance(data, dict)
-            else data[int(part)]
-            if isinstance(data, list) and part.isdigit()
-            else None
-        )
-        data = here
+        if isinstance(data, list) and part.isdigit():
+            data = data[int(part)]
+        else:
+            data = data.get(part) if isinstance(data, dict) else None
     return data if isinstance(data, (int, float, str)) else None
 
 

@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Numbers that are given outside what is usual: a unit or a digit that slipped, more often than a bold design."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
+from typing import Any
 
-from ..sheet.quantity import Quantity, keys
+from ..sheet.quantity import Quantity, given
 from ..sheet.record import record
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text, plural
-from .addresses import join
-from .model import STEPS, Design
+from .model import STEP_KEYS, Design
 from .names import called
 
-KEYS = tuple(step.key for step in STEPS)
 SHOWN = 4
 
 
@@ -37,30 +36,25 @@ class Unusual:
         )
 
 
-def unusual(design: Design, steps: Iterable[str] = KEYS) -> list[Unusual]:
+def unusual(design: Design, steps: Iterable[str] = STEP_KEYS) -> list[Unusual]:
     """The furthest outside first.  Ranges are those that the form shows beside a field."""
+    tables = [(step, table) for step in steps if (table := getattr(design, step)) is not None]
     outliers = [
-        outlier for step in steps if (inputs := getattr(design, step)) is not None for outlier in _of(inputs, step)
+        outlier
+        for step, table in tables
+        for key, about, content in given(table, step, named=True)
+        if (outlier := _outlier(key, about, content)) is not None
     ]
     return sorted(outliers, key=lambda outlier: -outlier.beyond)
 
 
-def _of(inputs: object, prefix: str) -> Iterator[Unusual]:
-    kind: type = type(inputs)
-    for key in keys(kind).values():
-        content, about, here = getattr(inputs, key.attribute), key.about, join(prefix, key.key)
-        if content is None:
-            continue
-        if about.kind == "table":
-            yield from _of(content, here)
-        elif about.kind == "tables":
-            for n, element in enumerate(content):
-                yield from _of(element, join(here, getattr(element, "name", "") or str(n)))
-        elif (usual := about.usual) is not None:
-            numbers = [about.units.shown(x) for x in (content if isinstance(content, tuple) else (content,))]
-            beyond = [max(usual[0] - number, number - usual[1]) / (usual[1] - usual[0]) for number in numbers]
-            if (most := max(beyond, default=0.0)) > 0:
-                yield Unusual(here, about, numbers[beyond.index(most)], usual, most)
+def _outlier(key: str, about: Quantity, content: Any) -> Unusual | None:
+    if (usual := about.usual) is None:
+        return None
+    numbers = [about.units.shown(x) for x in (content if isinstance(content, tuple) else (content,))]
+    beyond = [max(usual[0] - number, number - usual[1]) / (usual[1] - usual[0]) for number in numbers]
+    most = max(beyond, default=0.0)
+    return Unusual(key, about, numbers[beyond.index(most)], usual, most) if most > 0 else None
 
 
 def told(outliers: Sequence[Unusual], most: int = SHOWN) -> Text:

@@ -68,18 +68,8 @@ class Leaf:
     ) -> None:
         """A distance along the sheet, or up it; `line`: where its dimension line lies across that."""
         at = (line, start[1]) if upright else (start[0], line)
-        self.marks.append(
-            Dimension(
-                DIMENSION,
-                _metres(start),
-                _metres(end),
-                _metres(at),
-                LETTER * _MM,
-                upright,
-                shift=shift * _MM,
-                label=Name(label),
-            )
-        )
+        ends, high = (_metres(start), _metres(end), _metres(at)), LETTER * _MM
+        self.marks.append(Dimension(DIMENSION, *ends, high, upright, shift=shift * _MM, label=Name(label)))
 
     def table(self, rows: list[tuple[str, ...]], columns: tuple[float, ...], head: str = "", row: float = 5.0) -> None:
         """Ruled rows below the origin, the first column's words on its left; a head stands above them."""
@@ -185,17 +175,17 @@ def cutting_plane(leaf: Leaf, letter: str, x: float, high: float, low: float) ->
 def radius(leaf: Leaf, centre: Point, length: float, angle: float, label: str, out: float) -> None:
     """A radius by an arrow from outside: its tip on the arc, its label on a shelf away from the middle."""
     tip, end = _polar(centre, length, angle), _polar(centre, out, angle)
-    right = math.cos(angle) >= 0
-    wide = width(label, LETTER) + GAP
-    leaf.line(DIMENSION, tip, end, (end[0] + (wide if right else -wide), end[1]))
-    leaf.arrow(tip, angle + math.pi)
-    leaf.words(label, end[0] + (GAP if right else -GAP), end[1] + GAP, "left" if right else "right", layer=DIMENSION)
+    _leader(leaf, tip, angle + math.pi, end, math.cos(angle) >= 0, label)
 
 
 def through(leaf: Leaf, length: float, angle: float, back: float, label: str) -> None:
     """A radius by an arrow from inside: its line comes through the centre, from a shelf on the other side."""
     tip, end = _polar((0.0, 0.0), length, angle), _polar((0.0, 0.0), back, angle + math.pi)
-    right = end[0] >= 0
+    _leader(leaf, tip, angle, end, end[0] >= 0, label)
+
+
+def _leader(leaf: Leaf, tip: Point, angle: float, end: Point, right: bool, label: str) -> None:
+    """An arrow whose line bends at its other end, to the right or to the left, and bears a label there."""
     wide = width(label, LETTER) + GAP
     leaf.line(DIMENSION, tip, end, (end[0] + (wide if right else -wide), end[1]))
     leaf.arrow(tip, angle)
@@ -212,10 +202,8 @@ def angle(leaf: Leaf, centre: Point, inner: float, at: float, start: float, end:
     leaf.arrow(_polar(centre, at, end), end + math.pi / 2 - back)
     middle = (start + end) / 2
     x, y = _polar(centre, at + 1.5 * GAP, middle)
-    wide = width(label, LETTER)
-    leaf.words(
-        label, x + math.cos(middle) * wide / 2, y + (math.sin(middle) - 1) * LETTER / 2, "centre", layer=DIMENSION
-    )
+    aside, higher = math.cos(middle) * width(label, LETTER) / 2, (math.sin(middle) - 1) * LETTER / 2
+    leaf.words(label, x + aside, y + higher, "centre", layer=DIMENSION)
 
 
 def _polar(centre: Point, radius: float, angle: float) -> Point:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..countershaft.result import CountershaftResult
     from ..friction.inputs import FrictionInputs
     from ..gears.inputs import GearsInputs
-    from ..gears.result import MeshResult, TrainResult, WheelResult
+    from ..gears.result import TrainResult, WheelResult
     from ..solve import Results
 
 
@@ -59,23 +59,19 @@ def turned(results: "Results", solved: "CountershaftResult") -> list[TurnedPiece
     shaft, wheel = results.design.countershaft, shaft_wheel(results)
     assert solved.outline is not None and shaft is not None
     pieces = drawn(solved.outline)
-    ends = [pieces[0].start, *(_boundary(a, b) for a, b in pairwise(pieces)), solved.outline.end]
+    # where two pieces meet rounding may leave a step, and that of the one that the design gives counts
+    between = (a.end if a.what in GIVEN else b.start for a, b in pairwise(pieces))
+    ends = [pieces[0].start, *between, solved.outline.end]
     turned_pieces = []
     for piece, (start, end) in zip(pieces, pairwise(ends)):
         radius, label, texture = piece.outer_radius, None, None
         if piece.what == "gear" and wheel is not None:
             radius, label = wheel.tip_diameter / 2, tips(wheel)
         elif piece.what in GIVEN:
-            label, texture = _cylinder(
-                results, piece, next((z for z in shaft.bearing_positions if start <= z <= end), None)
-            )
+            support = next((z for z in shaft.bearing_positions if start <= z <= end), None)
+            label, texture = _cylinder(results, piece, support)
         turned_pieces.append(TurnedPiece(piece, start, end, radius, label, texture))
     return turned_pieces
-
-
-def _boundary(a: "Piece", b: "Piece") -> Metre:
-    """Where two pieces meet: rounding may leave a step, and that of the one that the design gives counts."""
-    return a.end if a.what in GIVEN else b.start
 
 
 def _diameter(radius: Metre) -> Text:
@@ -98,9 +94,11 @@ def _cylinder(results: "Results", piece: "Piece", support: Metre | None) -> tupl
         named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
         size = deviated(named, *deviations(field, 2 * piece.outer_radius))
     bearing = {shaft.bearing_positions[0]: bearings.front, shaft.bearing_positions[-1]: bearings.rear}.get(support)
-    return size, None if bearing is None else Text(
-        "Ra {ra}", ra=number(UNITS["µm"].shown(bearing.journal_roughness), 2)
-    )
+    return size, None if bearing is None else _roughness(bearing.journal_roughness)
+
+
+def _roughness(Ra: Metre) -> Text:
+    return Text("Ra {ra}", ra=number(UNITS["µm"].shown(Ra), 2))
 
 
 def missing(results: "Results") -> Iterator[Text]:
@@ -136,7 +134,7 @@ def gear_rows(results: "Results", wheel: "WheelResult", say: Say) -> Rows:
     assert train is not None and gears is not None
     rows = [*_teeth(train, wheel, gears), *_sizes(wheel), *_mates(train, wheel)]
     if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
-        rows.append((Text("Roughness of the flanks"), Text("Ra {ra}", ra=number(UNITS["µm"].shown(Ra), 2))))
+        rows.append((Text("Roughness of the flanks"), _roughness(Ra)))
     wheel_inputs = next(inputs for inputs in gears.wheels if inputs.name == wheel.name)
     if wheel_inputs.gear_material is not None:
         rows.append((Text("Strength class, ISO 6336-5"), Name(wheel_inputs.gear_material)))
@@ -151,14 +149,10 @@ def _teeth(train: "TrainResult", wheel: "WheelResult", gears: "GearsInputs") -> 
     yield Text("Number of teeth"), Text("{z}", z=wheel.teeth)
     yield Text("Normal pressure angle"), degrees(s.alpha_n, SIZE)
     if s.beta:
-        yield (
-            Text("Helix angle, hand"),
-            Text("{angle}, {hand}", angle=degrees(s.beta, SIZE), hand=HANDS[gears.hands()[wheel.name]]),
-        )
-    yield (
-        Text("Tool: addendum, tip radius"),
-        Text("{h} / {rho} modules", h=number(s.h_aP0, SIZE), rho=number(s.rho_aP0, SIZE)),
-    )
+        hand = HANDS[gears.hands()[wheel.name]]
+        yield Text("Helix angle, hand"), Text("{angle}, {hand}", angle=degrees(s.beta, SIZE), hand=hand)
+    tool = Text("{h} / {rho} modules", h=number(s.h_aP0, SIZE), rho=number(s.rho_aP0, SIZE))
+    yield Text("Tool: addendum, tip radius"), tool
     yield Text("Profile shift"), alone(number(wheel.profile_shift, 4))
     yield Text("Accuracy grade, ISO 1328-1"), Text("{grade}", grade=gears.accuracy_grade)
 
@@ -188,12 +182,8 @@ def _from_to(size: float, low: float | None, high: float | None) -> Text:
 def _mates(train: "TrainResult", wheel: "WheelResult") -> Iterator[tuple[Text, Text]]:
     for mate, _, mesh in train.mates(wheel.name):
         yield Text("Mating wheel, teeth"), Text("{mate}, {z}", mate=Name(mate), z=train.wheels[mate].teeth)
-        yield Text("Centre distance"), _distance(mesh)
-
-
-def _distance(mesh: "MeshResult") -> Text:
-    size = alone(millimetres(mesh.centre_distance, SIZE))
-    return deviated(size, -mesh.centre_tolerance, mesh.centre_tolerance) if mesh.centre_tolerance else size
+        size, tolerance = alone(millimetres(mesh.centre_distance, SIZE)), mesh.centre_tolerance
+        yield Text("Centre distance"), deviated(size, -tolerance, tolerance) if tolerance else size
 
 
 def _flanks(friction: "FrictionInputs", train: "TrainResult", wheel: str) -> float | None:
@@ -201,14 +191,8 @@ def _flanks(friction: "FrictionInputs", train: "TrainResult", wheel: str) -> flo
     Ra = friction.flank_roughness
     if len(Ra) == 1:
         return Ra[0]
-    return next(
-        (
-            Ra[0] if mesh.driver == wheel else Ra[1]
-            for mesh in train.meshes.values()
-            if wheel in (mesh.driver, mesh.driven)
-        ),
-        None,
-    )
+    pairs = ((mesh.driver, mesh.driven) for mesh in train.meshes.values())
+    return next((Ra[pair.index(wheel)] for pair in pairs if wheel in pair), None)
 
 
 def balance_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Rows:
@@ -218,12 +202,10 @@ def balance_rows(results: "Results", solved: "CountershaftResult", say: Say) -> 
     if permitted is None or shaft is None:
         return []
     front, rear = shaft.bearing_positions[0], shaft.bearing_positions[-1]
+    rpm = number(UNITS["rpm"].shown(abs(solved.omega) / (2 * math.pi)), 0)
     rows = (
         (Text("Quality grade, {iso}", iso=ISO), Text("{grade}", grade=shaft.balance_grade)),
-        (
-            Text("at the service speed"),
-            Text("{n} rpm", n=number(UNITS["rpm"].shown(abs(solved.omega) / (2 * math.pi)), 0)),
-        ),
+        (Text("at the service speed"), Text("{n} rpm", n=rpm)),
         (Text("Permitted residual unbalance"), _unbalance(permitted.residual_unbalance_permitted)),
         (Text("in plane I, z {z}", z=millimetres(front)), _unbalance(permitted.residual_unbalance_permitted_front)),
         (Text("in plane II, z {z}", z=millimetres(rear)), _unbalance(permitted.residual_unbalance_permitted_rear)),
@@ -240,22 +222,13 @@ def _unbalance(U: KilogramMetre) -> Text:
 def mass_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Rows:
     """The eccentric masses as they are meant: the shaft is out of balance on purpose."""
     shaft = results.design.countershaft
-    masses = (
-        dict(solved.sector)
-        if solved.sector
-        else {mass.name: mass for mass in shaft.masses}
-        if shaft is not None
-        else {}
-    )
+    given = {mass.name: mass for mass in shaft.masses} if shaft is not None else {}
+    masses = dict(solved.sector) if solved.sector else given
     rows: Rows = [(say(Text("Mass")), say(Text("m, kg")), say(Text("e, mm")), say(Text("at")), say(Text("z, mm")))]
     for name, mass in masses.items():
-        cells = (
-            number(mass.mass, 3),
-            millimetres(mass.radius, 3),
-            degrees(mass.angle % (2 * math.pi)),
-            millimetres(mass.z, 2),
-        )
-        rows.append((say(Name(name)), *(say(cell if isinstance(cell, Text) else alone(cell)) for cell in cells)))
+        heavy, away, z = number(mass.mass, 3), millimetres(mass.radius, 3), millimetres(mass.z, 2)
+        cells = (Name(name), alone(heavy), alone(away), degrees(mass.angle % (2 * math.pi)), alone(z))
+        rows.append(tuple(map(say, cells)))
     return rows if len(rows) > 1 else []
 
 
@@ -316,9 +289,9 @@ DEFAULTS = {
 
 def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
     """What the program has put in where the file leaves it out; `step`: of one step only."""
-    if data is not None and (
-        assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]
-    ):
+    if data is None:
+        return
+    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]:
         yield Text("Chosen by the program, not by the design: {what}.", what=COMMA.join(assumed))
 
 

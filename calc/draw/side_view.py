@@ -67,16 +67,16 @@ def rows(spans: Sequence[Span], height: float) -> list[DimensionRow]:
     order = sorted(range(len(spans)), key=lambda n: (round(spans[n].length, 6), n))
     for place, n in enumerate(order):
         later = [spans[i] for i in order[place + 1 :]]
+        # last further and further to the right, until it is clear of all: where many short ones stand close together
+        far = [_beside(spans[n], height) + FAR * step for step in range(1, FURTHEST)]
         candidates = (
             DimensionRow(spans[n], level, shift)
-            for shifts in (_near(spans[n], height), _far(spans[n], height))
+            for shifts in (_near(spans[n], height), far)
             for level in range(len(spans) + 1)
             for shift in shifts
         )
-        placed[n] = next(
-            (row for row in candidates if _clear(row, list(placed.values()), later, height)),
-            DimensionRow(spans[n], len(spans) + 1, 0.0),
-        )
+        free = (row for row in candidates if _clear(row, list(placed.values()), later, height))
+        placed[n] = next(free, DimensionRow(spans[n], len(spans) + 1, 0.0))
     return [placed[n] for n in range(len(spans))]
 
 
@@ -85,11 +85,6 @@ def _near(span: Span, height: float) -> list[float]:
     spare = (span.length - span.wide) / 2 - CLEAR / 2
     between = [0.0, *(sign * spare * n / STEPS for n in range(1, STEPS + 1) for sign in (1, -1))] if spare >= 0 else []
     return [*between, _beside(span, height), -_beside(span, height)]
-
-
-def _far(span: Span, height: float) -> list[float]:
-    """Further and further to the right, until it is clear of all: where many short dimensions stand close together."""
-    return [_beside(span, height) + FAR * n for n in range(1, FURTHEST)]
 
 
 def _beside(span: Span, height: float) -> float:
@@ -167,14 +162,11 @@ def _placed(
         for y, right in ways[n]:
             shelf = asked[n]
             left = shelf.x if right else shelf.x - shelf.wide
-            box, line = (
-                (left, y - CLEAR, left + shelf.wide, y + shelf.high),
-                (shelf.x - CLEAR, shelf.foot, shelf.x + CLEAR, y),
-            )
-            crossed = any(_overlap(box, other) or _overlap(line, other) for other in boxes) or any(
-                _overlap(box, other) for other in lines
-            )
-            if limits[0] <= left and left + shelf.wide <= limits[1] and not crossed:
+            box = (left, y - CLEAR, left + shelf.wide, y + shelf.high)
+            line = (shelf.x - CLEAR, shelf.foot, shelf.x + CLEAR, y)
+            free = not any(_overlap(box, other) for other in (*boxes, *lines))
+            free = free and not any(_overlap(line, other) for other in boxes)
+            if limits[0] <= left and left + shelf.wide <= limits[1] and free:
                 places[n] = y, right
                 boxes.append(box)
                 break
@@ -259,6 +251,7 @@ class SideView:
     ) -> None:
         self.pieces, self.positions, self.up, self.say = pieces, positions, up, say
         self.by = scale * 1e3
+        self.eccentric = any(piece.piece.half_angle is not None for piece in pieces)
         self.reaches = [self._reach(piece) for piece in pieces]
         self.top, self.low = max(high for high, _ in self.reaches), -max(low for _, low in self.reaches)
         self.left, self.right = self.by * pieces[0].start, self.by * pieces[-1].end
@@ -310,19 +303,19 @@ class SideView:
         for plane, z in zip(("I", "II"), (self.positions[0], self.positions[-1])):
             leaf.words(plane, self.by * z + 0.8, -self._across(z) - 2 - LETTER, layer=DIMENSION)
 
+    def _at(self, z: Metre, near: Metre = 0.0) -> list[tuple[float, float]]:
+        """How far the pieces reach above and below the axis that stand at a place, or `near` to it."""
+        pieces = zip(self.pieces, self.reaches)
+        return [ends for piece, ends in pieces if piece.start - near <= z <= piece.end + near]
+
     def _across(self, z: Metre) -> float:
         """How far the shaft reaches from its axis at a place."""
-        return max(
-            (max(r) for piece, r in zip(self.pieces, self.reaches) if piece.start <= z <= piece.end), default=0.0
-        )
+        return max(map(max, self._at(z)), default=0.0)
 
     def _cuts(self, leaf: Leaf, letters: dict[str, Metre]) -> list[Box]:
         boxes = []
         for letter, z in letters.items():
-            high, low = next(
-                (r for piece, r in zip(self.pieces, self.reaches) if piece.start <= z <= piece.end),
-                (self.top, -self.low),
-            )
+            high, low = next(iter(self._at(z)), (self.top, -self.low))
             boxes += cutting_plane(leaf, letter, self.by * z, high, -low)
         return boxes
 
@@ -352,20 +345,13 @@ class SideView:
         asked = [(piece.start, piece.end) for piece in self.pieces] + list(pairwise(self.positions))
         if len(self.pieces) > 1:
             asked.append((self.pieces[0].start, self.pieces[-1].end))
-        sizes = [alone(rounded(b - a)) for a, b in asked]
-        labels = [
-            self.say(Text("({size})", size=size) if n in self._closing() else size) for n, size in enumerate(sizes)
-        ]
+        sizes, closing = [alone(rounded(b - a)) for a, b in asked], self._closing()
+        labels = [self.say(Text("({size})", size=size) if n in closing else size) for n, size in enumerate(sizes)]
         spans = [Span(self.by * a, self.by * b, width(label, LETTER)) for (a, b), label in zip(asked, labels)]
         for span, label, row in zip(spans, labels, rows(spans, LETTER)):
-            y = self.low - FIRST - MARKS * bool(self._eccentric) - NEXT * row.level
-            leaf.dimension(
-                (span.start, self._foot(span.start)), (span.end, self._foot(span.end)), y, label, shift=row.shift
-            )
-
-    @property
-    def _eccentric(self) -> bool:
-        return any(piece.piece.half_angle is not None for piece in self.pieces)
+            y = self.low - FIRST - MARKS * self.eccentric - NEXT * row.level
+            start, end = ((x, self._foot(x)) for x in (span.start, span.end))
+            leaf.dimension(start, end, y, label, shift=row.shift)
 
     def _closing(self) -> set[int]:
         """Lengths that follow from the others: the last gap between the supports, and the whole."""
@@ -378,7 +364,4 @@ class SideView:
         z = x / self.by
         if any(abs(z - position) < 1e-9 for position in self.positions):
             return -self._across(z) - 2
-        lows = [
-            low for piece, (_, low) in zip(self.pieces, self.reaches) if piece.start - 1e-9 <= z <= piece.end + 1e-9
-        ]
-        return -max(lows, default=0.0)
+        return -max((low for _, low in self._at(z, near=1e-9)), default=0.0)

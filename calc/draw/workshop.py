@@ -5,26 +5,16 @@ End view and section look from front to rear, where a crank that turns as engine
 
 import math
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
-from ..sheet.text import COMMA, EMPTY, Text
+from ..sheet.text import COMMA, Text
 from ..sheet.units import Metre, Radian
-from . import annotations
+from . import annotations, sheet_data
 from .annotations import TITLE, Leaf, Say, degrees, millimetres, number, rounded
 from .drawing import CENTRE, EDGE, VISIBLE, Point
 from .shaft_outline import FLAT, upwards
-from .sheet_data import (
-    PART_DRAWING,
-    TurnedPiece,
-    balance_rows,
-    chosen,
-    gear_rows,
-    mass_rows,
-    notes,
-    shaft_wheel,
-    tips,
-    turned,
-)
+from .sheet_data import PART_DRAWING, TurnedPiece
 from .side_view import OVER, SideView
 from .workshop_sheet import COLUMNS, DrawnPart, WorkshopSheet, composed, tables
 
@@ -54,13 +44,8 @@ def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
     for turned_piece in pieces:
         piece = turned_piece.piece
         if piece.half_angle is not None:
-            size = (
-                piece.outer_radius,
-                piece.core_radius,
-                piece.half_angle,
-                math.cos(piece.angle),
-                math.sin(piece.angle),
-            )
+            way = math.cos(piece.angle), math.sin(piece.angle)
+            size = (piece.outer_radius, piece.core_radius, piece.half_angle, *way)
             sections.setdefault(tuple(round(x, 6) for x in size), turned_piece)
     return dict(zip("ABCDEFGHJKLMNPQRSTUVWXYZ", sections.values()))
 
@@ -173,33 +158,32 @@ def shaft_sheet(results: "Results", say: Say = str, data: Mapping[str, object] |
     if solved is None or shaft is None or solved.outline is None:
         return None
     mass = say(Text("{m} kg", m=number(solved.mass, 2))) if solved.mass is not None else ""
-    wheel = shaft_wheel(results)
-    beside = tables(
-        (
-            (
-                say(Text("Gear data: {name}", name=wheel.name)) if wheel else EMPTY,
-                gear_rows(results, wheel, say) if wheel else [],
-                COLUMNS,
-            ),
-            (say(Text("Balancing")), balance_rows(results, solved, say), COLUMNS),
-            (say(Text("Eccentric masses, cylinder 1 at TDC")), mass_rows(results, solved, say), MASS_COLUMNS),
-        )
-    )
+    masses = say(Text("Eccentric masses, cylinder 1 at TDC"))
+    beside = [
+        (say(Text("Balancing")), sheet_data.balance_rows(results, solved, say), COLUMNS),
+        (masses, sheet_data.mass_rows(results, solved, say), MASS_COLUMNS),
+    ]
+    if (wheel := sheet_data.shaft_wheel(results)) is not None:
+        beside.insert(0, _gear_table(results, wheel, say))
     return composed(
         DrawnPart(title=results.design.name, material=shaft.material, mass=mass),
         lambda scale: _shaft_views(results, solved, scale, say),
-        beside,
-        notes(results, solved, upwards(solved.outline), data),
+        tables(beside),
+        sheet_data.notes(results, solved, upwards(solved.outline), data),
         results.design.control,
         say,
         PART_DRAWING,
     )
 
 
+def _gear_table(results: "Results", wheel: "WheelResult", say: Say) -> tuple[str, sheet_data.Rows, tuple[float, ...]]:
+    return say(Text("Gear data: {name}", name=wheel.name)), sheet_data.gear_rows(results, wheel, say), COLUMNS
+
+
 def _shaft_views(results: "Results", solved: "CountershaftResult", scale: float, say: Say) -> Leaf:
     """The side view with the end view to its right, and the sections in rows below them."""
     assert solved.outline is not None and results.design.countershaft is not None
-    up, pieces, wheel = upwards(solved.outline), turned(results, solved), shaft_wheel(results)
+    up, pieces, wheel = upwards(solved.outline), sheet_data.turned(results, solved), sheet_data.shaft_wheel(results)
     gear = wheel.reference_diameter if wheel is not None else None
     cut = kinds(pieces)
     views = Leaf()
@@ -236,32 +220,21 @@ def wheel_sheets(results: "Results", say: Say = str, data: Mapping[str, object] 
     if train is None or gears is None:
         return []
     bores = {wheel_inputs.name: wheel_inputs.bore_diameter for wheel_inputs in gears.wheels}
-    return [
-        composed(
-            DrawnPart(
-                title=f"{results.design.name}: {wheel.name}", material=wheel.material, sheet=f"{n}/{len(train.wheels)}"
-            ),
-            lambda scale, wheel=wheel: _wheel_views(wheel, bores[wheel.name], scale, say),  # type: ignore[misc]
-            tables([(say(Text("Gear data: {name}", name=wheel.name)), gear_rows(results, wheel, say), COLUMNS)]),
-            _notes(bores[wheel.name], data),
-            results.design.control,
-            say,
-            PART_DRAWING,
-        )
-        for n, wheel in enumerate(train.wheels.values(), 1)
-    ]
+    sheets = []
+    for n, wheel in enumerate(train.wheels.values(), 1):
+        title, sheet, bore = f"{results.design.name}: {wheel.name}", f"{n}/{len(train.wheels)}", bores[wheel.name]
+        part = DrawnPart(title=title, material=wheel.material, sheet=sheet)
+        views = partial(_wheel_views, wheel, bore, say)
+        beside, control = tables([_gear_table(results, wheel, say)]), results.design.control
+        sheets.append(composed(part, views, beside, _notes(bore, data), control, say, PART_DRAWING))
+    return sheets
 
 
-def _wheel_views(wheel: "WheelResult", bore: Metre | None, scale: float, say: Say) -> Leaf:
+def _wheel_views(wheel: "WheelResult", bore: Metre | None, say: Say, scale: float) -> Leaf:
     """The section to the left, its dimensions around it, the front view to the right."""
     leaf, by = Leaf(), scale * 1e3
-    b, tip, root, pitch = (
-        by * wheel.face_width,
-        by * wheel.tip_diameter / 2,
-        by * wheel.root_diameter / 2,
-        by * wheel.reference_diameter / 2,
-    )
-    inner = by * bore / 2 if bore is not None else 0.0
+    diameters = wheel.tip_diameter, wheel.root_diameter, wheel.reference_diameter, bore or 0.0
+    b, (tip, root, pitch, inner) = by * wheel.face_width, (by * diameter / 2 for diameter in diameters)
     leaf.box(VISIBLE, 0.0, -tip, b, tip)
     for sign in (1.0, -1.0):
         leaf.line(VISIBLE, (0.0, sign * root), (b, sign * root))
@@ -274,10 +247,9 @@ def _wheel_views(wheel: "WheelResult", bore: Metre | None, scale: float, say: Sa
     leaf.line(CENTRE, (-OVER_WHEEL, 0.0), (b + OVER_WHEEL, 0.0))
     leaf.dimension((0.0, -tip), (b, -tip), -tip - LINE, say(Text("{size}", size=rounded(wheel.face_width))))
     if bore is not None:
-        leaf.dimension(
-            (0.0, -inner), (0.0, inner), -LINE, say(Text("⌀{diameter}", diameter=millimetres(bore))), upright=True
-        )
-    leaf.dimension((0.0, -tip), (0.0, tip), -LINE - NEXT * bool(inner), say(tips(wheel)), upright=True)
+        label = say(Text("⌀{diameter}", diameter=millimetres(bore)))
+        leaf.dimension((0.0, -inner), (0.0, inner), -LINE, label, upright=True)
+    leaf.dimension((0.0, -tip), (0.0, tip), -LINE - NEXT * bool(inner), say(sheet_data.tips(wheel)), upright=True)
     x = b + WHEEL_VIEWS_APART + tip
     for radius, layer in ((tip, VISIBLE), (pitch, CENTRE), (root, EDGE), (inner, VISIBLE)):
         if radius:
@@ -289,12 +261,7 @@ def _wheel_views(wheel: "WheelResult", bore: Metre | None, scale: float, say: Sa
 
 def _notes(bore: Metre | None, data: Mapping[str, object] | None) -> Iterator[Text]:
     yield Text("Dimensions in mm. Teeth by the table; the diameter of the tips as drawn.")
-    yield from chosen(data, "gears")
-    lacking = [Text("bore and hub") if bore is None else Text("fit of the bore, hub")]
-    lacking += [
-        Text("heat treatment"),
-        Text("general and geometrical tolerances"),
-        Text("roughness elsewhere"),
-        Text("chamfers"),
-    ]
+    yield from sheet_data.chosen(data, "gears")
+    lacking = [Text("bore and hub") if bore is None else Text("fit of the bore, hub"), Text("heat treatment")]
+    lacking += [Text("general and geometrical tolerances"), Text("roughness elsewhere"), Text("chamfers")]
     yield Text("Not given by the design: {what}.", what=COMMA.join(lacking))

@@ -144,19 +144,13 @@ class Oil:
         }
         first, *others = [key for key, given in ways.items() if given] or [""]
         if not first:
-            for key in (dotted(Oil.nu40), dotted(Oil.nu100)):
-                yield (
-                    key,
-                    Text(
-                        "is missing; needs the viscosities at 40 and 100 °C, or viscosity_mPas, or rows of viscosities"
-                    ),
-                )
-            return
-        for key in others:
-            yield (
-                key,
-                Text("the viscosity of this oil is given by {first} already; leave one of the two out", first=first),
+            needs = Text(
+                "is missing; needs the viscosities at 40 and 100 °C, or viscosity_mPas, or rows of viscosities"
             )
+            yield from ((dotted(Oil.nu40), needs), (dotted(Oil.nu100), needs))
+            return
+        twice = Text("the viscosity of this oil is given by {first} already; leave one of the two out", first=first)
+        yield from ((key, twice) for key in others)
         if ways[dotted(Oil.nu40)]:
             if self.nu40 is None:
                 yield dotted(Oil.nu40), Text("is missing; needed with the viscosity at 100 °C")
@@ -170,10 +164,8 @@ class Oil:
                 if (wrong := line_problem(self.nu40, self.nu100)) is not None:
                     yield dotted(Oil.nu100), wrong
         if len(self.viscosities) == 1:
-            yield (
-                dotted(Oil.viscosities),
-                Text("has one row; needs two or more, or viscosity_mPas for one viscosity at every temperature"),
-            )
+            needs = Text("has one row; needs two or more, or viscosity_mPas for one viscosity at every temperature")
+            yield dotted(Oil.viscosities), needs
         for i, (row, after) in enumerate(zip(self.viscosities, self.viscosities[1:]), 1):
             if after.temperature <= row.temperature:
                 yield dotted(Oil.viscosities, i, ViscosityRow.temperature), Text("must be above that of the row before")

@@ -46,10 +46,7 @@ def mean_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
     return (Ra_1 + Ra_2) / 2
 
 
-@formula(
-    "v_Σ,C",
-    Text("{iso} (13): sum of the rolling speeds at the pitch point, where both are the same", iso=ISO),
-)
+@formula("v_Σ,C", Text("{iso} (13): sum of the rolling speeds at the pitch point, where both are the same", iso=ISO))
 def sum_of_speeds(v_C: MetrePerSecond) -> MetrePerSecond:
     return 2 * v_C
 

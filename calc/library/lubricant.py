@@ -9,35 +9,10 @@ import numpy as np
 
 from ..sheet.arrays import Value
 from ..sheet.record import record
-from ..sheet.units import (
-    Celsius,
-    Number,
-    PascalSecond,
-    PerKelvin,
-    PerPascal,
-    SquareMetrePerSecond,
-)
+from ..sheet.units import Celsius, Number, PascalSecond, PerKelvin, PerPascal, SquareMetrePerSecond
 from ..sheet.value import based_on
+from . import oil_formulas as f
 from .catalogue import Oil, base_stocks
-from .oil_formulas import (
-    ADDED,
-    POLYMER_THICKENED,
-    constant_viscosity,
-    density,
-    dynamic_viscosity,
-    implied_viscosity,
-    intercept_through,
-    kinematic_viscosity,
-    not_rising,
-    pressure_viscosity,
-    pressure_viscosity_constant,
-    row_viscosity,
-    slope_between,
-    specific_heat,
-    temperature_coefficient,
-    viscosity_intercept,
-    viscosity_slope,
-)
 
 
 @record
@@ -61,15 +36,15 @@ class Lubricant:
     def __init__(self, oil: Oil, law: str = "walther") -> None:
         self.oil = oil
         self.law = law
-        self.c = ADDED[law]
+        self.c = f.ADDED[law]
         self.C_1 = self.C_2 = 0.0  # of the one line
         self.lines: tuple[tuple[Number, Number], ...] = ()  # C_2 and C_1 between the rows
         if oil.nu40 is not None and oil.nu100 is not None:
-            self.C_1 = viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=self.c)
-            self.C_2 = viscosity_intercept(nu_40=oil.nu40, c=self.c, C_1=self.C_1)
+            self.C_1 = f.viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=self.c)
+            self.C_2 = f.viscosity_intercept(nu_40=oil.nu40, c=self.c, C_1=self.C_1)
         elif oil.viscosities:
             rows = [
-                (row_viscosity(mu_i=row.viscosity, rho_15=oil.rho15, T_i=row.temperature), row.temperature)
+                (f.row_viscosity(mu_i=row.viscosity, rho_15=oil.rho15, T_i=row.temperature), row.temperature)
                 for row in oil.viscosities
             ]
             self.lines = tuple(self._line(*first, *other) for first, other in pairwise(rows))
@@ -77,8 +52,8 @@ class Lubricant:
     def _line(
         self, nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius
     ) -> tuple[Number, Number]:
-        C_1 = slope_between(nu_1=nu_1, T_1=T_1, nu_2=nu_2, T_2=T_2, c=self.c)
-        return intercept_through(nu_1=nu_1, T_1=T_1, c=self.c, C_1=C_1), C_1
+        C_1 = f.slope_between(nu_1=nu_1, T_1=T_1, nu_2=nu_2, T_2=T_2, c=self.c)
+        return f.intercept_through(nu_1=nu_1, T_1=T_1, c=self.c, C_1=C_1), C_1
 
     @property
     def constant(self) -> bool:
@@ -97,23 +72,23 @@ class Lubricant:
         all temperatures."""
         if self.lines:
             low, high = (self.nu(T) for T in (40.0, 100.0))
-            return viscosity_slope(nu_100=high, nu_40=low, c=self.c) > POLYMER_THICKENED
-        return not self.constant and self.C_1 > POLYMER_THICKENED
+            return f.viscosity_slope(nu_100=high, nu_40=low, c=self.c) > f.POLYMER_THICKENED
+        return not self.constant and self.C_1 > f.POLYMER_THICKENED
 
     def at(self, T: Value) -> OilState[Value]:
-        rho = density(rho_15=self.oil.rho15, T=T)
+        rho = f.density(rho_15=self.oil.rho15, T=T)
         if self.oil.viscosity is not None:
-            mu = constant_viscosity(mu=self.oil.viscosity, T=T)
-            return OilState(implied_viscosity(mu=mu, rho=rho), mu, rho, specific_heat(T=T))
+            mu = f.constant_viscosity(mu=self.oil.viscosity, T=T)
+            return OilState(f.implied_viscosity(mu=mu, rho=rho), mu, rho, f.specific_heat(T=T))
         nu = self.nu(T)
-        return OilState(nu, dynamic_viscosity(nu=nu, rho=rho), rho, specific_heat(T=T))
+        return OilState(nu, f.dynamic_viscosity(nu=nu, rho=rho), rho, f.specific_heat(T=T))
 
     def nu(self, T: Value) -> Value:
         """The kinematic viscosity [m²/s] by the line that holds at a temperature [°C]."""
         if self.oil.viscosity is not None:
             return self.at(T).nu
         C_2, C_1 = self._line_at(T)
-        return kinematic_viscosity(C_2=C_2, C_1=C_1, T=T, c=self.c)
+        return f.kinematic_viscosity(C_2=C_2, C_1=C_1, T=T, c=self.c)
 
     def _line_at(self, T: Value) -> tuple[Value | Number, Value | Number]:
         """Intercept and slope; of an array of temperatures an array each."""
@@ -141,16 +116,18 @@ class Lubricant:
         """The rise of viscosity with pressure, from the dynamic viscosity at the same temperature."""
         base, k = base_stocks()[self.oil.base], None
         if self.oil.pressure_viscosity_40 is not None:
-            k = pressure_viscosity_constant(alpha_40=self.oil.pressure_viscosity_40, mu_40=self.at(40.0).mu, s=base.s)
-        return pressure_viscosity(k=base.k if k is None else k, mu=mu, s=base.s)
+            k = f.pressure_viscosity_constant(alpha_40=self.oil.pressure_viscosity_40, mu_40=self.at(40.0).mu, s=base.s)
+        return f.pressure_viscosity(k=base.k if k is None else k, mu=mu, s=base.s)
 
     def beta(self, T: Celsius) -> PerKelvin:
         """The fall of ln μ with temperature; at a row of the oil's own table that of the line above it."""
         if self.constant:
             return based_on(0.0, self.oil.viscosity)
         C_2, C_1 = self._line_at(T)
-        beta = temperature_coefficient(C_1=C_1, nu=kinematic_viscosity(C_2=C_2, C_1=C_1, T=T, c=self.c), c=self.c, T=T)
-        return not_rising(beta=beta) if self.lines else beta
+        beta = f.temperature_coefficient(
+            C_1=C_1, nu=f.kinematic_viscosity(C_2=C_2, C_1=C_1, T=T, c=self.c), c=self.c, T=T
+        )
+        return f.not_rising(beta=beta) if self.lines else beta
 
     @property
     def limiting_shear(self) -> Number:

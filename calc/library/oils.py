@@ -87,10 +87,10 @@ def _own(oil: Oil) -> Iterator[JudgedValue]:
     row = keys(ViscosityRow)[dotted(ViscosityRow.viscosity)].about
     for point in oil.viscosities:
         here = replace(row, label=Text("Dynamic viscosity at {T} °C", T=Amount(point.temperature, form="g")))
-        yield _judged(
-            "viscosities", here, point.viscosity, Claim("viscosities", point.viscosity, GIVEN, Name(oil.source))
-        )
-    if (claim := claims.get("specific_heat_J_kgK")) is not None:
+        claim = Claim("viscosities", point.viscosity, GIVEN, Name(oil.source))
+        yield _judged(claim.key, here, point.viscosity, claim)
+    if "specific_heat_J_kgK" in claims:
+        claim = claims["specific_heat_J_kgK"]
         yield _judged(claim.key, SPECIFIC_HEAT, claim.value, claim)
 
 
@@ -121,13 +121,8 @@ def least_sure(oil: Oil) -> tuple[Text, tuple[str, ...]]:
 def values_table(oil: Oil) -> Table:
     """Every value of an oil with its source and confidence."""
     rows = tuple((v.label, v.value, v.unit, v.confidence, v.source) for v in judged_values(oil))
-    columns = (
-        (Text("Value"), ""),
-        (Text("Number"), ""),
-        (Text("Unit"), ""),
-        (Text("Confidence"), ""),
-        (Text("Source"), ""),
-    )
+    heads = Text("Value"), Text("Number"), Text("Unit"), Text("Confidence"), Text("Source")
+    columns = tuple((head, "") for head in heads)
     return Table("oil", Text("Oil {name}: what is known of it", name=oil.name), columns, rows)
 
 
@@ -138,10 +133,9 @@ def rising_rows(oil: Oil) -> Text | None:
         for row, other in zip(oil.viscosities, oil.viscosities[1:])
         if other.viscosity > row.viscosity
     ]
+    parts = dict(oil=oil.name, where=COMMA.join(rises))
     note = Text(
-        "The viscosity of {oil} rises {where}, though oil thins with heat: a misprint? It is taken as given.",
-        oil=oil.name,
-        where=COMMA.join(rises),
+        "The viscosity of {oil} rises {where}, though oil thins with heat: a misprint? It is taken as given.", **parts
     )
     return note if rises else None
 
@@ -175,13 +169,8 @@ def _reasons(lubricant: Lubricant, printed: PrintedViscosity, implied: SquareMet
     nu = lubricant.nu40 if T == 40 else lubricant.nu100 if T == 100 else lubricant.nu(T)
     implies = Text("implies {nu} mm²/s at {T} °C", nu=_mm2_s(implied), T=Amount(T, form="g"))
     if T == 100 and grade(implied) != grade(nu):
-        yield Text(
-            "{implies}, {grade}; the oil has {nu}, {own}",
-            implies=implies,
-            grade=grade(implied),
-            nu=_mm2_s(nu),
-            own=grade(nu),
-        )
+        grades_of = dict(grade=grade(implied), own=grade(nu))
+        yield Text("{implies}, {grade}; the oil has {nu}, {own}", implies=implies, nu=_mm2_s(nu), **grades_of)
     else:
         parts = dict(implies=implies, times=Amount(implied / nu, digits=2), nu=_mm2_s(nu))
         yield (
@@ -197,43 +186,31 @@ def _reasons(lubricant: Lubricant, printed: PrintedViscosity, implied: SquareMet
             if printed.viscosity < wrong.viscosity
             else Text("more than the {mu} printed for {T} °C, though oil thins with heat", **there)
         )
-        for name in _others(oil, printed):
-            yield Text("equals the value printed for {name} at {T} °C: copied?", name=name, T=Amount(T, form="g"))
+        for name, other in shipped_oils().items():
+            same = printed_at(other, T)
+            if name != oil.name and same is not None and same.viscosity == printed.viscosity:
+                yield Text("equals the value printed for {name} at {T} °C: copied?", name=name, T=Amount(T, form="g"))
     yield from _between(lubricant, printed)
-
-
-def _others(oil: Oil, printed: PrintedViscosity) -> Iterator[str]:
-    """The oils of the table for which the same viscosity is printed at the same temperature."""
-    for name, other in shipped_oils().items():
-        same = printed_at(other, printed.temperature)
-        if name != oil.name and same is not None and same.viscosity == printed.viscosity:
-            yield name
 
 
 def _between(lubricant: Lubricant, printed: PrintedViscosity) -> Iterator[Text]:
     """Whether a value agrees at least with those that are printed at 40 and 100 °C: the line through them."""
     oil = lubricant.oil
-    ends = [printed_at(oil, 40.0), printed_at(oil, 100.0)]
-    if printed.temperature in (40, 100) or ends[0] is None or ends[1] is None or oil.nu40 is None:
+    ends = [end for end in (printed_at(oil, 40.0), printed_at(oil, 100.0)) if end is not None]
+    if printed.temperature in (40, 100) or len(ends) < 2 or oil.nu40 is None:
         return
-    nu40, nu100 = (
-        implied_viscosity(mu=end.viscosity, rho=lubricant.at(end.temperature).rho) for end in ends if end is not None
-    )
-    other = replace(oil, nu40=nu40, nu100=nu100)
+    nu40, nu100 = (implied_viscosity(mu=end.viscosity, rho=lubricant.at(end.temperature).rho) for end in ends)
     if not LOWEST / 2 < nu100 < nu40 or line_problem(nu40, nu100) is not None:
         return
-    there = Lubricant(other, lubricant.law).at(printed.temperature).mu
-    agrees = abs(printed.viscosity / there - 1) <= KEPT
-    yield (
-        Text(
+    there = Lubricant(replace(oil, nu40=nu40, nu100=nu100), lubricant.law).at(printed.temperature).mu
+    mu = _mPas(there)
+    if abs(printed.viscosity / there - 1) <= KEPT:
+        yield Text(
             "lies on the line through the values printed at 40 and 100 °C, which has {mu}, and shares their fault",
-            mu=_mPas(there),
+            mu=mu,
         )
-        if agrees
-        else Text(
-            "not on the line through the values printed at 40 and 100 °C, which has {mu}, either", mu=_mPas(there)
-        )
-    )
+    else:
+        yield Text("not on the line through the values printed at 40 and 100 °C, which has {mu}, either", mu=mu)
 
 
 def grade(nu: SquareMetrePerSecond) -> Text:
@@ -254,19 +231,13 @@ def _mPas(mu: PascalSecond) -> Amount:
 
 def printed_table(lubricant: Lubricant) -> Table | None:
     """The printed viscosities of an oil beside its law; None where there are none."""
-    shown, percent = UNITS["mPa·s"].shown, UNITS["%"].shown
-    rows = tuple(
-        (
-            v.temperature,
-            shown(v.printed),
-            round(shown(v.law), 3),
-            round(percent(v.deviation), 1),
-            round(UNITS["mm²/s"].shown(v.implied), 2),
-            v.verdict,
-            v.reason,
-        )
-        for v in printed_viscosities(lubricant)
-    )
+    shown, percent, mm2_s = (UNITS[unit].shown for unit in ("mPa·s", "%", "mm²/s"))
+    rows = []
+    for v in printed_viscosities(lubricant):
+        numbers = round(shown(v.law), 3), round(percent(v.deviation), 1), round(mm2_s(v.implied), 2)
+        rows.append((v.temperature, shown(v.printed), *numbers, v.verdict, v.reason))
+    if not rows:
+        return None
     columns = (
         (Text("T"), "°C"),
         (Text("Printed"), "mPa·s"),
@@ -280,17 +251,8 @@ def printed_table(lubricant: Lubricant) -> Table | None:
         "Kept: within {kept} % of the law through the oil's viscosities at 40 and 100 °C and its density.",
         kept=Amount(KEPT * 100),
     )
-    return (
-        Table(
-            "oil_printed",
-            Text("Oil {name}: viscosities printed elsewhere", name=lubricant.oil.name),
-            columns,
-            rows,
-            note,
-        )
-        if rows
-        else None
-    )
+    title = Text("Oil {name}: viscosities printed elsewhere", name=lubricant.oil.name)
+    return Table("oil_printed", title, columns, tuple(rows), note)
 
 
 def errata(lubricant: Lubricant, T: Celsius, about: str, source: Text = EMPTY) -> tuple[Erratum, ...]:

@@ -95,12 +95,9 @@ class Publication:
     def described(self, known: Sequence[Text] = ()) -> Text:
         """Title, edition, status and how we know, on one line.  `known`: of the places that are meant, where not of the
         whole."""
+        parts = dict(title=self.title, edition=self.edition, status=self.status_text)
         line = Text(
-            "{title} ({edition}); {status}; {known}",
-            title=self.title,
-            edition=self.edition,
-            status=self.status_text,
-            known=SEMICOLON.join(known or [KNOWN[self.known]]),
+            "{title} ({edition}); {status}; {known}", known=SEMICOLON.join(known or [KNOWN[self.known]]), **parts
         )
         return Text("{described}; its title from memory", described=line) if self.title_from_memory else line
 
@@ -180,9 +177,8 @@ def resolved(source: str) -> Origin:
     citations = tuple(_citation(match[0], source[match.end() : end]) for match, end in zip(names, ends))
     rest = _names().sub("", source)
     unknown = tuple(dict.fromkeys(match[0] for match in LIKELY.finditer(rest)))
-    return Origin(
-        kind=next((kind for kind in KINDS if _begins(source, kind)), ""), citations=citations, unknown=unknown
-    )
+    kind = next((kind for kind in KINDS if _begins(source, kind)), "")
+    return Origin(kind=kind, citations=citations, unknown=unknown)
 
 
 def _begins(source: str, kind: str) -> bool:
@@ -193,16 +189,10 @@ def _begins(source: str, kind: str) -> bool:
 def _citation(name: str, clause: str) -> Citation:
     row = publication(name)
     assert row is not None, name
-    if not row.places:
-        return Citation(name=name, publication=row, clause=clause, places=(), lost=())
-    numbers = _numbered(re.split(r"[:;]", clause, maxsplit=1)[0])
-    return Citation(
-        name=name,
-        publication=row,
-        clause=clause,
-        places=tuple(n for n in numbers if n in row.places),
-        lost=tuple(n for n in numbers if n not in row.places),
-    )
+    numbers = _numbered(re.split(r"[:;]", clause, maxsplit=1)[0]) if row.places else []
+    there = tuple(n for n in numbers if n in row.places)
+    lost = tuple(n for n in numbers if n not in row.places)
+    return Citation(name=name, publication=row, clause=clause, places=there, lost=lost)
 
 
 def _numbered(clause: str) -> list[str]:

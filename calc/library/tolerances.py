@@ -94,20 +94,18 @@ def clearance_limits(journal: ToleranceField, seat: ToleranceField, diameter: Me
 
     Two widths alone: the band about the nominal clearance.  Two classes with a place on the same nominal size: the
     clearance itself."""
-    (smallest, largest), (bore, widest) = deviations(journal, diameter), deviations(seat, diameter)
-    return (round(bore * _UM, 6) - round(largest * _UM, 6)) / _UM, (
-        round(widest * _UM, 6) - round(smallest * _UM, 6)
-    ) / _UM
+    smallest, largest, bore, widest = (
+        round(end * _UM, 6) for field in (journal, seat) for end in deviations(field, diameter)
+    )
+    return (bore - largest) / _UM, (widest - smallest) / _UM
 
 
 def _tolerance_um(grade: int, diameter: Metre) -> float:
     if grade not in GRADES:
         raise ValueError(f"IT{grade}: allowed are IT1 to IT16")
-    at = _range(_row("", "up_to_mm"), diameter)
-    if grade >= 14 and UNITS["mm"].shown(diameter) <= COARSE_ABOVE:
-        raise ValueError(
-            f"IT{grade} at {UNITS['mm'].shown(diameter):g} mm: ISO 286 has IT14 and coarser only above 1 mm"
-        )
+    at, shown = _range(_row("", "up_to_mm"), diameter), UNITS["mm"].shown(diameter)
+    if grade >= 14 and shown <= COARSE_ABOVE:
+        raise ValueError(f"IT{grade} at {shown:g} mm: ISO 286 has IT14 and coarser only above 1 mm")
     return _row("tolerance_um", f"IT{grade}")[at]
 
 

@@ -15,7 +15,7 @@ from .errors import BadTable, InputError
 from .quantity import unknown
 from .record import record
 from .remedy import Remedy, sentence
-from .text import EMPTY, SEMICOLON, Amount, Text
+from .text import EMPTY, SEMICOLON, SPACE, Amount, Text
 from .units import UNITS
 from .value import link_of, linked
 
@@ -91,12 +91,12 @@ def _tables() -> tuple[list[tuple[int, list[str]]], list[tuple[int, list[str]]]]
 @cache
 def elements() -> dict[str, Element]:
     """The letters of the table."""
-    return {letter: _element(letter, re.findall(r"\w+", kind)) for _, (letter, _, kind) in _tables()[0]}
-
-
-def _element(letter: str, kind: list[str]) -> Element:
-    ends = tuple(kind[kind.index("pair") + 1 :][:2]) if "pair" in kind else ()
-    return Element(letter, ends, "single" in kind, "behind" in kind)
+    by_letter = {}
+    for _, (letter, _, kind) in _tables()[0]:
+        words = re.findall(r"\w+", kind)
+        ends = tuple(words[words.index("pair") + 1 :][:2]) if "pair" in words else ()
+        by_letter[letter] = Element(letter, ends, "single" in words, "behind" in words)
+    return by_letter
 
 
 @cache
@@ -273,10 +273,8 @@ class Check:
     accepted: str = ""
 
     def __str__(self) -> str:
-        return (
-            f"{SIGNS[self.verdict]} {self.name}: {Amount(self.value, self.unit)} ({self.limit_text()}, "
-            f"{self.margin_text()})"
-        )
+        value = Amount(self.value, self.unit)
+        return f"{SIGNS[self.verdict]} {self.name}: {value} ({self.limit_text()}, {self.margin_text()})"
 
     @property
     def nearest(self) -> tuple[float, float]:
@@ -409,13 +407,9 @@ def check(
         rule.exact,
     )
     ways = () if remedies is None or this_check.holds else remedies()
-    return (
-        replace(
-            this_check, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])
-        )
-        if ways
-        else this_check
-    )
+    if not ways:
+        return this_check
+    return replace(this_check, remedies=ways, advice=SPACE.join(filter(None, (sentence(ways), advice))))
 
 
 def worst(verdicts: Iterable[str]) -> str:
@@ -437,9 +431,8 @@ def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
     groups: dict[str, list[Check]] = {}
     for check in checks:
         groups.setdefault(check.cause or check.id, []).append(check)
-    return sorted(
-        (tuple(sorted(group, key=severity)) for group in groups.values()), key=lambda group: severity(group[0])[:3]
-    )
+    ordered = (tuple(sorted(group, key=severity)) for group in groups.values())
+    return sorted(ordered, key=lambda group: severity(group[0])[:3])
 
 
 def with_it(checks: Sequence[Check], most: int = 3) -> Text:
@@ -449,19 +442,12 @@ def with_it(checks: Sequence[Check], most: int = 3) -> Text:
 
 def named(checks: Sequence[Check], most: int = 3) -> Text:
     """Checks by name and margin; of more than `most` the rest as a number."""
-    first = SEMICOLON.join(
-        Text("{name} ({margin})", name=check.name, margin=check.margin_text()) for check in checks[:most]
-    )
+    first = SEMICOLON.join(Text("{name} ({margin})", name=c.name, margin=c.margin_text()) for c in checks[:most])
     return first if len(checks) <= most else Text("{names}; {more} more", names=first, more=len(checks) - most)
 
 
 def severity(check: Check) -> tuple[bool, int, int, float]:
     """What sorts checks: open ones before those that hold or are accepted, then by kind, then the worst verdict
     first."""
-    margin = check.margin
-    return (
-        not check.open,
-        KINDS.index(check.kind),
-        -ORDER.index(check.verdict),
-        margin if margin == margin else -math.inf,
-    )
+    margin = -math.inf if math.isnan(check.margin) else check.margin
+    return not check.open, KINDS.index(check.kind), -ORDER.index(check.verdict), margin

@@ -30,11 +30,10 @@ class Mistakes(Exception):
     def __init__(self, place: str, errors: list[InputError]) -> None:
         self.place = place
         self.errors = sorted(errors, key=lambda e: e.line)
-        rest = len(errors) - SHOWN_ERRORS
-        more = (
-            [plural("{place}: {n} more mistake", "{place}: {n} more mistakes", rest, place=place)] if rest > 0 else []
-        )
-        super().__init__("\n".join([*(e.text(place) for e in self.errors[:SHOWN_ERRORS]), *more]))
+        words = [e.text(place) for e in self.errors[:SHOWN_ERRORS]]
+        if (rest := len(errors) - SHOWN_ERRORS) > 0:
+            words.append(plural("{place}: {n} more mistake", "{place}: {n} more mistakes", rest, place=place))
+        super().__init__("\n".join(words))
 
 
 class BadInput(Mistakes):

@@ -43,9 +43,8 @@ def digits_that_close(
 
     def close() -> bool:
         try:
-            again = formula.function(
-                **{**arguments, **{name: all_rounded(x, digits[name]) for name, x in given.items()}}
-            )
+            rounded_ones = {name: all_rounded(x, digits[name]) for name, x in given.items()}
+            again = formula.function(**{**arguments, **rounded_ones})
             return isinstance(again, (int, float, complex)) and bool(_same(again / factor, target))
         except (ValueError, ZeroDivisionError, OverflowError, TypeError):
             return False
@@ -79,24 +78,19 @@ def _same(again: complex, value: float | complex) -> bool:
     """Whether a number that is worked out again lies within half a unit of the last digit with which the value is
     written."""
     if isinstance(value, complex):
-        turned = (
-            math.degrees(math.atan2(again.imag, again.real) - math.atan2(value.imag, value.real))
-            if value and again
-            else 0.0
-        )
-        angle = math.degrees(math.atan2(value.imag, value.real))
+        ours, theirs = (math.atan2(z.imag, z.real) for z in (again, value))
+        turned = math.degrees(ours - theirs) if value and again else 0.0
+        angle = math.degrees(theirs)
         return _near(abs(again), abs(value)) and _near(angle + math.remainder(turned, 360), angle)
     return _near(again, value)
 
 
 def _near(again: complex, value: float) -> bool:
     shown = rounded(float(value), DIGITS)
-    return abs(again - shown) <= 0.5 * _unit(shown) * (1 + 1e-9) if shown else abs(again) < NOUGHT
-
-
-def _unit(shown: float) -> float:
-    """One unit of the last of its four digits."""
-    return float(10.0 ** (math.floor(math.log10(abs(shown))) - DIGITS + 1))
+    if not shown:
+        return abs(again) < NOUGHT
+    unit = 10.0 ** (math.floor(math.log10(abs(shown))) - DIGITS + 1)  # of the last of its four digits
+    return bool(abs(again - shown) <= 0.5 * unit * (1 + 1e-9))
 
 
 # --- the expression as a tree
@@ -112,25 +106,9 @@ NO_ANGLE = 1e-12  # rad: what a sine of π has left
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 ENOUGH = 5  # digits of a constant that has no end: 30° in radians
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
-CALLS = {
-    "sqrt": "sqrt",
-    "total": "sum",
-    "along": "sum",
-    "resultant": "sum",
-    "cis": "cis",
-    "modulus": "abs",
-    "abs": "abs",
-}
-CALLS |= {"imag": "Im", "largest": "max", "smallest": "min"}
-CALLS |= {
-    "argument": "arg",
-    "asin": "arcsin",
-    "acos": "arccos",
-    "atan": "arctan",
-    "log10": "lg",
-    "asinh": "arsinh",
-    "log1p": "ln1p",
-}
+CALLS = {"sqrt": "sqrt", "cis": "cis", "modulus": "abs", "abs": "abs", "imag": "Im", "argument": "arg"}
+CALLS |= {"total": "sum", "along": "sum", "resultant": "sum", "largest": "max", "smallest": "min"}
+CALLS |= {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
 
 
 @record
@@ -324,12 +302,9 @@ def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
     tree = expression(formula)
     numbers = None
     if tree is not None:
-        known = units(formula)
-        digits = digits_that_close(formula, arguments, value, _result_unit(formula)[1])
-        texts = {
-            formula.names.get(k, symbol(k)): _argument(v, known.get(k, ""), digits[k]) for k, v in arguments.items()
-        }
-        numbers = substituted(tree, texts)
+        known, digits = units(formula), digits_that_close(formula, arguments, value, _result_unit(formula)[1])
+        texts = {name: _argument(x, known.get(name, ""), digits[name]) for name, x in arguments.items()}
+        numbers = substituted(tree, {formula.names.get(name, symbol(name)): words for name, words in texts.items()})
     shows = formula.shows
     if tree is None and not shows:
         given = COMMA.join(Name(f"{symbol(k)} = {_argument(v, '')}") for k, v in arguments.items())
@@ -351,9 +326,8 @@ def plain(name: str) -> str:
 
 
 RANK = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 2.5, "pow": 4, "cis": 4, "sqrt": 4.5, "sum": 4.5}
-SPELT: dict[
-    str, tuple[str, *tuple[float, ...]]
-] = {  # how a node is written, and the rank below which each of its parts is bracketed
+# how a node is written, and the rank below which each of its parts is bracketed
+SPELT: dict[str, tuple[str, *tuple[float, ...]]] = {
     "add": ("{} + {}", 1, 1),
     "sub": ("{} − {}", 1, 1.5),
     "mul": ("{}·{}", 2, 2.2),
@@ -405,11 +379,8 @@ def line_text(line: Line, say: Callable[[str], str] = str, number: Callable[[str
     head = plain(shown.symbol)
     if shown.formula is None or shown.numbers is None:
         return f"{head}: {say(shown.shows)}", f"= {result}", say(shown.source)
-    return (
-        f"{head} = {number(_written(line.formula))}",
-        f"= {number(text(shown.numbers))} = {result}",
-        say(shown.source),
-    )
+    substitution = f"= {number(text(shown.numbers))} = {result}"
+    return f"{head} = {number(_written(line.formula))}", substitution, say(shown.source)
 
 
 @cache

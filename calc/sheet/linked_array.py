@@ -66,25 +66,11 @@ def _as_linked(x: "Array") -> LinkedArray:
     return x.view(LinkedArray)
 
 
-KINDS.update(
-    {
-        np.float64: LinkedScalar,
-        LinkedScalar: LinkedScalar,
-        np.complex128: LinkedComplexScalar,
-        LinkedComplexScalar: LinkedComplexScalar,
-        np.ndarray: _as_linked,
-        LinkedArray: _as_linked,
-    }
-)
-
-
-PLAIN.update(
-    {
-        LinkedScalar: lambda x: np.float64(float(x)),
-        LinkedComplexScalar: lambda x: np.complex128(complex(x)),
-        LinkedArray: np.asarray,
-    }
-)
+KINDS.update({np.float64: LinkedScalar, LinkedScalar: LinkedScalar})
+KINDS.update({np.complex128: LinkedComplexScalar, LinkedComplexScalar: LinkedComplexScalar})
+KINDS.update({np.ndarray: _as_linked, LinkedArray: _as_linked})
+PLAIN.update({LinkedScalar: lambda x: np.float64(float(x)), LinkedComplexScalar: lambda x: np.complex128(complex(x))})
+PLAIN[LinkedArray] = np.asarray
 
 
 def linked_array(x: "Array", link: Link | None, parts: tuple[Link | None, ...]) -> "Array":

@@ -102,11 +102,8 @@ def line(record: object) -> str:
     """`BearingInputs(diameter=0.0595, length=0.0275, …)`: what differs from its default, in SI, long values cut
     short."""
     kind: type = type(record)
-    shown = (
-        f"{f.name}={BRIEF.repr(getattr(record, f.name))}"
-        for f in fields(kind)
-        if not _is(getattr(record, f.name), f.default)
-    )
+    contents = [(f.name, getattr(record, f.name), f.default) for f in fields(kind)]
+    shown = (f"{name}={BRIEF.repr(content)}" for name, content, default in contents if not _is(content, default))
     return f"{kind.__name__}({', '.join(shown)})"
 
 
@@ -149,9 +146,8 @@ def _inside(content: object, indent: str) -> Iterator[tuple[str, str, str]]:
     known = fields(kind)
     for f in [f for f in known if f.metadata] or known:
         about = f.metadata.get("value") or f.metadata.get("quantity")
-        yield from _rows(
-            about.label if about else f.name, getattr(content, f.name), about.unit if about else "", indent
-        )
+        label, unit = (about.label, about.unit) if about else (f.name, "")
+        yield from _rows(label, getattr(content, f.name), unit, indent)
 
 
 def brief(content: object, factor: float = 1.0) -> str:

@@ -89,6 +89,13 @@ class Quantity:
     def units(self) -> Unit:
         return UNITS[self.unit]
 
+    def allows(self, x: float) -> bool:
+        """Whether its ends allow a number, in the shown unit."""
+        low, high, above = self.low, self.high, self.above
+        return not (
+            (low is not None and x < low) or (high is not None and x > high) or (above is not None and x <= above)
+        )
+
     def allowed(self) -> Text:
         """What may stand here, in words."""
         match self.kind:
@@ -119,10 +126,10 @@ class Quantity:
             bounds.append(Text("from {low} to {high}", low=low, high=high))
         elif self.low is not None:
             bounds.append(Text("{low} or more", low=low))
+        elif self.high is not None and self.above is not None:
+            bounds.append(Text("and up to {high}", high=high))
         elif self.high is not None:
-            bounds.append(
-                Text("up to {high}", high=high) if self.above is None else Text("and up to {high}", high=high)
-            )
+            bounds.append(Text("up to {high}", high=high))
         if self.unit:
             bounds.append(Text("{unit}", unit=self.unit) if len(bounds) > 1 else Text("in {unit}", unit=self.unit))
         return SPACE.join(bounds)
@@ -202,7 +209,7 @@ def _make(
         source=Text(source),
         negative=Text(negative),
         brief=Text(brief),
-        change=_change_words(*map(Text, change)),
+        change=ChangeWords(other=Text(change[0])) if len(change) == 1 else ChangeWords(*map(Text, change)),
         where=_where(*where) if where else None,
         choices=choices,
         table=table,
@@ -210,10 +217,6 @@ def _make(
         **options,
     )
     return field(default=default, kw_only=True, metadata={"quantity": what})
-
-
-def _change_words(*words: Text) -> ChangeWords:
-    return ChangeWords(other=words[0]) if len(words) == 1 else ChangeWords(*words)
 
 
 def _where(choice: object, *words: object) -> Where:
@@ -286,12 +289,8 @@ class Key:
 def keys(inputs: type) -> dict[str, Key]:
     """The keys of an Inputs class in their order: file key → Key.  The class itself has each by its attribute:
     `EngineInputs.bore` is the Key of `bore_mm`, as `EngineInputs(…).bore` is its number."""
-    by_key = {}
-    for f in fields(inputs):
-        if (about := f.metadata.get("quantity")) is not None:
-            key = _key(f)
-            by_key[key] = Key(key, f.name, about, f)
-    return by_key
+    known = [f for f in fields(inputs) if "quantity" in f.metadata]
+    return {_key(f): Key(_key(f), f.name, f.metadata["quantity"], f) for f in known}
 
 
 def _key(f: Field[Any]) -> str:
@@ -311,12 +310,27 @@ def described(field: object) -> Quantity:
     return field.about
 
 
+def given(inputs: object, prefix: str, *, named: bool = False) -> Iterator[tuple[str, Quantity, Any]]:
+    """The inputs of a table, and of the tables in it, that are not left out: key, description, content in SI.
+
+    `named`: elements of arrays by their names where they have some, else by index."""
+    kind: type = type(inputs)
+    for key in keys(kind).values():
+        content, here = getattr(inputs, key.attribute), f"{prefix}.{key.key}"
+        if key.about.kind == "tables":
+            for n, element in enumerate(content):
+                yield from given(element, f"{here}.{(named and getattr(element, 'name', '')) or n}", named=named)
+        elif content is not None and key.about.kind == "table":
+            yield from given(content, here, named=named)
+        elif content is not None:
+            yield here, key.about, content
+
+
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
     near = get_close_matches(key, known, 1, 0.5)
-    return Text("is not known") + (
-        Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
-    )
+    others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
+    return Text("is not known") + others
 
 
 # --- results
@@ -465,11 +479,8 @@ def inputs(cls: type[T]) -> type[T]:
 @cache
 def _shown(cls: type) -> tuple[tuple[str, Described | None, Group], ...]:
     """The fields of a class of results that are shown: a value's description, or that of a group."""
-    return tuple(
-        (f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP))
-        for f in fields(cls)
-        if "value" in f.metadata or "group" in f.metadata
-    )
+    known = [f for f in fields(cls) if "value" in f.metadata or "group" in f.metadata]
+    return tuple((f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP)) for f in known)
 
 
 def insides(result: object) -> list[float]:
@@ -501,13 +512,7 @@ def published(result: object, prefix: str, wanted: frozenset[str] = frozenset())
 
 
 def _inside(
-    result: object,
-    prefix: str,
-    formerly: str,
-    wanted: frozenset[str],
-    group: Group,
-    short: bool,
-    leads: bool,
+    result: object, prefix: str, formerly: str, wanted: frozenset[str], group: Group, short: bool, leads: bool
 ) -> Iterator[Published]:
     """`formerly`: the prefix that they had.  `group`: the description of the field that holds the result; `short`,
     `leads`: what those around it let them."""
@@ -552,17 +557,6 @@ def _lets(which: bool | tuple[str, ...], name: str) -> bool:
 def _published(id: str, about: Described, inside: float, former: str, short: bool, leads: bool) -> Published:
     unit = UNITS[about.unit]
     shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))
-    leads = leads and short
-    return Published(
-        id,
-        shown,
-        about.unit,
-        about.label,
-        about.symbol,
-        inside,
-        about,
-        former,
-        short and about.short,
-        about.page_one if leads else 0,
-        about.headline if leads else 0,
-    )
+    what = (id, shown, about.unit, about.label, about.symbol, inside, about, former)
+    page_one, headline = (about.page_one, about.headline) if leads and short else (0, 0)
+    return Published(*what, short and about.short, page_one, headline)

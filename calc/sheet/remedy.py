@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 from .quantity import keys
 from .record import record
-from .text import EMPTY, Amount, Text, alternatives, listed
+from .text import EMPTY, SEMICOLON, Amount, Text, alternatives, listed
 
 BOUNDS = {
     "": Text("{label} {value}"),
@@ -53,9 +53,8 @@ def change(inputs: type, key: str, value: object, *, place: str = "", bound: str
 
 def _written(value: object, unit: str) -> Text | Amount:
     if isinstance(value, (list, tuple)):
-        return Text(
-            "[{values}] {unit}", values=Text("; ").join([Text("{x}", x=Amount(x, digits=6)) for x in value]), unit=unit
-        )
+        values = SEMICOLON.join(Text("{x}", x=Amount(x, digits=6)) for x in value)
+        return Text("[{values}] {unit}", values=values, unit=unit)
     return Amount(value, unit, digits=6) if isinstance(value, (int, float)) else Text("{value}", value=str(value))
 
 

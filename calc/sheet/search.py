@@ -19,7 +19,6 @@ import numpy as np
 
 from .arrays import Array, BoolArray
 from .progress import Progress, tell
-from .quantity import Quantity
 from .record import record
 from .text import EMPTY, Text
 
@@ -44,26 +43,15 @@ def multiples(step: float, low: float, high: float, extra: Iterable[float] = ())
     return np.sort(np.append(steps, given)) if given else steps
 
 
-def allowed(about: Quantity, numbers: Iterable[float]) -> bool:
-    """Whether the ends of an input allow these numbers, in its own unit."""
-    low, high, above = about.low, about.high, about.above
-    return not any(
-        (low is not None and x < low) or (high is not None and x > high) or (above is not None and x <= above)
-        for x in numbers
-    )
-
-
 def rounded(low: float, high: float) -> float:
     """The number of the fewest digits that lies beyond `low` and not beyond `high`, seen from `low`."""
     for digits in range(-3, 7):
         unit = 10.0**-digits
         n = math.floor(high / unit + 1e-9) if high > low else math.ceil(high / unit - 1e-9)
         x = round(n * unit, max(digits, 0))
-        if (
-            (low < x <= high * (1 + 1e-12))
-            if high > low
-            else (high * (1 - 1e-12) <= x < low if high > 0 else high <= x < low)
-        ):
+        rising = low < x <= high * (1 + 1e-12)
+        falling = (high * (1 - 1e-12) if high > 0 else high) <= x < low
+        if rising if high > low else falling:
             return x
     return high
 

@@ -186,10 +186,8 @@ class Outcome(Generic[R]):
 
     def __str__(self) -> str:
         """The verdict, every value by its id, and the checks that are open."""
-        shown = aligned(
-            f"{self.key}: {self.verdict}" + (f", {self.reason}" if self.reason else ""),
-            ((f"  {v.id}", brief(v.shown), f"{v.unit:<9} {v.label}") for v in self.values()),
-        )
+        title = f"{self.key}: {self.verdict}" + (f", {self.reason}" if self.reason else "")
+        shown = aligned(title, ((f"  {v.id}", brief(v.shown), f"{v.unit:<9} {v.label}") for v in self.values()))
         return "\n".join([shown, *(f"  {check}" for check in self.checks if check.open)])
 
     @cached_property
@@ -253,15 +251,10 @@ def _of_accepted(checks: tuple[Check, ...], reasons: dict[str, str]) -> list[Tex
     """What there is to say of what is accepted."""
     verdicts = {c.id: c.verdict for c in checks}
     notes = [no_such_check(id) + "." for id in reasons if id not in verdicts]
-    notes += [
-        Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"
-    ]
-    notes += [
-        Text("A limit, which nobody can accept: {id}.", id=c.id)
-        for c in checks
-        if c.id in reasons and c.kind == "limit"
-    ]
-    return notes
+    held = [id for id in reasons if verdicts.get(id) == "pass"]
+    notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in held]
+    limits = [c.id for c in checks if c.id in reasons and c.kind == "limit"]
+    return notes + [Text("A limit, which nobody can accept: {id}.", id=id) for id in limits]
 
 
 # --- numbers far outside of what a step is for: a word instead of an infinite value

@@ -75,13 +75,9 @@ class Text(str):
     def __add__(self, other: str) -> "Text":
         if not other:
             return self
-        return (
-            _text(Text, "{a}{b}", {"a": self, "b": other})
-            if self
-            else other
-            if isinstance(other, Text)
-            else Name(other)
-        )
+        if self:
+            return _text(Text, "{a}{b}", {"a": self, "b": other})
+        return other if isinstance(other, Text) else Name(other)
 
     def __radd__(self, other: str) -> "Text":
         return _text(Text, "{a}{b}", {"a": other, "b": self}) if other else self

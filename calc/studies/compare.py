@@ -106,13 +106,11 @@ def _elements(about: Quantity, a: list[object], b: list[object], here: str, with
     for name in united(mine, theirs):
         first, other = mine.get(name), theirs.get(name)
         if first is not None and other is not None:
-            yield from _keys(
-                about.table, first, other, f"{here}.{name}.", _called(first) if _called(first) == _called(other) else ""
-            )
+            called = _called(first) if _called(first) == _called(other) else ""
+            yield from _keys(about.table, first, other, f"{here}.{name}.", called)
         else:
-            yield InputDifference(
-                f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", first, other, within
-            )
+            label = Text("{label}: {name}", label=about.label, name=name)
+            yield InputDifference(f"{here}.{name}", label, "", first, other, within)
 
 
 def _named(items: list[object]) -> dict[str, Table]:
@@ -211,13 +209,8 @@ class CheckDifference:
     @property
     def accepted(self) -> bool:
         """Found of one kind in both, whatever its size; somebody accepts it, or does not any more."""
-        return (
-            self.moved
-            and self.a is not None
-            and self.b is not None
-            and self.a.finding == self.b.finding
-            and not self.beyond
-        )
+        findings = {check.finding for check in (self.a, self.b) if check is not None}
+        return self.moved and len(findings) == 1 and not self.beyond
 
     @property
     def beyond(self) -> bool:
@@ -328,7 +321,7 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
     """Compare two designs: the tables of their files, and what they gave."""
     return Comparison(
         tuple(inputs(a, b)),
-        tuple(_verdicts(results_a, results_b)),
+        tuple(StepVerdicts(s.key, s.title, _judged(results_a, s.key), _judged(results_b, s.key)) for s in STEPS),
         tuple(_checks(results_a, results_b, same)),
         tuple(_values(results_a, results_b, same)),
         tuple(_key_results(results_a, results_b)),
@@ -337,11 +330,6 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
 
 
 # --- results
-
-
-def _verdicts(a: "Results", b: "Results") -> Iterator[StepVerdicts]:
-    for step in STEPS:
-        yield StepVerdicts(step.key, step.title, _judged(a, step.key), _judged(b, step.key))
 
 
 def _judged(results: "Results", step: str) -> Judged:
@@ -366,7 +354,10 @@ def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
         for id in united(mine, theirs):
             first, other = mine.get(id), theirs.get(id)
             verdicts = ["" if c is None else judged(c, each) for c, each in zip((first, other), checks)]
-            size = math.inf if first is None or other is None else _between(first, other, floors[first.unit])
+            size = math.inf
+            if first is not None and other is not None:
+                numbers = zip((first.value, *_limits(first)), (other.value, *_limits(other)))
+                size = max(relative(x, y, floors[first.unit]) for x, y in numbers)
             if size > same or verdicts[0] != verdicts[1] or (first and other and _kind(first) != _kind(other)):
                 differ.append(CheckDifference(id, first, other, size, *verdicts))
         differences += sorted(differ, key=lambda d: (not d.moved, not d.both, -d.relative if d.both else not d.worse))
@@ -381,12 +372,6 @@ def _limits(check: Check) -> tuple[float, ...]:
     return check.limit if isinstance(check.limit, tuple) else (check.limit,)
 
 
-def _between(a: Check, b: Check, floor: float) -> float:
-    """How much a check differs in value or limit."""
-    limits = list(zip(_limits(a), _limits(b)))
-    return max(relative(x, y, floor) for x, y in [(a.value, b.value), *limits])
-
-
 def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
     differences: list[ValueDifference] = []
     for step in STEPS:
@@ -395,18 +380,17 @@ def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
         differ = []
         for id in united(mine, theirs):
             first, other = mine.get(id), theirs.get(id)
-            either = other or first
-            assert either is not None
             if first is None or other is None:
-                there = (first.shown if first else None, other.shown if other else None)
-                differ.append(ValueDifference(id, either.label, either.unit, *there, math.inf))
-                continue
-            if _is_phase(id, first.unit):
+                size = math.inf
+            elif _is_phase(id, first.unit):
                 size = _turned(first, other, mine, theirs, floors)
             else:
                 size = relative(first.shown, other.shown, floors[first.unit])
-            if size > same or first.unit != other.unit:
-                differ.append(ValueDifference(id, other.label, other.unit, first.shown, other.shown, size))
+            either = other or first
+            assert either is not None
+            if size > same or (first is not None and first.unit != either.unit):
+                a_shown, b_shown = (v.shown if v is not None else None for v in (first, other))
+                differ.append(ValueDifference(id, either.label, either.unit, a_shown, b_shown, size))
         differences += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))
     return differences
 
@@ -419,12 +403,9 @@ def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
     ours, others = key_results(mine), key_results(theirs)
     for line in ours | others:
         first, other = ours.get(line), others.get(line)
-        floor = floors[line[0]]
-        size = (
-            relative(first.shown, other.shown, floor.get(first.unit, 0.0))
-            if first is not None and other is not None
-            else math.inf
-        )
+        size = math.inf
+        if first is not None and other is not None:
+            size = relative(first.shown, other.shown, floors[line[0]].get(first.unit, 0.0))
         yield KeyResult(first, other, any(v is not None and is_least(v) for v in (first, other)), size)
 
 

@@ -5,7 +5,7 @@ The chain of recorded lines is the links of the value (`sheet/value.py`) followe
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, is_dataclass
 
 from ..design.addresses import as_list, quantities, value_at
@@ -65,7 +65,10 @@ def origin(results: Results, value_id: str) -> str | None:
 
 def needs(line: Line) -> tuple[list[Line], list[str]]:
     """The lines and the inputs that the arguments of a line come from."""
-    sources = dict.fromkeys(leaf for argument in line.arguments.values() for leaf in leaves(link_of(argument)))
+    return _apart(dict.fromkeys(leaf for argument in line.arguments.values() for leaf in leaves(link_of(argument))))
+
+
+def _apart(sources: Collection[Line | str]) -> tuple[list[Line], list[str]]:
     return [leaf for leaf in sources if isinstance(leaf, Line)], [leaf for leaf in sources if isinstance(leaf, str)]
 
 
@@ -77,13 +80,12 @@ class Chains:
         self.values = results.values()
         self.value_of: dict[Line, str] = {}  # line → the value that it gives
         for id, value in self.values.items():
-            for leaf in leaves(link_of(value.inside)):
-                if isinstance(leaf, Line):
-                    self.value_of.setdefault(leaf, id)
+            for line in _apart(leaves(link_of(value.inside)))[0]:
+                self.value_of.setdefault(line, id)
 
     def of(self, value_id: str) -> list[Link]:
-        """The chain of one value."""
-        return self._links(self._made_by(value_id))
+        """The chain of one value; empty where it is an input."""
+        return self._links(_apart(leaves(link_of(self.values[value_id].inside)))[0])
 
     def to(self, line: Line) -> list[Link]:
         """The chain of one line of the calculation."""
@@ -93,18 +95,13 @@ class Chains:
         """The value that a check is on; None where it judges none that is published."""
         if check.value_id in self.values:
             return check.value_id
-        return next(
-            (self.value_of[leaf] for leaf in self.judged(check) if isinstance(leaf, Line) and leaf in self.value_of),
-            None,
-        )
+        return next((self.value_of[line] for line in _apart(self.judged(check))[0] if line in self.value_of), None)
 
     def of_check(self, check: Check) -> tuple[list[Link], list[str]]:
         """The chain of the number that a check judges, published or not, and the inputs that it is taken from straight
         away."""
-        sources = self.judged(check)
-        return self._links([leaf for leaf in sources if isinstance(leaf, Line)]), [
-            leaf for leaf in sources if isinstance(leaf, str)
-        ]
+        lines, keys = _apart(self.judged(check))
+        return self._links(lines), keys
 
     def judged(self, check: Check) -> tuple[Line | str, ...]:
         """The lines that gave the number which a check judges, and the inputs that it was taken from."""
@@ -117,10 +114,6 @@ class Chains:
         of_value = self.values[check.limit_id].inside if check.limit_id in self.values else None
         ends = known.limit if isinstance(known.limit, tuple) else (known.limit,)
         return leaves(joined_links(map(link_of, ends))) or leaves(link_of(of_value))
-
-    def _made_by(self, value_id: str) -> list[Line]:
-        """The lines that gave a value; none where it is an input."""
-        return [leaf for leaf in leaves(link_of(self.values[value_id].inside)) if isinstance(leaf, Line)]
 
     def _links(self, lines: list[Line]) -> list[Link]:
         return [Link(line, tuple(needs(line)[1])) for line in _ordered(lines)]
@@ -200,11 +193,8 @@ def effects(
     wanted = list(checks)
     moved: dict[str, Moved] = {}
     for group in grouped(wanted):
-        numbers = [
-            key
-            for key in _keys(group[0], known)
-            if known[key].kind in KINDS and value_at(document.data, key) is not None
-        ]
+        keys = [key for key in _keys(group[0], known) if known[key].kind in KINDS]
+        numbers = [key for key in keys if value_at(document.data, key) is not None]
         for key in numbers[:most]:
             if key not in moved:
                 moved[key] = _moved(document, results, key, known[key], stop)
@@ -245,16 +235,8 @@ def _effect(check: Check, key: str, about: Quantity, moved: Moved) -> Effect:
     if moved is None or check.id not in moved[1]:
         return Effect(key, None, None, unit)
     change, after = moved[0], moved[1][check.id]
-    return Effect(
-        key,
-        _finite((after.value - check.value) / change),
-        _finite((after.nearest[0] - check.nearest[0]) / change),
-        unit,
-    )
-
-
-def _finite(number: float) -> float | None:
-    return number if math.isfinite(number) else None
+    slope, gain = (after.value - check.value) / change, (after.nearest[0] - check.nearest[0]) / change
+    return Effect(key, slope if math.isfinite(slope) else None, gain if math.isfinite(gain) else None, unit)
 
 
 def moved_by(

@@ -15,7 +15,6 @@ from ..mounting.result import PointLevel
 from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
-from ..sheet.step import Outcome
 from ..sheet.text import Amount, Text
 from ..solve import Results
 
@@ -78,18 +77,13 @@ def headline(results: Results, key: str) -> Headline | None:
     outcome = results.outcomes[key]
     if outcome.state != "solved":
         return None
-    if (check := _worst(outcome)) is not None:
-        return of_check(check)
-    if (text := GIVES.get(key, _nothing)(results)) is not None:
+    first = next((group[0] for group in outcome.causes), None)
+    if first is not None and first.kind == "limit" and first.verdict in ("fail", "not_verified"):
+        return of_check(first)
+    if key in GIVES and (text := GIVES[key](results)) is not None:
         return Headline(text, text)
     deciding = [c for c in outcome.checks if c.id.rpartition(".")[2] in DECIDE.get(key, ())]
     return of_check(min(deciding, key=lambda c: c.margin)) if deciding else None
-
-
-def _worst(outcome: Outcome[object]) -> Check | None:
-    """The limit that stands first among the findings, if one fails or can not be judged."""
-    first = next((group[0] for group in outcome.causes), None)
-    return first if first is not None and first.kind == "limit" and first.verdict in ("fail", "not_verified") else None
 
 
 def of_check(check: Check) -> Headline:
@@ -97,22 +91,18 @@ def of_check(check: Check) -> Headline:
     word, limit = WORDS.get(check.id.rpartition(".")[2], check.name), check.nearest[1]
     if not limit:
         long, brief = (
-            Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=digits)) for digits in (3, 2)
+            Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=n)) for n in (3, 2)
         )
         return Headline(long, brief, None, check)
-    (value, of), (value_brief, of_brief) = (
-        (Amount(check.value, digits=n), Amount(limit, check.unit, digits=n)) for n in (3, 2)
+    three, two = (
+        dict(word=word, value=Amount(check.value, digits=n), limit=Amount(limit, check.unit, digits=n)) for n in (3, 2)
     )
-    long = Text("{word} {value} of {limit}", word=word, value=value, limit=of)
-    brief = Text("{word} {value}/{limit}", word=word, value=value_brief, limit=of_brief)
-    return Headline(long, brief, check.share, check)
+    return Headline(
+        Text("{word} {value} of {limit}", **three), Text("{word} {value}/{limit}", **two), check.share, check
+    )
 
 
 # --- what a step gives
-
-
-def _nothing(results: Results) -> Text | None:
-    return None
 
 
 def _engine(results: Results) -> Text | None:
@@ -163,11 +153,9 @@ def _friction(results: Results) -> Text | None:
 
 def _mounting(results: Results) -> Text | None:
     """What the first seat has at the first operation, half on the crank and with the shaft."""
-    mounting = results.design.mounting
-    seat = (
-        next((point.name for point in mounting.points if point.role == "seat"), None) if mounting is not None else None
-    )
-    if mounting is None or seat is None:
+    if (mounting := results.design.mounting) is None:
+        return None
+    if (seat := next((point.name for point in mounting.points if point.role == "seat"), None)) is None:
         return None
     first = mounting.operation[0].name if mounting.operation else "idle"
     half, shaft = (
@@ -217,17 +205,16 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
     ]
     edges = results.values_of(BearingResult.film_edge)
     if len(edges) == 2:
-        front, rear = edges
-        films = Text(
-            "{front} / {rear}", front=Amount(front.shown, digits=3), rear=Amount(rear.shown, rear.unit, digits=3)
-        )
-        numbers.append((Text("films at the edge"), films))
-    numbers.append((Text("oil leaves with"), extreme(max, results.values_of(BearingResult.outlet_temperature))))
-    numbers.append((Text("backlash"), _backlash(results)))
-    numbers.append((Text("S_H"), extreme(min, results.values_of(MeshStrength.safety_contact))))
+        front, rear = Amount(edges[0].shown, digits=3), Amount(edges[1].shown, edges[1].unit, digits=3)
+        numbers.append((Text("films at the edge"), Text("{front} / {rear}", front=front, rear=rear)))
     roots = {f"safety_bending_{wheel.name}" for wheel in design.gears.wheels} if design.gears is not None else ()
     bending = [v for id, v in results.values().items() if id.rpartition(".")[2] in roots]
-    numbers.append((Text("S_F"), extreme(min, bending)))
+    numbers += [
+        (Text("oil leaves with"), extreme(max, results.values_of(BearingResult.outlet_temperature))),
+        (Text("backlash"), _backlash(results)),
+        (Text("S_H"), extreme(min, results.values_of(MeshStrength.safety_contact))),
+        (Text("S_F"), extreme(min, bending)),
+    ]
     if (loss := shown(FrictionResult.total_loss)) is not None:
         rpm = Amount(design.engine.rated_speed * 60, "rpm", form=".0f") if design.engine is not None else None
         numbers.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))

@@ -39,7 +39,9 @@ def spread(
 
 
 def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], processes: int) -> Iterator[tuple[int, R]]:
-    _track()
+    if sys.__stderr__ is not None:  # a screen's own has no file behind it: multiprocessing's tracker needs one
+        with redirect_stderr(sys.__stderr__):
+            resource_tracker.ensure_running()
     lost = dict.fromkeys(waiting, 0)
     left = set(waiting)
     while left:
@@ -91,29 +93,18 @@ def _end_with(sentinel: int) -> None:
     os.kill(os.getpid(), signal.SIGTERM)
 
 
-def _track() -> None:
-    """Start the tracker of multiprocessing with a true stderr: a screen's own has no file behind it, and none can then
-    be started."""
-    if sys.__stderr__ is None:
-        return
-    with redirect_stderr(sys.__stderr__):
-        resource_tracker.ensure_running()
-
-
 def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], address: str) -> Iterator[tuple[int, R]]:
     """Results come back; no file need be shared."""
     try:
         dask: Any = import_module("distributed")
     except ImportError:
-        raise NoSolution(
-            Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")
-        ) from None
+        needs = Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")
+        raise NoSolution(needs) from None
     try:
         client = dask.Client(address, timeout=ANSWER)
     except (OSError, ValueError) as error:
-        raise NoSolution(
-            Text("no scheduler answers at {address}", address=address), Text("{why}", why=str(error))
-        ) from None
+        none = Text("no scheduler answers at {address}", address=address)
+        raise NoSolution(none, Text("{why}", why=str(error))) from None
     with client:
         futures = {client.submit(work, what, n, retries=LOSSES, pure=False): n for n in waiting}
         for future in dask.as_completed(list(futures)):
@@ -121,9 +112,6 @@ def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], addres
                 result = future.result()
             except (CancelledError, dask.KilledWorker) as error:
                 lost = Text("the scheduler at {address}, or too many of its workers, went away", address=address)
-                raise NoSolution(
-                    lost,
-                    Text("{why}", why=str(error).split("\n")[0]),
-                    Text("the same command goes on from what is done"),
-                ) from None
+                why, then = str(error).split("\n")[0], Text("the same command goes on from what is done")
+                raise NoSolution(lost, Text("{why}", why=why), then) from None
             yield futures.pop(future), result

@@ -117,7 +117,7 @@ def unmet() -> Iterator[Unmet]:
     """What the sources print and this program does not give."""
     designs, known = _known()
     for case in known["unmet"]:
-        values = _solved(_document(case, designs)).values()
+        values = solve(design(_document(case, designs))).values()
         for expect in case["expect"]:
             value = values[expect["value"]]
             yield Unmet(case["source"], expect["value"], float(expect["is"]), value.shown, value.unit, case["why"])
@@ -139,15 +139,13 @@ def _document(case: Case, designs: dict[str, Table]) -> Document:
 
 
 def _case(case: Case, designs: dict[str, Table]) -> Iterator[ValidationRow]:
-    values = _solved(_document(case, designs)).values()
+    values = solve(design(_document(case, designs))).values()
     for expect in case["expect"]:
-        published = float(expect["is"])
+        published, unit = float(expect["is"]), expect.get("unit", "")
         tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
         value = values.get(expect["value"])
-        ours = value.shown if value is not None and value.unit == expect.get("unit", "") else float("nan")
-        yield ValidationRow(
-            case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", "")
-        )
+        ours = value.shown if value is not None and value.unit == unit else float("nan")
+        yield ValidationRow(case["kind"], case["source"], expect["value"], published, ours, tolerance, unit)
 
 
 def _film(case: Case) -> Iterator[ValidationRow]:
@@ -155,12 +153,10 @@ def _film(case: Case) -> Iterator[ValidationRow]:
     S, ratio = case["S"], case["length_ratio"]
     ours = film_at(eccentricity_from(S, ratio), ratio)
     for expect in case["expect"]:
-        name, published = expect["what"], float(expect["is"])
-        calculated = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
-        what, unit = f"{name} at S = {S:g}, l/d = {ratio:g}", expect.get("unit", "")
-        yield ValidationRow(
-            case["kind"], case["source"], what, published, calculated, abs(published) * expect["rel"], unit
-        )
+        name, published, unit = expect["what"], float(expect["is"]), expect.get("unit", "")
+        what, value = f"{name} at S = {S:g}, l/d = {ratio:g}", getattr(ours, name) / UNITS[unit].factor
+        tolerance = abs(published) * expect["rel"]
+        yield ValidationRow(case["kind"], case["source"], what, published, value, tolerance, unit)
 
 
 def _oil(case: Case) -> ValidationRow:
@@ -168,19 +164,8 @@ def _oil(case: Case) -> ValidationRow:
     oil = Oil(name="oil", nu40=case["nu_40"] * 1e-6, nu100=case["nu_100"] * 1e-6, rho15=900.0, base="mineral")
     ours = Lubricant(oil, case["law"]).at(case["temperature"]).nu / UNITS["mm²/s"].factor
     what = f"ν at {case['temperature']:g} °C of {case['nu_40']:g} and {case['nu_100']:g} mm²/s"
-    return ValidationRow(
-        case["kind"],
-        case["source"],
-        what,
-        case["is"],
-        ours,
-        max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0)),
-        "mm²/s",
-    )
-
-
-def _solved(document: Document) -> Results:
-    return solve(design(document))
+    tolerance = max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0))
+    return ValidationRow(case["kind"], case["source"], what, case["is"], ours, tolerance, "mm²/s")
 
 
 def _raimondi_boyd() -> Iterator[ValidationRow]:
@@ -190,21 +175,15 @@ def _raimondi_boyd() -> Iterator[ValidationRow]:
         eps, ratio = row["eccentricity"], row["length_ratio"]
         if ratio > 2 or eps > CHARTS_HOLD_UP_TO:
             continue
-        ours = film_at(eps, ratio)
-        at = f"at ε = {eps:g}, l/d = {ratio:g}"
-        yield ValidationRow("printed", source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
-        yield ValidationRow(
-            "printed",
-            source,
-            f"(r/c)·f {at}",
-            row["friction_variable"],
-            ours.friction,
-            0.01 * row["friction_variable"],
-            "",
-        )
-        yield ValidationRow("printed", source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
-        inverted = eccentricity_from(row["S"], ratio)
-        yield ValidationRow("printed", source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")
+        S, friction, flow = row["S"], row["friction_variable"], row["flow"]
+        ours, at = film_at(eps, ratio), f"at ε = {eps:g}, l/d = {ratio:g}"
+        for what, printed, value, tolerance in (
+            (f"S {at}", S, ours.sommerfeld, 0.02 * S),
+            (f"(r/c)·f {at}", friction, ours.friction, 0.01 * friction),
+            (f"Q/(r·c·n·l) {at}", flow, ours.flow, 0.005 * flow),
+            (f"ε at S = {S:g}, l/d = {ratio:g}", eps, eccentricity_from(S, ratio), 0.01),
+        ):
+            yield ValidationRow("printed", source, what, printed, value, tolerance, "")
 
 
 # --- what is wrong in the documents that this program grew out of
@@ -237,50 +216,31 @@ class Misprint:
 
 def documents() -> dict[str, str]:
     """The documents by the short names of the register, each with what it is."""
-    return {name: about["title"] for name, about in _tables()[0].items()}
+    return {name: about["title"] for name, about in house_table("errata.toml")["source"].items()}
 
 
 def misprints(source: str = "") -> Iterator[Misprint]:
     """All that is known to be wrong, or what is wrong in one document."""
-    for row in _tables()[1]:
+    for row in house_table("errata.toml")["row"]:
         if not source or row["source"] == source:
-            yield _misprint(**row)
+            yield _misprint(dict(row))
 
 
-def _misprint(
-    source: str,
-    place: str,
-    lines: str,
-    about: str,
-    printed: str,
-    why: str,
-    right: str = "",
-    design: str = "",
-    value: str = "",
-    sum: str = "",
-    unit: str = "",
-) -> Misprint:
-    numbers = {}
-    if sum:
-        numbers["sum"] = with_unit(short(worked_out(sum), DIGITS), unit)
-    if value:
-        found = _document_solved(design).values()[value]
-        numbers["value"] = with_unit(short(found.shown, DIGITS), found.unit)
-    right = (right or ("{value}" if value else "{sum}")).format_map(numbers)
-    return Misprint(source, place, lines, about, printed.format_map(numbers), right, why, design, value, sum)
+def _misprint(row: dict[str, str]) -> Misprint:
+    unit, numbers = row.pop("unit", ""), {}
+    if "sum" in row:
+        numbers["sum"] = with_unit(short(worked_out(row["sum"]), DIGITS), unit)
+    if "value" in row:
+        published = _document_solved(row["design"]).values()[row["value"]]
+        numbers["value"] = with_unit(short(published.shown, DIGITS), published.unit)
+    right = row.get("right", "{value}" if "value" in row else "{sum}")
+    return Misprint(**row | {"printed": row["printed"].format_map(numbers), "right": right.format_map(numbers)})
 
 
 def worked_out(arithmetic: str) -> float:
     """The value of a row's `sum`.  The table is part of the program, so it may be evaluated; it knows `math` and
     nothing else."""
     return float(eval(arithmetic, {"__builtins__": {}}, vars(math)))
-
-
-@cache
-def _tables() -> tuple[dict[str, dict[str, str]], list[dict[str, str]]]:
-    """What is said of each document, and the rows."""
-    data = house_table("errata.toml")
-    return data["source"], data["row"]
 
 
 @cache

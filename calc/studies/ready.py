@@ -62,12 +62,10 @@ def _state(step: Step, data: Table, left_out: Table, wrong: int, outcome: Outcom
         return StepState(key, "needs", wrong, plural("needs {n} input", "needs {n} inputs", n=wrong))
     if key in left_out:
         return StepState(key, "not_asked", 0, Text("left out: {reason}", reason=str(left_out[key])))
+    if key not in data and "engine" in data and not step.optional:
+        return StepState(key, "todo", 0, Text("to do"))
     if key not in data:
-        return (
-            StepState(key, "todo", 0, Text("to do"))
-            if "engine" in data and not step.optional
-            else StepState(key, "not_asked", 0, Text("not used"))
-        )
+        return StepState(key, "not_asked", 0, Text("not used"))
     if outcome is None or outcome.state == "not_asked":
         return StepState(key, "waits", 0, Text("solving …"))
     if outcome.state == "no_solution":
@@ -92,8 +90,7 @@ def open_causes(causes: Iterable[Sequence[Check]]) -> dict[str, int]:
     """How many causes have a limit that fails, one that can not be judged, or a caution that is open; each counts as
     its worst."""
     counts = dict.fromkeys(OPEN, 0)
-    for group in causes:
-        worst = group[0]
+    for worst, *_ in causes:
         if worst.verdict in counts:
             counts["warn" if worst.verdict == "not_verified" and worst.kind != "limit" else worst.verdict] += 1
     return counts
@@ -112,11 +109,10 @@ class Tally:
     @property
     def words(self) -> tuple[tuple[str, Text], ...]:
         """`1 limit fails`, `2 cautions`, each with its state; then how many steps are ready."""
-        counts = [
-            (state, plural(words.one, words.template, n=n)) for state, words in KINDS if (n := getattr(self, state))
-        ]
-        steps = Text("ready") if self.ready == self.of else Text("ready {n} of {count}", n=self.ready, count=self.of)
-        return (*counts, ("ready" if self.ready == self.of else "todo", steps))
+        counts = [(state, plural(text.one, text.template, n=n)) for state, text in KINDS if (n := getattr(self, state))]
+        if self.ready == self.of:
+            return (*counts, ("ready", Text("ready")))
+        return (*counts, ("todo", Text("ready {n} of {count}", n=self.ready, count=self.of)))
 
 
 def tally(states: Sequence[StepState], results: "Results | None") -> Tally:

@@ -71,10 +71,8 @@ def engine_design(name: str) -> str:
     if "design" in row:
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
     engine, title = row["engine"], str(row["engine"]["name"])
-    imbalance = {
-        dotted(ImbalanceInputs.crank_balance_fraction): 0.5,
-        dotted(ImbalanceInputs.kinematics): "exact",
-    } | row.get("imbalance", {})
+    usual = {dotted(ImbalanceInputs.crank_balance_fraction): 0.5, dotted(ImbalanceInputs.kinematics): "exact"}
+    imbalance = usual | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
     from .starter.build import begun  # numpy, which a list of the engines does not need
 

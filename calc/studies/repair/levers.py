@@ -18,7 +18,7 @@ from ...sheet.check import Check
 from ...sheet.errors import BadInput
 from ...sheet.quantity import ChangeWords, Quantity, described, dotted
 from ...sheet.remedy import Changes, digits, whole
-from ...sheet.search import allowed, rounded
+from ...sheet.search import rounded
 from ...sheet.text import Small, Text
 from .state import RepairState
 
@@ -110,7 +110,7 @@ class Lever:
 
     def at(self, number: float) -> Changes | None:
         """None where the input does not allow the number."""
-        return self.write(number) if allowed(self.about, [number]) else None
+        return self.write(number) if self.about.allows(number) else None
 
     @property
     def step(self) -> float:

@@ -37,6 +37,7 @@ LABELS = {
     "second": Text("a pair at ±2ω"),
     "pair_and_second": Text("pairs at ±ω and ±2ω"),
 }
+
 ON_CRANK = dotted(ImbalanceInputs.crank_balance_fraction)
 IMBALANCE = {ON_CRANK: 0.5, dotted(ImbalanceInputs.kinematics): "exact"}  # where a design has none yet
 
@@ -74,7 +75,8 @@ def options(document: Document, results: Results | None = None) -> tuple[Balanci
     if imbalance is None or engine is None:
         raise NoSolution(Text("what shakes is not known"), EMPTY, Text("give [engine] first"))
     best = _called_for(imbalance, engine.lambda_)
-    there = [id for id, name in REMEDIES.items() if name in imbalance.remedy and (id != "half" or _first(imbalance))]
+    first = _before(imbalance, "order_1_force") or _before(imbalance, "order_1_couple")
+    there = [id for id, name in REMEDIES.items() if name in imbalance.remedy and (id != "half" or first)]
     if "pair_and_second" in there and not _roughest(imbalance, engine.lambda_):
         there.remove("pair_and_second")
     return tuple(
@@ -97,19 +99,13 @@ def what_shakes(results: Results) -> Text:
     """What the engine leaves with its rotating masses alone balanced, in few words."""
     phrases = []
     for n, force, couple in _shaking(results):
+        sizes = dict(n=n, force=Amount(force, "N"), couple=Amount(couple, "N·m"))
         if couple and force:
-            phrases.append(
-                Text(
-                    "order {n}: force {force}, couple {couple}",
-                    n=n,
-                    force=Amount(force, "N"),
-                    couple=Amount(couple, "N·m"),
-                )
-            )
+            phrases.append(Text("order {n}: force {force}, couple {couple}", **sizes))
         elif force:
-            phrases.append(Text("force of order {n}: {force}", n=n, force=Amount(force, "N")))
+            phrases.append(Text("force of order {n}: {force}", n=n, force=sizes["force"]))
         else:
-            phrases.append(Text("couple of order {n}: {couple}", n=n, couple=Amount(couple, "N·m")))
+            phrases.append(Text("couple of order {n}: {couple}", n=n, couple=sizes["couple"]))
     return SEMICOLON.join(phrases) if phrases else Text("nothing of order 1 or 2")
 
 
@@ -167,25 +163,20 @@ def _before(imbalance: ImbalanceResult, key: str) -> float:
     _, n, what = key.split("_")
     order = imbalance.orders[f"order_{n}"]
     F_f, F_b, C_f, C_b = order.unbalanced if n == "1" else order.vectors
-    peak, single = (
-        (abs(F_f) + abs(F_b), imbalance.one_force) if what == "force" else (abs(C_f) + abs(C_b), imbalance.one_couple)
-    )
+    if what == "force":
+        peak, single = abs(F_f) + abs(F_b), imbalance.one_force
+    else:
+        peak, single = abs(C_f) + abs(C_b), imbalance.one_couple
     return float(peak) if peak > SIGNIFICANT * single else 0.0
-
-
-def _first(imbalance: ImbalanceResult) -> bool:
-    """Whether there is anything of order 1."""
-    return bool(_before(imbalance, "order_1_force") or _before(imbalance, "order_1_couple"))
 
 
 def _left(imbalance: ImbalanceResult, id: str) -> tuple[Left, ...]:
     remedy: BalancingRemedy | None = imbalance.remedy[REMEDIES[id]] if id in REMEDIES else None
     left = []
     for key, (what, unit) in WHATS.items():
-        before = _before(imbalance, key)
-        leaves = (
-            imbalance.remedy["crank"] if id == "second" and key.startswith("order_1") and remedy is not None else remedy
-        )
+        before, leaves = _before(imbalance, key), remedy
+        if id == "second" and key.startswith("order_1"):
+            leaves = imbalance.remedy["crank"]
         after = before if leaves is None else float(getattr(leaves, key))
         single = imbalance.one_force if unit == "N" else imbalance.one_couple
         after = after if after > SIGNIFICANT * single else 0.0
@@ -274,14 +265,9 @@ def _why(id: str, best: str, imbalance: ImbalanceResult) -> Text:
             "It takes order 2, where the comfort is worth it, and no more of order 1 than the crank; without bearings "
             "and train here."
         )
-    return (
-        Text("Shafts that are no mirror images would take it; they are not designed here.")
-        if id in ("pair", "second")
-        else FOUR
-    )
-
-
-FOUR = Text("Four shafts leave nothing of order 1 or 2; they are not designed here.")
+    if id in ("pair", "second"):
+        return Text("Shafts that are no mirror images would take it; they are not designed here.")
+    return Text("Four shafts leave nothing of order 1 or 2; they are not designed here.")
 
 
 def _backward(imbalance: ImbalanceResult) -> tuple[bool, bool]:

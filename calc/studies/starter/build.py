@@ -4,6 +4,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from itertools import product
 
 from ...countershaft.inputs import CountershaftInputs
 from ...design.addresses import as_table
@@ -23,8 +24,7 @@ from ...sheet.value import recorded
 from ...solve import Results, solve
 from . import balancing as which
 from . import shaft, train
-from . import shaft as journals
-from .writing import Section, head, mm, table, up, written
+from .writing import Rows, Section, head, mm, table, up, written
 
 # --- the engine on four mounts at its corners
 # Mass and size by rule of thumb, to be weighed and measured; stiffness for its six modes to lie between the road's
@@ -56,9 +56,8 @@ def _scale(solved: MountingResult) -> float:
 
 def _size(engine: EngineInputs) -> tuple[Metre, Metre, Metre]:
     """Up, to the side, along the crank; a bank that leans gives of its height to the side."""
-    in_a_row = (
-        max(engine.bank_of_cylinder.count(bank) for bank in (1, 2)) if engine.bank_of_cylinder else engine.cylinders
-    )
+    banks = engine.bank_of_cylinder
+    in_a_row = max(banks.count(1), banks.count(2)) if banks else engine.cylinders
     leaning = {"inline": 0.0, "boxer": math.pi / 2}.get(engine.layout, (engine.bank_angle or 0.0) / 2)
     reach = 2.5 * (2 * engine.crank_radius + engine.rod_length)
     height = max(reach * math.cos(leaning), 4 * engine.bore)
@@ -70,46 +69,31 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
     height, width, length = _size(engine)
     idle = min(FASTEST, max(SLOWEST, up(IDLE * engine.rated_speed * 60, 50.0)))
     across = up(SHEAR * stiffness, 1.0)
-    under: list[Section] = [
-        (
-            head(Design.mounting, MountingInputs.mounts),
-            {
-                Mount.name: (f"{end}-{side}", ""),
-                Mount.position: (
-                    [mm(-2 * engine.crank_radius), mm(y * width / 2), mm(z * 0.4 * length)],
-                    "assumed: corners, below the crank",
-                ),
-                Mount.stiffness: (
-                    [stiffness, across, across],
-                    "assumed: the modes between the road and what shakes at idle",
-                ),
-            },
-        )
-        for end, z in (("front", -1), ("rear", 1))
-        for side, y in (("left", -1), ("right", 1))
-    ]
-    return [
-        (
-            head(Design.mounting),
-            {
-                MountingInputs.mass: (mass, "assumed: 110 kg a litre, with liquids and flywheel; weigh it"),
-                MountingInputs.centre_of_gravity: (
-                    [mm(up(0.12 * height, 5e-3)), 0.0, 0.0],
-                    "assumed: above the crank, midway",
-                ),
-                MountingInputs.dimensions: (
-                    [mm(height), mm(width), mm(length)],
-                    "assumed from stroke, rod, bore and pitch; the inertia follows",
-                ),
-                MountingInputs.idle_speed: (idle, "assumed: a third of the rated speed, 700 to 1000 rpm"),
-            },
+    sections: list[Section] = []
+    engine_rows: Rows = {
+        MountingInputs.mass: (mass, "assumed: 110 kg a litre, with liquids and flywheel; weigh it"),
+        MountingInputs.centre_of_gravity: ([mm(up(0.12 * height, 5e-3)), 0.0, 0.0], "assumed: above the crank, midway"),
+        MountingInputs.dimensions: (
+            [mm(height), mm(width), mm(length)],
+            "assumed from stroke, rod, bore and pitch; the inertia follows",
         ),
-        *under,
-        (
-            head(Design.mounting, MountingInputs.points),
-            {Point.name: ("top", ""), Point.position: ([mm(up(0.7 * height, 5e-3)), 0.0, 0.0], "assumed: on the head")},
-        ),
-    ]
+        MountingInputs.idle_speed: (idle, "assumed: a third of the rated speed, 700 to 1000 rpm"),
+    }
+    sections.append((head(Design.mounting), engine_rows))
+    for (end, z), (side, y) in product((("front", -1), ("rear", 1)), (("left", -1), ("right", 1))):
+        corner = [mm(-2 * engine.crank_radius), mm(y * width / 2), mm(z * 0.4 * length)]
+        mount: Rows = {
+            Mount.name: (f"{end}-{side}", ""),
+            Mount.position: (corner, "assumed: corners, below the crank"),
+            Mount.stiffness: (
+                [stiffness, across, across],
+                "assumed: the modes between the road and what shakes at idle",
+            ),
+        }
+        sections.append((head(Design.mounting, MountingInputs.mounts), mount))
+    top = [mm(up(0.7 * height, 5e-3)), 0.0, 0.0]
+    point: Rows = {Point.name: ("top", ""), Point.position: (top, "assumed: on the head")}
+    return [*sections, (head(Design.mounting, MountingInputs.points), point)]
 
 
 # --- the steps built
@@ -164,10 +148,8 @@ def hindrance(document: Document, step: str) -> Text:
     if given := as_table(document.data.get("countershaft")):
         ratio = given.get(dotted(CountershaftInputs.speed_ratio), -1)
         if isinstance(ratio, (int, float)) and ratio != -1:
-            return Text(
-                "for a shaft that turns at {ratio} times crank speed no rules are known here",
-                ratio=Amount(ratio, form="g"),
-            )
+            speed = Amount(ratio, form="g")
+            return Text("for a shaft that turns at {ratio} times crank speed no rules are known here", ratio=speed)
     elif step == "bearings" or "countershaft" in as_table(document.data.get("without")):
         return Text("there is no shaft yet: the step Counter-shaft comes first")
     if step == "friction" and "gears" not in document.data:
@@ -187,9 +169,9 @@ def begun(document: Document) -> str:
     document = _with(document, text[0])
     results = _results(document, results)
     try:
-        text.append(journals.bearings(document, results))
+        text.append(shaft.bearings(document, results))
     except NoSolution as none:
-        why = ROLLING if isinstance(none, journals.TooFast) else NO_PLAIN
+        why = ROLLING if isinstance(none, shaft.TooFast) else NO_PLAIN
         without = [("[without]", {"bearings": (why, "")})]
         document = _without(document, {"bearings": why})
     else:
@@ -238,7 +220,9 @@ def _balanced(document: Document, balancing: str) -> Document:
     """Crank and shaft of one balancing, and what is then done without."""
     known = which.with_imbalance(document)
     balancing = _option(known, balancing or which.called_for(known)).id
-    document = _imbalance(_unaccepted(document), balancing)
+    # what another balancing accepted
+    others = {id: why for id, why in as_table(document.data.get("accepted")).items() if why not in (LEFT, TAKEN)}
+    document = _imbalance(_put(document, {"accepted": others or None}), balancing)
     if balancing in ("none", "half"):
         why = NONE if balancing == "none" else _none_reason(known, balancing)
         return _accepted(_without(document, dict.fromkeys(SHAFT_STEPS, why)), LEFT)
@@ -268,12 +252,10 @@ def _speed(balancing: str, known: Results) -> tuple[int, bool]:
 def _holds(document: Document) -> bool:
     """Whether no limit of a design fails: what was made for another shaft may not fit this one."""
     try:
-        return all(
-            outcome.verdict not in ("fail", "no_solution", "blocked")
-            for outcome in _results(document).outcomes.values()
-        )
+        verdicts = {outcome.verdict for outcome in _results(document).outcomes.values()}
     except BadInput:
         return False
+    return verdicts.isdisjoint(("fail", "no_solution", "blocked"))
 
 
 def _bearings(document: Document) -> Document:
@@ -283,10 +265,10 @@ def _bearings(document: Document) -> Document:
     if "gears" in document.data:
         alone = alone.with_value(dotted(Design.gears, GearsInputs.power), 1.0)
     try:
-        sections = journals.bearings(alone, _results(alone))
-    except journals.TooFast:
+        sections = shaft.bearings(alone, _results(alone))
+    except shaft.TooFast:
         return _without(document, {"bearings": ROLLING})
-    return _with(document.with_value(journals.OWN_JOURNALS, None), sections)
+    return _with(document.with_value(shaft.OWN_JOURNALS, None), sections)
 
 
 def _none_reason(known: Results, balancing: str) -> str:
@@ -295,20 +277,9 @@ def _none_reason(known: Results, balancing: str) -> str:
 
 def _accepted(document: Document, why: str) -> Document:
     """With what the balancing leaves, or takes otherwise, accepted for its reason: it was chosen."""
-    left = {
-        c.id: why for c in _results(_upstream(document)).checks() if c.open and c.id.startswith("imbalance.order_1")
-    }
+    checks = _results(Document(shaft.before_shaft(document))).checks()
+    left = {c.id: why for c in checks if c.open and c.id.startswith("imbalance.order_1")}
     return _put(document, {"accepted": {**as_table(document.data.get("accepted")), **left} or None})
-
-
-def _unaccepted(document: Document) -> Document:
-    """Without what another balancing accepted."""
-    kept = {id: why for id, why in as_table(document.data.get("accepted")).items() if why not in (LEFT, TAKEN)}
-    return _put(document, {"accepted": kept or None})
-
-
-def _upstream(document: Document) -> Document:
-    return Document(shaft.before_shaft(document))
 
 
 # --- documents
@@ -336,11 +307,6 @@ def _put(document: Document, tables: Mapping[str, object], asked: tuple[str, ...
     data = {**document.data, **tables}
     without = {key: why for key, why in as_table(data.get("without")).items() if key not in asked}
     data["without"] = without or None
-    order = [field.key for field in keys(Design).values()]
-    known = {key: value for key, value in data.items() if value is not None}
-    return replace(
-        document,
-        data={
-            key: known[key] for key in sorted(known, key=lambda key: order.index(key) if key in order else len(order))
-        },
-    )
+    order = [*keys(Design), *data]  # keys that are not known last
+    known = sorted((key for key, value in data.items() if value is not None), key=order.index)
+    return replace(document, data={key: data[key] for key in known})

@@ -96,11 +96,9 @@ def envelope(design: Design, results: Results, todo: StarterTask, core: float = 
     NoSolution."""
     engine, train = design.engine, results.result(EngineResult)
     assert engine is not None and train is not None
-    z = train.crank.z
-    row = float(max(z) - min(z)) + engine.cylinder_pitch
-    span = up(
-        max(row if abs(todo.ratio) == 1 or abs(todo.C) > 0.01 * row * abs(todo.F) else 0.0, 1.5 * engine.bore), 2e-3
-    )
+    row = float(max(train.crank.z) - min(train.crank.z)) + engine.cylinder_pitch
+    apart = row if abs(todo.ratio) == 1 or abs(todo.C) > 0.01 * row * abs(todo.F) else 0.0
+    span = up(max(apart, 1.5 * engine.bore), 2e-3)
     rho = design.materials[STEEL].density
     with untraced():
         U = f.asked_unbalance(x_o=OVERDESIGN, F_like=todo.F, omega=todo.omega)
@@ -156,9 +154,8 @@ def _slope(document: Document, of: Envelope, sections: list[Section]) -> Radian:
     begun = design(Document({**before_shaft(document), **table(sections)}))
     assert begun.countershaft is not None
     journals = (Journal(diameter=of.rear, length=of.length),) * 2
-    shaft = solve(replace(begun, countershaft=replace(begun.countershaft, journals=journals))).result(
-        CountershaftResult
-    )
+    loaded = replace(begun, countershaft=replace(begun.countershaft, journals=journals))
+    shaft = solve(loaded).result(CountershaftResult)
     slopes = (shaft.slope_front, shaft.slope_rear) if shaft is not None else (None,)
     return max(math.inf if slope is None else slope for slope in slopes)
 
@@ -182,32 +179,25 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
     more = "" if share == CORES[0] else f", not {CORES[0]:g}, to keep the journals' slopes below 0.2 mrad"
     twin: Rows = {CountershaftInputs.pair: ("yes", "a mirrored second shaft turns the other way")} if pair else {}
     apart = "as far apart as the row of cylinders is long, or 1.5 bores"
-    return [
-        (
-            head(Design.countershaft),
-            {
-                CountershaftInputs.mode: ("size", ""),
-                CountershaftInputs.material: (STEEL, "assumed: a usual shaft steel"),
-                CountershaftInputs.speed_ratio: (todo.ratio, ""),
-                **twin,
-                CountershaftInputs.bearing_positions: ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
-                CountershaftInputs.outer_radius: (mm(of.outer), narrowest),
-                CountershaftInputs.core_radius: (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
-                CountershaftInputs.half_length: (mm(of.half_length), "assumed: two fillets short of the journals"),
-                CountershaftInputs.radial_clearance: (mm(THREADED), "assumed: for threading in"),
-                CountershaftInputs.fillet_radius: (mm(FILLET), "assumed"),
-                CountershaftInputs.overdesign: (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
-            },
-        ),
-        (
-            head(Design.countershaft, CountershaftInputs.holes),
-            {
-                Holes.diameter: (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
-                Holes.depth: (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
-                Holes.count: (holes.count, "assumed: two in each sector"),
-            },
-        ),
-    ]
+    shaft: Rows = {
+        CountershaftInputs.mode: ("size", ""),
+        CountershaftInputs.material: (STEEL, "assumed: a usual shaft steel"),
+        CountershaftInputs.speed_ratio: (todo.ratio, ""),
+        **twin,
+        CountershaftInputs.bearing_positions: ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
+        CountershaftInputs.outer_radius: (mm(of.outer), narrowest),
+        CountershaftInputs.core_radius: (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
+        CountershaftInputs.half_length: (mm(of.half_length), "assumed: two fillets short of the journals"),
+        CountershaftInputs.radial_clearance: (mm(THREADED), "assumed: for threading in"),
+        CountershaftInputs.fillet_radius: (mm(FILLET), "assumed"),
+        CountershaftInputs.overdesign: (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
+    }
+    drilled: Rows = {
+        Holes.diameter: (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
+        Holes.depth: (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
+        Holes.count: (holes.count, "assumed: two in each sector"),
+    }
+    return [(head(Design.countershaft), shaft), (head(Design.countershaft, CountershaftInputs.holes), drilled)]
 
 
 # --- the bearings
@@ -236,19 +226,14 @@ def bearings(document: Document, results: Results) -> list[Section]:
     front, rear, room = _sizes(made)
     length = _journal_length(load, made, rear, room)
     narrowest = max(front, min(up(length / BEARING[1], 0.5e-3), rear))
-    oils = _oils(made)
+    given = made.friction.oil if made.friction is not None else None
+    oils = OILS if given is None else (given,)  # what the design has for its teeth
     base = document.with_value(OWN_JOURNALS, None)  # the bearings have their sizes
     tried: list[Text] = []
-    for fits, oil in [
-        *product(FITS[:1], oils),
-        *product(FITS[1:], reversed(oils)),
-    ]:  # closer fits with the oil that came nearest first
+    # closer fits with the oil that came nearest first
+    for fits, oil in [*product(FITS[:1], oils), *product(FITS[1:], reversed(oils))]:
         for front in dict.fromkeys((narrowest, rear)):
-            sections = changed(
-                _journal_sections(made, front, rear, length),
-                {dotted(Design.bearings, BearingsInputs.oil): oil},
-                "assumed",
-            )
+            sections = _journal_sections(made, oil, front, rear, length)
             begun = design(Document({**base.data, **table(sections)}))
             own = begun.bearings
             assert own is not None
@@ -258,19 +243,10 @@ def bearings(document: Document, results: Results) -> list[Section]:
             except NoSolution as none:
                 tried.append(none.text)
                 break  # a wider journal is no cooler
-            if (
-                settled.row is not None
-                and settled.results is not None
-                and settled.results.outcomes["bearings"].verdict == "pass"
-            ):
+            verdict = settled.results.outcomes["bearings"].verdict if settled.results is not None else ""
+            if settled.row is not None and verdict == "pass":
                 return changed(sections, bearing_changes(settled.row, own), FOUND)
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
-
-
-def _oils(design: Design) -> tuple[str, ...]:
-    """The oil that the design has for its teeth, else those that engines run on."""
-    given = design.friction.oil if design.friction is not None else None
-    return (given,) if given is not None else OILS
 
 
 def _sizes(design: Design) -> tuple[Metre, Metre, Metre]:
@@ -283,9 +259,9 @@ def _sizes(design: Design) -> tuple[Metre, Metre, Metre]:
         return first.diameter, other.diameter, max(first.length, other.length)
     radii = [section.outer_radius for section in shaft.sections] or [2 * mass.radius for mass in shaft.masses]
     outer = shaft.outer_radius if shaft.outer_radius is not None else max(radii, default=0.0)
-    ends = (
-        shaft.half_length if shaft.half_length is not None else max((abs(mass.z) for mass in shaft.masses), default=0.0)
-    )
+    ends = shaft.half_length
+    if ends is None:
+        ends = max((abs(mass.z) for mass in shaft.masses), default=0.0)
     rear = up(2 * (outer + (shaft.radial_clearance or THREADED)), 0.5e-3)
     if design.gears is not None:
         wheel = next(wheel for wheel in design.gears.wheels if wheel.name == design.gears.meshes[-1].driven)
@@ -314,7 +290,7 @@ def _journal_length(load: Newton, made: Design, rear: Metre, room: Metre) -> Met
     return length
 
 
-def _journal_sections(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Section]:
+def _journal_sections(made: Design, oil: str, front: Metre, rear: Metre, length: Metre) -> list[Section]:
     why = f"assumed: l/d of at least {BEARING[0]:g} at the rear, and a heat index up to 400 000 N·rpm/mm"
     alike: Rows = {
         BearingInputs.clearance_factor: (0.75, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"),
@@ -322,41 +298,27 @@ def _journal_sections(made: Design, front: Metre, rear: Metre, length: Metre) ->
         BearingInputs.housing_roughness: (0.4, "assumed: finely bored"),
     }
     through = f"assumed: 1 mm above the gear's tip, or l/d of {BEARING[1]:g}"
+    housing = (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
+    if made.gears is not None and made.gears.housing_material:
+        housing = (made.gears.housing_material, "as between the wheels")
+    both: Rows = {
+        BearingsInputs.oil: (oil, "assumed"),
+        BearingsInputs.supply_temperature: (90.0, "assumed: gallery of a warm engine"),
+        BearingsInputs.supply_pressure: (4.0, "assumed"),
+        BearingsInputs.supply: ("hole", ""),
+        BearingsInputs.hole_diameter: (5.0, "assumed"),
+        BearingsInputs.housing_material: housing,
+    }
+    in_front: Rows = {
+        BearingInputs.diameter: (mm(front), "assumed: that of the rear" if front == rear else through),
+        BearingInputs.length: (mm(length), "assumed: that of the rear bearing"),
+    }
+    behind: Rows = {
+        BearingInputs.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
+        BearingInputs.length: (mm(length), why),
+    }
     return [
-        (
-            head(Design.bearings),
-            {
-                BearingsInputs.oil: (OILS[0], "assumed"),
-                BearingsInputs.supply_temperature: (90.0, "assumed: gallery of a warm engine"),
-                BearingsInputs.supply_pressure: (4.0, "assumed"),
-                BearingsInputs.supply: ("hole", ""),
-                BearingsInputs.hole_diameter: (5.0, "assumed"),
-                BearingsInputs.housing_material: _housing(made),
-            },
-        ),
-        (
-            head(Design.bearings, BearingsInputs.front),
-            {
-                BearingInputs.diameter: (mm(front), "assumed: that of the rear" if front == rear else through),
-                BearingInputs.length: (mm(length), "assumed: that of the rear bearing"),
-                **alike,
-            },
-        ),
-        (
-            head(Design.bearings, BearingsInputs.rear),
-            {
-                BearingInputs.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
-                BearingInputs.length: (mm(length), why),
-                **alike,
-            },
-        ),
+        (head(Design.bearings), both),
+        (head(Design.bearings, BearingsInputs.front), in_front | alike),
+        (head(Design.bearings, BearingsInputs.rear), behind | alike),
     ]
-
-
-def _housing(design: Design) -> tuple[str, str]:
-    material = design.gears.housing_material if design.gears is not None else None
-    return (
-        (material, "as between the wheels")
-        if material
-        else (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
-    )

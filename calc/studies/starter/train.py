@@ -56,9 +56,8 @@ class Train:
 def tip(teeth: int, module: Metre, helix: Radian = HELIX) -> Metre:
     """The tip diameter of a wheel without profile shift."""
     with untraced():
-        return float(
-            g.tip_diameter(g.reference_diameter(float(teeth), g.transverse_module(module, helix)), module, 0.0, 0.0)
-        )
+        reference = g.reference_diameter(float(teeth), g.transverse_module(module, helix))
+        return float(g.tip_diameter(reference, module, 0.0, 0.0))
 
 
 def passing_seat(seat: Metre, teeth: int = WHEELS[0][0]) -> tuple[int, Metre]:
@@ -130,14 +129,10 @@ def _loaded(
         wheels = _gears(solved_design, train, power)
         results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
         balance = results.result(FrictionResult)
-        if (
-            power is None
-            or balance is None
-            or balance.delivered_power is None
-            or 0 < balance.delivered_power < 2 * LEFT
-        ):
+        delivered = balance.delivered_power if balance is not None else None
+        if power is None or delivered is None or 0 < delivered < 2 * LEFT:
             break
-        power = round(up(power - balance.delivered_power / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
+        power = round(up(power - delivered / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
     return wheels, power, results
 
 
@@ -171,74 +166,44 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
 
 def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
     crank, central, idler = train.teeth
-    as_r753 = train.teeth == WHEELS[0]
-    losses = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
-    driven: Rows = {} if power is None else {GearsInputs.power: (power, losses)}
-    through = "assumed: the largest up to 2 whose wheel goes through the seats"
-    wheels = {"crank": crank, "central": central, "idler": idler, "shaft": crank}
-    usual = "assumed, as in the R753IE4" if as_r753 else "assumed: fewer, below the main resonance of the teeth"
-    why = {"shaft": "as many as on the crank: ratio −1 by three meshes"}
-    bored = {
-        "crank": "assumed: sits on the crank",
-        "central": "assumed: turns on a pin",
-        "idler": "assumed: turns on a pin",
+    usual, module = (
+        "assumed: fewer, below the main resonance of the teeth",
+        "assumed: below the main resonance of the teeth",
+    )
+    if train.teeth == WHEELS[0]:
+        usual, module = "assumed, as in the R753IE4", "assumed: the largest up to 2 whose wheel goes through the seats"
+    housing = design.bearings.housing_material if design.bearings is not None else HOUSING
+    rows: Rows = {
+        GearsInputs.normal_module: (mm(train.module), module),
+        GearsInputs.pressure_angle: (20.0, ""),
+        GearsInputs.helix_angle: (round(math.degrees(HELIX), 6), "assumed"),
+        GearsInputs.face_width: (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
+        GearsInputs.tool_addendum: (1.41, "assumed: the tool of the R753IE4"),
+        GearsInputs.tool_tip_radius: (0.2, "assumed"),
+        GearsInputs.housing_material: (housing, "assumed: the block, as of the bearings"),
     }
-
-    def bore(name: str) -> Rows:
-        if name not in bored:
-            return {}
-        diameter = float(round(BORE * wheels[name] * train.module * 1e3 / math.cos(HELIX)))
-        return {Wheel.bore_diameter: (diameter, bored[name])}
-
-    meshes: list[Section] = [
-        (
-            head(Design.gears, GearsInputs.meshes),
-            {
-                Mesh.driver: (driver, ""),
-                Mesh.driven: (driven, ""),
-                Mesh.tolerance: (TOLERANCE, "assumed: the allowances leave it a backlash"),
-            },
-        )
-        for driver, driven in pairwise(wheels)
-    ]
-    return [
-        (
-            head(Design.gears),
-            {
-                GearsInputs.normal_module: (
-                    mm(train.module),
-                    through if as_r753 else "assumed: below the main resonance of the teeth",
-                ),
-                GearsInputs.pressure_angle: (20.0, ""),
-                GearsInputs.helix_angle: (round(math.degrees(HELIX), 6), "assumed"),
-                GearsInputs.face_width: (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
-                GearsInputs.tool_addendum: (1.41, "assumed: the tool of the R753IE4"),
-                GearsInputs.tool_tip_radius: (0.2, "assumed"),
-                GearsInputs.housing_material: (_housing(design), "assumed: the block, as of the bearings"),
-                **driven,
-            },
-        ),
-        *(
-            (
-                head(Design.gears, GearsInputs.wheels),
-                {
-                    Wheel.name: (name, ""),
-                    Wheel.teeth: (teeth, why.get(name, usual)),
-                    Wheel.span_allowance: (
-                        ALLOWANCE,
-                        "assumed: teeth shaved or ground, and free when the wheels are warmer",
-                    ),
-                    **bore(name),
-                },
-            )
-            for name, teeth in wheels.items()
-        ),
-        *meshes,
-    ]
-
-
-def _housing(design: Design) -> str:
-    return design.bearings.housing_material if design.bearings is not None else HOUSING
+    if power is not None:
+        losses = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
+        rows[GearsInputs.power] = (power, losses)
+    sections: list[Section] = [(head(Design.gears), rows)]
+    wheels = (
+        ("crank", crank, usual, "assumed: sits on the crank"),
+        ("central", central, usual, "assumed: turns on a pin"),
+        ("idler", idler, usual, "assumed: turns on a pin"),
+        ("shaft", crank, "as many as on the crank: ratio −1 by three meshes", ""),
+    )
+    for name, teeth, why, bored in wheels:
+        free = "assumed: teeth shaved or ground, and free when the wheels are warmer"
+        wheel: Rows = {Wheel.name: (name, ""), Wheel.teeth: (teeth, why), Wheel.span_allowance: (ALLOWANCE, free)}
+        if bored:
+            diameter = float(round(BORE * teeth * train.module * 1e3 / math.cos(HELIX)))
+            wheel[Wheel.bore_diameter] = (diameter, bored)
+        sections.append((head(Design.gears, GearsInputs.wheels), wheel))
+    for (driver, *_), (driven, *_) in pairwise(wheels):
+        tolerance = (TOLERANCE, "assumed: the allowances leave it a backlash")
+        mesh: Rows = {Mesh.driver: (driver, ""), Mesh.driven: (driven, ""), Mesh.tolerance: tolerance}
+        sections.append((head(Design.gears, GearsInputs.meshes), mesh))
+    return sections
 
 
 def _friction(design: Design, results: Results, flanks: float) -> list[Section]:
@@ -248,10 +213,9 @@ def _friction(design: Design, results: Results, flanks: float) -> list[Section]:
     }
     words = {0.8: "assumed: ground", 0.4: "assumed: finely ground"}.get(flanks, "assumed: ground and polished")
     surfaces: Rows = {FrictionInputs.flank_roughness: (flanks, words), FrictionInputs.load_sharing: ("linear", "")}
-    return [
-        (head(Design.friction), (oil if design.bearings is None else {}) | surfaces),
-        *([] if design.bearings is not None else _rolling(design, results)),
-    ]
+    if design.bearings is not None:
+        return [(head(Design.friction), surfaces)]
+    return [(head(Design.friction), oil | surfaces), *_rolling(design, results)]
 
 
 def _rolling(design: Design, results: Results) -> list[Section]:
@@ -259,21 +223,14 @@ def _rolling(design: Design, results: Results) -> list[Section]:
     shaft, countershaft = results.result(CountershaftResult), design.countershaft
     if shaft is None or countershaft is None or countershaft.core_radius is None:
         return []
-    bore = up(2 * countershaft.core_radius, 5e-3)
-    return [
-        (
-            head(Design.friction, FrictionInputs.rolling_bearings),
-            {
-                RollingBearing.name: ("shaft-bearings", ""),
-                RollingBearing.wheel: ("shaft", ""),
-                RollingBearing.kind: ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
-                RollingBearing.bore: (mm(bore), "assumed: the core, up to the next 5 mm"),
-                RollingBearing.outside_diameter: (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
-                RollingBearing.load: (
-                    float(math.ceil(shaft.reaction_front + shaft.reaction_rear)),
-                    "of both bearings: the shaft's reactions",
-                ),
-                RollingBearing.count: (2, ""),
-            },
-        )
-    ]
+    bore, load = up(2 * countershaft.core_radius, 5e-3), float(math.ceil(shaft.reaction_front + shaft.reaction_rear))
+    rows: Rows = {
+        RollingBearing.name: ("shaft-bearings", ""),
+        RollingBearing.wheel: ("shaft", ""),
+        RollingBearing.kind: ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
+        RollingBearing.bore: (mm(bore), "assumed: the core, up to the next 5 mm"),
+        RollingBearing.outside_diameter: (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
+        RollingBearing.load: (load, "of both bearings: the shaft's reactions"),
+        RollingBearing.count: (2, ""),
+    }
+    return [(head(Design.friction, FrictionInputs.rolling_bearings), rows)]

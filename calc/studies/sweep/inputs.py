@@ -79,17 +79,15 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
         with open(Path(path), encoding="utf-8-sig", newline="") as file:
             lines = list(csv.reader(file))
     except UnicodeDecodeError as error:
-        raise _bad(path, 0, "", Text("is no text in UTF-8 (byte {n}); save it again so", n=error.start)) from None
+        raise _bad(path, 0, Text("is no text in UTF-8 (byte {n}); save it again so", n=error.start)) from None
     except (OSError, ValueError, csv.Error) as error:
-        raise _bad(
-            path, 0, "", Text("cannot be read: {reason}", reason=getattr(error, "strerror", None) or str(error))
-        ) from None
+        reason = getattr(error, "strerror", None) or str(error)
+        raise _bad(path, 0, Text("cannot be read: {reason}", reason=reason)) from None
     if len(lines) < 2 or not lines[0]:
-        raise _bad(path, 1, "", Text("needs keys in its first line, and a design in each line below it"))
+        raise _bad(path, 1, Text("needs keys in its first line, and a design in each line below it"))
     if len(lines) > MOST_LISTED:
-        raise _bad(
-            path, 0, "", Text("has {count} designs; at most {most} at once", count=len(lines) - 1, most=MOST_LISTED)
-        )
+        count = len(lines) - 1
+        raise _bad(path, 0, Text("has {count} designs; at most {most} at once", count=count, most=MOST_LISTED))
     inputs = [Varied(key.strip()) for key in lines[0]]
     errors: list[InputError] = []
     kinds = [_about(document, column.key, path, errors) for column in inputs]
@@ -98,9 +96,8 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
     rows: list[tuple[Value | None, ...]] = []
     for n, line in enumerate(lines[1:], 2):
         if len(line) != len(inputs):
-            errors.append(
-                InputError(n, "", "", Text("has {count} cells; needs {low}", count=len(line), low=len(inputs)))
-            )
+            cells = Text("has {count} cells; needs {low}", count=len(line), low=len(inputs))
+            errors.append(InputError(n, "", "", cells))
             continue
         row: list[Value | None] = []
         for column, about, cell in zip(inputs, kinds, line):
@@ -135,8 +132,8 @@ def _about(document: Document, key: str, path: str, errors: list[InputError]) ->
         return Quantity("text", Text(key))
 
 
-def _bad(path: str, line: int, key: str, reason: Text) -> BadInput:
-    return BadInput(path, [InputError(line, key, "", reason)])
+def _bad(path: str, line: int, reason: Text) -> BadInput:
+    return BadInput(path, [InputError(line, "", "", reason)])
 
 
 def _read(
@@ -156,18 +153,13 @@ def _read(
                 raise BadInput(option, [InputError(0, text, "", form)])
             variable = read_input(key, spec, about)
             single = about.count is not None and about.count[0] == 1  # where one number may stand for the list
-            if (
-                about.kind in ("series", "integers")
-                and not single
-                and not isinstance(address(document.data, key)[-1], int)
-            ):
+            whole = about.kind in ("series", "integers") and not isinstance(address(document.data, key)[-1], int)
+            if whole and not single:
                 raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
-            if (twice := same_input(document, [*inputs, variable])) is not None:
-                raise ValueError(
-                    "stands twice; give all its values at once"
-                    if twice == key
-                    else f"is {twice}, which stands here too"
-                )
+            if (twice := same_input(document, [*inputs, variable])) == key:
+                raise ValueError("stands twice; give all its values at once")
+            if twice is not None:
+                raise ValueError(f"is {twice}, which stands here too")
             inputs.append(variable)
         except BadInput as bad:
             errors += [replace(e, key=f"{option} {e.key}") for e in bad.errors]

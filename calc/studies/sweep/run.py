@@ -114,9 +114,8 @@ def designs(document: Document, inputs: Sequence[Varied], at: Sequence[Combinati
 def _row(results: Results, step: str | None, wanted: frozenset[str] = frozenset()) -> Solved:
     outcomes = [o for key, o in results.outcomes.items() if step in (None, key) and o.state != "not_asked"]
     values: dict[str, tuple[float | None, str]] = {v.id: (v.shown, v.unit) for o in outcomes for v in o.values(wanted)}
-    return Solved(
-        values, {o.key: o.verdict for o in outcomes}, "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason)
-    )
+    reason = "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason)
+    return Solved(values, {o.key: o.verdict for o in outcomes}, reason)
 
 
 def _needed(design: Design, step: str | None) -> Design:
@@ -137,16 +136,11 @@ def _known(asked: Sweep) -> None:
     known = _row(solve(_needed(base, asked.step)), asked.step).values
     if not known.keys() >= set(asked.wanted):
         known |= next(solved(asked.document, asked.plan.inputs, asked.plan.rows(0, 1), asked.step)).values
-    if unknown := [id for id in asked.wanted if id not in known]:
-        raise BadInput(
-            asked.document.place, [InputError(0, "--values", id, _no_value(id, list(known))) for id in unknown]
-        )
-
-
-def _no_value(id: str, known: Sequence[str]) -> Text:
-    near = get_close_matches(id, known, 1, 0.4)
-    return (
-        Text("is no value of these designs")
-        + (f'; did you mean "{near[0]}"?' if near else "")
-        + " (`contralbero check FILE --all` prints them)"
-    )
+    errors = []
+    for id in (id for id in asked.wanted if id not in known):
+        near = get_close_matches(id, known, 1, 0.4)
+        meant = f'; did you mean "{near[0]}"?' if near else ""
+        reason = Text("is no value of these designs") + meant + " (`contralbero check FILE --all` prints them)"
+        errors.append(InputError(0, "--values", id, reason))
+    if errors:
+        raise BadInput(asked.document.place, errors)

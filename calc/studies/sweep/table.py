@@ -148,17 +148,10 @@ class InFolder:
         return True
 
     def keep(self, n: int, chunk: Chunk) -> None:
-        lines = [
-            {
-                "units": chunk.units,
-                "steps": chunk.steps,
-                "count": len(chunk.rows),
-                "reasons": any(row.reason for row in chunk.rows),
-            }
-        ]
-        text = "\n".join(
-            map(json.dumps, [*lines, *([row.at, row.cells, row.verdicts, row.reason] for row in chunk.rows)])
-        )
+        about = {"units": chunk.units, "steps": chunk.steps, "count": len(chunk.rows)}
+        about["reasons"] = any(row.reason for row in chunk.rows)
+        rows = [[row.at, row.cells, row.verdicts, row.reason] for row in chunk.rows]
+        text = "\n".join(map(json.dumps, [about, *rows]))
         self.folder.mkdir(parents=True, exist_ok=True)
         draft = self._file(n).with_suffix(".new")
         draft.write_text(text, encoding="utf-8")
@@ -174,15 +167,11 @@ class InFolder:
     def chunk(self, n: int) -> Chunk:
         first, *rest = self._file(n).read_text(encoding="utf-8").splitlines()
         about = json.loads(first)
-        rows = tuple(
-            [
-                SweepRow(tuple(at), tuple(cells), tuple(verdicts), reason)
-                for at, cells, verdicts, reason in map(json.loads, rest)
-            ]
-        )
+        parts = map(json.loads, rest)
+        rows = [SweepRow(tuple(at), tuple(cells), tuple(judged), reason) for at, cells, judged, reason in parts]
         if len(rows) != about["count"]:
             raise ValueError("is cut off")
-        return Chunk(about["units"], tuple(about["steps"]), rows)
+        return Chunk(about["units"], tuple(about["steps"]), tuple(rows))
 
     def __len__(self) -> int:
         return sum(1 for _ in self.folder.glob(f"{self.key}-*.jsonl"))
@@ -297,9 +286,8 @@ def parquet() -> Any:
     try:
         return import_module("pyarrow"), import_module("pyarrow.parquet")
     except ImportError:
-        raise NoSolution(
-            Text("a Parquet file needs pyarrow, which the extra `contralbero[parquet]` installs")
-        ) from None
+        needs = Text("a Parquet file needs pyarrow, which the extra `contralbero[parquet]` installs")
+        raise NoSolution(needs) from None
 
 
 def write_parquet(path: Path, document: Document, inputs: Sequence[Varied], store: Store) -> Counter[str]:
