@@ -47,7 +47,8 @@ class GasInputs:
     compression_ratio: float | None = quantity(
         "Compression ratio",
         default=None,
-        above_up_to=(1, 50),
+        above=1,
+        high=50,
         symbol="epsilon_c",
         rule_of_thumb=(7, 23),
         help="Largest over smallest volume of a cylinder.",
