@@ -9,7 +9,7 @@ from ..library import journal_rules as rules
 from ..library import tolerances as fits
 from ..library.catalogue import Oil
 from ..library.tolerances import ASSUMED_FIT, Assumed
-from ..sheet.quantity import THUMB, choice, dotted, inputs, quantity, series, table, text
+from ..sheet.quantity import choice, dotted, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from .materials import DEFAULT_APPLICATION
 
@@ -33,12 +33,10 @@ class BearingInputs:
     diameter: float = quantity(
         "Journal diameter",
         "mm",
-        above=0,
-        high=500,
+        up_to=500,
         symbol="d",
         step=0.5,
-        usual=(15, 120),
-        source=THUMB,
+        rule_of_thumb=(15, 120),
         help="Diameter of the journal; a larger one carries more and rubs more.",
         change=("smaller journal", "larger journal"),
         repair="free",
@@ -48,8 +46,7 @@ class BearingInputs:
     length: float = quantity(
         "Length",
         "mm",
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="l",
         step=0.5,
         source="Finotti 2013, 5.5.2",
@@ -95,8 +92,7 @@ class BearingInputs:
         "Load",
         "N",
         default=None,
-        above=0,
-        high=1e7,
+        up_to=1e7,
         symbol="F",
         step=50,
         help="Radial load on the journal. Left out: the reaction of the counter-shaft.",
@@ -108,8 +104,7 @@ class BearingInputs:
         within=(0, 50),
         symbol="Ra_1",
         step=0.1,
-        usual=(0.1, 0.8),
-        source=THUMB,
+        rule_of_thumb=(0.1, 0.8),
         help="Mean roughness; the film must clear its peaks.",
         change=("smoother surfaces", "rougher surfaces"),
         repair="free",
@@ -120,8 +115,7 @@ class BearingInputs:
         within=(0, 50),
         symbol="Ra_2",
         step=0.1,
-        usual=(0.1, 1.6),
-        source=THUMB,
+        rule_of_thumb=(0.1, 1.6),
         help="Mean roughness; the film must clear its peaks.",
         change=("smoother surfaces", "rougher surfaces"),
         repair="free",
@@ -152,8 +146,7 @@ class BearingsInputs:
         within=(-40, 200),
         symbol="T_in",
         step=1,
-        usual=(70, 130),
-        source=THUMB,
+        rule_of_thumb=(70, 130),
         help="Of the oil in the gallery before the bearing.",
         repair="asked",
         decides=2,
@@ -165,8 +158,7 @@ class BearingsInputs:
         within=(0, 100),
         symbol="p_s",
         step=0.1,
-        usual=(1, 6),
-        source=THUMB,
+        rule_of_thumb=(1, 6),
         help="Of the oil in the gallery, above ambient.",
         change=("less oil pressure", "more oil pressure"),
         repair="free",
@@ -340,8 +332,7 @@ class BearingsInputs:
         default=-20.0,
         within=(-60, 60),
         symbol="T_low",
-        usual=(-40, 0),
-        source=THUMB,
+        rule_of_thumb=(-40, 0),
         help="Cold start: the clearance must still be there.",
         repair="asked",
     )
@@ -384,8 +375,7 @@ class BearingsInputs:
         "Journal speed",
         "rpm",
         default=None,
-        above=0,
-        high=1e5,
+        up_to=1e5,
         symbol="n",
         step=50,
         help="Speed of the journal. Left out: that of the counter-shaft.",
@@ -414,8 +404,7 @@ class BearingsInputs:
         "rpm",
         default=None,
         count=(2, 2),
-        above=0,
-        high=1e5,
+        up_to=1e5,
         symbol="n",
         help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.",
         repair="asked",
@@ -441,8 +430,7 @@ class BearingsInputs:
         "Dynamic viscosity at every temperature",
         "mPa·s",
         default=None,
-        above=0,
-        high=1e6,
+        up_to=1e6,
         symbol="mu_given",
         help="Constant, as in textbooks (1 cP is 1 mPa·s, 1 µreyn 6.895), in the bearings only. Left out: by the "
         "oil's own law.",

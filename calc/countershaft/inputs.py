@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from ..library.journal_rules import LENGTH_RATIO
 from ..library.tolerances import BALANCE_GRADES
-from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .making.inputs import Bolts, Cost, FurtherDrain, OilDrain, Part, Support
 
@@ -30,8 +30,7 @@ class EccentricMass:
         "kg",
         within=(0, 1000),
         symbol="m_i",
-        usual=(0.05, 20),
-        source=THUMB,
+        rule_of_thumb=(0.05, 20),
         help="Mass of this eccentric part of the shaft.",
         change=("lighter mass", "heavier mass"),
         repair="free",
@@ -136,8 +135,7 @@ class Journal:
         "mm",
         up_to=1000,
         symbol="d",
-        usual=(15, 120),
-        source=THUMB,
+        rule_of_thumb=(15, 120),
         help="Diameter of the journal, for its specific load.",
         repair="free",
         brief="diameter",
@@ -297,8 +295,7 @@ class CountershaftInputs:
         up_to=1000,
         symbol="R",
         step=0.5,
-        usual=(15, 120),
-        source=THUMB,
+        rule_of_thumb=(15, 120),
         help="What may still be threaded through the largest seat. Needed for mode size; else the largest journal "
         "less the clearance.",
         change=("smaller envelope", "larger envelope"),
@@ -313,8 +310,7 @@ class CountershaftInputs:
         within=(0, 1000),
         symbol="r_0",
         step=0.5,
-        usual=(6, 80),
-        source=THUMB,
+        rule_of_thumb=(6, 80),
         help="Radius of the shaft between and inside the sectors.",
         change=("thinner core", "stiffer shaft"),
         repair="free",
@@ -328,8 +324,7 @@ class CountershaftInputs:
         up_to=5000,
         symbol="z_max",
         step=1,
-        usual=(30, 600),
-        source=THUMB,
+        rule_of_thumb=(30, 600),
         help="Outer faces of the sectors from mid-shaft. Needed for mode size.",
         change=("shorter shaft", "longer shaft"),
         repair="free",
@@ -354,8 +349,7 @@ class CountershaftInputs:
         default=None,
         within=(0, 50),
         symbol="c_R",
-        usual=(0.2, 5),
-        source=THUMB,
+        rule_of_thumb=(0.2, 5),
         help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through "
         "a seat.",
         where=(mode, "size"),
@@ -367,8 +361,7 @@ class CountershaftInputs:
         default=None,
         up_to=100,
         symbol="rho_f",
-        usual=(0.5, 5),
-        source=THUMB,
+        rule_of_thumb=(0.5, 5),
         help="Its radius. Left out: no notch stress.",
         change=("smaller fillet", "larger fillet"),
         repair="free",

@@ -149,8 +149,8 @@ class Price:
 class CyclePoint:
     """How long the machine runs at a speed."""
 
-    speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n", help="Of the crank.")
-    hours: float = quantity("Hours", above=0, high=1e9, help="Of a day, a year or a life: only their shares count.")
+    speed: float = quantity("Speed", "rpm", up_to=30000, symbol="n", help="Of the crank.")
+    hours: float = quantity("Hours", up_to=1e9, help="Of a day, a year or a life: only their shares count.")
 
 
 @inputs
@@ -251,9 +251,7 @@ class Measured:
     """One row of [[measured]]."""
 
     value: str = text("Value", help="The id of a value, as `check --all` prints it, or the key of an input.")
-    speed: float | None = quantity(
-        "Speed", "rpm", above=0, high=30000, default=None, help="Left out: the design's own speed."
-    )
+    speed: float | None = quantity("Speed", "rpm", up_to=30000, default=None, help="Left out: the design's own speed.")
     is_: float = quantity("Measured", help="In the unit of the row.")
     unit: str = text("Unit", default="", help="That in which the value is shown.")
     uncertainty: float | None = quantity("Uncertainty", low=0, default=None, help="In the unit of the row.")

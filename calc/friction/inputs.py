@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
 # Types of rolling bearings whose factors are known (`losses/bearings.py`).
@@ -53,8 +53,7 @@ class Seal(Carried):
     diameter: float = quantity(
         "Shaft diameter",
         "mm",
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="d_sh",
         help="Diameter of the shaft under the lip.",
         brief="diameter",
@@ -76,12 +75,11 @@ class RollingBearing(Carried):
     """Rolling bearings that carry a wheel."""
 
     kind: str = choice("Type", *BEARING_TYPES, default="deep-groove-ball")
-    bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d", help="Inner diameter of the bearing.")
+    bore: float = quantity("Bore", "mm", up_to=1000, symbol="d", help="Inner diameter of the bearing.")
     outside_diameter: float = quantity(
         "Outside diameter",
         "mm",
-        above=0,
-        high=2000,
+        up_to=2000,
         symbol="D",
         help="Outer diameter of the bearing; with the bore it gives the mean one.",
     )
@@ -152,14 +150,13 @@ class PlainBearing(Carried):
     """The bush of an idler on its fixed pin."""
 
     diameter: float = quantity(
-        "Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush.", brief="diameter"
+        "Diameter", "mm", up_to=1000, symbol="d", help="Diameter of the pin in the bush.", brief="diameter"
     )
-    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", help="Length of the bush along its pin.")
+    length: float = quantity("Length", "mm", up_to=1000, symbol="l", help="Length of the bush along its pin.")
     clearance: float = quantity(
         "Diametral clearance when running",
         "µm",
-        above=0,
-        high=5000,
+        up_to=5000,
         symbol="g",
         help="Bore of the bush minus pin, both warm.",
         brief="clearance",
@@ -182,8 +179,7 @@ class Dip(Carried):
     depth: float = quantity(
         "Depth of its lowest tooth below the oil at rest",
         "mm",
-        above=0,
-        high=2000,
+        up_to=2000,
         symbol="h",
         source="Changenet et al. 2011",
         help="How deep the wheel dips while the oil is at rest.",
@@ -191,8 +187,7 @@ class Dip(Carried):
     oil_volume: float = quantity(
         "Oil in the sump",
         "L",
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="V_0",
         source="Changenet et al. 2011",
         help="Volume of the oil into which the wheel dips.",
@@ -206,8 +201,7 @@ class Jet(Carried):
     flow: float = quantity(
         "Flow",
         "L/min",
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="Q",
         source="Butsch 1989, ISO/TR 14179-2",
         help="Oil that strikes the wheel and is carried along.",
@@ -235,8 +229,7 @@ class Scenario:
         within=(-40, 200),
         symbol="T_oil",
         step=5,
-        usual=(40, 130),
-        source=THUMB,
+        rule_of_thumb=(40, 130),
         help="Of the teeth; replaces a measured bulk temperature.",
         repair="asked",
     )
@@ -246,19 +239,16 @@ class Scenario:
         "µm",
         count=(1, 2),
         default=None,
-        above=0,
-        high=20,
+        up_to=20,
         symbol="Ra",
-        usual=(0.1, 2),
-        source=THUMB,
+        rule_of_thumb=(0.1, 2),
         help="Mean roughness, one for both or [driver, driven].",
     )
     power: float | None = quantity(
         "Power of the first driver",
         "kW",
         default=None,
-        above=0,
-        high=1e5,
+        up_to=1e5,
         symbol="P",
         help="What goes into the first driver of a design without counter-shaft.",
         repair="asked",
@@ -284,8 +274,7 @@ class FrictionInputs:
         within=(-40, 200),
         symbol="T_oil",
         step=5,
-        usual=(40, 130),
-        source=THUMB,
+        rule_of_thumb=(40, 130),
         help="Of teeth and wheels. Left out: the bearings' supply temperature.",
         repair="asked",
         decides=2,
@@ -296,8 +285,7 @@ class FrictionInputs:
         default=None,
         within=(-40, 300),
         symbol="T_b",
-        usual=(40, 150),
-        source=THUMB,
+        rule_of_thumb=(40, 150),
         help="Of the teeth, measured. Left out: by the next key.",
         repair="asked",
     )
@@ -331,11 +319,9 @@ class FrictionInputs:
         "Flank roughness Ra",
         "µm",
         count=(1, 2),
-        above=0,
-        high=20,
+        up_to=20,
         symbol="Ra",
-        usual=(0.1, 2),
-        source=THUMB,
+        rule_of_thumb=(0.1, 2),
         help="Mean roughness, one for both or [driver, driven].",
         change=("smoother flanks", "rougher flanks"),
         repair="free",
@@ -400,19 +386,16 @@ class FrictionInputs:
         "Specific fuel consumption",
         "g/kWh",
         default=None,
-        above=0,
-        high=2000,
+        up_to=2000,
         symbol="b_e",
-        usual=(190, 350),
-        source=THUMB,
+        rule_of_thumb=(190, 350),
         help="What the engine burns for its power.",
         decides=5,
     )
     co2_per_fuel: float = quantity(
         "CO₂ per fuel, by mass",
         default=3.17,
-        above=0,
-        high=5,
+        up_to=5,
         symbol="e_CO2",
         usual=(2.7, 3.2),
         source="physics: carbon share, natural gas to diesel",
@@ -431,8 +414,7 @@ class FrictionInputs:
         "rpm",
         count=(2, 2),
         default=None,
-        above=0,
-        high=1e5,
+        up_to=1e5,
         help="Lowest and highest, of the first driver.",
         repair="asked",
     )

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable
 from typing import ClassVar
 
-from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, keys, quantity, series, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 from .wheel_inputs import INTERNAL, REFUSED, Wheel
 
@@ -30,8 +30,7 @@ class Contributor:
         "mm",
         within=(0, 10),
         symbol="T",
-        usual=(0.01, 0.1),
-        source=THUMB,
+        rule_of_thumb=(0.01, 0.1),
         help="Its whole width, as on the drawing.",
     )
     kind: str = choice(
@@ -58,8 +57,7 @@ class Mesh:
         "Centre distance",
         "mm",
         default=None,
-        above=0,
-        high=5000,
+        up_to=5000,
         symbol="a_w",
         source="ISO 21771",
         negative=INTERNAL,
@@ -74,8 +72,7 @@ class Mesh:
         default=None,
         within=(0, 5000),
         symbol="T_a",
-        usual=(10, 100),
-        source=THUMB,
+        rule_of_thumb=(10, 100),
         help="Half the field, to either side.",
         change=("closer tolerance", "wider tolerance"),
         repair="free",
@@ -86,8 +83,7 @@ class Mesh:
         "mm",
         default=None,
         within=(0, 10),
-        usual=(0.01, 0.1),
-        source=THUMB,
+        rule_of_thumb=(0.01, 0.1),
         help="Fields of the parts; half their root of squares.",
     )
     support_share: float | None = quantity(
@@ -103,8 +99,7 @@ class Mesh:
         default=None,
         within=(0, 500),
         symbol="f_ma",
-        usual=(0, 30),
-        source=THUMB,
+        rule_of_thumb=(0, 30),
         help="Over the face width. Left out: by the accuracy grade.",
     )
     shaft_deflection: float | None = quantity(
@@ -113,8 +108,7 @@ class Mesh:
         default=None,
         within=(0, 500),
         symbol="f_sh",
-        usual=(0, 30),
-        source=THUMB,
+        rule_of_thumb=(0, 30),
         help="Over the face width. Left out: none.",
     )
     stack: tuple[Contributor, ...] = tables(
@@ -160,7 +154,7 @@ class Neighbour:
         repair="asked",
     )
     radius: float = quantity(
-        "Radius", "mm", above=0, high=5000, symbol="r", help="Radius of the round thing that the wheels must clear."
+        "Radius", "mm", up_to=5000, symbol="r", help="Radius of the round thing that the wheels must clear."
     )
 
 
@@ -189,12 +183,10 @@ class GearsInputs:
         "Normal module",
         "mm",
         default=None,
-        above=0,
-        high=100,
+        up_to=100,
         symbol="m_n",
         step=0.25,
-        usual=(1, 5),
-        source=THUMB,
+        rule_of_thumb=(1, 5),
         help="Pitch over π, normal to the teeth. Left out: by transverse_module_mm.",
         change=("smaller module", "larger module"),
         decides=1,
@@ -203,12 +195,10 @@ class GearsInputs:
         "Transverse module",
         "mm",
         default=None,
-        above=0,
-        high=100,
+        up_to=100,
         symbol="m_t",
         step=0.25,
-        usual=(1, 5),
-        source=THUMB,
+        rule_of_thumb=(1, 5),
         help="Pitch over π, square to the axes; instead of the normal one.",
     )
     pressure_angle: float = quantity(
@@ -217,8 +207,7 @@ class GearsInputs:
         within=(10, 35),
         symbol="alpha_n",
         default=math.radians(20),
-        usual=(14.5, 25),
-        source=THUMB,
+        rule_of_thumb=(14.5, 25),
         help="Of the tool, normal to the teeth; 20° is common.",
     )
     helix_angle: float = quantity(
@@ -227,8 +216,7 @@ class GearsInputs:
         within=(0, 35),
         symbol="beta",
         default=0.0,
-        usual=(0, 30),
-        source=THUMB,
+        rule_of_thumb=(0, 30),
         help="At the reference circle; 0: spur wheels.",
         repair="free",
         decides=2,
@@ -238,8 +226,7 @@ class GearsInputs:
         "mm",
         within=(0.1, 2000),
         symbol="b",
-        usual=(5, 80),
-        source=THUMB,
+        rule_of_thumb=(5, 80),
         help="Of all wheels that give none of their own; often 6 to 12 modules.",
         change=("narrower gears", "wider gears"),
         decides=3,
@@ -250,8 +237,7 @@ class GearsInputs:
         within=(0.5, 3),
         symbol="h_aP0",
         step=0.05,
-        usual=(1.2, 1.5),
-        source=THUMB,
+        rule_of_thumb=(1.2, 1.5),
         help="In modules; makes the root.",
         change=("shallower roots", "deeper roots"),
         repair="free",
@@ -262,8 +248,7 @@ class GearsInputs:
         within=(0, 1),
         symbol="rho_aP0",
         step=0.02,
-        usual=(0.2, 0.4),
-        source=THUMB,
+        rule_of_thumb=(0.2, 0.4),
         help="In modules; makes the fillet.",
         repair="free",
     )
@@ -273,8 +258,7 @@ class GearsInputs:
         default=0.0,
         within=(0, 10),
         symbol="pr_P0",
-        usual=(0, 0.4),
-        source=THUMB,
+        rule_of_thumb=(0, 0.4),
         help="How far its tip stands out of its flank.",
     )
     stock: float = quantity(
@@ -283,16 +267,14 @@ class GearsInputs:
         default=0.0,
         within=(0, 10),
         symbol="q",
-        usual=(0, 0.3),
-        source=THUMB,
+        rule_of_thumb=(0, 0.3),
         help="Left normal to the flank, to be shaved or ground.",
     )
     ball_diameter: float | None = quantity(
         "Measuring ball",
         "mm",
         default=None,
-        above=0,
-        high=200,
+        up_to=200,
         symbol="D_M",
         source="DIN 3977",
         help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the "
@@ -331,11 +313,9 @@ class GearsInputs:
         "Life",
         "h",
         default=None,
-        above=0,
-        high=1e6,
+        up_to=1e6,
         symbol="L_h",
-        usual=(500, 30000),
-        source=THUMB,
+        rule_of_thumb=(500, 30000),
         help="Hours at this load. Left out: without end.",
         repair="asked",
     )
@@ -345,19 +325,16 @@ class GearsInputs:
         default=None,
         within=(0, 500),
         symbol="C_a",
-        usual=(0, 50),
-        source=THUMB,
+        rule_of_thumb=(0, 50),
         help="Ground off the tips. Left out: what running in makes.",
     )
     flank_rz: float | None = quantity(
         "Flank roughness Rz",
         "µm",
         default=None,
-        above=0,
-        high=100,
+        up_to=100,
         symbol="Rz_H",
-        usual=(1, 16),
-        source=THUMB,
+        rule_of_thumb=(1, 16),
         help="Peak to valley. Left out: six times Ra of step 6, else 4.",
         change=("smoother flanks", "rougher flanks"),
     )
@@ -365,8 +342,7 @@ class GearsInputs:
         "Root roughness Rz",
         "µm",
         default=16e-6,
-        above=0,
-        high=200,
+        up_to=200,
         symbol="Rz_F",
         usual=(1, 40),
         source="ISO 6336-3, range of Y_RrelT",
@@ -378,15 +354,13 @@ class GearsInputs:
         default=None,
         within=(1, 14),
         symbol="S_FZG",
-        usual=(8, 14),
-        source=THUMB,
+        rule_of_thumb=(8, 14),
         help="By test A/8.3/90. Left out: stage 10 is assumed.",
     )
     permissible_film: float | None = quantity(
         "Permissible specific film",
         default=None,
-        above=0,
-        high=10,
+        up_to=10,
         symbol="lambda_GFP",
         usual=(0.06, 0.6),
         source="ISO/TR 15144-1, Annex A",
@@ -415,8 +389,7 @@ class GearsInputs:
         default=-30.0,
         within=(-60, 60),
         symbol="T_min",
-        usual=(-40, 0),
-        source=THUMB,
+        rule_of_thumb=(-40, 0),
         help="Of all parts in a cold start.",
         repair="asked",
     )
@@ -426,8 +399,7 @@ class GearsInputs:
         default=100.0,
         within=(0, 200),
         symbol="T_H",
-        usual=(60, 120),
-        source=THUMB,
+        rule_of_thumb=(60, 120),
         help="At which the warm backlash is taken.",
         repair="asked",
     )
@@ -437,16 +409,14 @@ class GearsInputs:
         default=20.0,
         within=(0, 150),
         symbol="Delta_T",
-        usual=(0, 40),
-        source=THUMB,
+        rule_of_thumb=(0, 40),
         help="They then take backlash away.",
     )
     speed: float | None = quantity(
         "Speed of the first driver",
         "rpm",
         default=None,
-        above=0,
-        high=100000,
+        up_to=100000,
         symbol="n",
         help="How fast the first driver turns. Left out: the crank's rated speed.",
         repair="asked",
@@ -455,8 +425,7 @@ class GearsInputs:
         "Power of the first driver",
         "kW",
         default=None,
-        above=0,
-        high=1e5,
+        up_to=1e5,
         symbol="P",
         help="What the train takes in at the first driver. Left out: from the closed power balance.",
         repair="asked",
@@ -474,8 +443,7 @@ class GearsInputs:
     irregularity_order: float | None = quantity(
         "Order of the irregularity",
         default=None,
-        above=0,
-        high=50,
+        up_to=50,
         symbol="i",
         help="How often a turn of the first driver it swings. Left out: the engine's firing order.",
     )

@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 from typing import ClassVar
 
-from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, text
+from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, text
 from ..sheet.text import Text
 
 INTERNAL = Text(
@@ -27,8 +27,7 @@ class Wheel:
         "Teeth",
         within=(5, 1000),
         symbol="z",
-        usual=(17, 100),
-        source=THUMB,
+        rule_of_thumb=(17, 100),
         negative=INTERNAL,
         help="Number of teeth; few of them are undercut.",
         change=("fewer teeth", "more teeth"),
@@ -41,8 +40,7 @@ class Wheel:
         within=(-3, 3),
         symbol="x",
         step=0.01,
-        usual=(-0.5, 1),
-        source=THUMB,
+        rule_of_thumb=(-0.5, 1),
         help="In modules. Left out: by centre distance, like wheel, or 0.",
         change=("less profile shift", "more profile shift"),
         repair="free",
@@ -128,8 +126,7 @@ class Wheel:
         default=None,
         within=(0, 2000),
         symbol="F_r",
-        usual=(5, 80),
-        source=THUMB,
+        rule_of_thumb=(5, 80),
         help="Over a turn; half of it to each side of the centre.",
         change=("less runout", "more runout"),
     )
@@ -137,8 +134,7 @@ class Wheel:
         "Measured span",
         "mm",
         default=None,
-        above=0,
-        high=5000,
+        up_to=5000,
         symbol="W",
         source="ISO 21771",
         help="Over the teeth spanned; gives the tooth that was made.",
@@ -147,8 +143,7 @@ class Wheel:
         "Measured size over balls",
         "mm",
         default=None,
-        above=0,
-        high=10000,
+        up_to=10000,
         symbol="M_dK",
         source="ISO 21771",
         help="Over two balls of gears.ball_diameter_mm; gives the tooth that was made.",
@@ -157,8 +152,7 @@ class Wheel:
         "Measured size over pins",
         "mm",
         default=None,
-        above=0,
-        high=10000,
+        up_to=10000,
         symbol="M_dR",
         source="ISO 21771",
         help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.",
@@ -167,8 +161,7 @@ class Wheel:
         "Measured chordal thickness",
         "mm",
         default=None,
-        above=0,
-        high=500,
+        up_to=500,
         symbol="s_c",
         source="ISO 21771",
         help="Normal, at the height above the chord.",
@@ -188,8 +181,7 @@ class Wheel:
         "Bore",
         "mm",
         default=None,
-        above=0,
-        high=2000,
+        up_to=2000,
         symbol="d_i",
         help="Diameter of the bore of the body, for its inertia. Left out: a solid disc.",
     )
@@ -197,8 +189,7 @@ class Wheel:
         "Rim thickness",
         "mm",
         default=None,
-        above=0,
-        high=500,
+        up_to=500,
         symbol="s_R",
         source="ISO 6336-3",
         help="Below the root circle; from 1.2 tooth depths on it costs no strength. Left out: a solid body.",
@@ -224,8 +215,7 @@ class Wheel:
         "Surface hardness",
         "HV",
         default=None,
-        above=0,
-        high=1200,
+        up_to=1200,
         symbol="HV",
         usual=(115, 900),
         source="ISO 6336-5:2016, Table 1",

@@ -35,7 +35,7 @@ class PrintedViscosity:
     """A dynamic viscosity that is printed somewhere, to be held against the oil's own law."""
 
     temperature: float = quantity("Temperature", "°C", within=(-40, 200), symbol="T")
-    viscosity: float = quantity("Printed dynamic viscosity", "mPa·s", above=0, high=1e6, symbol="mu")
+    viscosity: float = quantity("Printed dynamic viscosity", "mPa·s", up_to=1e6, symbol="mu")
 
     def __str__(self) -> str:
         return Text(
@@ -84,8 +84,7 @@ class Oil:
     limiting_shear: float | None = quantity(
         "Limiting shear stress over pressure",
         default=None,
-        above=0,
-        high=0.3,
+        up_to=0.3,
         symbol="Lambda",
         help="Left out: that of the base stock.",
     )
@@ -93,8 +92,7 @@ class Oil:
         "Pressure-viscosity coefficient at 40 °C",
         "1/GPa",
         default=None,
-        above=0,
-        high=100,
+        up_to=100,
         symbol="alpha_40",
         help="Left out: by the base stock. Given: the base stock says only how it changes with the viscosity.",
     )
@@ -102,8 +100,7 @@ class Oil:
         "Dynamic viscosity at every temperature",
         "mPa·s",
         default=None,
-        above=0,
-        high=1e6,
+        up_to=1e6,
         symbol="mu",
         help="Constant, as in textbooks; instead of the viscosities at 40 and 100 °C.",
     )
@@ -201,11 +198,9 @@ class Material:
     density: float = quantity("Density", "kg/m³", within=(500, 25000), symbol="rho")
     expansion: float = quantity("Thermal expansion", "10⁻⁶/K", within=(0, 100), symbol="alpha")
     proof_stress: float | None = quantity(
-        "Proof stress", "MPa", default=None, above=0, high=10000, symbol="R_p", help="Rp0.2, tension."
+        "Proof stress", "MPa", default=None, up_to=10000, symbol="R_p", help="Rp0.2, tension."
     )
-    tensile_strength: float | None = quantity(
-        "Tensile strength", "MPa", default=None, above=0, high=10000, symbol="R_m"
-    )
+    tensile_strength: float | None = quantity("Tensile strength", "MPa", default=None, up_to=10000, symbol="R_m")
     kind: str = choice(
         "Kind",
         "steel",
@@ -220,8 +215,7 @@ class Material:
         "Alternating strength",
         "MPa",
         default=None,
-        above=0,
-        high=10000,
+        up_to=10000,
         symbol="sigma_W",
         help="Of a smooth, polished specimen, endless life. Left out: by its kind from the tensile strength.",
     )

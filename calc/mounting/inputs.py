@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 
 from ..sheet.arrays import Array
-from ..sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import COMMA, Amount, Text
 
 # --- the inertia tensor of a rigid body, and whether a body can have it
@@ -63,7 +63,7 @@ FRAME = Text("Frame, points, operations")
 class Mobility:
     """One row of a measured mobility of the foundation: velocity over force, complex, in engine axes."""
 
-    frequency: float = quantity("Frequency", "Hz", above=0, high=10000, symbol="f", help="Rising from row to row.")
+    frequency: float = quantity("Frequency", "Hz", up_to=10000, symbol="f", help="Rising from row to row.")
     x: tuple[float, ...] = series(
         "Mobility up", "mm/s/N", default=(0.0, 0.0), count=(2, 2), help="[real, imaginary part]."
     )
@@ -87,8 +87,7 @@ class Mount:
         "Static stiffness",
         "N/mm",
         count=(3, 3),
-        above=0,
-        high=1e7,
+        up_to=1e7,
         symbol="k",
         help="Along the mount's own axes; the first is its compression.",
         repair="free",
@@ -97,11 +96,9 @@ class Mount:
     dynamic_ratio: float = quantity(
         "Dynamic over static stiffness",
         default=1.3,
-        above=0,
-        high=10,
+        up_to=10,
         symbol="d",
-        usual=(1.1, 1.8),
-        source=THUMB,
+        rule_of_thumb=(1.1, 1.8),
         help="Natural rubber of 40, 50, 60, 70 Shore A: about 1.1, 1.2, 1.35, 1.6.",
     )
     loss_factor: float | None = quantity(
@@ -109,8 +106,7 @@ class Mount:
         default=None,
         within=(0, 10),
         symbol="eta",
-        usual=(0.03, 0.2),
-        source=THUMB,
+        rule_of_thumb=(0.03, 0.2),
         help="Natural rubber of 40, 50, 60, 70 Shore A: about 0.05, 0.08, 0.12, 0.16. Left out: 0.1, or none beside "
         "damping.",
     )
@@ -143,8 +139,7 @@ class Mount:
         "N/mm",
         default=None,
         count=(1, 3),
-        above=0,
-        high=1e9,
+        up_to=1e9,
         symbol="k_f",
         help="Below the mount, along the mount's own axes; one number for all three.",
     )
@@ -165,8 +160,7 @@ class Mount:
         "Largest deflection",
         "mm",
         default=None,
-        above=0,
-        high=1000,
+        up_to=1000,
         help="Along each own axis, static, mean torque and vibration together.",
         repair="asked",
     )
@@ -206,7 +200,7 @@ class Support:
         "Position", "mm", count=(3, 3), within=(-20000, 20000), symbol="r", help=PLACE, repair="asked"
     )
     stiffness: tuple[float, ...] = series(
-        "Dynamic stiffness", "N/mm", count=(3, 3), above=0, high=1e9, symbol="k", help="Along its own axes."
+        "Dynamic stiffness", "N/mm", count=(3, 3), up_to=1e9, symbol="k", help="Along its own axes."
     )
     loss_factor: float | None = quantity(
         "Loss factor",
@@ -251,9 +245,7 @@ class Move:
 class FrameMode:
     """A mode of the elastic frame, to unit modal mass.  A place that its shape does not name does not move in it."""
 
-    frequency: float = quantity(
-        "Frequency", "Hz", above=0, high=1000, symbol="f", help="Of the frame without the engine."
-    )
+    frequency: float = quantity("Frequency", "Hz", up_to=1000, symbol="f", help="Of the frame without the engine.")
     loss_factor: float = quantity(
         "Loss factor", default=0.05, within=(0, 10), symbol="eta", help="Of the mode; left out: 0.05."
     )
@@ -267,7 +259,7 @@ class FrameMode:
 class Chassis:
     """The frame of the machine: a second rigid body on its own supports, and what it bends by."""
 
-    mass: float = quantity("Mass", "kg", above=0, high=1e7, symbol="m_c", help="Without the engine.")
+    mass: float = quantity("Mass", "kg", up_to=1e7, symbol="m_c", help="Without the engine.")
     centre_of_gravity: tuple[float, ...] = series(
         "Centre of gravity", "mm", count=(3, 3), within=(-20000, 20000), help=PLACE
     )
@@ -275,8 +267,7 @@ class Chassis:
         "Inertia",
         "kg·m²",
         count=(3, 3),
-        above=0,
-        high=1e9,
+        up_to=1e9,
         symbol="J_c",
         help="About the axes through its centre of gravity.",
     )
@@ -333,7 +324,7 @@ class Operation:
     """A speed at which the engine runs, and its gas there where it differs from that of [engine.gas]."""
 
     name: str = text("Name", help="Letters, digits and -.")
-    speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n", help="Of the crank.", repair="asked")
+    speed: float = quantity("Speed", "rpm", up_to=30000, symbol="n", help="Of the crank.", repair="asked")
     hours: float | None = quantity(
         "Hours a day", default=None, within=(0, DAY), symbol="T", help="For the daily exposure."
     )
@@ -341,8 +332,7 @@ class Operation:
         "Peak pressure",
         "bar",
         default=None,
-        above=0,
-        high=1000,
+        up_to=1000,
         symbol="p_max",
         help="At this speed, absolute; left out: that of [engine.gas].",
     )
@@ -350,8 +340,7 @@ class Operation:
         "Intake pressure",
         "bar",
         default=None,
-        above=0,
-        high=100,
+        up_to=100,
         symbol="p_in",
         help="At this speed, absolute; left out: that of [engine.gas].",
     )
@@ -359,8 +348,7 @@ class Operation:
         "Exhaust pressure",
         "bar",
         default=None,
-        above=0,
-        high=100,
+        up_to=100,
         symbol="p_ex",
         help="At this speed, absolute; left out: that of [engine.gas].",
     )
@@ -412,8 +400,7 @@ class MountingInputs:
     mass: float = quantity(
         "Mass",
         "kg",
-        above=0,
-        high=1e6,
+        up_to=1e6,
         symbol="m",
         help="Engine with liquids, flywheel, and what is bolted to it.",
         decides=1,
@@ -426,8 +413,7 @@ class MountingInputs:
         "kg·m²",
         default=None,
         count=(3, 3),
-        above=0,
-        high=1e7,
+        up_to=1e7,
         symbol="J",
         help="[J_x, J_y, J_z] about the axes through the centre of gravity: yaw, pitch, roll.",
         decides=3,
@@ -453,18 +439,15 @@ class MountingInputs:
         "mm",
         default=None,
         count=(3, 3),
-        above=0,
-        high=20000,
+        up_to=20000,
         help="[up, side, along the crank]: for an estimate of the inertia where it is not known.",
     )
     idle_speed: float = quantity(
         "Idle speed",
         "rpm",
-        above=0,
-        high=30000,
+        up_to=30000,
         symbol="n_idle",
-        usual=(500, 1800),
-        source=THUMB,
+        rule_of_thumb=(500, 1800),
         help="At which isolation is judged.",
         repair="asked",
         decides=4,
@@ -504,8 +487,7 @@ class MountingInputs:
         "Power",
         "kW",
         default=None,
-        above=0,
-        high=1e6,
+        up_to=1e6,
         help="For the scope of the standards; left out: the rated one.",
         repair="asked",
     )
@@ -560,7 +542,7 @@ class MountingInputs:
         "Road frequency", "Hz", default=6.0, within=(0, 1000), symbol="f_road", help="No mode should lie below it."
     )
     rigid_up_to: float = quantity(
-        "Rigid up to", "Hz", default=120.0, above=0, high=10000, help="Above it engine or frame bend."
+        "Rigid up to", "Hz", default=120.0, up_to=10000, help="Above it engine or frame bend."
     )
     seat_transmissibility: tuple[float, ...] = series(
         "Transmissibility of the seat",

@@ -7,7 +7,7 @@ from math import pi
 
 from ...sheet.errors import text_of
 from ...sheet.formula import formula
-from ...sheet.quantity import THUMB, choice, dotted, inputs, integer, quantity, series, tables, text
+from ...sheet.quantity import choice, dotted, inputs, integer, quantity, series, tables, text
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, SquareMetre
 
@@ -175,8 +175,7 @@ class Bolts:
         within=(0.02, 0.8),
         symbol="mu_T",
         step=0.01,
-        usual=(0.1, 0.3),
-        source=THUMB,
+        rule_of_thumb=(0.1, 0.3),
         help="Holds the support against sliding.",
     )
     row_span: float | None = quantity(
