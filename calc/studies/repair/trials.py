@@ -72,10 +72,11 @@ class Trials:
         return self._known[name, whole]
 
     def _decided(self, outcome: Outcome[object]) -> bool:
-        """Whether all of the checks are known; those of the imbalance change once the shaft is known."""
+        """Whether all of the checks are known, or that there is no solution; those of the imbalance change once the
+        shaft is known."""
         if outcome.key == self.step and self.step != "imbalance":
-            known = bool(self.ids) and self.ids <= {c.id for c in outcome.checks}
-            self._ended = known or outcome.state == "no_solution"
+            known = self.ids <= {c.id for c in outcome.checks}
+            self._ended = known if self.ids else outcome.state == "no_solution"
         return self._ended
 
     def score(self, after: RepairState | None, wanted: tuple[Check, ...]) -> float:
