@@ -91,14 +91,10 @@ class CandidateField:
         longest = self.task.room.longest
         if longest is None:
             return self
-        s, n = self.states, int((self.states.length[0] <= longest + SAME).sum())
-        if n == s.length.shape[1]:
+        n = int((self.states.length[0] <= longest + SAME).sum())
+        if n == self.states.length.shape[1]:
             return self
-        return (
-            replace(self, states=States(*(getattr(s, name)[..., :n] for name in States.__dataclass_fields__)))
-            if n
-            else None
-        )
+        return replace(self, states=self.states.among(slice(n))) if n else None
 
     def smoother(self) -> "Iterator[CandidateField]":
         """The same with its own surfaces, and with ever smoother ones."""
@@ -162,9 +158,8 @@ def clearances(task: BearingTask, widest: Metre, few: int = 0) -> Array:
     if widest < narrowest and not few:
         return np.array([])
     widest = max(widest, task.clearance, narrowest + few * CLEARANCE_STEP)
-    return multiples(
-        CLEARANCE_STEP, max(narrowest, CLEARANCE_STEP), widest, [task.clearance] if narrowest <= task.clearance else []
-    )
+    given = [task.clearance] if narrowest <= task.clearance else []
+    return multiples(CLEARANCE_STEP, max(narrowest, CLEARANCE_STEP), widest, given)
 
 
 def widest_usual(task: BearingTask) -> Metre:

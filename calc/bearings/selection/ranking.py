@@ -15,8 +15,9 @@ from ...sheet.record import record
 from ...sheet.search import first, governing, least
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kelvin, Metre, Number, Radian, Watt
+from ..inputs import PLACES
 from .grid import CandidateField
-from .states import PLACES, BearingTask, Index, States, check_of, judge, mckee, solved, usual
+from .states import BearingTask, Index, States, check_of, judge, mckee, solved, usual
 from .variants import Variant
 
 ALIKE = 0.1  # W: powers that are taken for equal, so that the smaller change goes first
@@ -118,10 +119,7 @@ class BearingRow:
 def picks(task: BearingTask, length: Sequence[float], clearance: Sequence[float], slope: Radian) -> list[Pick]:
     """Bearings of one task, solved together; length and clearance are lists of the same length."""
     there = solved(task, length, clearance)
-    return [
-        _pick(task, States(*(getattr(there, name)[..., i : i + 1] for name in States.__dataclass_fields__)), slope)
-        for i in range(len(there.length))
-    ]
+    return [_pick(task, there.among(slice(i, i + 1)), slope) for i in range(len(there.length))]
 
 
 def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
@@ -162,31 +160,24 @@ def by_change(field: CandidateField) -> tuple[Array, Array]:
 
 def by_excess(field: CandidateField) -> tuple[Array, Array]:
     """The least length beyond the room, the least power where that is the same."""
-    room = field.task.room.longest
-    return (
-        0 * field.states.length if room is None else np.maximum(field.states.length - room, 0.0)
-    ), field.states.power
+    room, states = field.task.room.longest, field.states
+    return 0 * states.length if room is None else np.maximum(states.length - room, 0.0), states.power
 
 
 def best(fields: Fields, slopes: Slopes, order: Order) -> tuple[Pick, Pick] | None:
     """Of one oil and supply the first by an order, surfaces as they are before smoother ones; None where a bearing has
     no candidate."""
-    both = [(_best(fields[place], slopes[place], order), slopes[place]) for place in PLACES]
-    if any(ranked is None for ranked, _ in both):
+    front, rear = (_best(fields[place], slopes[place], order) for place in PLACES)
+    if front is None or rear is None:
         return None
-    front, rear = (_at(ranked[1], ranked[2], slope) for ranked, slope in both if ranked is not None)
-    return front, rear
+    return _at(*front[1:], slopes["front"]), _at(*rear[1:], slopes["rear"])
 
 
 def rank(fields: Fields, slopes: Slopes, order: Order) -> tuple[float, ...] | None:
     """Level of the surfaces, how many clearances are not usual, and what is wanted of the first by an order, as the
     grids have them; None: there is none."""
-    both = [_best(fields[place], slopes[place], order) for place in PLACES]
-    return (
-        None
-        if None in both
-        else tuple(sum(pair) for pair in zip(*(ranked[0] for ranked in both if ranked is not None)))
-    )
+    front, rear = (_best(fields[place], slopes[place], order) for place in PLACES)
+    return None if front is None or rear is None else tuple(map(sum, zip(front[0], rear[0])))
 
 
 def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
@@ -254,20 +245,13 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
             (variant, [_least_with(fields[place], slopes[place], film) for place in PLACES])
             for variant, fields, *_ in able
         ]
-        variant, both = min(
+        variant, (front, rear) = min(
             pairs, key=lambda pair: sum(candidate[0] if candidate is not None else np.inf for candidate in pair[1])
         )
-        if None in both:
+        if front is None or rear is None:
             continue
-        row = BearingRow(
-            "more film",
-            variant,
-            *(
-                _at(candidate[1], candidate[2], slopes[place])
-                for place, candidate in zip(PLACES, both)
-                if candidate is not None
-            ),
-        )
+        picked = _at(*front[1:], slopes["front"]), _at(*rear[1:], slopes["rear"])
+        row = BearingRow("more film", variant, *picked)
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()
         if not rows or row.film > rows[-1].film:

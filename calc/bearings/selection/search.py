@@ -20,24 +20,11 @@ from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
-from ..inputs import BearingInputs, BearingsInputs
+from ..inputs import PLACES, BearingInputs, BearingsInputs
+from . import ranking
 from .grid import CandidateField, alike, field
-from .ranking import (
-    BearingRow,
-    Fields,
-    Pick,
-    Slopes,
-    best,
-    best_diameters,
-    by_change,
-    by_excess,
-    by_power,
-    closest,
-    pareto,
-    picks,
-    rank,
-)
-from .states import PLACES, BearingTask, against, check_of, size, without_rise
+from .ranking import BearingRow, Fields, Pick, Slopes, best, by_change, by_power, closest
+from .states import BearingTask, against, check_of, size, without_rise
 from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
 
 # --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
@@ -73,13 +60,8 @@ def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -
     if row.corners:
         failing += [c for c in there.checks if c.id.endswith(CORNER) and c.verdict != "fail" and not c.margin >= 0]
     failing += [pick.governing for pick in (front, rear) if pick.margin < 0]
-    others = [
-        c
-        for key, o in results.outcomes.items()
-        if key != "bearings"
-        for c in o.checks
-        if c.verdict == "fail" and c.id not in before
-    ]
+    elsewhere = chain.from_iterable(o.checks for key, o in results.outcomes.items() if key != "bearings")
+    others = [c for c in elsewhere if c.verdict == "fail" and c.id not in before]
     if not any(row.too_long):
         failing += [c for c in others if c.id == CROSSING]
     if there.state != "solved" or failing:
@@ -228,7 +210,7 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
         now,
         tuple(fitting),
         tuple(beyond),
-        tuple(pareto(within, slopes)),
+        tuple(ranking.pareto(within, slopes)),
         bearings,
         tuple(offered),
         (slopes, *(settled.slopes for settled in rows[:verified])),
@@ -252,7 +234,7 @@ def _all_fields(
         tell(progress, 0.5 * n / len(offered), variant.name)
         fields = fields_of(variant, _promising(bearings, of_oil.get(variant.oil)), slopes, too_thin=too_thin)
         every.append((variant, fields))
-        if variant.supply == offered[0].supply and (diameters := best_diameters(fields, slopes)) is not None:
+        if variant.supply == offered[0].supply and (diameters := ranking.best_diameters(fields, slopes)) is not None:
             of_oil[variant.oil] = diameters
     return every
 
@@ -271,7 +253,11 @@ def _fitting(
     within = [(variant, in_room(fields, slopes)) for variant, fields in every]
     if rows := _settled(case, within, slopes, dropped, part(progress, 0.5, 0.6)):
         return "all", within, rows
-    ways = _further(case, offered, bearings, slopes) if _may_carry(every, slopes) else []
+    carried = all(
+        any(candidates.carries(slopes[place]) for _, fields in every for candidates in fields[place])
+        for place in PLACES
+    )
+    ways = _further(case, offered, bearings, slopes) if carried else []
     for n, (kind, tried, asked) in enumerate(ways):
         here = part(progress, 0.6 + 0.4 * n / len(ways), 0.6 + 0.4 * (n + 1) / len(ways))
         inside = list(short_fields(tried, asked, slopes, part(here, 0.0, 0.5)))
@@ -280,17 +266,9 @@ def _fitting(
     return "none", every, []
 
 
-def _may_carry(every: Every, slopes: Slopes) -> bool:
-    """Whether at each place some bearing of some variant carries its load."""
-    return all(
-        any(candidates.carries(slopes[place]) for _, fields in every for candidates in fields[place])
-        for place in PLACES
-    )
-
-
 def _too_long(every: Every, slopes: Slopes) -> list[BearingRow]:
     """Of each variant the row that needs the least more room, where it needs any."""
-    pairs = [(variant, best(fields, slopes, by_excess)) for variant, fields in every]
+    pairs = [(variant, best(fields, slopes, ranking.by_excess)) for variant, fields in every]
     rows = [BearingRow("too long", variant, *pair) for variant, pair in pairs if pair]
     return sorted((row for row in rows if any(row.too_long)), key=lambda row: (max(row.too_long), row.power))
 
@@ -378,10 +356,8 @@ def fields_of(
     for place in PLACES:
         held = False
         for task in bearings[place]:
-            key, mu = (
-                (variant.supply, place, task.seat.bearing.diameter),
-                variant.lubricant.at(task.duty.supply_temperature).mu,
-            )
+            key = (variant.supply, place, task.seat.bearing.diameter)
+            mu = variant.lubricant.at(task.duty.supply_temperature).mu
             if mu < known.get(key, 0.0):
                 continue
             same = (
@@ -420,9 +396,8 @@ def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
     inside: dict[str, list[CandidateField]] = {place: [] for place in PLACES}
     for place in PLACES:
         for candidates in (some for outside in fields[place] if (some := outside.in_room()) is not None):
-            inside[place] += (
-                _smooth_enough(candidates, slopes[place]) if candidates.holds(slopes[place]) else [candidates]
-            )
+            holds = candidates.holds(slopes[place])
+            inside[place] += _smooth_enough(candidates, slopes[place]) if holds else [candidates]
     return inside
 
 
@@ -489,7 +464,7 @@ def _by_nearness(
             waiting.sort(key=lambda entry: entry[:2])
             while waiting and waiting[0][0][0] == 0:
                 yield waiting.pop(0)[2:]
-        if (ranked := rank(fields, slopes, by_change)) is not None:
+        if (ranked := ranking.rank(fields, slopes, by_change)) is not None:
             waiting.append(((ranked[0], fed, oil, *ranked[1:]), n, variant, fields))
     for _, _, variant, fields in sorted(waiting, key=lambda entry: entry[:2]):
         yield variant, fields
@@ -516,11 +491,8 @@ def _settled(
         if candidate in done:  # still the least after its slopes were read again
             rows.append(candidate)
             continue
-        tell(
-            progress,
-            0.3 + 0.7 * len(done) / VERIFIED,
-            Text("{row} in the whole design", row=candidate.row.variant.name),
-        )
+        doing = Text("{row} in the whole design", row=candidate.row.variant.name)
+        tell(progress, 0.3 + 0.7 * len(done) / VERIFIED, doing)
         settled = settle(case, candidate.row, by_variant[id(candidate.row.variant)], slopes)
         if settled.row is None:
             dropped.append(settled.why)
@@ -542,7 +514,7 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
     both = []
     for place in PLACES:
         task = replace(bearings[place][0].with_oil(variant.lubricant, variant.supply), corners=corners)
-        both += picks(task, [task.length], [task.clearance], slopes[place])
+        both += ranking.picks(task, [task.length], [task.clearance], slopes[place])
     return BearingRow("now", variant, *both) if all(pick.power == pick.power for pick in both) else None
 
 

@@ -27,15 +27,13 @@ from ...sheet.text import Amount, Small, Text
 from ...sheet.units import UNITS, Metre, Radian, RevPerSecond
 from .. import formulas as f
 from ..corners import widths
-from ..inputs import IN_WORDS as PLACE
-from ..inputs import PLACES
+from ..inputs import IN_WORDS
 from ..routes import supply
 from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
 
 # --- words that the search uses over and over
 
-__all__ = ["LETTER", "PLACE", "PLACES", "against", "mm", "short_mm", "size", "value_of"]
 
 LETTER = {"front": Text("F"), "rear": Text("R")}
 
@@ -109,15 +107,11 @@ class BearingRule:
 
 def check_of(judgement: Judged, index: Index) -> Check:
     """The check of one candidate."""
-    limit = (
-        judgement.limit
-        if isinstance(judgement.limit, tuple)
-        else float(np.broadcast_to(judgement.limit, judgement.margin.shape)[index])
-    )
-    judged_one: Check = replace(
-        judgement.rule.check, value=float(np.broadcast_to(judgement.value, judgement.margin.shape)[index]), limit=limit
-    )
-    return judged_one
+    shape, limit = judgement.margin.shape, judgement.limit
+    if not isinstance(limit, tuple):
+        limit = float(np.broadcast_to(limit, shape)[index])
+    check: Check = judgement.rule.check
+    return replace(check, value=float(np.broadcast_to(judgement.value, shape)[index]), limit=limit)
 
 
 def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
@@ -126,8 +120,8 @@ def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
     edge, doubled, hot, cold = (
         known[f"{at}.{key}"] for key in ("film_edge", "film_double_load", "temperature", "clearance_cold")
     )
-    trumpler = Text("Film at the edge by Trumpler, {place}", place=PLACE[place])
-    rise = Text("Temperature rise, {place}", place=PLACE[place])
+    trumpler = Text("Film at the edge by Trumpler, {place}", place=IN_WORDS[place])
+    rise = Text("Temperature rise, {place}", place=IN_WORDS[place])
     own_checks = {
         "film_edge_trumpler": replace(doubled, id=f"{at}.film_edge_trumpler", name=trumpler, advice=edge.advice),
         "temperature_rise": replace(hot, id=f"{at}.temperature_rise", name=rise, limit=RISE[0], unit="K", source=RISES),
@@ -135,10 +129,8 @@ def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
     }
     if (usual := known.get(f"{at}.{USUAL}")) is not None:
         own_checks[USUAL] = usual
-    return {
-        key: BearingRule(key, check)
-        for key, check in ({key: known[f"{at}.{key}"] for key in READ} | own_checks).items()
-    }
+    all_checks = {key: known[f"{at}.{key}"] for key in READ} | own_checks
+    return {key: BearingRule(key, check) for key, check in all_checks.items()}
 
 
 # --- how long the journals may be beside the sectors, as far as the shaft is known
@@ -166,17 +158,14 @@ def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, pla
     at = 0 if place == "front" else -1
     z = given.bearing_positions[at]
     if given.mode == "size" and given.half_length is not None:
-        why = Text(
-            "the sectors reach to ±{half_length} (half_length_mm)",
-            half_length=Amount(given.half_length * 1e3, "mm", form="g"),
-        )
+        reach = Amount(given.half_length * 1e3, "mm", form="g")
+        why = Text("the sectors reach to ±{half_length} (half_length_mm)", half_length=reach)
         return JournalRoom(2 * (abs(z) - given.half_length), why)
     if given.sections:
         return _of_sections(given, z, d)
     if shaft is None or shaft.outline is None:
-        return JournalRoom(
-            None, Text("the outline of the shaft is not known, and so neither is the room for the journals")
-        )
+        why = Text("the outline of the shaft is not known, and so neither is the room for the journals")
+        return JournalRoom(None, why)
     journal = next((p for p in shaft.outline.pieces if p.what == "journal" and p.start <= z <= p.end), None)
     fixed = ("sector", "full", "journal") if given.gear_z is None else ("sector", "full", "journal", "gear")
     faces = [
@@ -184,14 +173,12 @@ def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, pla
     ]
     if not faces:
         return JournalRoom(None, Text("nothing stands beside the journal"))
-    return JournalRoom(
-        2 * min(faces),
-        Text(
-            "a sector drawn from its mass begins {distance} from the {place} one's middle",
-            distance=Amount(min(faces) * 1e3, "mm"),
-            place=PLACE[place],
-        ),
+    why = Text(
+        "a sector drawn from its mass begins {distance} from the {place} one's middle",
+        distance=Amount(min(faces) * 1e3, "mm"),
+        place=IN_WORDS[place],
     )
+    return JournalRoom(2 * min(faces), why)
 
 
 def _of_sections(given: CountershaftInputs, z: Metre, d: Metre) -> JournalRoom:
@@ -226,10 +213,8 @@ class FilmState:
     times: float = 1.0
 
 
-WIDEST, TIGHTEST = (
-    Text("smallest journal, largest seat, thinner oil"),
-    Text("largest journal, smallest seat, thinner oil"),
-)
+WIDEST = Text("smallest journal, largest seat, thinner oil")
+TIGHTEST = Text("largest journal, smallest seat, thinner oil")
 TIGHT = Text("largest journal, smallest seat, thicker oil")
 NOMINAL = Text("as given")
 AT_CORNERS = (
@@ -334,6 +319,10 @@ class States:
     power: Array
     flow: Array
 
+    def among(self, part: slice) -> "States":
+        """Some of the candidates, along the last axis."""
+        return States(*(numbers[..., part] for numbers in vars(self).values()))
+
 
 def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
     """Candidates in every state; `length` and `clearance` are broadcast against each other.  nan where there is no
@@ -352,10 +341,9 @@ def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises:
         clearance=g[None] + side * band,
         viscosity_factor=1 + oil * seat.inputs.viscosity_tolerance,
     )
+    loaded, hottest = replace(duty, load=duty.load * times), HOTTEST if all_rises else HOT
     with np.errstate(all="ignore"):
-        film = settled(
-            at, replace(duty, load=duty.load * times), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED
-        )
+        film = settled(at, loaded, hottest=hottest, tolerance=BALANCED)
     viscosity = np.broadcast_to(film.oil.mu, np.shape(film.film))
     rise, power, flow = film.temperature_rise, film.friction_power[0], film.oil_flow[0]
     return States(l, g, film.film, rise, viscosity, power, flow)
@@ -378,15 +366,14 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
         cold = replace(seat, clearance=g - sum(widths(inputs, d)) / 2).clearance_at(inputs.lowest_temperature)
         left = cold if task.corners else replace(seat, clearance=g).clearance_at(inputs.lowest_temperature)
         ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=d)
-        hottest = rise.max(axis=0)
+        hottest, warmest = rise.max(axis=0), _where(rise, "max")
+        outlet = f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest)
         judged = [
             rule["film_edge"].on(edge, where=_where(films, "min")),
             rule["film_edge_trumpler"].on(edge, where=_where(films, "min")),
             rule["film_double_load"].on(doubled.min(axis=0), where=_where(doubled, "min") + once),
-            rule["temperature_rise"].on(hottest, where=_where(rise, "max")),
-            rule["temperature"].on(
-                f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest), where=_where(rise, "max")
-            ),
+            rule["temperature_rise"].on(hottest, where=warmest),
+            rule["temperature"].on(outlet, where=warmest),
             rule["specific_load"].on(p),
             rule["heat_index"].on(heat_index(F=duty.load, n=duty.speed, l=l)),
             rule["length_ratio"].on(ratio),
@@ -417,7 +404,6 @@ def _where(numbers: Array, way: str) -> IndexArray:
 
 def mckee(task: BearingTask, states: States) -> Array:
     """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
-    p = specific_load(
-        F=task.duty.load, d=task.seat.bearing.diameter, l=supply.bare_length(task.seat.inputs, states.length)
-    )
+    bare = supply.bare_length(task.seat.inputs, states.length)
+    p = specific_load(F=task.duty.load, d=task.seat.bearing.diameter, l=bare)
     return f.mckee_number(mu=states.viscosity[0], n_h=task.duty.effective_speed, p=p)

@@ -13,24 +13,12 @@ from ...sheet.search import beside
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed, plural
 from ...sheet.units import Watt
+from ..inputs import IN_WORDS, PLACES
 from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
 from .ranking import BearingRow, Pick, Slopes, picks
 from .search import BearingsFound
-from .states import (
-    LEAST_COLD,
-    LETTER,
-    PLACE,
-    PLACES,
-    ROUGHNESSES,
-    TIGHT,
-    TIGHTEST,
-    WIDEST,
-    against,
-    mm,
-    short_mm,
-    value_of,
-)
+from .states import LEAST_COLD, LETTER, ROUGHNESSES, TIGHT, TIGHTEST, WIDEST, against, mm, short_mm, value_of
 from .variants import DIAMETERS, SUPPLY, Variant, thinner, tied
 
 EXPLAINED = 3  # rows whose neighbours are shown
@@ -70,11 +58,9 @@ Cells = tuple[str | float | None, ...]
 def titles(choices: BearingsFound) -> tuple[Text, Text]:
     """Of the rows that fit, and of those that are too long."""
     known = any(some[0].room.longest is not None for some in choices.tasks.values())
-    keeps = (
-        Text("Bearings that fit and keep every limit")
-        if known
-        else Text("Bearings that keep every limit (their room is not known)")
-    )
+    keeps = Text("Bearings that keep every limit (their room is not known)")
+    if known:
+        keeps = Text("Bearings that fit and keep every limit")
     fits = "/".join(choices.rows[0].variant.fits or ()) if choices.rows else ""
     of = {
         "all": Text("{keeps}: the nearest, then the least power of each oil and supply", keeps=keeps),
@@ -101,9 +87,9 @@ def choices_table(choices: BearingsFound, top: int) -> Table:
 def beyond_table(choices: BearingsFound, top: int) -> Table | None:
     """Rows that are too long for the room, numbered on, so many that `top` are shown in all."""
     shown = choices.beyond[: max(top - len(choices.rows), 0)] if choices.rows else ()
-    return (
-        _rows_table("too_long", titles(choices)[1], choices, shown, len(choices.rows) + 1, now=False) if shown else None
-    )
+    if not shown:
+        return None
+    return _rows_table("too_long", titles(choices)[1], choices, shown, len(choices.rows) + 1, now=False)
 
 
 def _rows_table(
@@ -114,26 +100,14 @@ def _rows_table(
     of = [row for _, row in shown]
     wide, extra = _wide(of), _extra(of)
     columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide)]
-    columns += [
-        (POWER, "W"),
-        (EDGE, "µm"),
-        (Name("h_2F"), "µm"),
-        (Text("rise"), "K"),
-        (MCKEE, ""),
-        (Text("margin"), "%"),
-        (Text("by"), ""),
-    ]
-    if wide and extra:
-        columns.remove((MCKEE, ""))  # what binds nothing makes room
+    columns += [(POWER, "W"), (EDGE, "µm"), (Name("h_2F"), "µm"), (Text("rise"), "K")]
+    if not (wide and extra):  # else what binds nothing makes room
+        columns.append((MCKEE, ""))
+    columns += [(Text("margin"), "%"), (Text("by"), "")]
     if extra:
         columns.append((extra, "mm" if extra == TOO_LONG else ""))
-    return Table(
-        id,
-        title,
-        tuple(columns),
-        tuple(_cells(number, row, wide, extra) for number, row in shown),
-        EXPLAIN if now else EMPTY,
-    )
+    cells = tuple(_cells(number, row, wide, extra) for number, row in shown)
+    return Table(id, title, tuple(columns), cells, EXPLAIN if now else EMPTY)
 
 
 def _wide(rows: list[BearingRow]) -> bool:
@@ -147,14 +121,11 @@ def _extra(rows: list[BearingRow]) -> Text:
 
 
 def _size_columns(wide: bool) -> list[tuple[Text, str]]:
-    pairs = (
-        (
-            Text("{letter} d×l", letter=letter) if wide else Text("{letter} l", letter=letter),
-            Text("{letter} g", letter=letter),
-        )
-        for letter in LETTER.values()
-    )
-    return [column for size, clearance in pairs for column in ((size, "mm"), (clearance, "µm"))]
+    columns: list[tuple[Text, str]] = []
+    for letter in LETTER.values():
+        size = Text("{letter} d×l", letter=letter) if wide else Text("{letter} l", letter=letter)
+        columns += [(size, "mm"), (Text("{letter} g", letter=letter), "µm")]
+    return columns
 
 
 def _sizes(row: BearingRow, wide: bool) -> Cells:
@@ -220,12 +191,17 @@ def changed(row: BearingRow) -> Text:
             if abs(to - now) > 1e-9 * now:
                 ends = Amount(now / factor), Amount(to / factor, unit)
                 words.append(
-                    Text("{place} {what} {now} → {to}", place=PLACE[place], what=what, now=ends[0], to=ends[1])
+                    Text("{place} {what} {now} → {to}", place=IN_WORDS[place], what=what, now=ends[0], to=ends[1])
                 )
         if task.level:
             both = Amount(b.journal_roughness * 1e6, "µm"), Amount(b.housing_roughness * 1e6, "µm")
             words.append(
-                Text("{place} Ra {journal} (journal), {seat} (seat)", place=PLACE[place], journal=both[0], seat=both[1])
+                Text(
+                    "{place} Ra {journal} (journal), {seat} (seat)",
+                    place=IN_WORDS[place],
+                    journal=both[0],
+                    seat=both[1],
+                )
             )
     if row.variant.fits:
         words.append(Text("fits {fits}", fits="/".join(row.variant.fits)))
@@ -257,12 +233,9 @@ def neighbours(row: BearingRow, variants: tuple[Variant, ...], slopes: Slopes) -
             (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(tighter * 1e6, "µm")), l, tighter),
             (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(wider * 1e6, "µm")), l, wider),
         )
-        kept = [step for step in steps if min(step[1:]) > 0]
-        tried = picks(
-            chosen.task, [length for _, length, _ in kept], [clearance for _, _, clearance in kept], slopes[place]
-        )
-        for (change, *_), pick in zip(kept, tried):
-            yield Neighbour(PLACE[place], change, pick, chosen, pick.power - chosen.power)
+        changes, lengths, clearances = zip(*(step for step in steps if min(step[1:]) > 0))
+        for change, pick in zip(changes, picks(chosen.task, lengths, clearances, slopes[place])):
+            yield Neighbour(IN_WORDS[place], change, pick, chosen, pick.power - chosen.power)
     oil = thinner(list(variants), replace(row.variant, fits=None), row.front.task.duty.supply_temperature)
     if oil is not None:  # in both bearings, which share it; the worse of them says
         both = []
@@ -316,20 +289,15 @@ def _outcome(choices: BearingsFound, row: BearingRow, neighbour: Neighbour) -> C
     c = neighbour.instead.governing
     if neighbour.instead.margin < 0:
         digits = 4 if f"≥ {short(c.value)} {c.unit}" != c.limit_text() else 6  # a miss that four digits would hide
-        return (
-            _key(neighbour.instead),
-            value_of(c, digits),
-            c.limit_text(),
-            CORNERS.get(neighbour.instead.corner, neighbour.instead.corner),
-        )
+        corner = neighbour.instead.corner
+        return _key(neighbour.instead), value_of(c, digits), c.limit_text(), CORNERS.get(corner, corner)
     more = Amount(abs(neighbour.more), "W", form=".2g")
-    words = (
-        Text("passes, {power} more", power=more) if neighbour.more >= 0 else Text("passes, {power} less", power=more)
-    )
+    words = Text("passes, {power} less", power=more)
+    if neighbour.more >= 0:
+        words = Text("passes, {power} more", power=more)
     wanted = (neighbour.oil, row.variant.supply)
-    if n := next(
-        (n for n, other in enumerate(choices.rows, 1) if (other.variant.oil, other.variant.supply) == wanted), 0
-    ):
+    of_oil = (n for n, other in enumerate(choices.rows, 1) if (other.variant.oil, other.variant.supply) == wanted)
+    if n := next(of_oil, 0):
         words = Text("{words} (row {n})", words=words, n=n)
     bound = outside(neighbour)
     return (Text("end of the search") if bound else "", words, bound, "")
@@ -366,9 +334,8 @@ def summary(choices: BearingsFound) -> tuple[Text, ...]:
         return tuple(words)
     first, own_variant = choices.rows[0], choices.variants[0]
     if first.what != "nearest":
-        why = next(
-            (why for v, why in choices.refused if v is own_variant), SEMICOLON.join(choices.dropped) or Text("no film")
-        )
+        dropped = SEMICOLON.join(choices.dropped) or Text("no film")
+        why = next((why for v, why in choices.refused if v is own_variant), dropped)
         return (*words, Text("No row has the design's own oil and supply: {why}.", why=why))
     change = [
         Text("oil {oil}", oil=first.variant.oil) if first.variant.oil != own_variant.oil else EMPTY,
@@ -396,21 +363,15 @@ def _missed(choices: BearingsFound) -> Text:
         )
     row, number = choices.beyond[0], len(choices.rows) + 1
     long = [(place, x) for place, x in zip(PLACES, row.too_long) if x > 0]
-    rooms = [
-        Text(
-            "the {place} journal has room for {room}",
-            place=PLACE[place],
-            room=mm(choices.tasks[place][0].room.longest or 0.0),
-        )
-        for place, _ in long
-    ]
+    spaces = [(place, mm(choices.tasks[place][0].room.longest or 0.0)) for place, _ in long]
+    rooms = [Text("the {place} journal has room for {room}", place=IN_WORDS[p], room=space) for p, space in spaces]
     return Text(
         "Nothing that fits keeps every limit: {room}, and the nearest that does (row {number}) is {miss} too long; "
         "not with Ra down to "
         "{Ra}, nor with fits two grades closer.",
         room=listed(rooms),
         number=number,
-        miss=listed(Text("{x} ({place})", x=mm(x), place=PLACE[place]) for place, x in long),
+        miss=listed(Text("{x} ({place})", x=mm(x), place=IN_WORDS[place]) for place, x in long),
         Ra=Ra,
     )
 
@@ -447,11 +408,9 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
         cold=Amount(LEAST_COLD * 1e6, "µm"),
     )
     if choices.kind == "given":
-        rows = (
-            Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end)
-            if choices.pareto
-            else Text("Rows 1 to {n}", n=n)
-        )
+        rows = Text("Rows 1 to {n}", n=n)
+        if choices.pareto:
+            rows = Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end)
         yield Text(
             "{rows} keep all that as given, and at the corners of the tolerances, which are only assumed, some "
             "clearance when cold; the "
@@ -464,10 +423,13 @@ def _rooms(choices: BearingsFound) -> Iterator[Text]:
     for place in PLACES:
         room = choices.tasks[place][0].room
         if room.longest is None:
-            yield Text("Room of the {place} journal: {why}.", place=PLACE[place], why=room.why)
+            yield Text("Room of the {place} journal: {why}.", place=IN_WORDS[place], why=room.why)
         else:
             yield Text(
-                "Room of the {place} journal: {room}; {why}.", place=PLACE[place], room=mm(room.longest), why=room.why
+                "Room of the {place} journal: {room}; {why}.",
+                place=IN_WORDS[place],
+                room=mm(room.longest),
+                why=room.why,
             )
     if choices.beyond:
         yield Text(
@@ -484,20 +446,18 @@ def _diameters(choices: BearingsFound) -> Iterator[Text]:
     for n, place in enumerate(PLACES):
         if len(choices.tasks[place]) == 1:
             why = tied(choices.case, place) or Text("no other has an answer")
-            yield Text("The {place} diameter stays as it is: {why}.", place=PLACE[place], why=why)
+            yield Text("The {place} diameter stays as it is: {why}.", place=IN_WORDS[place], why=why)
             continue
         looked = sorted(task.seat.bearing.diameter for task in choices.tasks[place])
         free = Text(
             "The {place} diameter is free: {diameters} mm are looked at, nothing between.",
-            place=PLACE[place],
+            place=IN_WORDS[place],
             diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked),
         )
         ends = {row.both[n].diameter for row in choices.rows[:2]} & {looked[0], looked[-1]}
-        yield free + (
-            Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop()))
-            if ends
-            else EMPTY
-        )
+        if ends:
+            free += Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop()))
+        yield free
     if any(len(some) > 1 for some in choices.tasks.values()):
         shares = COMMA.join(Text("{share}", share=Amount(share * 100, form="+.0f")) for share in DIAMETERS)
         yield Text(
@@ -517,15 +477,14 @@ def _searched(choices: BearingsFound) -> Iterator[Text]:
         K=K,
     )
     beyond = [
-        PLACE[p]
+        IN_WORDS[p]
         for p in PLACES
         if any(pick.clearance > widest_usual(pick.task) + SAME for pick in (getattr(r, p) for r in choices.rows))
     ]
     if beyond:
-        where = listed(beyond)
         yield Text(
             "Some clearances of the {places} bearing are wider than K = {K} makes them, for the cold or the heat.",
-            places=where,
+            places=listed(beyond),
             K=K,
         )
     unusual = {n: c for n, row in enumerate(choices.all, 1) for pick in row.both if (c := pick.unusual) is not None}

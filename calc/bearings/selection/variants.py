@@ -19,10 +19,10 @@ from ...sheet.record import record
 from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
-from ..inputs import BearingInputs, BearingsInputs
+from ..inputs import PLACES, BearingInputs, BearingsInputs
 from ..result import BearingResult, BearingsResult
 from ..solve import clearance_of
-from .states import PLACES, BearingTask, room, rules
+from .states import BearingTask, room, rules
 
 # --- what the search is given
 # The bearings as they are, what stands around them, and how to solve the whole with others.
@@ -99,11 +99,8 @@ def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
     """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be
     known."""
     if case.bearings.supply == "axial_groove":
-        raise NoSolution(
-            Text("the search for bearings does not know films between axial grooves"),
-            EMPTY,
-            Text("search with a hole, then set the grooves"),
-        )
+        what = Text("the search for bearings does not know films between axial grooves")
+        raise NoSolution(what, EMPTY, Text("search with a hole, then set the grooves"))
     by_place = {place: [task] for place, task in own_tasks(case).items()}
     free = [place for place in PLACES if not tied(case, place)]
     for share in DIAMETERS if free else ():
@@ -162,11 +159,11 @@ def _solved(case: SelectionCase, bearings: BearingsInputs) -> Solution:
         probed = case.solve(_with_both(bearings, partial(_probe, ratio, psi)), last=True)
         if probed.outcomes["bearings"].state == "solved":
             return probed
-    raise NoSolution(
+    what, advice = (
         Text("no bearing can be chosen: the step has no answer"),
-        outcome.reason,
         Text("look at load, speed and supply first"),
     )
+    raise NoSolution(what, outcome.reason, advice)
 
 
 def _with_both(
@@ -198,10 +195,8 @@ def _task(
         l, g, d = at_own.length, at_own.clearance, at_own.diameter
     else:
         l, g, d = bearing.length, _clearance(bearings, bearing, result), bearing.diameter
-    factor = result.least_speed / result.transition_speed
-    return BearingTask(
-        place, seat, result.duty, rules(place, solved.outcomes["bearings"].checks), space, factor, l, g, d
-    )
+    factor, limits = result.least_speed / result.transition_speed, rules(place, solved.outcomes["bearings"].checks)
+    return BearingTask(place, seat, result.duty, limits, space, factor, l, g, d)
 
 
 def _clearance(inputs: BearingsInputs, bearing: BearingInputs, result: BearingResult) -> float:
@@ -230,9 +225,8 @@ def _with_short_journals(case: SelectionCase) -> Solution:
 
 def crossings(results: Solution) -> list[Check]:
     """Pieces of the shaft that overlap."""
-    return [
-        c for c in results.outcomes["countershaft"].checks if c.id == "countershaft.crossing" and c.verdict == "fail"
-    ]
+    checks = results.outcomes["countershaft"].checks
+    return [c for c in checks if c.id == "countershaft.crossing" and c.verdict == "fail"]
 
 
 def placed(bearings: BearingsInputs) -> tuple[str, str] | None:
