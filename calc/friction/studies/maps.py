@@ -120,7 +120,7 @@ def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Tab
     def lines(values: Array) -> tuple[Series, ...]:
         return tuple(Series(label, rpm, values[:, i]) for i, label in enumerate(labels))
 
-    def table(id: str, title: Text, unit: str, values: Array, note: Text) -> Table:
+    def by_speed(id: str, title: Text, unit: str, values: Array, note: Text) -> Table:
         columns = ((Text("n"), "rpm"), *((label, unit) for label in labels))
         rows = ((float(n), *(x if math.isfinite(x) else None for x in row)) for n, row in zip(rpm, values.tolist()))
         return Table(id, title, columns, tuple(rows), note)
@@ -144,7 +144,7 @@ def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Tab
         Curve("over_speed_parts", of_parts, n_label, axis_label("P", "W"), parts),
     ]
     note = BOUND + (AS_OIL if d.friction.bulk_temperature is not None else "")
-    tables = [table("map", of_losses, "W", total, note)]
+    tables = [by_speed("map", of_losses, "W", total, note)]
     b_e, e_CO2 = d.friction.specific_fuel_consumption, d.friction.co2_per_fuel
     if b_e is not None:
         with untraced():
@@ -153,8 +153,8 @@ def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Tab
         of_fuel, burnt = Text("Fuel that the losses cost"), m_B / GRAM_PER_HOUR
         curves.append(Curve("over_speed_fuel", of_fuel, n_label, axis_label("m_B", "g/h"), lines(burnt)))
         note = Text("At {b_e} g/kWh at every point of the map.", b_e=Amount(b_e * 3600000000.0))
-        tables.append(table("map_fuel", of_fuel, "g/h", burnt, note))
+        tables.append(by_speed("map_fuel", of_fuel, "g/h", burnt, note))
         note = Text("{co2_per_fuel} kg per kg of fuel, burnt completely.", co2_per_fuel=Amount(e_CO2))
-        tables.append(table("map_co2", Text("CO₂ of that fuel"), "g/h", m_CO2 / GRAM_PER_HOUR, note))
+        tables.append(by_speed("map_co2", Text("CO₂ of that fuel"), "g/h", m_CO2 / GRAM_PER_HOUR, note))
     missing = (Text("Map of losses: {missing}.", missing=loss_map.missing),) if loss_map.missing else ()
     return tuple(curves), tuple(tables), missing
