@@ -175,9 +175,8 @@ def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
         case Area():
             return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines))
         case Hatch():
-            return replace(
-                mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines), spacing=by * mark.spacing
-            )
+            outlines = tuple(tuple(map(to, outline)) for outline in mark.outlines)
+            return replace(mark, outlines=outlines, spacing=by * mark.spacing)
         case Words():
             return replace(mark, at=to(mark.at), height=by * mark.height)
         case Dimension():
