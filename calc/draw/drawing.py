@@ -132,11 +132,13 @@ class Sketch:
     @cached_property
     def box(self) -> Box:
         """What the picture spans, its words taken as points; the pictures beside it do not count."""
-        points = [point for mark in self.primitives for point in reach(mark)]
-        if not points:
-            return 0.0, 0.0, 0.0, 0.0
-        xs, ys = zip(*points)
-        return min(xs), min(ys), max(xs), max(ys)
+        return spanned(point for mark in self.primitives for point in reach(mark))
+
+
+def spanned(points: Iterable[Point]) -> Box:
+    """The box around points; without any, nothing at the origin."""
+    xs, ys = list(zip(*points)) or [(0.0,), (0.0,)]
+    return min(xs), min(ys), max(xs), max(ys)
 
 
 def reach(mark: Mark) -> Iterable[Point]:
