@@ -26,6 +26,7 @@ from .drawing import (
     Words,
     moved,
     reach,
+    spanned,
 )
 from .lettering import arrow, room, shortened, strokes, width
 
@@ -95,11 +96,8 @@ class Leaf:
     @property
     def extent(self) -> Box:
         """Left, lower, right and upper end of all that is drawn, letters included, in millimetres."""
-        points = [point for mark in self.marks for point in corners(mark)]
-        if not points:
-            return 0.0, 0.0, 0.0, 0.0
-        xs, ys = zip(*points)
-        return min(xs) / _MM, min(ys) / _MM, max(xs) / _MM, max(ys) / _MM
+        left, low, right, top = spanned(point for mark in self.marks for point in corners(mark))
+        return left / _MM, low / _MM, right / _MM, top / _MM
 
 
 def corners(mark: Ink) -> Iterable[Point]:

@@ -132,11 +132,13 @@ class Sketch:
     @cached_property
     def box(self) -> Box:
         """What the picture spans, its words taken as points; the pictures beside it do not count."""
-        points = [point for mark in self.primitives for point in reach(mark)]
-        if not points:
-            return 0.0, 0.0, 0.0, 0.0
-        xs, ys = zip(*points)
-        return min(xs), min(ys), max(xs), max(ys)
+        return spanned(point for mark in self.primitives for point in reach(mark))
+
+
+def spanned(points: Iterable[Point]) -> Box:
+    """The box around points; without any, nothing at the origin."""
+    xs, ys = list(zip(*points)) or [(0.0,), (0.0,)]
+    return min(xs), min(ys), max(xs), max(ys)
 
 
 def reach(mark: Mark) -> Iterable[Point]:
@@ -175,9 +177,8 @@ def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
         case Area():
             return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines))
         case Hatch():
-            return replace(
-                mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines), spacing=by * mark.spacing
-            )
+            outlines = tuple(tuple(map(to, outline)) for outline in mark.outlines)
+            return replace(mark, outlines=outlines, spacing=by * mark.spacing)
         case Words():
             return replace(mark, at=to(mark.at), height=by * mark.height)
         case Dimension():

@@ -86,21 +86,17 @@ def strokes(dimension: Dimension) -> tuple[Stroke, ...]:
     number = written(dimension)
     middle, half = (a + b) / 2 + dimension.shift, width(number, h) / 2
     tail = TAIL * ARROW * h if outside(b - a, h) else 0.0
-    reach = [
-        min(a - tail, middle - half) if dimension.shift or tail else a,
-        max(b + tail, middle + half) if dimension.shift or tail else b,
-    ]
+    left, right = a, b
+    if dimension.shift or tail:
+        left, right = min(a - tail, middle - half), max(b + tail, middle + half)
     way = -1.0 if tail else 1.0
     marks: list[Stroke] = []
     for point in (first, last):
         start, sign = point[1 - n], 1.0 if level > point[1 - n] else -1.0
         if abs(level - start) > OFF * h:
-            marks.append(
-                Polyline(
-                    DIMENSION, (_at(point[n], start + sign * OFF * h, n), _at(point[n], level + sign * BEYOND * h, n))
-                )
-            )
-    marks += [Polyline(DIMENSION, (_at(reach[0], level, n), _at(reach[1], level, n)))]
+            ends = start + sign * OFF * h, level + sign * BEYOND * h
+            marks.append(Polyline(DIMENSION, (_at(point[n], ends[0], n), _at(point[n], ends[1], n))))
+    marks += [Polyline(DIMENSION, (_at(left, level, n), _at(right, level, n)))]
     marks += [arrow(_at(a, level, n), _at(-way, 0.0, n), h), arrow(_at(b, level, n), _at(way, 0.0, n), h)]
     above = level - OFF * h if dimension.upright else level + OFF * h
     marks.append(Words(DIMENSION, _at(middle, above, n), number, h, side="centre", turned=dimension.upright))
@@ -125,12 +121,8 @@ def arrow(tip: Point, direction: Point, height: Metre) -> Area:
     """A filled arrow that ends in `tip`; `direction` is of length 1."""
     (x, y), (u, v) = tip, direction
     back, half = ARROW * height, HALF_ARROW * height
-    corners = (
-        tip,
-        (x - back * u - half * v, y - back * v + half * u),
-        (x - back * u + half * v, y - back * v - half * u),
-    )
-    return Area(DIMENSION, (corners,), 1.0)
+    wings = [(x - back * u - side * v, y - back * v + side * u) for side in (half, -half)]
+    return Area(DIMENSION, ((tip, *wings),), 1.0)
 
 
 def _at(along: float, across: float, n: int) -> Point:

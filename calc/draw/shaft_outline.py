@@ -124,19 +124,11 @@ def shaft_drawing(outline: "Outline", positions: tuple[Metre, ...]) -> tuple[Pri
 def outline_curve(outline: "Outline", positions: tuple[Metre, ...]) -> Curve:
     """The side view as a curve in true scale: the points of the drawing, in mm."""
     names = (Text("front support"), *(Text("support {n}", n=n) for n in range(2, len(positions))), Text("rear support"))
-    series = [
-        _series(Text("outline"), (*silhouette(outline), silhouette(outline)[0])),
-        _series(Text("axis"), axis(outline)),
-    ]
+    shape = silhouette(outline)
+    series = [_series(Text("outline"), (*shape, shape[0])), _series(Text("axis"), axis(outline))]
     series += [_series(name, (*mark, mark[0])) for name, mark in zip(names, support_marks(outline, positions))]
-    return Curve(
-        "outline",
-        Text("Outline of the shaft"),
-        axis_label("z", "mm"),
-        axis_label("up: first eccentric mass", "mm"),
-        tuple(series),
-        equal=True,
-    )
+    z, up = axis_label("z", "mm"), axis_label("up: first eccentric mass", "mm")
+    return Curve("outline", Text("Outline of the shaft"), z, up, tuple(series), equal=True)
 
 
 def _series(label: Text, points: tuple[Point, ...]) -> Series:

@@ -119,9 +119,8 @@ def first_angle(leaf: Leaf, x: float, y: float) -> None:
     end."""
     small, large, long = 1.25, 2.5, 5.0
     side = x - 8.0
-    leaf.line(
-        VISIBLE, (side, y - small), (side + long, y - large), (side + long, y + large), (side, y + small), closed=True
-    )
+    narrow, wide = [(side, y - small), (side, y + small)], [(side + long, y - large), (side + long, y + large)]
+    leaf.line(VISIBLE, narrow[0], *wide, narrow[1], closed=True)
     leaf.arc(VISIBLE, (x + 3.5, y), small)
     leaf.arc(VISIBLE, (x + 3.5, y), large)
     leaf.line(EDGE, (side - 1.0, y), (x + 7.0, y))

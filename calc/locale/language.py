@@ -44,11 +44,8 @@ class Language:
         template = self._template(text)
         if template is None:
             return str(text)
-        words = (
-            template.format_map({name: self.part(part) for name, part in text.parts.items()})
-            if text.parts
-            else template
-        )
+        parts = {name: self.part(part) for name, part in text.parts.items()}
+        words = template.format_map(parts) if parts else template
         return words[:1].lower() + words[1:] if isinstance(text, Small) else words
 
     def halves(self, text: Text) -> tuple[str, str]:
@@ -80,9 +77,8 @@ class Language:
         assert self._catalogue is not None
         template = text.template
         if text.one:
-            translated = self._catalogue.ngettext(
-                text.one, template, round(text.number) if text.number == round(text.number) else 2
-            )
+            count = round(text.number) if text.number == round(text.number) else 2
+            translated = self._catalogue.ngettext(text.one, template, count)
             # one's plural may be spelt as English spells the other
             known = translated is not text.one and translated is not template
         else:
@@ -128,9 +124,8 @@ def said(outcome: Outcome[object], say: Language) -> Outcome[object]:
         return outcome
     left = ("result", "lines", "key_curves")
     spoken = {f.name: in_language(getattr(outcome, f.name), say) for f in fields(Outcome) if f.name not in left}
-    return replace(
-        outcome, **spoken | {"further": None}, key_curves=Later(lambda: in_language(tuple(outcome.key_curves), say))
-    )
+    key_curves = Later(lambda: in_language(tuple(outcome.key_curves), say))
+    return replace(outcome, **spoken | {"further": None}, key_curves=key_curves)
 
 
 def in_language(thing: T, say: Language) -> T:
@@ -147,12 +142,8 @@ def _said(thing: object, say: Language) -> object:
     if type(thing) is tuple or type(thing) is Later:
         return tuple([_said(part, say) for part in thing])
     if type(thing) is Check:
-        return replace(
-            thing,
-            name=in_language(thing.name, say),
-            source=in_language(thing.source, say),
-            advice=in_language(thing.advice, say),
-        )
+        name, source, advice = (in_language(text, say) for text in (thing.name, thing.source, thing.advice))
+        return replace(thing, name=name, source=source, advice=advice)
     if kind in SPOKEN:
         return kind(**{name: _said(getattr(thing, name), say) for name in _names(kind)})
     return thing

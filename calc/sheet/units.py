@@ -120,12 +120,8 @@ class Unit:
         return shown / round(parts) if parts > 1 and abs(parts - round(parts)) < 1e-6 * parts else shown * self.factor
 
 
-def _units(*rows: tuple[str, str, float]) -> dict[str, Unit]:
-    return {symbol: Unit(symbol, suffix, factor) for symbol, suffix, factor in rows}
-
-
 PI = 3.141592653589793
-UNITS = _units(
+_ROWS = (  # symbol, suffix of keys, factor
     ("", "", 1.0),
     ("mm", "_mm", 1e-3),
     ("µm", "_um", 1e-6),
@@ -185,3 +181,4 @@ UNITS = _units(
     ("HV", "_HV", 1.0),
     ("€", "_EUR", 1.0),
 )
+UNITS = {symbol: Unit(symbol, suffix, factor) for symbol, suffix, factor in _ROWS}

@@ -20,7 +20,6 @@ from .compare import (
     InputDifference,
     Judged,
     KeyResult,
-    StepVerdicts,
     ValueDifference,
     turn,
 )
@@ -57,15 +56,12 @@ def _content(content: object, missing: Text, full: bool) -> Text:
     if content is None:
         return missing
     if isinstance(content, dict):
-        if full:
-            return COMMA.join(
-                Text("{key} = {value}", key=key, value=_content(item, missing, full)) for key, item in content.items()
-            )
-        return plural("{n} key", "{n} keys", n=len(content))
+        if not full:
+            return plural("{n} key", "{n} keys", n=len(content))
+        items = ((key, _content(item, missing, full)) for key, item in content.items())
+        return COMMA.join(Text("{key} = {value}", key=key, value=item) for key, item in items)
     if isinstance(content, list):
-        if content and isinstance(content[0], dict):
-            if full:
-                return SEMICOLON.join(_content(item, missing, full) for item in content)
+        if content and isinstance(content[0], dict) and not full:
             return plural("{n} element", "{n} elements", n=len(content))
         return SEMICOLON.join(_content(item, missing, full) for item in content)
     return _number(content, MOST_DIGITS) if isinstance(content, (int, float)) else Name(str(content))
@@ -139,11 +135,10 @@ def _judged_value(check: Check | None, verdict: str, value: Text, sign: Sign) ->
 def limit_text(d: CheckDifference) -> Text:
     """The limit; where it has moved, both."""
     there = [c for c in (d.a, d.b) if c is not None]
-    mixed = len({c.kind for c in there}) > 1
-    texts = [
-        Text("{limit} (advice)", limit=c.limit_text()) if mixed and c.kind == "advice" else c.limit_text()
-        for c in there
-    ]
+    texts = [c.limit_text() for c in there]
+    if len({c.kind for c in there}) > 1:
+        marked = zip(there, texts)
+        texts = [Text("{limit} (advice)", limit=text) if c.kind == "advice" else text for c, text in marked]
     return texts[0] if len(set(texts)) == 1 else Text("{before} → {after}", before=texts[0], after=texts[1])
 
 
@@ -209,7 +204,8 @@ def sentences(comparison: Comparison, names: Names, sign: Sign) -> list[Text]:
     """The conclusion in a few sentences; `names`: of the two designs."""
     texts = [_whole(comparison, names, sign)]
     if comparison.steps_moved:
-        steps = [_step_move(step, sign) for step in comparison.steps_moved]
+        sides = [(v.title, sign(v.a.verdict), sign(v.b.verdict)) for v in comparison.steps_moved]
+        steps = (Text("{step} {before} → {after}", step=step, before=a, after=b) for step, a, b in sides)
         texts.append(Text("Steps: {moves}.", moves=COMMA.join(steps)))
     return [
         *texts,
@@ -274,10 +270,6 @@ def _whole(comparison: Comparison, names: Names, sign: Sign) -> Text:
     return Text("{a} → {b}: the whole goes from {before} to {after}, to the better.", **parts)
 
 
-def _step_move(v: StepVerdicts, sign: Sign) -> Text:
-    return Text("{step} {before} → {after}", step=v.title, before=sign(v.a.verdict), after=sign(v.b.verdict))
-
-
 def _hard(d: CheckDifference) -> bool:
     return any(check is not None and check.kind in HARD for check in (d.a, d.b))
 
@@ -309,14 +301,8 @@ def moved_table(comparison: Comparison, names: Names, sign: Sign, most: int = 0)
     shown = rows[:most] if most else rows
     left = len(rows) - len(shown)
     note = plural("{n} more limit or caution moved.", "{n} more limits or cautions moved.", n=left) if left else EMPTY
-    head = (*check_columns(names), (EMPTY, ""))
-    return Table(
-        "moved",
-        Text("Limits and cautions that moved"),
-        head,
-        tuple((*check_row(d, sign), _way(d)) for d in shown),
-        note,
-    )
+    head, cells = (*check_columns(names), (EMPTY, "")), tuple((*check_row(d, sign), _way(d)) for d in shown)
+    return Table("moved", Text("Limits and cautions that moved"), head, cells, note)
 
 
 def _urgency(d: CheckDifference) -> tuple[int, int, bool]:

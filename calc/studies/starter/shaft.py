@@ -128,9 +128,10 @@ def envelope(design: Design, results: Results, todo: StarterTask, core: float = 
     raise NoSolution(SHAFT, Text("outer radii up to 200 mm on a span of {span}", span=Amount(span * 1e3, "mm")), GIVE)
 
 
-def _length(load: Newton, speed: RevPerSecond, d: Metre) -> Metre:
-    """Of a journal: as long as its heat index asks, within the usual ratio to its diameter."""
-    return min(up(max(load * speed / HEAT_INDEX, BEARING[0] * d), 0.5e-3), down(BEARING[1] * d, 0.5e-3))
+def _length(load: Newton, speed: RevPerSecond, d: Metre, room: Metre = math.inf) -> Metre:
+    """Of a journal: as long as its heat index asks, within the usual ratio to its diameter and the room."""
+    asked, most = max(load * speed / HEAT_INDEX, BEARING[0] * d), min(BEARING[1] * d, room)
+    return min(up(asked, 0.5e-3), down(most, 0.5e-3))
 
 
 def countershaft(document: Document, results: Results, ratio: int, pair: bool = False) -> list[Section]:
@@ -224,7 +225,7 @@ def bearings(document: Document, results: Results) -> list[Section]:
         raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [countershaft] first"))
     load = max(shaft.reaction_front, shaft.reaction_rear)
     front, rear, room = _sizes(made)
-    length = _journal_length(load, made, rear, room)
+    length = _cooled_length(load, made.engine.rated_speed, rear, room)
     narrowest = max(front, min(up(length / BEARING[1], 0.5e-3), rear))
     given = made.friction.oil if made.friction is not None else None
     oils = OILS if given is None else (given,)  # what the design has for its teeth
@@ -271,18 +272,15 @@ def _sizes(design: Design) -> tuple[Metre, Metre, Metre]:
     return min(through, rear), rear, max(2 * (z - ends - 2 * FILLET), 0.0)
 
 
-def _journal_length(load: Newton, made: Design, rear: Metre, room: Metre) -> Metre:
-    """As long as the heat index asks, within the usual ratio to the diameter and the room."""
-    assert made.engine is not None
-    heat = load * made.engine.rated_speed
-    most = down(min(BEARING[1] * rear, room), 0.5e-3)
-    length = min(up(max(heat / HEAT_INDEX, BEARING[0] * rear), 0.5e-3), most)
+def _cooled_length(load: Newton, speed: RevPerSecond, rear: Metre, room: Metre) -> Metre:
+    """The same; raises TooFast where it carries off too little heat."""
+    length, heat = _length(load, speed, rear, room), load * speed
     limit = LUBRICATIONS[COOLED].limit * (1 - THIN_MARGIN)
     if length <= 0 or heat / length > limit:
         tried = Text(
             "{load} at {speed} on {length} of journal: a heat index of {index}",
             load=Amount(load, "N"),
-            speed=Amount(made.engine.rated_speed * 60, "rpm"),
+            speed=Amount(speed * 60, "rpm"),
             length=Amount(length * 1e3, "mm"),
             index=Amount(heat / length / N_RPM_MM if length > 0 else float("inf"), "N·rpm/mm"),
         )

@@ -69,20 +69,12 @@ def chunk_of(grid: Sequence[Combination], solved: Iterable[Solved], wanted: Sequ
         steps |= dict.fromkeys(design.verdicts)
     if wanted:
         units = {id: units[id] for id in wanted if id in units}
-    rows = (
-        SweepRow(
-            at,
-            tuple([_finite(design.values[id][0]) if id in design.values else None for id in units]),
-            tuple([design.verdicts.get(step) for step in steps]),
-            design.reason,
-        )
-        for at, design in zip(grid, designs)
-    )
+    rows = []
+    for at, design in zip(grid, designs):
+        numbers = [design.values.get(id, (None, ""))[0] for id in units]
+        cells = tuple([x if x is not None and isfinite(x) else None for x in numbers])
+        rows.append(SweepRow(at, cells, tuple([design.verdicts.get(step) for step in steps]), design.reason))
     return Chunk(units, tuple(steps), tuple(rows))
-
-
-def _finite(number: float | None) -> float | None:
-    return number if number is not None and isfinite(number) else None
 
 
 def reason_of(errors: Iterable[InputError]) -> str:
