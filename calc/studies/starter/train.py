@@ -183,8 +183,8 @@ def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
         GearsInputs.housing_material: (housing, "assumed: the block, as of the bearings"),
     }
     if power is not None:
-        losses = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
-        rows[GearsInputs.power] = (power, losses)
+        assumed = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
+        rows[GearsInputs.power] = (power, assumed)
     sections: list[Section] = [(head(Design.gears), rows)]
     wheels = (
         ("crank", crank, usual, "assumed: sits on the crank"),
