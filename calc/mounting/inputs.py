@@ -633,7 +633,7 @@ class MountingInputs:
                 if place.name and place.name not in taken:
                     yield (
                         dotted(MountingInputs.chassis, Chassis.modes, m, FrameMode.shape, i, Move.name),
-                        _no_place(place.name, taken),
+                        _no_place(place.name, sorted(taken)),
                     )
 
 
