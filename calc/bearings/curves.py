@@ -142,9 +142,10 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
     for make in makers:
         try:
             with untraced():
-                yield from tuple(make())
+                some = tuple(make())
         except (NoSolution, ArithmeticError, ValueError):
             continue
+        yield from some
 
 
 def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:

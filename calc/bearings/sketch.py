@@ -99,10 +99,10 @@ def _bearing(
         "{load}", load=Amount(r.load / 1000, "kN", digits=2) if r.load >= 1000 else Amount(r.load, "N", digits=3)
     )
     yield Words(WORDS, (centre[0] - 0.12 * journal, centre[1] - 0.4 * journal), load, key=load_key, side="right")
-    yield from _films(key, r, centre, journal, checks)
+    yield from _films(key, centre, journal, checks)
 
 
-def _films(key: str, r: BearingResult, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
+def _films(key: str, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
     """The film at the edge against what it is to be, and that at twice the load where it is too thin."""
     shown = [
         (check, words)

@@ -14,6 +14,7 @@ from ..imbalance.inputs import ImbalanceInputs
 from ..library.table_file import parsed, text_of_table
 from ..sheet.quantity import dotted
 from ..sheet.text import Text
+from ..sheet.value import recorded
 
 if TYPE_CHECKING:
     from ..design.addresses import Table
@@ -80,7 +81,8 @@ def engine_design(name: str) -> str:
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"])
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
-    return _text(title, note, body + begun(document))
+    with recorded(False):
+        return _text(title, note, body + begun(document))
 
 
 def engine_table(name: str) -> "Table":

@@ -272,7 +272,7 @@ def _headline(context: Context, step: Step, proven: set[str], known: Known) -> l
         return []
     title = f"{context.say(head.label)}: {context.written(head.shown, head.unit)}"
     blocks = [
-        _title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)),
+        _title([(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)),
         *_walked(context, step, walk),
     ]
     return [*blocks[:-1], replace(blocks[-1], keep=False)]
@@ -293,7 +293,7 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, 
                 sign_style(context, state),
             )
         )
-    blocks = [_title(context, rows, STATE_COLOURS[context.state(proof.governing)])]
+    blocks = [_title(rows, STATE_COLOURS[context.state(proof.governing)])]
     for check in proof.checks[:1]:
         context.cite(check.source, step)
         blocks += _line(context, "limit_is", limit=context.say(check.limit_text()), source=check.source)
@@ -382,7 +382,7 @@ def _line(context: Context, key: str, **parts: str) -> list[Block]:
     return [replace(block, keep=True) for block in paragraph(context.text(key, None, **parts), NOTE, x=INDENT, gap=1.2)]
 
 
-def _title(context: Context, rows: list[Row], colour: Colour) -> Block:
+def _title(rows: list[Row], colour: Colour) -> Block:
     """The heading of a proof: a grey stripe with a bar in the colour of its verdict."""
     columns = (Column(), *[Column(align="r")] * 4)
     parts = table(columns, rows, header=False)

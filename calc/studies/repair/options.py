@@ -51,8 +51,7 @@ class RepairOption:
     `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is
     still open in the group; `breaks`: names of limits that fail then and did not, and of steps without a solution.
     `verdicts`: step, before, after. `power` [W], `mass` [kg]: before and after, of the crank's loss and the shaft;
-    `cold` [µm]: the cold clearance, of a bearing. `locked`: why it was not looked at.  `missing`: it gives an input
-    that was not there."""
+    `cold` [µm]: the cold clearance, of a bearing. `locked`: why it was not looked at."""
 
     kind: Text
     keys: tuple[str, ...]

@@ -18,7 +18,7 @@ from ...sheet.search import Budget, crossing
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from .levers import Lever, free_keys, levers, named_keys
-from .state import TITLES, RepairState, broken, repaired
+from .state import ORDER, TITLES, RepairState, broken, repaired
 
 PROBE = 0.02  # relative change by which a number is moved to see what it does
 STEP = 0.01  # least relative change from one that is tried to the next
@@ -73,8 +73,8 @@ class Trials:
 
     def _decided(self, outcome: Outcome[object]) -> bool:
         """Whether all of the checks are known, or that there is no solution; those of the imbalance change once the
-        shaft is known."""
-        if outcome.key == self.step and self.step != "imbalance":
+        shaft is known, and behind the last step there is nothing to be spared."""
+        if outcome.key == self.step and self.step not in ("imbalance", ORDER[-1]):
             known = self.ids <= {c.id for c in outcome.checks}
             self._ended = known if self.ids else outcome.state == "no_solution"
         return self._ended

@@ -90,7 +90,7 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
         raise _bad(path, 0, Text("has {count} designs; at most {most} at once", count=count, most=MOST_LISTED))
     inputs = [Varied(key.strip()) for key in lines[0]]
     errors: list[InputError] = []
-    kinds = [_about(document, column.key, path, errors) for column in inputs]
+    kinds = [_about(document, column.key, errors) for column in inputs]
     if not errors and (twice := same_input(document, inputs)) is not None:
         errors.append(InputError(1, twice, "", Text("stands in two columns; each input has one")))
     rows: list[tuple[Value | None, ...]] = []
@@ -124,7 +124,7 @@ def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
     return None
 
 
-def _about(document: Document, key: str, path: str, errors: list[InputError]) -> Quantity:
+def _about(document: Document, key: str, errors: list[InputError]) -> Quantity:
     try:
         return quantity_of(document.data, key)
     except BadInput as bad:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from calc.countershaft.inputs import EccentricMass
 from calc.design.addresses import quantity_of
-from calc.design.toml_file import Document, design
+from calc.design.toml_file import Document, design, read
 from calc.gears.rating.classes import class_names, strength_class
 from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
@@ -23,6 +23,7 @@ from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
 from calc.studies.repair.state import state_of
 from calc.studies.repair.trials import Trials
 from tests.calc.studies.repair.test_remedy import damaged, fails, with_changes
+from tests.conftest import DESIGNS
 
 WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))
 
@@ -251,6 +252,8 @@ def test_a_trial_ends_where_all_that_is_asked_is_known(verdicts, decided):
     assert ended("gears", (), SimpleNamespace(key="gears", checks=[], state="no_solution"))
     unsure = SimpleNamespace(key="imbalance", checks=checks, state="solved")
     assert not ended("imbalance", asked, unsure), "its checks change once the shaft is known"
+    last = SimpleNamespace(key="mounting", checks=checks, state="solved")
+    assert not ended("mounting", asked, last), "all is solved then, and a whole design is wanted next"
 
 
 def test_a_design_is_tried_once_and_no_more_than_the_budget_allows(gamma: Document, gamma_results: Results) -> None:
@@ -262,6 +265,16 @@ def test_a_design_is_tried_once_and_no_more_than_the_budget_allows(gamma: Docume
     whole = trials.tried(longer, whole=True)
     assert whole is not None and whole.results.outcomes.keys() == state.results.outcomes.keys()
     assert trials.tried({"bearings.front.length_mm": 41.0}) is None
+
+
+def test_a_design_that_is_tried_whole_has_the_checks_of_every_step() -> None:
+    state = state_of(read(DESIGNS / "r753ie4_mounting.toml"))
+    trials = Trials(state, "mounting", state.outcome("mounting").checks[:1], Budget(1), None, EMPTY)
+    heavier = {"mounting.mass_kg": 300.0}
+    assert trials.tried(heavier) is not None
+    whole = trials.tried(heavier, whole=True)
+    judged = {c.id for c in state.results.checks() if c.kind == "limit"}
+    assert whole is not None and judged <= {c.id for c in whole.results.checks()}
 
 
 def test_what_holds_by_too_little_has_to_hold_by_the_thin_margin() -> None:
