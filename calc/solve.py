@@ -266,7 +266,7 @@ def _mounted(
     c: Outcome[CountershaftResult],
     g: Outcome[TrainResult],
 ) -> Outcome[object]:
-    """The engine on its mounts, which most designs do not ask for: nothing of it is loaded then."""
+    """The engine on its mounts, which most designs do not ask for."""
     late = h.unsolved((e, i, c))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))

@@ -251,10 +251,13 @@ def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
         Text("More teeth, or a tool with a smaller addendum, help as well."),
         remedies=by_key(Wheel, wheel_key(name, Wheel.profile_shift), enough, place=name, bound=">="),
     )
-    id, label, least = f"gears.{name}.tip_thickness", Text("Normal tip thickness of {name}", name=name), p.TIP_THICKNESS
-    source, advice = _modules(least), Text("Cut the tip, or give a smaller profile shift.")
-    yield check(id, label, s_an, ">=", least * system.m_n, "mm", source, advice, value_id=value_id)
+    label, least = Text("Normal tip thickness of {name}", name=name), p.TIP_THICKNESS
+    source, limit = _modules(least), least * system.m_n
+    advice = Text("Cut the tip, or give a smaller profile shift.")
+    yield check(f"gears.{name}.tip_thickness", label, s_an, ">=", limit, "mm", source, advice, value_id=value_id)
     label, least = Text("Tip thickness of {name}, if case-hardened", name=name), p.TIP_THICKNESS_HARDENED
-    source = Text("{modules} if case-hardened", modules=_modules(least))
+    source, limit = Text("{modules} if case-hardened", modules=_modules(least)), least * system.m_n
     advice = Text("A thin tip hardens through: cut it, or give less shift.")
-    yield check(f"{id}_hardened", label, s_an, ">=", least * system.m_n, "mm", source, advice, value_id=value_id)
+    yield check(
+        f"gears.{name}.tip_thickness_hardened", label, s_an, ">=", limit, "mm", source, advice, value_id=value_id
+    )

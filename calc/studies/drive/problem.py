@@ -101,10 +101,9 @@ class Variables:
                 self.wrong(key, Text("can not be varied: it is set with {key}", key=Name(within)))
 
     def wrong(self, key: str, why: Text, value: object = "") -> None:
-        name = f"optimise.vary.{key}"
-        self.errors.append(
-            InputError(self.start.lines.get(name, self.start.lines.get("optimise.vary", 0)), name, str(value), why)
-        )
+        lines, vary = self.start.lines, dotted(Design.optimise, OptimiseInputs.vary)
+        name = f"{vary}.{key}"
+        self.errors.append(InputError(lines.get(name, lines.get(vary, 0)), name, str(value), why))
 
     def values(self, key: str, otherwise: Sequence[float]) -> tuple[float, ...]:
         """Numbers of a key: those that are given, else those of the rule."""
@@ -507,7 +506,8 @@ def _cycle(design: Design, inputs: OptimiseInputs) -> tuple[tuple[float, float],
         or (gears is not None and gears.speed is not None)
     ):
         why = Text("needs [engine], and no speed of its own in [bearings] or [gears]")
-        raise BadInput("design", [InputError(0, "optimise.cycle", "", why)])
+        cycle = dotted(Design.optimise, OptimiseInputs.cycle)
+        raise BadInput("design", [InputError(0, cycle, "", why)])
     hours = sum(point.hours for point in inputs.cycle)
     return tuple((point.speed / engine.rated_speed, point.hours / hours) for point in inputs.cycle)
 

@@ -8,7 +8,7 @@ breaks something else, then one that only comes nearer.  What is locked is shown
 import math
 import time
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import islice
 
 from ...bearings.inputs import BearingsInputs
@@ -67,7 +67,6 @@ class RepairOption:
     mass: tuple[float, float] | None = None
     cold: float | None = None
     locked: str = ""
-    results: Results | None = field(default=None, repr=False)
 
     @property
     def changes(self) -> tuple[str, ...]:
@@ -127,7 +126,6 @@ def repair_option(
         _pair(before, then, FrictionResult.total_loss),
         _pair(before, then, CountershaftResult.mass),
         gaps.get(bearing),
-        results=then,
     )
 
 
