@@ -38,6 +38,8 @@ def test_a_record_is_written_once():
     point = Point(1.0, 2.0)
     with pytest.raises(FrozenInstanceError, match="cannot change x of Point"):
         point.x = 3.0
+    with pytest.raises(FrozenInstanceError, match="cannot change z of Point"):
+        point.z = 3.0
     assert point.x == 1.0
 
 
