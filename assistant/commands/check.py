@@ -21,8 +21,6 @@ from calc.sheet.progress import at_most
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
 from calc.solve import Results, solve
-from calc.studies.repair.nearest import nearest
-from calc.studies.repair.state import warned
 
 TRIES = 40  # designs that may be solved for checks that no search is made for: about a second
 
@@ -72,6 +70,10 @@ def nearest_passing(
 
     `changes` are already in the document.  Where not all can be repaired, the last line says what still fails and why.
     """
+    # the searches for better parts, which a check that passes does not load
+    from calc.studies.repair.nearest import nearest
+    from calc.studies.repair.state import warned
+
     try:
         repair = nearest(document, results, progress=at_most(SEARCH_SECONDS), only=step, tries=TRIES)
     except Cancelled:
