@@ -14,7 +14,8 @@ from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessP
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, redirect_stderr
 from importlib import import_module
-from multiprocessing import connection, get_context, parent_process, resource_tracker
+from multiprocessing import get_context, resource_tracker
+from multiprocessing.connection import Connection
 from typing import Any, TypeVar
 
 from ..sheet.errors import NoSolution
@@ -45,7 +46,9 @@ def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], proc
     lost = dict.fromkeys(waiting, 0)
     left = set(waiting)
     while left:
-        pool = ProcessPoolExecutor(min(processes, len(left)), get_context("spawn"), _begin)
+        context = get_context("spawn")
+        ending, held = context.Pipe(duplex=False)
+        pool = ProcessPoolExecutor(min(processes, len(left)), context, _begin, (ending,))
         running: dict[Future[R], int] = {}
         try:
             with _undisturbed():
@@ -65,6 +68,7 @@ def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], proc
                 raise
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
+            held.close()
 
 
 @contextmanager
@@ -80,16 +84,15 @@ def _undisturbed() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _begin() -> None:
-    """In a new worker: Ctrl-C is for the program that started it, and with that, however it ends, the worker ends
-    too."""
+def _begin(ending: Connection) -> None:
+    """In a new worker: Ctrl-C is for the program that started it; when that closes its end of the pipe, or ends in any
+    other way, the worker ends too, in the middle of a piece."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    if (parent := parent_process()) is not None:
-        threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
+    threading.Thread(target=_end_with, args=(ending,), daemon=True).start()
 
 
-def _end_with(sentinel: int) -> None:
-    connection.wait([sentinel])
+def _end_with(ending: Connection) -> None:
+    ending.poll(None)
     os.kill(os.getpid(), signal.SIGTERM)
 
 

@@ -9,6 +9,11 @@ def slow(seconds: float, n: int) -> tuple[int, int]:
     return n * n, os.getpid()
 
 
+def endless_but_the_first(seconds: float, n: int) -> int:
+    time.sleep(seconds if n else 0.0)
+    return os.getpid()
+
+
 def once(folder: str, n: int) -> int:
     """The first worker that has it is lost."""
     mark = os.path.join(folder, str(n))

@@ -13,7 +13,7 @@ import pytest
 
 from calc.sheet.errors import NoSolution
 from calc.studies.processes import spread
-from tests.calc.studies.process_work import once, slow
+from tests.calc.studies.process_work import endless_but_the_first, once, slow
 from tests.conftest import ROOT
 
 PROGRAM = """
@@ -62,6 +62,17 @@ def test_no_worker_outlives_a_program_that_is_killed(tmp_path: Path) -> None:
     while time.monotonic() < end and any(Path(f"/proc/{process}").exists() for process in workers):
         time.sleep(0.05)
     assert not [process for process in workers if Path(f"/proc/{process}").exists()]
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="/proc")
+def test_work_that_is_given_up_is_not_waited_for() -> None:
+    pieces = iter(spread(endless_but_the_first, 60.0, range(4), 2))
+    _, worker = next(pieces)  # has the next piece, of a minute
+    pieces.close()  # type: ignore[attr-defined]
+    end = time.monotonic() + 10
+    while time.monotonic() < end and Path(f"/proc/{worker}").exists():
+        time.sleep(0.05)
+    assert not Path(f"/proc/{worker}").exists()
 
 
 def test_a_scheduler_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
