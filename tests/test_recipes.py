@@ -240,10 +240,10 @@ def test_a_figure(recipe: Performed) -> None:
     figure = recipe("a figure", "friction")
     figure.insert(
         "curves.py",
-        "        _shear(d),\n",
-        '        Curve(\n            "trial", Text("A trial of a figure"), axis_label("x", "mm"), axis_label("y", '
-        '"W"),\n'
-        '            (Series(Text("way"), np.array([0.0, 1.0]), np.array([0.0, 2.0])),),\n        ),\n',
+        "    return bars, *of_meshes, _shear(d)\n",
+        '    way = Series(Text("way"), np.array([0.0, 1.0]), np.array([0.0, 2.0]))\n'
+        '    trial = Curve("trial", Text("A trial of a figure"), axis_label("x", "mm"), axis_label("y", "W"), (way,))\n'
+        "    of_meshes = (*of_meshes, trial)\n",
     )
     assert "A trial of a figure" in figure.report("--depth", "audit")
     figure.run()
