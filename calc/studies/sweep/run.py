@@ -20,9 +20,7 @@ from ..processes import spread
 from .inputs import Combination, SweepPlan, Varied, grid
 from .table import Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
 
-CHUNKS = 8  # at least, for processes to share, where each has so many designs as
-LEAST = 48
-MOST = 224  # designs of a chunk, which a run that is ended begins again
+SIZE = 48  # designs of a chunk, which a run that is ended begins again
 BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
 WORTH = 100  # designs from which a second process gains more than its start costs
 Told = Callable[[int], None]  # designs that are done, those that were kept with them
@@ -37,20 +35,14 @@ class Sweep:
     step: str | None = None
     wanted: tuple[str, ...] = ()
 
-    @property
-    def size(self) -> int:
-        """Designs of a chunk, which hang on the sweep alone and not on the machine."""
-        return min(MOST, max(LEAST, -(-self.plan.count // CHUNKS)))
-
 
 def swept(asked: Sweep, store: Store, progress: Told | None = None, processes: int = 1, scheduler: str = "") -> None:
     """Fill the store with every chunk that it does not have.  Raises BadInput where a step or a value is asked for that
     there is not."""
     _known(asked)
-    size = asked.size
-    numbers = range(-(-asked.plan.count // size))
+    numbers = range(-(-asked.plan.count // SIZE))
     waiting = [n for n in numbers if not store.has(n)]
-    done = asked.plan.count - sum(min(size, asked.plan.count - n * size) for n in waiting)
+    done = asked.plan.count - sum(min(SIZE, asked.plan.count - n * SIZE) for n in waiting)
     if progress is not None:
         progress(done)
     if asked.plan.count < WORTH:
@@ -72,7 +64,7 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
 
 def chunk(asked: Sweep, n: int) -> Chunk:
     """The designs of one chunk."""
-    at = asked.plan.rows(n * asked.size, (n + 1) * asked.size)
+    at = asked.plan.rows(n * SIZE, (n + 1) * SIZE)
     with recorded(False):
         rows = solved(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted))
         return chunk_of(at, rows, asked.wanted)

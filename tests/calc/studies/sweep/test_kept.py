@@ -9,6 +9,7 @@ import pytest
 
 from calc.design.toml_file import read
 from calc.studies.sweep import Sweep, grid, swept, varied
+from calc.studies.sweep.run import SIZE
 from calc.studies.sweep.table import InFolder, InMemory, key_of, write_csv, write_parquet
 from tests.conftest import GAMMA as FILE
 
@@ -43,10 +44,10 @@ def test_a_run_goes_on_where_it_stood(expected, kept):
     with pytest.raises(KeyboardInterrupt):
         swept(TASK, kept, interrupted)
     known = len(kept)
-    assert 1 < known < -(-TASK.plan.count // TASK.size)
+    assert 1 < known < -(-TASK.plan.count // SIZE)
     done = []
     swept(TASK, kept, done.append)
-    assert done[0] == known * TASK.size and done[-1] == TASK.plan.count
+    assert done[0] == known * SIZE and done[-1] == TASK.plan.count
     assert text_of(kept) == expected
 
 
