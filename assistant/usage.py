@@ -89,7 +89,7 @@ def report(it: argparse.ArgumentParser) -> None:
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
 
 
-@command("report", "solve what is inside a report or a comparison again: identical, signed, or what differs")
+@command("verify", "solve what is inside a report or a comparison again: identical, signed, or what differs")
 def verify(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", metavar="REPORT.pdf")
     it.add_argument("--all", action="store_true", help="list every difference")

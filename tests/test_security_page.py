@@ -6,7 +6,7 @@ import re
 import pytest
 
 from assistant import server
-from assistant.commands.report import LAST
+from assistant.commands.verify import LAST
 from calc.design.limits import TABLES
 from tests.conftest import ROOT
 from tests.import_scan import imported, modules
