@@ -18,9 +18,8 @@ from ...sheet.value import recorded
 from ...solve import Results, solve
 from ..processes import spread
 from .inputs import Combination, SweepPlan, Varied, grid
-from .table import Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
+from .table import SIZE, Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
 
-SIZE = 48  # designs of a chunk, which a run that is ended begins again
 BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
 WORTH = 100  # designs from which a second process gains more than its start costs
 Told = Callable[[int], None]  # designs that are done, those that were kept with them

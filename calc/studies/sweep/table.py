@@ -176,9 +176,20 @@ class InFolder:
             self.folder.rmdir()  # unless it has chunks of another sweep
 
 
+SIZE = 48  # designs of a chunk, which a run that is ended begins again
+
+
 def key_of(document: Document, plan: SweepPlan, step: str | None, wanted: tuple[str, ...]) -> str:
-    """What kept chunks hold for: the values of the design, what is varied, what is asked, the program's version."""
-    what = [VERSION, document.data, vars(plan) | {"inputs": [vars(varied) for varied in plan.inputs]}, step, wanted]
+    """What kept chunks hold for: the values of the design, what is varied, what is asked, the program's version
+    and how many designs a chunk has."""
+    what = [
+        VERSION,
+        SIZE,
+        document.data,
+        vars(plan) | {"inputs": [vars(varied) for varied in plan.inputs]},
+        step,
+        wanted,
+    ]
     return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
 
 
