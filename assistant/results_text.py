@@ -9,12 +9,13 @@ from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 from typing import Any
 
-from calc.design.key_results import judged, outside, stretched
+from calc.design.key_results import judged, outside
 from calc.design.model import OPTIONAL, STEPS
 from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
-from calc.sheet.check import SIGNS, URGENT, Check, grouped, named, pattern_of, severity, with_it
+from calc.sheet.check import SIGNS, URGENT, Check
+from calc.sheet.verdict import grouped, named, severity, with_it
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table, no_such_check
 from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
@@ -107,12 +108,11 @@ def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
 
 def _outside(checks: Sequence[Check]) -> Iterator[str]:
     """How many checks hold by a formula outside its validity, and what puts them there: of each kind the furthest."""
-    methods = stretched(checks)
-    beyond = [causes for check in checks if check.verdict == "pass" and (causes := outside(check, methods))]
+    beyond = [outside(check, checks) for check in checks if judged(check) == "outside"]
     if beyond:
         furthest: dict[str, Check] = {}
         for method in sorted((cause for group in beyond for cause in group), key=severity):
-            furthest.setdefault(pattern_of(method.id), method)
+            furthest.setdefault(method.rule.id, method)
         single = "{n} check holds by a formula outside its validity: {methods}"
         many = "{n} checks hold by formulas outside their validity: {methods}"
         sentence = plural(single, many, n=len(beyond), methods=named([*furthest.values()]))
@@ -206,7 +206,7 @@ def _print_step(outcome: Outcome[object], everything: bool) -> None:
     for note in outcome.notes:
         print(f"  note: {note}")
     for check in outcome.checks:
-        print(f"  {check_line(check, judged(check, outcome.checks))}")
+        print(f"  {check_line(check, judged(check))}")
     print()
 
 

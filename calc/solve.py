@@ -34,14 +34,16 @@ from .gears.wheel import with_masses
 from .imbalance import solve as imbalance
 from .imbalance.result import ImbalanceResult
 from .mounting import solve as mounting
-from .sheet.check import Check, worst
+from .sheet.check import Check
 from .sheet.deferred import Later
 from .sheet.number import aligned, short
 from .sheet.quantity import Published, ValueKey
 from .sheet.record import record
 from .sheet.reuse import Enough, Kept, Parts
-from .sheet.step import Outcome, accepted
+from .sheet.step import Outcome, judged
+from .sheet.text import Text
 from .sheet.value import recorded, recording
+from .sheet.verdict import Counts, State, counts, design_state, verdict_words
 
 R = TypeVar("R")
 TITLES = {step.key: step.title for step in STEPS}
@@ -110,8 +112,21 @@ class Results:
         return replace(self, outcomes={key: outcome.whole for key, outcome in self.outcomes.items()})
 
     @property
-    def verdict(self) -> str:
-        return worst([outcome.verdict for outcome in self.outcomes.values()])
+    def verdict(self) -> State:
+        """The state of the design."""
+        return design_state(self.checks(), [outcome.verdict for outcome in self.outcomes.values()])
+
+    @property
+    def counts(self) -> Counts:
+        return counts(self.checks())
+
+    def words(self) -> Text:
+        """`FAIL: 2 failed, 3 cautions`; of steps without a solution, or that wait, their names."""
+        state = self.verdict
+        lost = [TITLES[key] for key, o in self.outcomes.items() if o.verdict == "no_solution"]
+        waiting = [key for key, o in self.outcomes.items() if o.verdict == "blocked"]
+        waiting_words = [Text("{step} waits", step=TITLES[key]) for key in waiting]
+        return verdict_words(state, self.counts, lost if state == "no_solution" else [*lost, *waiting_words])
 
 
 def _values_of(design: Design) -> dict[str, Published]:
@@ -245,7 +260,9 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)
         g = _on_engine(g, design, c)
-    return accepted((e, i, c, b, g, f, _mounted(part, design, e, i, c, g)), design.accepted)
+    e = replace(e, computes=design.engine is None or design.engine.throw is None)
+    i = replace(i, computes=True)
+    return judged((e, i, c, b, g, f, _mounted(part, design, e, i, c, g)), design.accepted)
 
 
 def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftResult]) -> Outcome[TrainResult]:

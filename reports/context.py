@@ -22,7 +22,8 @@ from calc.design.names import belongs
 from calc.design.other_tables import DocumentControl
 from calc.design.toml_file import Document
 from calc.locale import Language
-from calc.sheet.check import URGENT, Check, severity
+from calc.sheet.check import URGENT, Check
+from calc.sheet.verdict import severity
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published, dotted
 from calc.sheet.step import Curve, Outcome, Step

@@ -15,7 +15,7 @@ from calc.design.limits import SEARCH_SECONDS
 from calc.design.locks import standing
 from calc.design.model import STEPS, Design
 from calc.design.toml_file import Document, design, read
-from calc.sheet.check import named
+from calc.sheet.verdict import named
 from calc.sheet.errors import BadInput, Cancelled, InputError
 from calc.sheet.progress import at_most
 from calc.sheet.step import Outcome

@@ -15,7 +15,7 @@ from calc.design.toml_file import design as design_of
 from calc.friction.inputs import FrictionInputs
 from calc.friction.studies.scenarios import as_design
 from calc.library.publications import resolved
-from calc.sheet.check import named
+from calc.sheet.verdict import named
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.expression import line_json, line_text
 from calc.sheet.number import short

@@ -8,7 +8,8 @@ from typing import Any
 from textual.app import SuspendNotSupported
 
 from calc.design.model import STEPS
-from calc.sheet.check import URGENT, severity
+from calc.sheet.check import URGENT
+from calc.sheet.verdict import severity
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 

@@ -428,7 +428,7 @@ class WorkbenchResults(WorkbenchPanes):
         outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
         self.checks.show(outcome)
         if outcome is not None:
-            good = sum(judged(c, outcome.checks) == "pass" for c in outcome.checks)
+            good = sum(judged(c) == "pass" for c in outcome.checks)
             count = len(outcome.checks)
             passing = plural("{passing} of {n} check passes", "{passing} of {n} checks pass", n=count, passing=good)
             self.pane_named("checks").set_title(right=self.app.say(passing) if count else "")

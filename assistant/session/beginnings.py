@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from calc.design.toml_file import Document, design, read
 from calc.engine.inputs import EngineInputs
-from calc.sheet.check import grouped
+from calc.sheet.verdict import grouped
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import dotted
 from calc.sheet.text import EMPTY, Amount, Text, plural

@@ -84,7 +84,7 @@ def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[],
             line_of.setdefault(erratum.about, index)
     by_line: dict[int, list[tuple[Check, str]]] = defaultdict(list)
     for check in outcome.checks:
-        by_line[line_of.get(check.id, -1)].append((check, judged(check, outcome.checks)))
+        by_line[line_of.get(check.id, -1)].append((check, judged(check)))
     wrong: dict[int, list[Erratum]] = defaultdict(list)
     for erratum in outcome.errata:
         wrong[line_of.get(erratum.about, -1)].append(erratum)

@@ -12,7 +12,8 @@ from textual.content import Content
 from textual.message import Message
 
 from calc.design.key_results import outside
-from calc.sheet.check import Check, named, severity
+from calc.sheet.check import Check
+from calc.sheet.verdict import named, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome

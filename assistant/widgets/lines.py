@@ -66,7 +66,7 @@ class MessageLine(Widget):
             return outcome.state, say(outcome.reason)
         chosen = next((check for check in outcome.checks if check.id == self.finding), None)
         if chosen is not None:
-            return judged(chosen, outcome.checks), self._check(chosen)
+            return judged(chosen), self._check(chosen)
         states = states_of(session)
         ahead = _ahead(states)
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):

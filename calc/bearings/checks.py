@@ -9,7 +9,8 @@ from ..library import journal_rules as rules
 from ..library.catalogue import Oil
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import clearance_limits, parse
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text

@@ -15,7 +15,8 @@ import numpy as np
 from ..countershaft.result import Standing
 from ..library import journal_rules as rules
 from ..sheet.arrays import Array, Value
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import single_or_many

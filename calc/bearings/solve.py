@@ -13,7 +13,8 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import gathered, item

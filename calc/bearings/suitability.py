@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from ..library.journal_rules import USUAL_LENGTH_RATIO, heat_index, specific_load
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.number import short
 from ..sheet.step import Table

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator
 from ..library import fatigue
 from ..library.catalogue import Material
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.functions import argument, degrees
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down

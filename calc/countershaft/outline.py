@@ -10,7 +10,8 @@ import numpy as np
 
 from ..draw.drawing import TOUCH
 from ..sheet.arrays import Array, ComplexArray
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, cos, pi, resultant, sin
 from ..sheet.linked_array import column, gathered, where

@@ -12,7 +12,8 @@ from ..imbalance.remedies import roll_torque
 from ..imbalance.result import ImbalanceResult
 from ..library.catalogue import Material
 from ..library.journal_rules import heat_index, specific_load
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula

@@ -15,7 +15,6 @@ from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
 from ..mounting.inputs import MountingInputs
-from ..sheet.check import is_limit
 from ..sheet.quantity import day, dotted, given, inputs, integer, keys, reasons, table, tables, text, unknown
 from ..sheet.step import Step
 from ..sheet.text import Amount, Text
@@ -145,9 +144,6 @@ class Design:
 
     def _reasons(self) -> Problems:
         """Of what is accepted, locked and left out: whether there is such a thing, and whether that can be."""
-        for id, _ in self.accepted:
-            if is_limit(id):
-                yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
         for key, _ in self.locked:
             if (wrong := _no_key(key)) is not None:
                 yield f"locked.{key}", wrong

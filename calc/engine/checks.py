@@ -4,7 +4,8 @@
 import math
 from collections.abc import Iterator
 
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.text import Text
 from ..sheet.value import based_on
 from .crank import DUST, TURN

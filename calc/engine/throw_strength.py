@@ -9,7 +9,8 @@ import numpy as np
 from ..library import fatigue
 from ..library.catalogue import Material
 from ..sheet.arrays import Array
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, power, sqrt, tan, total
 from ..sheet.quantity import result, value

@@ -8,7 +8,8 @@ from functools import partial
 import numpy as np
 
 from ..library import oils
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import dotted

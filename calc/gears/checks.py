@@ -5,7 +5,8 @@ import math
 from collections.abc import Iterator, Mapping
 from functools import partial
 
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Change, Remedy, by_key, change, remedy
 from ..sheet.text import Amount, Text

@@ -9,7 +9,8 @@ from dataclasses import replace
 
 from ..engine.inputs import EngineInputs
 from ..library.catalogue import Material
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.quantity import dotted
 from ..sheet.record import record

@@ -10,7 +10,8 @@ import math
 from collections.abc import Iterator
 
 from ..engine.result import EngineResult
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.functions import argument, conj, imag, joined, modulus
 from ..sheet.quantity import result, value

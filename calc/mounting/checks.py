@@ -10,7 +10,8 @@ from itertools import product
 import numpy as np
 
 from ..engine.inputs import EngineInputs
-from ..sheet.check import Check, check
+from ..sheet.check import Check
+from ..sheet.shim_check import check
 from ..sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ..sheet.value import based_on
 from .body import DOFS

@@ -1,275 +1,244 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A check: a value against its limit, with kind, cause, margin, verdict and remedies; and the table of all checks.
+"""A check: a value against its limit, with what is known of it said where it is declared, and what follows from both.
 
-The table says of each check what kind it is and why, what it shares its cause with, and what moves it."""
+A check is declared once, at module level, and made by calling the declaration:
+
+    FILM = CheckRule("bearings.B.film", "limit", "It touches.", Text("Film"), ">=", "µm", role="physics")
+    yield FILM(film, least, at="front", source=…)
+
+The letters in an id stand for elements that have names of their own."""
 
 import math
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from difflib import get_close_matches
-from functools import cache, cached_property
-from pathlib import Path
+from functools import cached_property
+from typing import Any, Literal
 
-from .errors import BadTable, InputError
-from .quantity import unknown
 from .record import record
 from .remedy import Remedy, sentence
-from .text import EMPTY, SEMICOLON, SPACE, Amount, Text
+from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS
 from .value import link_of, linked
 
-# --- the table of all checks
-# Of which kind each is and why, what it shares its cause with, which value it judges and what moves it.
-#
-# It is a table to be read, `calc/library/tables/checks.md`; the letters in its ids stand for elements that have names
-# of their own.
+Kind = Literal["limit", "caution", "advice", "method"]
+Role = Literal["", "physics", "chosen", "self"]
+KINDS: tuple[Kind, ...] = ("limit", "caution", "advice", "method")  # from what must hold to what is of the calculation
 
-TABLE = Path(__file__).parents[1] / "library" / "tables" / "checks.md"
-KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
-ROLES = ("demand", "exact")  # what may stand behind a kind
-COLUMNS = ("id", "kind", "cause", "value", "limit", "moved by", "why")
-INDEX = "#"  # in the key of an input: the place of an element in its array
+THIN_MARGIN = 0.05  # a limit that holds by less than this is a warning
+DEGREES = 100.0  # K: the scale of margins in °C, whose zero is no zero
+
+# --- what stands for what in an id
+
+LETTERS: Mapping[str, str] = {
+    "B": "a bearing, by its place",
+    "M": "a mesh, by its wheels: DRIVER_DRIVEN",
+    "W": "a wheel, by its name; behind _ too",
+    "D": "a drain of the oil: `drain`, or `further_drains` and its name",
+    "N": "any other element, by its name",
+}
+INDEX = "#"  # in the key of an input: the place of a mesh in its array
+LETTER = re.compile(rf"(?<![^.])(?:[{''.join(LETTERS)}{INDEX}]|DRIVER|DRIVEN)(?![^.])|(?<=_)W$")
+
+
+def _filled(id: str, names: Mapping[str, str]) -> str:
+    return LETTER.sub(lambda letter: names.get(letter[0], letter[0]), id)
+
+
+# --- what is not given
+
+End = float | Literal["holds", "none"]
 
 
 @record
-class Element:
-    """What a letter in the ids of the table stands for.
+class Missing:
+    """What a check needs and the design does not give.
 
-    `ends`: the element is called by two names with _ between, which these words stand for.  `single`: by one name with
-    no _ in it.  `behind`: the letter also stands behind _ at the end of an id.
-    """
+    `keys`: of the inputs; `taken`: what stands for each of them.  `best`, `worst`: the judged value, in SI, with all of
+    them at their favourable and at their unfavourable end; "holds": the limit can not be passed over there; "none":
+    nobody knows how far it goes."""
 
-    letter: str
-    ends: tuple[str, ...] = ()
-    single: bool = False
-    behind: bool = False
+    keys: tuple[str, ...]
+    taken: tuple[Text, ...]
+    best: End
+    worst: End
 
-    def can_be(self, part: str) -> bool:
-        return "_" in part if self.ends else not (self.single and "_" in part)
+
+# --- what is known of a check before it is made
+
+RULES: dict[str, "CheckRule"] = {}  # by id, of all modules that are loaded
 
 
 @record
 class CheckRule:
-    """One row: for one check, or for all checks of its pattern.
+    """What is known of one check, or of all that differ in the elements that the letters of the id stand for.
 
-    `kinds`: the first, unless the site says another of them.  `demand`: value and limit are demand and capacity.
-    `exact`: the limit is one that the designer has chosen, and may be used up.  `value`, `limit`: ids of the value that
-    is judged and of that which it is held against; empty: it has none.  `moved_by`: keys of the inputs that move it
-    most, in the order in which a designer uses them; the key of a table stands for the numbers in it."""
+    `kind`: a "limit" must hold: else a part breaks, seizes, jams or can not be put together; a "caution" is the same
+    less surely; "advice" is a usual figure or a rule of thumb; "method" is about the calculation, not the part. `role`
+    of a limit: "physics", "chosen" (by the designer) or "self" (data and program agree with themselves). `why`: the
+    reason for its kind.  `sense`: ">=", ">", "<=", "<" or "in" (the limit is then a range). `demand`: value and limit
+    are demand and capacity.  `exact`: the limit may be used up.  `zero`: what its margin is a share of where the limit
+    is 0, in words. `cause`: the id of the check, or of the group, that it is shown under.  `value_id`, `limit_id`: the
+    value that is judged and the one that it is held against. `moved_by`: keys of the inputs that move it most, in the
+    order in which a designer uses them; the key of a table stands for the numbers in it. `short`: in a word. `decides`:
+    it stands for its step where no limit is open. `proven`: a report proves it whatever its margin, with these symbols
+    however far back they stand; `proven_where`: only where this result is not 0. `weakens`: where this check of the
+    method is passed over, the margins of these checks are known by these factors less."""
 
     id: str
-    kinds: tuple[str, ...]
-    demand: bool
-    exact: bool
-    cause: str
-    value: str
-    limit: str
-    moved_by: tuple[str, ...]
+    kind: Kind
     why: str
+    name: Text = EMPTY
+    sense: str = ">="
+    unit: str = ""
+    source: Text = EMPTY
+    advice: Text = EMPTY
+    role: Role = ""
+    demand: bool = False
+    exact: bool = False
+    zero: str = ""
+    cause: str = ""
+    value_id: str = ""
+    limit_id: str = ""
+    moved_by: tuple[str, ...] = ()
+    short: Text = EMPTY
+    decides: bool = False
+    proven: tuple[str, ...] | None = None
+    proven_where: object = None
+    weakens: tuple[tuple["CheckRule", float], ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.id in RULES:
+            raise ValueError(f"the check {self.id} is declared twice")
+        if (self.kind == "limit") is not bool(self.role):
+            raise ValueError(f"the check {self.id}: a limit has a role, another kind has none")
+        RULES[self.id] = self
+
+    def names(self, at: str | Sequence[str] = (), index: int | None = None) -> dict[str, str]:
+        """The elements that the letters stand for, in the order of the id."""
+        elements = (at,) if isinstance(at, str) else at
+        names = dict(zip(LETTER.findall(self.id), elements, strict=True))
+        if "M" in names:
+            names["DRIVER"], names["DRIVEN"] = names["M"].split("_", 1)
+        return names if index is None else names | {INDEX: str(index)}
+
+    def __call__(
+        self,
+        value: float | None,
+        limit: float | tuple[float, float],
+        *,
+        at: str | Sequence[str] = (),
+        name: Text | None = None,
+        source: Text | None = None,
+        advice: Text | None = None,
+        sense: str | None = None,
+        scale: float | None = None,
+        index: int | None = None,
+        value_id: str | None = None,
+        moved_by: tuple[str, ...] | None = None,
+        missing: Missing | None = None,
+        base: float = 0.0,
+        remedies: Callable[[], tuple[Remedy, ...]] | None = None,
+    ) -> "Check":
+        """A check from numbers in SI: value, limit and scale are turned into the shown unit here and nowhere else.
+
+        `at`: the elements that the letters of the id stand for; `index`: of the mesh in its array.  `value`: None, or
+        no number, keeps no limit. `scale`: what the margin is a share of where the limit is 0. `advice`: what could be
+        done beside the remedies, which are made only where it does not hold. `base`: what the value would be without
+        what a stretched formula adds to it.  `value_id`, `moved_by`: where the site knows them better.
+
+        A function that gives several is a generator, called `checks` or `…_checks`, and becomes a tuple where the
+        Outcome is made; one that gives one, or perhaps none, is called `…_check`."""
+        names, shown = self.names(at, index), UNITS[self.unit].shown
+        value = math.nan if value is None else value
+        if isinstance(limit, tuple):
+            bound: float | tuple[float, float] = (shown(limit[0]), shown(limit[1]))
+        elif limit == 0 and scale is None and self.unit != "°C":
+            raise ValueError(f"{self.id}: a limit of 0 has no margin without a scale")
+        else:
+            bound = linked(shown(limit), link_of(limit))
+
+        def end(number: End) -> End:
+            return shown(number) if isinstance(number, (int, float)) and math.isfinite(number) else number
+
+        keys = [_filled(key, names) for key in self.moved_by] if moved_by is None else moved_by
+        made = Check(
+            self,
+            _filled(self.id, names),
+            self.name if name is None else name,
+            linked(shown(value) if math.isfinite(value) else value, link_of(value)),
+            bound,
+            self.sense if sense is None else sense,
+            self.source if source is None else source,
+            self.advice if advice is None else advice,
+            cause=_filled(self.cause, names),
+            value_id=_filled(self.value_id, names) if value_id is None else value_id,
+            limit_id=_filled(self.limit_id, names),
+            moved_by=tuple([key for key in keys if INDEX not in key]),
+            zero_scale=None if scale is None else abs(shown(scale)),
+            missing=missing.keys if missing is not None else (),
+            taken=missing.taken if missing is not None else (),
+            at_best=end(missing.best) if missing is not None else None,
+            at_worst=end(missing.worst) if missing is not None else None,
+            base=shown(base) if base else 0.0,
+        )
+        ways = () if remedies is None or made.holds else remedies()
+        if not ways:
+            return made
+        return made.but(remedies=ways, advice=SPACE.join(filter(None, (sentence(ways), made.advice))))
 
 
-@cache
-def rules() -> tuple[CheckRule, ...]:
-    """All rows, in their order."""
-    return tuple(_rule(line, cells) for line, cells in _tables()[1])
+# --- one check
 
-
-def _tables() -> tuple[list[tuple[int, list[str]]], list[tuple[int, list[str]]]]:
-    """The rows of the two tables of the page, each with its line, without their heads: the letters, and the checks."""
-    tables: list[list[tuple[int, list[str]]]] = []
-    inside = False
-    for line, row in enumerate(TABLE.read_text(encoding="utf-8").splitlines(), 1):
-        if row.startswith("| "):
-            tables += [] if inside else [[]]
-            tables[-1].append((line, [cell.strip() for cell in row[2:-2].split("| ")]))
-        inside = row.startswith("|")
-    letters, checks = tables
-    return letters[1:], checks[1:]
-
-
-@cache
-def elements() -> dict[str, Element]:
-    """The letters of the table."""
-    by_letter = {}
-    for _, (letter, _, kind) in _tables()[0]:
-        words = re.findall(r"\w+", kind)
-        ends = tuple(words[words.index("pair") + 1 :][:2]) if "pair" in words else ()
-        by_letter[letter] = Element(letter, ends, "single" in words, "behind" in words)
-    return by_letter
-
-
-@cache
-def letters() -> re.Pattern[str]:
-    """The letters in ids that stand side by side with | between them."""
-    alone = [INDEX, *elements(), *(word for element in elements().values() for word in element.ends)]
-    behind = "".join(letter for letter, element in elements().items() if element.behind)
-    return re.compile(rf"(?<![^.|])(?:{'|'.join(alone)})(?![^.|])|(?<=_)[{behind}](?![^|])")
-
-
-def _rule(line: int, cells: list[str]) -> CheckRule:
-    if len(cells) != len(COLUMNS):
-        count, columns = len(cells), ", ".join(COLUMNS)
-        raise _bad_row(line, cells[0], Text("has {count} cells; needs {columns}", count=count, columns=columns))
-    id, kind, cause, value, limit, moved_by, why = cells
-    words = kind.split()
-    if strangers := [word for word in words if word not in KINDS + ROLES]:
-        raise _bad_row(line, id, unknown(strangers[0], KINDS + ROLES), strangers[0])
-    if not any(word in KINDS for word in words):
-        raise _bad_row(line, id, Text("has no kind; needs {kinds}", kinds=", ".join(KINDS)))
-    kinds = tuple(word for word in words if word in KINDS)
-    value = id if value == "=" else value
-    return CheckRule(id, kinds, "demand" in words, "exact" in words, cause, value, limit, tuple(moved_by.split()), why)
-
-
-def _bad_row(line: int, id: str, reason: Text, value: str = "") -> BadTable:
-    return BadTable(str(TABLE), [InputError(line, id, value, reason)])
-
-
-def _without_row(id: str) -> BadTable:
-    """What is said of a check that has no row, at the row that may be meant for it."""
-    lines = {cells[0]: line for line, cells in _tables()[1]}
-    for near in get_close_matches(id, lines, 1):
-        return _bad_row(lines[near], id, Text('has no row here; did you mean "{near}"?', near=near))
-    return _bad_row(0, id, Text("has no row here"))
-
-
-@cache
-def _by_end() -> dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]]:
-    """The rules and the parts of their ids by step, number of parts and last part; of several, those with fewer letters
-    first."""
-    by_end: dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]] = {}
-    parted = [(rule, rule.id.split(".")) for rule in rules()]
-    for rule, parts in sorted(parted, key=lambda entry: sum(part in elements() for part in entry[1])):
-        last = parts[-1]
-        for letter, element in elements().items():
-            last = last.removesuffix(letter) if element.behind else last
-        by_end.setdefault((parts[0], len(parts), last), []).append((rule, parts))
-    return by_end
-
-
-@cache
-def rule_of(id: str, index: int | None = None) -> CheckRule:
-    """The row of a check with its own elements in place of the letters.  `index`: of the mesh in its array (`#` of the
-    keys).
-
-    Raises KeyError where there is none: every check has its row.
-    """
-    return _filled(*_row(id), index)
-
-
-@cache
-def pattern_of(id: str) -> str:
-    """The id of the row of a check, letters in place of its elements: the same for both bearings, and for all meshes.
-
-    The id itself where there is no row.
-    """
-    try:
-        return _row(id)[0].id
-    except KeyError:
-        return id
-
-
-def _row(id: str) -> tuple[CheckRule, dict[str, str]]:
-    """The row of a check, and the elements that its letters stand for."""
-    parts = id.split(".")
-    # the last of them: what the check is about stands at the end
-    ends = (parts[-1], parts[-1].partition("_")[0] + "_", *elements())
-    for end in ends:
-        for rule, pattern in _by_end().get((parts[0], len(parts), end), ()):
-            names = _names(pattern, parts)
-            if names is not None:
-                return rule, names
-    raise KeyError(f"the check {id} has no row in {TABLE.name}")
-
-
-def is_limit(id: str) -> bool:
-    """Whether a check with this id can be nothing but a limit."""
-    try:
-        return rule_of(id).kinds == ("limit",)
-    except KeyError:
-        return False
-
-
-def _names(pattern: list[str], parts: list[str]) -> dict[str, str] | None:
-    """The elements that the letters of a pattern stand for in an id; None where it is not of this pattern."""
-    names: dict[str, str] = {}
-    for letter, part in zip(pattern, parts):
-        if (element := elements().get(letter)) is not None:
-            if not element.can_be(part):
-                return None
-            names[letter] = part
-            names.update(zip(element.ends, part.split("_", 1)))
-        elif letter != part:
-            before, last = letter[:-1], elements().get(letter[-1:])
-            if last is None or not last.behind or not before.endswith("_") or not part.startswith(before):
-                return None
-            names[last.letter] = part.removeprefix(before)
-    return names
-
-
-def _filled(rule: CheckRule, names: dict[str, str], index: int | None) -> CheckRule:
-    names = names if index is None else names | {INDEX: str(index)}
-    if not names and not any(INDEX in key for key in rule.moved_by):
-        return rule
-    asked = "|".join((rule.id, rule.cause, rule.value, rule.limit, *rule.moved_by))
-    id, cause, value, limit, *keys = letters().sub(lambda letter: names.get(letter[0], letter[0]), asked).split("|")
-    moved_by = tuple([key for key in keys if INDEX not in key])
-    return CheckRule(id, rule.kinds, rule.demand, rule.exact, cause, value, limit, moved_by, rule.why)
-
-
-# --- one check, and what several come to
-
-THIN_MARGIN = 0.05  # a limit that holds by less than this is a warning
 SIGNS = {
     "pass": "✓",
+    "computed": "✓",
     "warn": "▲",
     "fail": "✗",
     "note": "•",
     "not_verified": "?",
+    "not_judged": "?",
     "accepted": "✓",
     "blocked": "○",
     "not_asked": "·",
     "no_solution": "✗",
 }
 # from good to bad
-ORDER = ("not_asked", "pass", "accepted", "note", "warn", "not_verified", "blocked", "fail", "no_solution")
-URGENT = ("fail", "not_verified", "warn")  # verdicts that somebody has to look at
-STEP_STATES = ("not_asked", "pass", "warn", "not_verified", "blocked", "fail", "no_solution")
+ORDER = ("not_asked", "pass", "accepted", "computed", "note", "warn", "not_judged", "not_verified", "blocked")
+ORDER += ("fail", "no_solution")
+URGENT = ("fail", "not_verified", "warn")  # verdicts of checks that somebody has to look at
 
 
 @record
 class Check:
-    """`value` and `limit` stand in the shown unit.  `sense` is ">=", ">", "<=", "<" or "in" (limit is then (low,
-    high)).
+    """`value`, `limit`, `zero_scale`, `base` and the ends stand in the shown unit.  `sense` is ">=", ">", "<=", "<" or
+    "in" (limit is then (low, high)).
 
-    `kind`: a "limit" that is passed over is a fail, and one that holds by less than 5 % a
-    warning; a "caution" that is passed over is a warning; "advice" and "method" (about the calculation, not the part)
-    are notes. `cause`: the id of the check, or of the group, that it is shown under.  `value_id`, `limit_id`: the value
-    that is judged, and the one that it is held against.  `moved_by`: keys of the inputs that move it most, in the order
-    in which a designer uses them; the key of a table stands for the numbers in it. `exact`: the limit, where it is not
-    0, is one that the designer has chosen and may be used up. `missing`: keys that are not given and without which it
-    can not be judged: it stands on what the program takes for them. `advice`: what to do: the remedies, in the labels
-    and units of the fields, and what is no value of a key.  `accepted`: the reason that the user gave for leaving it
-    open."""
+    `missing`, `taken`, `at_best`, `at_worst`: what is not given, as of `Missing`; None where nothing is missing.
+    `remedies`: what would make it hold; `advice`: what to do: the remedies, in the labels and units of the fields, and
+    what is no value of a key.  `outside`: the checks of the method that are passed over and that put this one outside
+    the validity of its formula.  `accepted`: the reason that the user gave for leaving it open."""
 
+    rule: CheckRule
     id: str
     name: Text
     value: float
     limit: float | tuple[float, float]
     sense: str
-    unit: str
-    source: Text
+    source: Text = EMPTY
     advice: Text = EMPTY
-    kind: str = "limit"
     cause: str = ""
     value_id: str = ""
     limit_id: str = ""
     moved_by: tuple[str, ...] = ()
-    remedies: tuple[Remedy, ...] = ()
+    zero_scale: float | None = None
     missing: tuple[str, ...] = ()
-    demand: bool = False
-    exact: bool = False
+    taken: tuple[Text, ...] = ()
+    at_best: End | None = None
+    at_worst: End | None = None
+    base: float = 0.0
+    outside: tuple[str, ...] = ()
+    remedies: tuple[Remedy, ...] = ()
     accepted: str = ""
 
     def __str__(self) -> str:
@@ -277,36 +246,70 @@ class Check:
         return f"{SIGNS[self.verdict]} {self.name}: {value} ({self.limit_text()}, {self.margin_text()})"
 
     @property
+    def kind(self) -> Kind:
+        return self.rule.kind
+
+    @property
+    def role(self) -> Role:
+        return self.rule.role
+
+    @property
+    def unit(self) -> str:
+        return self.rule.unit
+
+    @property
+    def exact(self) -> bool:
+        return self.rule.exact
+
+    @property
     def nearest(self) -> tuple[float, float]:
         """Distance to the nearest limit, negative when passed over, and that limit."""
+        return self._from_limit(self.value)
+
+    def _from_limit(self, value: float) -> tuple[float, float]:
         if isinstance(self.limit, tuple):
             low, high = self.limit
-            to_low, to_high = self.value - low, high - self.value
+            to_low, to_high = value - low, high - value
             return (to_low, low) if to_low <= to_high else (to_high, high)
-        return (self.value - self.limit if self.sense in (">=", ">") else self.limit - self.value), self.limit
+        return (value - self.limit if self.sense in (">=", ">") else self.limit - value), self.limit
+
+    @property
+    def gap(self) -> float:
+        """Distance to the nearest limit in the shown unit, negative when passed over."""
+        return self.nearest[0]
+
+    @cached_property
+    def scale(self) -> float:
+        """What the margin is a share of: the limit, of a range its width, 100 K, or what is said where it is 0."""
+        if self.unit == "°C":
+            return DEGREES
+        if isinstance(self.limit, tuple) and self.limit[1] > self.limit[0]:
+            return self.limit[1] - self.limit[0]
+        return abs(self.nearest[1]) or self.zero_scale or 0.0
 
     @cached_property
     def margin(self) -> float:
-        """Distance to the nearest limit over |limit|, negative when passed over; for a limit of 0 the distance
-        itself."""
-        gap, limit = self.nearest
-        return gap / abs(limit) if limit else gap
+        """The gap over the scale."""
+        return self.gap / self.scale if self.scale else math.copysign(math.inf, self.gap) if self.gap else 0.0
 
     @property
     def holds(self) -> bool:
-        """Whether the limit is kept; a value that is no number keeps none."""
-        margin = self.margin
-        return margin > 0 or (margin == 0 and self.sense not in (">", "<"))
+        """Whether the limit is kept by what is taken; a value that is no number keeps none."""
+        return self._kept(self.value)
+
+    def _kept(self, value: float) -> bool:
+        gap = self._from_limit(value)[0]
+        return gap > 0 or (gap == 0 and self.sense not in (">", "<"))
 
     @property
     def narrow(self) -> bool:
         """A limit that is kept, but by so little that it is a warning."""
-        return self.kind == "limit" and not (self.exact and self.limit) and self.holds and self.margin < THIN_MARGIN
+        return self.kind == "limit" and not self.exact and self.holds and self.margin < THIN_MARGIN
 
     @property
     def utilisation(self) -> float | None:
         """Demand over capacity, 1 at the limit; None where the check is not on these two."""
-        if not self.demand or isinstance(self.limit, tuple):
+        if not self.rule.demand or isinstance(self.limit, tuple):
             return None
         over, under = (self.value, self.limit) if self.sense in ("<=", "<") else (self.limit, self.value)
         return over / under if under else None
@@ -320,12 +323,26 @@ class Check:
 
     @cached_property
     def finding(self) -> str:
-        """The verdict, before anybody accepts it."""
-        if self.missing and self.kind in ("limit", "caution"):
-            return "not_verified"
+        """The verdict, before anybody accepts it.
+
+        Of what is not given: with all at the favourable end it fails, or with all at the unfavourable one it holds;
+        else it is not verified."""
+        if self.kind in ("advice", "method"):
+            return "pass" if self.holds else "note"
+        passed_over = "fail" if self.kind == "limit" else "warn"
+        if self.at_best is not None:
+            best, worst = self._end(self.at_best), self._end(self.at_worst)
+            if best is False:
+                return passed_over
+            if not (best and worst and self.holds):
+                return "not_verified"
         if self.holds:
             return "warn" if self.narrow else "pass"
-        return {"limit": "fail", "caution": "warn"}.get(self.kind, "note")
+        return passed_over
+
+    def _end(self, end: End | None) -> bool | None:
+        """Whether it holds there; None where nobody knows."""
+        return self._kept(end) if isinstance(end, (int, float)) else {"holds": True}.get(end or "")
 
     @property
     def verdict(self) -> str:
@@ -337,6 +354,10 @@ class Check:
         """Whether something is left to do, or to accept."""
         return self.verdict not in ("pass", "accepted")
 
+    def but(self, **changes: Any) -> "Check":  # Any: of every field its own
+        """The same with some of its fields changed."""
+        return replace(self, **changes)
+
     def limit_text(self) -> Text:
         if isinstance(self.limit, tuple):
             return Text("{low} to {high}", low=Amount(self.limit[0]), high=Amount(self.limit[1], self.unit))
@@ -344,110 +365,47 @@ class Check:
         return Text("{sign} {limit}", sign=sign, limit=Amount(self.limit, self.unit))
 
     def margin_text(self) -> Text:
-        margin = self.margin
-        if math.isnan(margin):
+        """Per cent; of a limit of 0 and of temperatures the gap with its unit."""
+        gap, limit = self.nearest
+        if math.isnan(gap):
             return Text("no number")
-        if self.nearest[1] == 0:
-            return Text("{margin}", margin=Amount(margin, self.unit, form="+.3g"))
-        if abs(margin) > 1000:  # of a limit that is all but zero
-            return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, margin), "%", form="+.0f"))
-        return Text("{percent}", percent=Amount(margin * 100, "%", form="+.1f" if 0 < abs(margin) < 0.005 else "+.0f"))
+        if limit == 0 or self.unit == "°C":
+            return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form="+.3g"))
+        if abs(self.margin) > 1000:  # of a limit that is all but zero
+            return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, self.margin), "%", form="+.0f"))
+        percent = self.margin * 100
+        return Text("{percent}", percent=Amount(percent, "%", form="+.1f" if 0 < abs(percent) < 0.5 else "+.0f"))
 
 
-def check(
-    id: str,
-    name: Text,
-    value: float,
-    sense: str,
-    limit: float | tuple[float, float],
-    unit: str,
-    source: Text,
-    advice: Text = EMPTY,
-    *,
-    kind: str = "",
-    index: int | None = None,
-    value_id: str | None = None,
-    moved_by: tuple[str, ...] | None = None,
-    remedies: Callable[[], tuple[Remedy, ...]] | None = None,
-    missing: tuple[str, ...] = (),
-) -> Check:
-    """A check from numbers in SI: value and limit are turned into the shown unit here and nowhere else.
-
-    A function that gives several is a generator, called `checks` or `…_checks`, and becomes a tuple where the Outcome
-    is made; one that gives one, or perhaps none, is called `…_check`.
-
-    Kind, cause, the value that is judged and what moves it are those of its row in `calc/library/tables/checks.md`.
-    `kind`: where the row has two. `advice`: what could be done beside the remedies.  `index`: of the mesh in its array,
-    for the keys of the row.  `value_id`, `moved_by`: where the site knows them better than the row.  `remedies` are
-    made only where it does not hold."""
-    try:
-        rule = rule_of(id, index)
-    except KeyError:
-        raise _without_row(id) from None
-    shown = UNITS[unit].shown
-    bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
-    number = shown(value) if math.isfinite(value) else value
-    this_check = Check(
-        id,
-        name,
-        linked(number, link_of(value)),
-        bound,
-        sense,
-        unit,
-        source,
-        advice,
-        kind if kind in rule.kinds else rule.kinds[0],
-        rule.cause,
-        rule.value if value_id is None else value_id,
-        rule.limit,
-        rule.moved_by if moved_by is None else moved_by,
-        (),
-        missing,
-        rule.demand,
-        rule.exact,
-    )
-    ways = () if remedies is None or this_check.holds else remedies()
-    if not ways:
-        return this_check
-    return replace(this_check, remedies=ways, advice=SPACE.join(filter(None, (sentence(ways), advice))))
+# --- checks outside the validity of their formulas
 
 
-def worst(verdicts: Iterable[str]) -> str:
-    """The worst of the states of steps; of a check's own only those count that colour a step."""
-    return max((v for v in verdicts if v in STEP_STATES), key=ORDER.index, default="pass")
+def stretched(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """The checks of a step, those of them known less well that stand on a formula outside its validity.
+
+    What a check of the method says when it is passed over is one thing more that is missing: at the favourable end the
+    value is what it is, at the unfavourable one it is weakened by the factor that the method declares."""
+    missed = [check for check in checks if check.rule.weakens and not check.holds]
+    return tuple([_stretched(check, missed) for check in checks]) if missed else checks
 
 
-def step_verdict(checks: Iterable[Check]) -> str:
-    """Of a step: fail if a limit fails, not_verified if one can not be judged, warn if a caution is open or a limit
-    holds narrowly."""
-    return worst("warn" if c.verdict == "not_verified" and c.kind != "limit" else c.verdict for c in checks)
+def _stretched(check: Check, missed: Sequence[Check]) -> Check:
+    factor, outside = 1.0, []
+    for method in missed:
+        for rule, weaker in method.rule.weakens:
+            if rule is check.rule and _one_part(method.id, check.id):
+                factor, outside = factor * weaker, [*outside, method.id]
+    if not outside:
+        return check
+    worst: End = check.value if check.at_worst is None else check.at_worst
+    if isinstance(worst, (int, float)):
+        over = worst - check.base
+        worst = check.base + (over / factor if check.sense in (">=", ">") else over * factor)
+    best = check.value if check.at_best is None else check.at_best
+    return check.but(outside=tuple(outside), at_best=best, at_worst=worst)
 
 
-def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
-    """Checks under their causes, the worst kind and verdict first; within a group the worst first.
-
-    A group stands where its worst check does.  Checks of one kind and verdict keep their order, the limit that is
-    missed furthest first."""
-    groups: dict[str, list[Check]] = {}
-    for check in checks:
-        groups.setdefault(check.cause or check.id, []).append(check)
-    ordered = (tuple(sorted(group, key=severity)) for group in groups.values())
-    return sorted(ordered, key=lambda group: severity(group[0])[:3])
-
-
-def with_it(checks: Sequence[Check], most: int = 3) -> Text:
-    """What else of a group is open beside its worst."""
-    return Text("With it: {names}", names=named(checks, most))
-
-
-def named(checks: Sequence[Check], most: int = 3) -> Text:
-    """Checks by name and margin; of more than `most` the rest as a number."""
-    first = SEMICOLON.join(Text("{name} ({margin})", name=c.name, margin=c.margin_text()) for c in checks[:most])
-    return first if len(checks) <= most else Text("{names}; {more} more", names=first, more=len(checks) - most)
-
-
-def severity(check: Check) -> tuple[bool, int, int, float]:
-    """What sorts checks: open ones before those that hold or are accepted, then by kind, then the worst verdict
-    first."""
-    margin = -math.inf if math.isnan(check.margin) else check.margin
-    return not check.open, KINDS.index(check.kind), -ORDER.index(check.verdict), margin
+def _one_part(method: str, check: str) -> bool:
+    """Whether both are of one bearing, mesh or wheel, or one is of all; a wheel is part of its meshes."""
+    of, part = method.split(".")[1:-1], check.split(".")[1:-1]
+    return not of or not part or "train" in of or of[0] == part[0] or part[0] in of[0].split("_")

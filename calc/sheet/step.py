@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Generic, Literal, TypeVar
 
 from .arrays import Array
-from .check import Check, grouped, step_verdict
+from .check import Check, stretched
 from .deferred import Later, Many
 from .errors import NoSolution, text_of
 from .number import aligned, brief
@@ -17,6 +17,7 @@ from .quantity import Published, insides, published
 from .record import record
 from .text import EMPTY, Amount, Text
 from .value import Line
+from .verdict import Counts, colour_state, counts, grouped, step_state, verdict_words
 
 State = Literal["solved", "blocked", "not_asked", "no_solution"]
 R = TypeVar("R", covariant=True)  # a step's class of results
@@ -164,7 +165,8 @@ class Further:
 class Outcome(Generic[R]):
     """What solving one step gave.  `state`: solved, blocked (`reason` names what it waits for), not_asked, no_solution.
 
-    `result` is there where the state is solved, and only there.
+    `result` is there where the state is solved, and only there.  `computes`: the step is there for its numbers, and
+    need not judge anything.
 
     `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.
     `key_curves`: of those curves the ones that a short report has too, made when they are looked at.
@@ -183,6 +185,7 @@ class Outcome(Generic[R]):
     reason: Text = EMPTY
     further: Callable[[], Further] | None = None
     key_curves: Many[Curve] = ()
+    computes: bool = False
 
     def __str__(self) -> str:
         """The verdict, every value by its id, and the checks that are open."""
@@ -213,9 +216,22 @@ class Outcome(Generic[R]):
         """The checks under their causes, the worst first; asked for at every keystroke."""
         return tuple(grouped(self.checks))
 
-    @property
+    @cached_property
     def verdict(self) -> str:
-        return step_verdict(self.checks) if self.state == "solved" else self.state
+        return step_state(self.checks, computes=self.computes) if self.state == "solved" else self.state
+
+    @cached_property
+    def counts(self) -> Counts:
+        return counts(self.checks)
+
+    @property
+    def colour(self) -> str:
+        """The state whose colour its verdict has."""
+        return colour_state(self.verdict, self.counts)
+
+    def words(self) -> Text:
+        """`WARN: 2 cautions`."""
+        return verdict_words(self.verdict, self.counts)
 
     def values(self, wanted: frozenset[str] = frozenset()) -> Iterator[Published]:
         """All values of the step, or those whose ids are `wanted`."""
@@ -223,10 +239,10 @@ class Outcome(Generic[R]):
             yield from published(self.result, self.key, wanted=wanted)
 
 
-def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:
-    """The outcomes by their keys, with the checks that the user accepts by id and reason; what there is to say of an
-    entry is a note."""
-    by_key = {outcome.key: outcome for outcome in outcomes}
+def judged(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:
+    """The outcomes by their keys, with what stands outside the validity of its formula known less well, and with the
+    checks that the user accepts by id and reason; what there is to say of an entry is a note."""
+    by_key = {outcome.key: _stretched(outcome) for outcome in outcomes}
     if not reasons:
         return by_key
     solved = [key for key, outcome in by_key.items() if outcome.state == "solved"]
@@ -238,8 +254,13 @@ def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str]
     return by_key
 
 
+def _stretched(outcome: Outcome[R]) -> Outcome[R]:
+    checks = stretched(outcome.checks)
+    return outcome if checks is outcome.checks else replace(outcome, checks=checks)
+
+
 def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:
-    checks = tuple([replace(c, accepted=reasons[c.id]) if c.id in reasons else c for c in outcome.checks])
+    checks = tuple([c.but(accepted=reasons[c.id]) if c.id in reasons else c for c in outcome.checks])
     return replace(outcome, checks=checks, notes=outcome.notes + Later(lambda: _of_accepted(checks, reasons)))
 
 

@@ -6,14 +6,15 @@ symmetric."""
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
 from ..design.addresses import Table, as_list, as_table
 from ..design.key_results import is_least, judged, key_results
 from ..design.model import STEPS, Design
 from ..design.unusual import told, unusual
-from ..sheet.check import ORDER, Check, step_verdict, worst
+from ..sheet.check import ORDER, Check
+from ..sheet.verdict import design_state, step_state
 from ..sheet.quantity import Published, Quantity, dotted, keys
 from ..sheet.text import EMPTY, Name, Text
 
@@ -277,6 +278,8 @@ class Comparison:
     values: tuple[ValueDifference, ...]
     results: tuple[KeyResult, ...] = ()  # of either design, whether they differ or not
     unusual: tuple[Text, Text] = (EMPTY, EMPTY)  # the inputs of A and of B that are not usual
+    whole: tuple[str, str] = ("pass", "pass")  # the state of each design
+    unaccepted: tuple[str, str] = ("pass", "pass")  # its state if nothing were accepted
 
     @property
     def equal(self) -> bool:
@@ -306,15 +309,9 @@ class Comparison:
         return tuple(c for c in self.checks if c.both and not c.moved)
 
     @property
-    def whole(self) -> tuple[str, str]:
-        """The verdict of each design as a whole."""
-        return worst(v.a.verdict for v in self.verdicts), worst(v.b.verdict for v in self.verdicts)
-
-    @property
     def only_accepted(self) -> bool:
         """The verdict as a whole differs by what is accepted alone."""
-        first, other = (worst(v.unaccepted for v in some) for some in zip(*((v.a, v.b) for v in self.verdicts)))
-        return self.whole[0] != self.whole[1] and first == other
+        return self.whole[0] != self.whole[1] and self.unaccepted[0] == self.unaccepted[1]
 
 
 def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
@@ -326,17 +323,24 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
         tuple(_values(results_a, results_b, same)),
         tuple(_key_results(results_a, results_b)),
         (told(unusual(results_a.design)), told(unusual(results_b.design))),
+        (results_a.verdict, results_b.verdict),
+        (_unaccepted(results_a), _unaccepted(results_b)),
     )
 
 
 # --- results
 
 
+def _unaccepted(results: "Results") -> str:
+    steps = [outcome.verdict for outcome in results.outcomes.values()]
+    return design_state([check.but(accepted="") for check in results.checks()], steps)
+
+
 def _judged(results: "Results", step: str) -> Judged:
     outcome = results.outcomes[step]
     verdicts = [check.verdict for check in outcome.checks]
     unaccepted = (
-        step_verdict(replace(check, accepted="") for check in outcome.checks)
+        step_state([check.but(accepted="") for check in outcome.checks], computes=outcome.computes)
         if outcome.state == "solved"
         else outcome.verdict
     )
@@ -353,7 +357,7 @@ def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
         differ = []
         for id in united(mine, theirs):
             first, other = mine.get(id), theirs.get(id)
-            verdicts = ["" if c is None else judged(c, each) for c, each in zip((first, other), checks)]
+            verdicts = ["" if c is None else judged(c) for c, each in zip((first, other), checks)]
             size = math.inf
             if first is not None and other is not None:
                 numbers = zip((first.value, *_limits(first)), (other.value, *_limits(other)))

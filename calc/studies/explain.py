@@ -11,38 +11,14 @@ from dataclasses import dataclass, is_dataclass
 from ..design.addresses import as_list, quantities, value_at
 from ..design.model import Design
 from ..design.toml_file import Document, design
-from ..imbalance.result import ImbalanceResult
-from ..sheet.check import Check, grouped
+from ..sheet.check import Check
+from ..sheet.verdict import grouped
 from ..sheet.errors import BadInput
 from ..sheet.quantity import Quantity
 from ..sheet.quantity import keys as keys_of
 from ..sheet.record import record
 from ..sheet.value import Line, joined_links, leaves, link_of, recorded
 from ..solve import Results, solve
-
-# Checks that a report proves whatever their margin, each with the symbols that its proof must show however far back
-# they stand
-PROVEN: dict[str, tuple[str, ...]] = {
-    "gears.M.safety_contact": ("σ_H0", "K_H", "K_V", "K_Hβ", "K_Hα"),
-    "gears.W.safety_bending": ("σ_F0", "K_F", "K_V", "K_Fβ", "K_Fα"),
-    "countershaft.bolts.strength": (),
-    "countershaft.bolts.pressure": (),
-    "countershaft.balance_grade": (),
-    "countershaft.bending_stress": (),
-    "countershaft.notch_stress": (),
-    "countershaft.fatigue": (),
-    "countershaft.residual": (),
-    "countershaft.residual_force": (),
-    "engine.throw.fatigue": (),
-    "engine.throw.stress_pin": (),
-}
-
-# Of these only where this result is not 0: what a shaft has none of to balance, it needs no proof of
-PROVEN_WHERE: dict[str, object] = {
-    "countershaft.residual": ImbalanceResult.required_couple,
-    "countershaft.residual_force": ImbalanceResult.required_force,
-}
-
 
 @dataclass(frozen=True)
 class Link:

@@ -18,48 +18,6 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..solve import Results
 
-WORDS = {
-    "film_edge": Text("film"),
-    "film_double_load": Text("film, 2 F"),
-    "film_edge_trumpler": Text("film"),
-    "clearance_cold": Text("cold gap"),
-    "temperature": Text("oil"),
-    "temperature_rise": Text("oil rise"),
-    "specific_load": Text("load"),
-    "heat_index": Text("heat"),
-    "transition": Text("speed"),
-    "length_ratio": Text("length ratio"),
-    "slope_front": Text("slope"),
-    "slope_rear": Text("slope"),
-    "bending_stress": Text("stress"),
-    "residual": Text("couple left"),
-    "residual_force": Text("force left"),
-    "envelope": Text("radius"),
-    "envelope_length": Text("length"),
-    "first_critical_speed": Text("critical speed"),
-    "backlash": Text("backlash"),
-    "backlash_cold": Text("cold backlash"),
-    "backlash_warm": Text("warm backlash"),
-    "backlash_warming": Text("backlash, warming up"),
-    "backlash_runout": Text("backlash"),
-    "contact_ratio": Text("contact"),
-    "safety_contact": Text("S_H"),
-    "safety_bending": Text("S_F"),
-    "clearance": Text("wall"),
-    "tip_clearance_least": Text("tip gap"),
-    "stress_pin": Text("pin"),
-    "stress_journal": Text("journal"),
-    "rated_power": Text("power"),
-}
-"""Short words of checks, by the last part of their ids."""
-
-DECIDE = {
-    "countershaft": ("slope_front", "slope_rear"),
-    "bearings": ("film_edge", "film_double_load", "film_edge_trumpler"),
-}
-"""Where no limit is open, the nearest of these stands for its step."""
-
-
 @record
 class Headline:
     """`brief`: the same in fewer cells.  `share`: the value over the limit, 1 at it; None where there is none to hold
@@ -82,13 +40,13 @@ def headline(results: Results, key: str) -> Headline | None:
         return of_check(first)
     if key in GIVES and (text := GIVES[key](results)) is not None:
         return Headline(text, text)
-    deciding = [c for c in outcome.checks if c.id.rpartition(".")[2] in DECIDE.get(key, ())]
+    deciding = [check for check in outcome.checks if check.rule.decides]
     return of_check(min(deciding, key=lambda c: c.margin)) if deciding else None
 
 
 def of_check(check: Check) -> Headline:
     """`film 7.41 of 9 µm`."""
-    word, limit = WORDS.get(check.id.rpartition(".")[2], check.name), check.nearest[1]
+    word, limit = check.rule.short or check.name, check.nearest[1]
     if not limit:
         long, brief = (
             Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=n)) for n in (3, 2)

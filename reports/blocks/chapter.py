@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from calc.sheet.check import Check, grouped, pattern_of
+from calc.sheet.check import Check
+from calc.sheet.verdict import grouped
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 from calc.sheet.value import Line
@@ -81,7 +82,7 @@ def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
     twins: dict[str, list[Check]] = {}
     hard = [check for check in checks if check.kind in ("limit", "caution")]
     for check in hard:
-        twins.setdefault(pattern_of(check.id), []).append(check)
+        twins.setdefault(check.rule.id, []).append(check)
     rows: list[Row] = []
     for group in twins.values():
         least = min(group, key=lambda check: check.margin)

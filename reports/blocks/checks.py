@@ -7,7 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from calc.design.names import knows
-from calc.sheet.check import URGENT, Check, grouped, with_it
+from calc.sheet.check import URGENT, Check
+from calc.sheet.verdict import grouped, with_it
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text, plural
 

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from calc.design.addresses import value_at
-from calc.sheet.check import Check, pattern_of, severity
+from calc.sheet.check import Check, CheckRule
+from calc.sheet.verdict import severity
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.number import RANGE
@@ -22,7 +23,7 @@ from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text, with_unit
 from calc.sheet.units import UNITS
 from calc.sheet.value import Line
-from calc.studies.explain import PROVEN, PROVEN_WHERE, shortened
+from calc.studies.explain import shortened
 
 from ..context import Context, Element, Index, near
 from ..typesetting.boxes import Colour
@@ -84,22 +85,22 @@ def proofs(context: Context, checks: Iterable[Check]) -> list[Proof]:
     always proven."""
     twins: dict[str, list[Check]] = {}
     for check in checks:
-        twins.setdefault(pattern_of(check.id), []).append(check)
+        twins.setdefault(check.rule.id, []).append(check)
     open_ones, kept = [], []
-    for pattern, group in twins.items():
+    for group in twins.values():
         if wanted := sorted(filter(near, group), key=severity):
             open_ones.append(Proof(tuple(wanted), tuple(check for check in group if check not in wanted)))
-        elif pattern in PROVEN and group[0].kind in MOST and _asked(context, pattern):
+        elif group[0].rule.proven is not None and group[0].kind in MOST and _asked(context, group[0].rule):
             least = min(group, key=lambda check: check.margin)
             kept.append(Proof((least,), tuple(check for check in group if check is not least)))
     return sorted(open_ones, key=lambda proof: severity(proof.governing)) + kept
 
 
-def _asked(context: Context, pattern: str) -> bool:
+def _asked(context: Context, rule: CheckRule) -> bool:
     """Whether there is anything to prove of what is always proven."""
-    if pattern not in PROVEN_WHERE:
+    if rule.proven_where is None:
         return True
-    asked = context.results.value(PROVEN_WHERE[pattern])
+    asked = context.results.value(rule.proven_where)
     return asked is not None and asked.shown != 0
 
 
@@ -108,7 +109,7 @@ def demand(context: Context, proof: Proof, known: Known) -> Walk:
     check = proof.governing
     roots = [context.chains.judged(twin) for twin in proof.checks]
     most = HELD if check.verdict == "pass" else MOST[check.kind]
-    return _walk(context, roots, most, PROVEN.get(pattern_of(check.id), ()), known)
+    return _walk(context, roots, most, check.rule.proven or (), known)
 
 
 def limit(context: Context, proof: Proof, known: Known) -> Walk:

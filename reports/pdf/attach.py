@@ -32,7 +32,7 @@ def _solved(results: Results) -> dict[str, object]:
     outcomes = results.outcomes.values()
     return {
         "values": {v.id: float(v.shown) if abs(v.shown) < float("inf") else None for o in outcomes for v in o.values()},
-        "checks": {check.id: judged(check, o.checks) for o in outcomes for check in o.checks},
+        "checks": {check.id: judged(check) for o in outcomes for check in o.checks},
         "steps": {o.key: o.verdict for o in outcomes},
     }
 

@@ -9,7 +9,8 @@ alone; locating pins, where there are any, are left out."""
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import result, value

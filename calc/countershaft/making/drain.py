@@ -11,7 +11,8 @@ from dataclasses import replace
 from functools import cache
 
 from ...library.table_file import house_table
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.quantity import result, value
 from ...sheet.text import EMPTY, Amount, Name, Text

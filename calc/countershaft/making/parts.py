@@ -10,7 +10,8 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from ...library.catalogue import Material
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted

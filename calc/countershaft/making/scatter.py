@@ -15,7 +15,8 @@ from random import Random
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
 from ...sheet.linked_array import column

@@ -13,7 +13,8 @@ from itertools import pairwise
 from ...draw.drawing import TOUCH
 from ...library.tolerances import ISO, grade_number
 from ...sheet.arrays import Array
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
 from ...sheet.quantity import dotted, result, value

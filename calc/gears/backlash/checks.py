@@ -5,7 +5,8 @@ import math
 from collections.abc import Iterator, Sequence
 from functools import partial
 
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.functions import cos, sin
 from ...sheet.quantity import dotted
 from ...sheet.remedy import Change, Remedy, change, remedy

@@ -10,7 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.record import record
 from ...sheet.remedy import by_key
 from ...sheet.text import Amount, Text, alternatives

@@ -7,7 +7,8 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import Described, Stated, dotted
 from ...sheet.record import record

@@ -15,7 +15,8 @@ from functools import cached_property
 import numpy as np
 
 from ...sheet.arrays import Array
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.quantity import dotted
 from ...sheet.record import record

@@ -5,7 +5,8 @@ temperature."""
 import math
 from collections.abc import Iterator, Mapping
 
-from ...sheet.check import Check, check
+from ...sheet.check import Check
+from ...sheet.shim_check import check
 from ...sheet.quantity import dotted
 from ...sheet.remedy import by_key
 from ...sheet.text import EMPTY, Amount, Text

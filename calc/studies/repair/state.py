@@ -9,7 +9,8 @@ from ...design.addresses import value_at
 from ...design.locks import locked
 from ...design.model import STEPS, Design
 from ...design.toml_file import Document, design
-from ...sheet.check import Check, severity
+from ...sheet.check import Check
+from ...sheet.verdict import severity
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress
 from ...sheet.remedy import Changes

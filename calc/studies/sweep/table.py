@@ -17,7 +17,7 @@ from typing import Any, Protocol, TextIO
 
 from ...design.addresses import quantity_of
 from ...design.toml_file import Document
-from ...sheet.check import worst
+from ...sheet.verdict import worst
 from ...sheet.errors import InputError, NoSolution
 from ...sheet.record import record
 from ...sheet.text import Text
