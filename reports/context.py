@@ -289,7 +289,7 @@ class Context:
 
     def state(self, check: Check) -> str:
         """The verdict of a check, or that it holds outside the validity of its formula."""
-        return judged(check, self.results.outcomes[check.id.partition(".")[0]].checks)
+        return judged(check)[0]].checks)
 
 
 def _main_curves(outcome: Outcome[object]) -> list[Curve]:

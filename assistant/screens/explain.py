@@ -121,7 +121,7 @@ class Explain(Once, ModalScreen[str | None]):
         self.chains = Chains(session.results)
         self.check = check
         self.verdict = (
-            judged(check, session.results.outcomes[check.id.partition(".")[0]].checks) if check is not None else ""
+            judged(check)[0]].checks) if check is not None else ""
         )
         self.value = value or (self.chains.behind(check) or "" if check is not None else "")
         first = self.chains.of(self.value) if self.value else self.chains.to(line) if line is not None else []

@@ -162,7 +162,7 @@ class CheckRule:
             return shown(number) if isinstance(number, (int, float)) and math.isfinite(number) else number
 
         keys = [_filled(key, names) for key in self.moved_by] if moved_by is None else moved_by
-        made = Check(
+        this_check = Check(
             self,
             _filled(self.id, names),
             self.name if name is None else name,
@@ -182,10 +182,10 @@ class CheckRule:
             at_worst=end(missing.worst) if missing is not None else None,
             base=shown(base) if base else 0.0,
         )
-        ways = () if remedies is None or made.holds else remedies()
+        ways = () if remedies is None or this_check.holds else remedies()
         if not ways:
-            return made
-        return made.but(remedies=ways, advice=SPACE.join(filter(None, (sentence(ways), made.advice))))
+            return this_check
+        return this_check.but(remedies=ways, advice=SPACE.join(filter(None, (sentence(ways), this_check.advice))))
 
 
 # --- one check

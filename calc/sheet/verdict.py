@@ -48,16 +48,16 @@ class Counts:
 
 def counts(checks: Iterable[Check]) -> Counts:
     """Of these checks, each counted by itself."""
-    found = [(check.kind, check.verdict) for check in checks]
-    limits = [verdict for kind, verdict in found if kind == "limit"]
-    open_ = [kind for kind, verdict in found if kind != "limit" and verdict not in ("pass", "accepted")]
+    verdicts = [(check.kind, check.verdict) for check in checks]
+    limits = [verdict for kind, verdict in verdicts if kind == "limit"]
+    open_ = [kind for kind, verdict in verdicts if kind != "limit" and verdict not in ("pass", "accepted")]
     return Counts(
         len(limits),
         limits.count("fail"),
         limits.count("not_verified"),
         open_.count("caution"),
         limits.count("warn"),
-        sum(verdict == "accepted" for _, verdict in found),
+        sum(verdict == "accepted" for _, verdict in verdicts),
         open_.count("advice"),
         open_.count("method"),
     )
@@ -170,7 +170,7 @@ def severity(check: Check) -> tuple[bool, int, int, float]:
     return not check.open, KINDS.index(check.kind), -ORDER.index(check.verdict), margin
 
 
-def found(groups: Sequence[Sequence[Check]]) -> Text:
+def findings_of(groups: Sequence[Sequence[Check]]) -> Text:
     """`3 findings (7 checks)`: how many causes are listed, and how many checks stand under them."""
     checks = sum(map(len, groups))
     findings = plural("{n} finding", "{n} findings", n=len(groups))
