@@ -15,10 +15,10 @@ from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
 from calc.sheet.check import SIGNS, URGENT, Check
-from calc.sheet.verdict import grouped, named, severity, with_it
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table, no_such_check
 from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
+from calc.sheet.verdict import grouped, named, severity, with_it
 from calc.sheet.version import VERSION
 from calc.solve import TITLES, Results
 from calc.studies.explain import Effect, effects

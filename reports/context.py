@@ -23,12 +23,12 @@ from calc.design.other_tables import DocumentControl
 from calc.design.toml_file import Document
 from calc.locale import Language
 from calc.sheet.check import URGENT, Check
-from calc.sheet.verdict import severity
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published, dotted
 from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
 from calc.sheet.value import Line, Link, leaves, link_of
+from calc.sheet.verdict import severity
 from calc.solve import Results
 from calc.studies.drive.front import Picked
 from calc.studies.explain import Chains
@@ -289,7 +289,7 @@ class Context:
 
     def state(self, check: Check) -> str:
         """The verdict of a check, or that it holds outside the validity of its formula."""
-        return judged(check)[0]].checks)
+        return judged(check)
 
 
 def _main_curves(outcome: Outcome[object]) -> list[Curve]:

@@ -15,11 +15,11 @@ from calc.design.limits import SEARCH_SECONDS
 from calc.design.locks import standing
 from calc.design.model import STEPS, Design
 from calc.design.toml_file import Document, design, read
-from calc.sheet.verdict import named
 from calc.sheet.errors import BadInput, Cancelled, InputError
 from calc.sheet.progress import at_most
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
+from calc.sheet.verdict import named
 from calc.solve import Results, solve
 
 TRIES = 40  # designs that may be solved for checks that no search is made for: about a second

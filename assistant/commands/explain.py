@@ -15,13 +15,13 @@ from calc.design.toml_file import design as design_of
 from calc.friction.inputs import FrictionInputs
 from calc.friction.studies.scenarios import as_design
 from calc.library.publications import resolved
-from calc.sheet.verdict import named
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.expression import line_json, line_text
 from calc.sheet.number import short
 from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
 from calc.sheet.value import Line
+from calc.sheet.verdict import named
 from calc.solve import Results, solve
 from calc.studies.explain import Chains, Link, chain, origin, shortened
 

@@ -120,9 +120,7 @@ class Explain(Once, ModalScreen[str | None]):
         self.session = session
         self.chains = Chains(session.results)
         self.check = check
-        self.verdict = (
-            judged(check)[0]].checks) if check is not None else ""
-        )
+        self.verdict = judged(check) if check is not None else ""
         self.value = value or (self.chains.behind(check) or "" if check is not None else "")
         first = self.chains.of(self.value) if self.value else self.chains.to(line) if line is not None else []
         self.way: list[list[Link]] = [first]  # the chains that were walked through; the last is shown

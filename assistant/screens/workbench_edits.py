@@ -13,10 +13,10 @@ from textual.worker import get_current_worker
 from calc.design.addresses import as_table
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
-from calc.sheet.verdict import grouped
 from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.remedy import assignment
 from calc.sheet.text import COMMA, EMPTY, Name, Text
+from calc.sheet.verdict import grouped
 
 from ..session.compare_with import edit_text
 from ..session.editing import BuildPlan, told

@@ -9,9 +9,9 @@ from textual.app import SuspendNotSupported
 
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
-from calc.sheet.verdict import severity
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
+from calc.sheet.verdict import severity
 
 from ..actions import BY_ID
 from ..session.calculation import VALUES

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from calc.design.toml_file import Document, design, read
 from calc.engine.inputs import EngineInputs
-from calc.sheet.verdict import grouped
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import dotted
 from calc.sheet.text import EMPTY, Amount, Text, plural
+from calc.sheet.verdict import grouped
 from calc.studies.shipped import EXAMPLE, engine_table, engines
 
 from .recovery import Memory, is_file

@@ -13,11 +13,11 @@ from textual.message import Message
 
 from calc.design.key_results import outside
 from calc.sheet.check import Check
-from calc.sheet.verdict import named, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
+from calc.sheet.verdict import named, severity
 
 from ..session.places import label_of
 from .item_list import Item, ItemList

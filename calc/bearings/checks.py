@@ -10,9 +10,9 @@ from ..library.catalogue import Oil
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import clearance_limits, parse
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down, up
+from ..sheet.shim_check import check
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import Metre
 from . import formulas as f

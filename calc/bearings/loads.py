@@ -16,11 +16,11 @@ from ..countershaft.result import Standing
 from ..library import journal_rules as rules
 from ..sheet.arrays import Array, Value
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import single_or_many
 from ..sheet.record import record
+from ..sheet.shim_check import check
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.units import MetrePerSecond, Newton, Watt

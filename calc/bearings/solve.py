@@ -14,12 +14,12 @@ from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
+from ..sheet.shim_check import check
 from ..sheet.step import Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 from ..library.journal_rules import USUAL_LENGTH_RATIO, heat_index, specific_load
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.number import short
+from ..sheet.shim_check import check
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
 from ..sheet.units import (

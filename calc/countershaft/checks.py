@@ -8,10 +8,10 @@ from ..library import fatigue
 from ..library.catalogue import Material
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.functions import argument, degrees
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down
+from ..sheet.shim_check import check
 from ..sheet.text import SPACE, Amount, Text
 from ..sheet.units import Metre
 from .bending.shaft import RIGID, Bending

@@ -11,12 +11,12 @@ import numpy as np
 from ..draw.drawing import TOUCH
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, cos, pi, resultant, sin
 from ..sheet.linked_array import column, gathered, where
 from ..sheet.quantity import dotted
 from ..sheet.record import record
+from ..sheet.shim_check import check
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
     CubicMetre,

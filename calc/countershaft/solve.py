@@ -13,13 +13,13 @@ from ..imbalance.result import ImbalanceResult
 from ..library.catalogue import Material
 from ..library.journal_rules import heat_index, specific_load
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import pi, power, sin, smallest
 from ..sheet.linked_array import column, elements, item
 from ..sheet.quantity import Described, Stated
+from ..sheet.shim_check import check
 from ..sheet.step import Outcome
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import (

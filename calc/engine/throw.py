@@ -15,8 +15,8 @@ import numpy as np
 from ..library.catalogue import Material
 from ..sheet.arrays import Array, BoolArray, Num
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.linked_array import item
+from ..sheet.shim_check import check
 from ..sheet.step import Table
 from ..sheet.text import Name, Text
 from ..sheet.units import UNITS, Metre, Newton, NewtonMetre

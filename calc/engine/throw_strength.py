@@ -10,10 +10,10 @@ from ..library import fatigue
 from ..library.catalogue import Material
 from ..sheet.arrays import Array
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, power, sqrt, tan, total
 from ..sheet.quantity import result, value
+from ..sheet.shim_check import check
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Newtons, Number, Pascal, Radian, RadPerSecond
 from ..sheet.value import about, based_on, untraced

@@ -9,11 +9,11 @@ import numpy as np
 
 from ..library import oils
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
+from ..sheet.shim_check import check
 from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ..sheet.units import Watt

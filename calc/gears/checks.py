@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Change, Remedy, by_key, change, remedy
+from ..sheet.shim_check import check
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
 from . import limits as p

@@ -10,10 +10,10 @@ from dataclasses import replace
 from ..engine.inputs import EngineInputs
 from ..library.catalogue import Material
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.deferred import Later
 from ..sheet.quantity import dotted
 from ..sheet.record import record
+from ..sheet.shim_check import check
 from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text
 from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond

@@ -5,8 +5,8 @@ import math
 from collections.abc import Iterator
 
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.functions import argument, degrees
+from ..sheet.shim_check import check
 from ..sheet.text import EMPTY, Amount, Text, listed, plural
 from ..sheet.units import Newton, NewtonMetre, Number
 from .remedies import BalanceShaft

@@ -11,10 +11,10 @@ from collections.abc import Iterator
 
 from ..engine.result import EngineResult
 from ..sheet.check import Check
-from ..sheet.shim_check import check
 from ..sheet.formula import formula
 from ..sheet.functions import argument, conj, imag, joined, modulus
 from ..sheet.quantity import result, value
+from ..sheet.shim_check import check
 from ..sheet.step import Table
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, NewtonMetre, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond

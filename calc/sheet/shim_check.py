@@ -6,7 +6,8 @@ from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 
-from .check import CheckRule as Declared, Missing
+from .check import CheckRule as Declared
+from .check import Missing
 from .errors import BadTable, InputError
 from .quantity import unknown
 from .record import record

@@ -14,9 +14,9 @@ from ..design.key_results import is_least, judged, key_results
 from ..design.model import STEPS, Design
 from ..design.unusual import told, unusual
 from ..sheet.check import ORDER, Check
-from ..sheet.verdict import design_state, step_state
 from ..sheet.quantity import Published, Quantity, dotted, keys
 from ..sheet.text import EMPTY, Name, Text
+from ..sheet.verdict import design_state, step_state
 
 if TYPE_CHECKING:
     from ..solve import Results

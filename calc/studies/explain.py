@@ -12,13 +12,14 @@ from ..design.addresses import as_list, quantities, value_at
 from ..design.model import Design
 from ..design.toml_file import Document, design
 from ..sheet.check import Check
-from ..sheet.verdict import grouped
 from ..sheet.errors import BadInput
 from ..sheet.quantity import Quantity
 from ..sheet.quantity import keys as keys_of
 from ..sheet.record import record
 from ..sheet.value import Line, joined_links, leaves, link_of, recorded
+from ..sheet.verdict import grouped
 from ..solve import Results, solve
+
 
 @dataclass(frozen=True)
 class Link:

@@ -18,6 +18,7 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..solve import Results
 
+
 @record
 class Headline:
     """`brief`: the same in fewer cells.  `share`: the value over the limit, 1 at it; None where there is none to hold

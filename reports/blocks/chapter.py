@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from calc.sheet.check import Check
-from calc.sheet.verdict import grouped
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 from calc.sheet.value import Line
+from calc.sheet.verdict import grouped
 
 from ..context import Context
 from ..typesetting.equation import SIGN, EquationEntry, Label, Labelled, entry_blocks

@@ -8,9 +8,9 @@ from dataclasses import replace
 
 from calc.design.names import knows
 from calc.sheet.check import URGENT, Check
-from calc.sheet.verdict import grouped, with_it
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text, plural
+from calc.sheet.verdict import grouped, with_it
 
 from ..context import Context
 from ..typesetting.fonts import BOLD

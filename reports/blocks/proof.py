@@ -15,7 +15,6 @@ import numpy as np
 
 from calc.design.addresses import value_at
 from calc.sheet.check import Check, CheckRule
-from calc.sheet.verdict import severity
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.number import RANGE
@@ -23,6 +22,7 @@ from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text, with_unit
 from calc.sheet.units import UNITS
 from calc.sheet.value import Line
+from calc.sheet.verdict import severity
 from calc.studies.explain import shortened
 
 from ..context import Context, Element, Index, near

@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import result, value
+from ...sheet.shim_check import check
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Metre,

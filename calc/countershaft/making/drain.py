@@ -12,9 +12,9 @@ from functools import cache
 
 from ...library.table_file import house_table
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.quantity import result, value
+from ...sheet.shim_check import check
 from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.units import CubicMetrePerSecond, Metre, MetreTuple, Radian
 from ...sheet.value import about, based_on

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 from ...library.catalogue import Material
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted
+from ...sheet.shim_check import check
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, RadPerSecond

@@ -16,12 +16,12 @@ import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
 from ...sheet.linked_array import column
 from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.shim_check import check
 from ...sheet.step import Curve, Series, Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (

@@ -14,11 +14,11 @@ from ...draw.drawing import TOUCH
 from ...library.tolerances import ISO, grade_number
 from ...sheet.arrays import Array
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
 from ...sheet.quantity import dotted, result, value
 from ...sheet.remedy import Remedy, by_key, down
+from ...sheet.shim_check import check
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.functions import cos, sin
 from ...sheet.quantity import dotted
 from ...sheet.remedy import Change, Remedy, change, remedy
+from ...sheet.shim_check import check
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, Number
 from ..inputs import GearsInputs, Mesh

@@ -11,9 +11,9 @@ import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.record import record
 from ...sheet.remedy import by_key
+from ...sheet.shim_check import check
 from ...sheet.text import Amount, Text, alternatives
 from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import about, based_on

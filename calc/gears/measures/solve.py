@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import Described, Stated, dotted
 from ...sheet.record import record
 from ...sheet.remedy import Remedy, change, remedy
+from ...sheet.shim_check import check
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ...sheet.units import Metre, Number, Radian

@@ -16,11 +16,11 @@ import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.formula import formula
 from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import by_key
+from ...sheet.shim_check import check
 from ...sheet.text import Text
 from ...sheet.units import Metre, Number
 from ...sheet.value import about, based_on, untraced

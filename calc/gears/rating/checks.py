@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Mapping
 
 from ...sheet.check import Check
-from ...sheet.shim_check import check
 from ...sheet.quantity import dotted
 from ...sheet.remedy import by_key
+from ...sheet.shim_check import check
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Kelvin, Metre, NewtonPerMetre, Number, Pascal
 from ..inputs import GearsInputs

@@ -10,7 +10,6 @@ from ...design.locks import locked
 from ...design.model import STEPS, Design
 from ...design.toml_file import Document, design
 from ...sheet.check import Check
-from ...sheet.verdict import severity
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress
 from ...sheet.remedy import Changes
@@ -18,6 +17,7 @@ from ...sheet.search import Trial, first_good
 from ...sheet.step import Outcome
 from ...sheet.text import Small, Text
 from ...sheet.value import recorded
+from ...sheet.verdict import severity
 from ...solve import Results, solve
 
 # in which steps are repaired: that of solving

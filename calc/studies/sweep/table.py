@@ -17,10 +17,10 @@ from typing import Any, Protocol, TextIO
 
 from ...design.addresses import quantity_of
 from ...design.toml_file import Document
-from ...sheet.verdict import worst
 from ...sheet.errors import InputError, NoSolution
 from ...sheet.record import record
 from ...sheet.text import Text
+from ...sheet.verdict import worst
 from ...sheet.version import VERSION
 from .inputs import Combination, SweepPlan, Varied
 
