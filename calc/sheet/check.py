@@ -204,8 +204,19 @@ SIGNS = {
     "no_solution": "✗",
 }
 # from good to bad
-ORDER = ("not_asked", "pass", "accepted", "computed", "note", "warn", "not_judged", "not_verified", "blocked")
-ORDER += ("fail", "no_solution")
+ORDER: tuple[str, ...] = (
+    "not_asked",
+    "pass",
+    "accepted",
+    "computed",
+    "note",
+    "warn",
+    "not_judged",
+    "not_verified",
+    "blocked",
+    "fail",
+    "no_solution",
+)
 URGENT = ("fail", "not_verified", "warn")  # verdicts of checks that somebody has to look at
 
 
@@ -366,10 +377,10 @@ class Check:
 
     def margin_text(self) -> Text:
         """Per cent; of a limit of 0 and of temperatures the gap with its unit."""
-        gap, limit = self.nearest
+        gap = self.gap
         if math.isnan(gap):
             return Text("no number")
-        if limit == 0 or self.unit == "°C":
+        if self.limit == 0 or self.unit == "°C":
             return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form="+.3g"))
         if abs(self.margin) > 1000:  # of a limit that is all but zero
             return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, self.margin), "%", form="+.0f"))
@@ -390,7 +401,7 @@ def stretched(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def _stretched(check: Check, missed: Sequence[Check]) -> Check:
-    factor, outside = 1.0, []
+    factor, outside = 1.0, list[str]()
     for method in missed:
         for rule, weaker in method.rule.weakens:
             if rule is check.rule and _one_part(method.id, check.id):
