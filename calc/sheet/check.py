@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 from .record import record
 from .remedy import Remedy, sentence
-from .text import EMPTY, SPACE, Amount, Text
+from .text import COMMA, EMPTY, SPACE, Amount, Name, Text
 from .units import UNITS
 from .value import link_of, linked
 
@@ -386,6 +386,28 @@ class Check:
             return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, self.margin), "%", form="+.0f"))
         percent = self.margin * 100
         return Text("{percent}", percent=Amount(percent, "%", form="+.1f" if 0 < abs(percent) < 0.5 else "+.0f"))
+
+    def lack_text(self) -> Text:
+        """What is not given, what stands for it, and how far the value goes with it; empty where nothing is missing."""
+        if self.at_best is None:
+            return EMPTY
+        taken = COMMA.join(self.taken)
+        if self.verdict in ("pass", "accepted") and taken:
+            return Text("Assumed: {taken}.", taken=taken)
+        ends = Text(
+            "At best {best}, at worst {worst}.", best=self._shown(self.at_best), worst=self._shown(self.at_worst)
+        )
+        if not self.missing:
+            return ends
+        keys = Name(", ".join(self.missing))
+        if not taken:
+            return Text("Not given: {keys}.", keys=keys)
+        return Text("Not given: {keys}; taken: {taken}. {ends}", keys=keys, taken=taken, ends=ends)
+
+    def _shown(self, end: End | None) -> Text | Amount:
+        if isinstance(end, (int, float)):
+            return Amount(end, self.unit)
+        return Text("it can not fail") if end == "holds" else Text("nobody knows")
 
 
 # --- checks outside the validity of their formulas
