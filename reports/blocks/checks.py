@@ -55,8 +55,9 @@ def counted(context: Context, checks: Sequence[Check]) -> str:
         words[0] += " " + context.text("of_judged", count=n.limits - n.not_verified)
     if outside:
         words.append(context.text("counted_outside", n=outside))
-    if n.advice or n.method:
-        words.append(context.text("open_notes", advice=n.advice, method=n.method))
+    words += [
+        context.text(f"open_{kind}", n=count) for kind, count in (("advice", n.advice), ("method", n.method)) if count
+    ]
     return "; ".join(words) or context.words["no_limits"]
 
 

@@ -10,9 +10,9 @@ from calc.design.key_results import key_results
 from calc.design.names import knows
 from calc.design.unusual import told, unusual
 from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
-from calc.sheet.check import SIGNS, THIN_MARGIN
+from calc.sheet.check import SIGNS, THIN_MARGIN, URGENT
 from calc.sheet.text import Amount, Text
-from calc.sheet.verdict import closest
+from calc.sheet.verdict import closest, findings_of, grouped
 from calc.studies.described import described
 from calc.studies.drawings import shaft, train
 from calc.studies.repair.nearest import nearest
@@ -138,7 +138,9 @@ def summary_blocks(context: Context) -> list[Block]:
     blocks += _steps(context)
     blocks += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
     if attention := attention_blocks(context, results.checks()):
-        blocks += heading(w["attention"], SECTION, gap=9.0, after=0.0)
+        urgent = [[check for check in group if check.verdict in URGENT] for group in grouped(results.checks())]
+        findings = findings_of([group for group in urgent if group])
+        blocks += heading(context.text("counted_attention", findings=findings), SECTION, gap=9.0, after=0.0)
         blocks += attention
     return blocks
 
