@@ -6,25 +6,15 @@ import pytest
 
 from assistant.results_text import check_json, finding_lines, results_json
 from calc.design.toml_file import design, read
-from calc.sheet.check import Check
 from calc.sheet.text import Text
 from calc.solve import solve
 from calc.studies.shipped import DESIGNS
+from tests.made_checks import made_check
 
 
 def made(id, kind, value, **more):
-    return Check(
-        id,
-        Text("The size of {id}", id=id),
-        value,
-        1.0,
-        ">=",
-        "mm",
-        Text("a source"),
-        Text("Do something."),
-        kind=kind,
-        **more,
-    )
+    name, advice = Text("The size of {id}", id=id), Text("Do something.")
+    return made_check(value, kind=kind, unit="mm", id=id, name=name, source=Text("a source"), advice=advice, **more)
 
 
 def printed(*checks, everything=False):

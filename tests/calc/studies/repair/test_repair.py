@@ -15,7 +15,7 @@ from calc.design.toml_file import Document, design, read
 from calc.gears.rating.classes import class_names, strength_class
 from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
-from calc.sheet.text import EMPTY, Text
+from calc.sheet.text import EMPTY
 from calc.solve import Results, solve
 from calc.studies.repair.levers import Lever, called, kind_of, levers
 from calc.studies.repair.nearest import nearest
@@ -24,6 +24,7 @@ from calc.studies.repair.state import state_of
 from calc.studies.repair.trials import Trials
 from tests.calc.studies.repair.test_remedy import damaged, fails, with_changes
 from tests.conftest import DESIGNS
+from tests.made_checks import made_check
 
 WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))
 
@@ -282,7 +283,7 @@ def test_what_holds_by_too_little_has_to_hold_by_the_thin_margin() -> None:
     more."""
 
     def film(value: float) -> Check:
-        return Check("film", Text("Film"), value, 1.0, ">=", "µm", EMPTY)
+        return made_check(value, unit="µm", id="film")
 
     def score(before: Check, after: Check) -> float:
         outcome = SimpleNamespace(state="solved", checks=(after,))
