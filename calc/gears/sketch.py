@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 FINE = 1e-2  # chord error of the teeth in modules, rule of this program: a dot is larger
 GAP: Number = 0.3  # modules: the largest backlash is drawn no wider
-JAMS = ("backlash", "backlash_cold", "backlash_warm", "penetration")  # checks by which a mesh has no room for its teeth
+# checks by which a mesh has no room for its teeth
+JAMS = ("backlash", "backlash_cold", "backlash_warm", "backlash_warming", "penetration")
 FAULTS = "clearance", "position", "undercut", "tip_thickness"  # of a wheel
 BELOW = 0.25  # of the tip radius: where the number of teeth stands below the name
 ABOVE = 0.1  # of the largest tip diameter: how far above the wheels the distances stand
