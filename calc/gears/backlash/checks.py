@@ -30,6 +30,7 @@ ALLOWANCES = (
     dotted("gears", GearsInputs.wheels, "DRIVEN", Wheel.span_allowance),
 )
 TOLERANCE = dotted("gears", GearsInputs.meshes, "#", Mesh.tolerance)
+MORE = Text("Thinner teeth or a smaller centre tolerance give more.")
 
 BACKLASH = CheckRule(
     "gears.M.backlash",
@@ -40,7 +41,7 @@ BACKLASH = CheckRule(
         "geometry: teeth must not jam at any combination of the tolerances where both wheels stand closest by their "
         "runout; all at 20 °C"
     ),
-    advice=Text("Thinner teeth or a smaller centre tolerance give more."),
+    advice=MORE,
     role="physics",
     zero=RECOMMENDED,
     value_id=dotted("gears", "M", PlayResult.backlash_min_runout),
@@ -52,6 +53,7 @@ BACKLASH_COLD = CheckRule(
     "limit",
     "The teeth jam in the cold.",
     unit="µm",
+    advice=MORE,
     role="physics",
     zero=RECOMMENDED,
     cause=BACKLASH.id,
@@ -64,6 +66,7 @@ BACKLASH_WARM = CheckRule(
     "limit",
     "The teeth jam when warm.",
     unit="µm",
+    advice=MORE,
     role="physics",
     zero=RECOMMENDED,
     cause=BACKLASH.id,
@@ -75,6 +78,7 @@ BACKLASH_WARMING = CheckRule(
     "limit",
     "The teeth jam before the housing is as warm as they are: every start passes through it.",
     unit="µm",
+    advice=MORE,
     role="physics",
     zero=RECOMMENDED,
     cause=BACKLASH.id,
@@ -88,6 +92,7 @@ BACKLASH_CHANCE = CheckRule(
     "99 % of the trains that are made must turn freely.",
     unit="µm",
     source=Text("rule of this program: {by_chance}, of which 99 % turn freely at 20 °C", by_chance=BY_CHANCE),
+    advice=MORE,
     zero=RECOMMENDED,
     cause=BACKLASH.id,
     value_id=dotted("gears", "M", PlayResult.backlash_99),
@@ -98,6 +103,7 @@ BACKLASH_WORST = CheckRule(
     "caution",
     "All parts at their worst at once: hardly ever made.",
     unit="µm",
+    advice=MORE,
     zero=RECOMMENDED,
     cause=BACKLASH.id,
     value_id=dotted("gears", "M", PlayResult.backlash_min_worst),
