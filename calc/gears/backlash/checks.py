@@ -86,6 +86,7 @@ BACKLASH_WARMING = CheckRule(
     moved_by=(*ALLOWANCES, TOLERANCE, dotted("gears", GearsInputs.wheels_warmer)),
     short=Text("backlash, warming up"),
 )
+JAMS = BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WARMING  # at the states that are judged
 BACKLASH_CHANCE = CheckRule(
     "gears.M.backlash_chance",
     "caution",
