@@ -137,7 +137,7 @@ STACK = CheckRule(
 
 
 @record
-class Judged:
+class JudgedMesh:
     """A mesh, its backlashes, and its states cold, warm, wheels warmer and warming up at the smallest backlash.
 
     `housings`: the expansions that are possible, several where nobody gives the material between the centres."""
@@ -148,7 +148,7 @@ class Judged:
     housings: tuple[Expansions, ...]
 
 
-def checks(gears: GearsInputs, of: Judged, housing: str | None, chance: Chance | None) -> Iterator[Check]:
+def checks(gears: GearsInputs, of: JudgedMesh, housing: str | None, chance: Chance | None) -> Iterator[Check]:
     """`housing`: the material between the centres that is taken, None: it grows as the driver."""
     m, play = of.m, of.play
     still = _not_given(gears, m)  # at 20 °C
@@ -199,7 +199,7 @@ def _without_runout(m: BacklashCase, tolerance: Metre) -> Callable[[], Metre]:
 
 def _no_jam(
     rule: CheckRule,
-    of: Judged,
+    of: JudgedMesh,
     name: Text,
     j_bn: Metre,
     missing: Missing | None,
@@ -226,7 +226,7 @@ def _no_jam(
     )
 
 
-def _temperature_checks(gears: GearsInputs, of: Judged, missing: Mapping[str, Text]) -> Iterator[Check]:
+def _temperature_checks(gears: GearsInputs, of: JudgedMesh, missing: Mapping[str, Text]) -> Iterator[Check]:
     m = of.m
     cold, warm, warmer, warming = of.smallest
     T_min, T_H, more = (
@@ -321,7 +321,7 @@ def _missing(
     return Missing(tuple(lack), tuple(lack.values()), at_best, at_worst)
 
 
-def _end(gears: GearsInputs, of: Judged, states: tuple[int, ...], *, best: bool) -> Metre:
+def _end(gears: GearsInputs, of: JudgedMesh, states: tuple[int, ...], *, best: bool) -> Metre:
     """The smallest backlash over some of the states with what is not given at one end."""
     m = of.m
     warmer = 0.0 if best and gears.wheels_warmer is None else gears.warmer

@@ -19,7 +19,7 @@ from . import chance as c
 from . import formulas as b
 from . import temperature as t
 from .case import BacklashCase, cases, free_turn, smallest_at, way_to
-from .checks import Judged, checks, notes
+from .checks import JudgedMesh, checks, notes
 from .curves import curves, tables
 from .formulas import PlayResult, TrainPlay
 
@@ -74,7 +74,7 @@ def play(
     whole = _train(train, meshes, way, last, chance)
     all_checks: list[Check] = []
     for m, alpha in known:
-        of = Judged(m, meshes[m.key], smallest[m.key], t.housings(gears, m, alpha, materials))
+        of = JudgedMesh(m, meshes[m.key], smallest[m.key], t.housings(gears, m, alpha, materials))
         all_checks += checks(gears, of, housing, chance)
     texts = tuple(notes(gears, known, housing, chance is not None))
     return Played(meshes, whole, tuple(all_checks), texts, known, gears)

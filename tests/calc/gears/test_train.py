@@ -16,6 +16,7 @@ from calc.library.catalogue import materials
 from calc.sheet.errors import NoSolution
 from calc.sheet.quantity import published
 from calc.sheet.step import Outcome
+from calc.sheet.text import Text
 from calc.sheet.value import leaves, link_of
 from calc.solve import solve as whole_solve
 from tests.calc.gears.trains import SPEED, mesh, r753, shown, solved, train, wheel
@@ -299,3 +300,20 @@ def test_the_reference_diameter_is_found_by_its_old_name_too():
     assert results.values()["gears.crank.pitch_diameter"] == value and value.label == "Reference diameter"
     assert [v.id for v in results.outcomes["gears"].values() if "pitch_diameter" in v.id] == []
     assert value.ids == ("gears.crank.reference_diameter", "gears.crank.pitch_diameter")
+
+
+@pytest.mark.parametrize("part", ["backlash", "layout", "rating"])
+def test_a_part_that_has_no_solution_fails(part):
+    outcome = solve.without(solve.geometry(r753(), SPEED), getattr(solve, part.upper()), Text("too close"))
+    check = outcome.checks[-1]
+    assert (check.id, check.verdict) == (f"gears.train.{part}", "fail")
+    assert (check.kind, check.role, check.zero_scale) == ("limit", "self", 1.0)
+    assert str(check.source) == "the part has no values" and str(check.advice) == "too close."
+
+
+def test_teeth_whose_power_nobody_knows_are_not_verified():
+    outcome = solve.not_rated(solve.geometry(r753(), SPEED), Text("no power"))
+    check = outcome.checks[-1]
+    assert (check.id, check.verdict, outcome.verdict) == ("gears.train.rating", "not_verified", "not_verified")
+    assert (check.missing, check.at_best, check.at_worst) == (("gears.power_kW",), "none", "none")
+    assert "without a torque no tooth is rated" in check.source and "no power" in outcome.notes

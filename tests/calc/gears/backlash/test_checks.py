@@ -7,7 +7,7 @@ import pytest
 from calc.gears.backlash import temperature as t
 from calc.gears.backlash.case import cases
 from calc.gears.backlash.chance import by_chance
-from calc.gears.backlash.checks import JAMS, Judged, checks
+from calc.gears.backlash.checks import JAMS, JudgedMesh, checks
 from calc.gears.backlash.solve import play
 from tests.calc.gears.backlash.plays import SOLIDS, changed, parts, played
 from tests.calc.gears.trains import pair_1, solved
@@ -40,7 +40,7 @@ def judged(gears=None, *, state=None, mesh=None, **values):
         at.append(replace(there, backlash=(state or {}).get(i, there.backlash)))
     result = replace(play(gears, train, SOLIDS, gears.housing_material).meshes[m.key], **values)
     chance = by_chance([m], train.wheels, [m.key], "idler")
-    of = Judged(m, result, at, t.housings(gears, m, alpha, SOLIDS))
+    of = JudgedMesh(m, result, at, t.housings(gears, m, alpha, SOLIDS))
     return {c.id.rpartition(".")[2]: c for c in checks(gears, of, gears.housing_material, chance)}
 
 
