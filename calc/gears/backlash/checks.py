@@ -5,7 +5,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
-from ...sheet.check import Check, CheckRule, End, Missing
+from ...sheet.check import THIN_MARGIN, Check, CheckRule, End, Missing
 from ...sheet.functions import cos, sin
 from ...sheet.quantity import dotted
 from ...sheet.record import record
@@ -86,7 +86,6 @@ BACKLASH_WARMING = CheckRule(
     moved_by=(*ALLOWANCES, TOLERANCE, dotted("gears", GearsInputs.wheels_warmer)),
     short=Text("backlash, warming up"),
 )
-JAMS = BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WARMING  # at the states that are judged
 BACKLASH_CHANCE = CheckRule(
     "gears.M.backlash_chance",
     "caution",
@@ -208,10 +207,13 @@ def _no_jam(
     growth: Number = 1.0,
     value_id: str | None = None,
 ) -> Check:
-    """That a backlash is not below 0.  `slope`, `growth`: as of `freed`, which frees the unfavourable end as well."""
-    m, least = of.m, j_bn
+    """That a backlash is not below 0.  `slope`, `growth`: as of `freed`, which leaves no narrow margin, and frees
+    the unfavourable end of what is not given."""
+    m, off = of.m, -j_bn
+    if rule.kind == "limit":
+        off += THIN_MARGIN * of.play.backlash_recommended
     if missing is not None and isinstance(missing.worst, float) and math.isfinite(missing.worst):
-        least = min(j_bn, missing.worst)
+        off = max(off, -missing.worst)
     return rule(
         j_bn,
         0.0,
@@ -222,7 +224,7 @@ def _no_jam(
         index=m.index,
         value_id=value_id,
         missing=missing,
-        remedies=partial(_freed, m, -least, slope, growth),
+        remedies=partial(_freed, m, off, slope, growth),
     )
 
 

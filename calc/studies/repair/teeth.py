@@ -15,7 +15,6 @@ import numpy as np
 
 from ...design.locks import locked
 from ...design.step_inputs import shaft_axis
-from ...gears.backlash.checks import JAMS
 from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.selection.free_shifts import freedoms, settled
 from ...gears.selection.idler import idlers, passed
@@ -117,6 +116,7 @@ def _change(row: ShiftRow, gears: GearsInputs) -> float:
 # --- teeth that jam
 # As many whole micrometres off the spans of the wheels as free every pair at its smallest backlash.
 
+KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_runout")
 ROUNDS = 4  # a wheel grows with temperature, so that its allowance does not act to the last micrometre
 MOST = 1000  # µm off one pair: beyond, the backlash is not that of its tolerances
 
@@ -125,26 +125,20 @@ def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Prog
     """Raises NoSolution where thinner teeth do not free a pair."""
     for n in range(ROUNDS):
         tell(progress, n / ROUNDS, Text("backlash"))
-        jammed = [c for c in state.failing("gears") if c.rule in JAMS]
+        jammed = [c for c in state.failing("gears") if c.id.rpartition(".")[2] in KINDS]
         if not jammed:
             return state
         missing: dict[str, int] = {}
         for check in jammed:
-            least = _least(check)
-            if not -least < MOST:
-                value = Amount(least, "µm")
+            if not -check.value < MOST:
+                value = Amount(check.value, "µm")
                 raise NoSolution(
                     Text("{check} is {value}: thinner teeth alone do not free the pair", check=check.name, value=value)
                 )
             mesh = check.id.split(".")[1]
-            missing[mesh] = max(missing.get(mesh, 0), math.ceil(-least - 1e-6))
+            missing[mesh] = max(missing.get(mesh, 0), math.ceil(-check.value - 1e-6))
         state = state.with_changes(_thinner(state, missing))
     raise NoSolution(Text("thinner teeth do not free the pair: look at measured sizes and centre distances"))
-
-
-def _least(check: Check) -> float:
-    """What has to be freed: the backlash with what is not given at its unfavourable end, where that is known."""
-    return min(check.value, check.at_worst) if isinstance(check.at_worst, float) else check.value
 
 
 def _thinner(state: RepairState, missing: dict[str, int]) -> Changes:

@@ -91,7 +91,7 @@ def test_residual_couple_is_the_difference_of_two_vectors():
 
 @pytest.mark.parametrize("first", [None, (-1, -5), (-9, -30)])
 def test_advice_just_passes(first):
-    """What the failing check advises passes, with less than 1 µm to spare."""
+    """What the failing check advises passes by no narrow margin, with less than 1 µm to spare."""
 
     def jams(**allowances):
         wheels = [wheel("a", 36, 0.014, allowance=allowances.get("a")), wheel("b", 39, allowance=allowances.get("b"))]
@@ -102,4 +102,4 @@ def test_advice_just_passes(first):
     assert jam.value < 0
     ((key, ends),) = jam.remedies[0].changes
     better = jams(**{"a": first, key.split(".")[2]: tuple(ends)})
-    assert 0 <= better.value < 1 and better.holds
+    assert 0 <= better.value - 0.05 * better.zero_scale < 1 and better.verdict == "pass"

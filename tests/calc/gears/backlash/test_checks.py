@@ -7,7 +7,7 @@ import pytest
 from calc.gears.backlash import temperature as t
 from calc.gears.backlash.case import cases
 from calc.gears.backlash.chance import by_chance
-from calc.gears.backlash.checks import JAMS, JudgedMesh, checks
+from calc.gears.backlash.checks import JudgedMesh, checks
 from calc.gears.backlash.solve import play
 from tests.calc.gears.backlash.plays import SOLIDS, changed, parts, played
 from tests.calc.gears.trains import pair_1, solved
@@ -67,7 +67,7 @@ def test_no_backlash_may_be_below_nothing(id, source):
     """The margin is a share of the recommended backlash: below a twentieth of it a limit is narrow."""
     recommended = judged()["backlash_guide"].limit * UM
     free, little, none, jammed = (of(id, j) for j in (0.051 * recommended, 0.049 * recommended, 0.0, -0.001 * UM))
-    kind = "limit" if id in (rule.id.rpartition(".")[2] for rule in JAMS) else "caution"
+    kind = "limit" if id in ("backlash", *STATES) else "caution"
     assert {c.kind for c in (free, jammed)} == {kind} and free.role == ("physics" if kind == "limit" else "")
     close, failed = ("warn", "fail") if kind == "limit" else ("pass", "warn")
     assert [c.verdict for c in (free, little, none, jammed)] == ["pass", close, close, failed]

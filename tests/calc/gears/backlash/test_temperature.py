@@ -180,21 +180,22 @@ def test_a_given_material_leaves_no_doubt():
     [("backlash_cold", "aluminium", {}), ("backlash_warm", "iron", {"wheels_warmer": 30.0})],
 )
 def test_advice_just_passes(name, housing, said):
-    """What the failing check advises passes, with less than 1 µm (of the span), or 1 µm of the tolerance, to spare."""
-    tight = ((-12, -22), (-20, -30))
+    """What the failing check advises passes by no narrow margin, with less than 1 µm (of the span), or 1 µm of the
+    tolerance, to spare."""
 
     def value(gears):
         given = replace(gears, housing_material=housing, **said)
         return next(c for c in played(given, housing).checks if c.id.endswith(name))
 
-    gears = true(pair_1(allowances=tight))
+    gears = true(pair_1(allowances=SHAVED))
     failing = value(gears)
     assert failing.value < 0
     ((key, ends),), ((place, tolerance),) = (one.changes for one in failing.remedies)
     thinner = changed(gears, wheels={key.split(".")[2]: {"span_allowance": tuple(end * 1e-6 for end in ends)}})
-    assert 0 <= value(thinner).value < 1.0
+    enough = 0.05 * failing.zero_scale
+    assert 0 <= value(thinner).value - enough < 1.0 and value(thinner).verdict == "pass"
     assert place == "gears.meshes.0.tolerance_um"
-    assert 0 <= value(changed(gears, tolerance=tolerance * 1e-6)).value < 1.0
+    assert 0 <= value(changed(gears, tolerance=tolerance * 1e-6)).value - enough < 1.0
 
 
 def test_advice_holds_in_every_housing_that_nobody_names():
@@ -207,8 +208,9 @@ def test_advice_holds_in_every_housing_that_nobody_names():
     assert jam.verdict == "not_verified" and not jam.holds
     ((key, ends),), *_ = (way.changes for way in jam.remedies)
     thinner = changed(gears, wheels={key.split(".")[2]: {"span_allowance": tuple(end * 1e-6 for end in ends)}})
-    assert min(cold(thinner).value, cold(thinner).at_worst) == pytest.approx(0.5, abs=0.5)
-    assert cold(thinner).verdict in ("pass", "warn")
+    free = cold(thinner)
+    assert min(free.value - 0.05 * free.zero_scale, free.at_worst) == pytest.approx(0.5, abs=0.5)
+    assert free.verdict == "pass"
 
 
 def test_the_curve_meets_the_table():
