@@ -143,7 +143,8 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[draw.
     mesh, system = train.meshes[key], train.system
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
     state = draw.judged(checks, *(f"gears.{key}.{id}" for id in JAMS))
-    gap = mesh.backlash_min if state else mesh.backlash_nominal
+    smallest = mesh.backlash_min if train.play is None else train.play[key].backlash_min_runout
+    gap = smallest if state else mesh.backlash_nominal
     factor = min(draw.rounded(GAP * system.m_n / abs(gap)), MOST) if gap else 1.0
     drawn = factor * gap
     shift = generating_shift(driver.profile_shift, -drawn, system.m_n, system.alpha_n)
