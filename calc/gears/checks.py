@@ -13,9 +13,8 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
 from . import limits as p
 from .backlash.case import way_to
-from .backlash.checks import freed
 from .formulas import ISO
-from .inputs import GearsInputs, Mesh, wheel_key
+from .inputs import GearsInputs, wheel_key
 from .measures.solve import contact_checks
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 from .wheel_inputs import Wheel
@@ -29,7 +28,6 @@ def checks(gears: GearsInputs, train: TrainResult) -> Iterator[Check]:
     cuts = {wheel.name: wheel.tip_shortening for wheel in gears.wheels}
     for i, (given, mesh) in enumerate(zip(gears.meshes, train.meshes.values())):
         pair = train.wheels[mesh.driver], train.wheels[mesh.driven]
-        yield _backlash_check(train.system, given, i, mesh, *pair)
         yield from _contact_checks(f"gears.{given.key}", i, mesh)
         yield from _clearance_checks(train.system, f"gears.{given.key}", i, mesh, cuts, *pair)
     for wheel in train.wheels.values():
@@ -86,26 +84,6 @@ def speed_ratio_check(train: TrainResult, wanted: Number, crank: float | None = 
 
 
 # --- meshes
-
-
-def _backlash_check(
-    system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, driver: WheelResult, driven: WheelResult
-) -> Check:
-    closest = mesh.centre_distance - mesh.centre_tolerance  # where the slope is least: what it asks for is enough
-    touching = (driver.base_diameter + driven.base_diameter) / 2
-    slope = 2 * math.sqrt(1 - (touching / closest) ** 2) * math.cos(system.base_helix_angle)
-    return check(
-        f"gears.{given.key}.backlash",
-        Text("Smallest backlash {pair} by its tolerances", pair=mesh.title),
-        mesh.backlash_min,
-        ">=",
-        0.0,
-        "µm",
-        Text("geometry: teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
-        Text("Thinner teeth or a smaller centre tolerance give more."),
-        index=index,
-        remedies=lambda: freed((driver, driven), given, index, mesh.centre_tolerance, -mesh.backlash_min, slope),
-    )
 
 
 def _contact_checks(id: str, index: int, mesh: MeshResult) -> Iterator[Check]:

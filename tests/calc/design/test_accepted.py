@@ -60,13 +60,6 @@ def test_a_limit_is_accepted_by_nobody_and_a_reason_must_say_something():
     assert "nobody can accept" in errors[f"accepted.{LIMIT}"][1] and "in words" in errors[f"accepted.{HOLDS}"][1]
 
 
-def test_nobody_accepts_one_that_is_a_limit_here_though_it_may_be_advice():
-    document = accepting(gears__central__ball="why").with_value("gears.ball_diameter_mm", 30.0)
-    results = solve(design(document))
-    assert {c.id: c.verdict for c in results.checks()}["gears.central.ball"] == "fail"
-    assert "A limit, which nobody can accept: gears.central.ball." in results.outcomes["gears"].notes
-
-
 def test_the_inputs_that_move_a_check_are_measured():
     """An allowance of the span acts micrometre for micrometre; roughness moves the limit of the film, 7.5 for each µm,
     not the film."""

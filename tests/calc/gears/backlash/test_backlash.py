@@ -5,6 +5,7 @@ import math
 import pytest
 
 from calc.gears import solve
+from tests.calc.gears.backlash.plays import played
 from tests.calc.gears.trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
 
 LIMITS = "backlash_min", "backlash_nominal", "backlash_max"
@@ -90,14 +91,15 @@ def test_residual_couple_is_the_difference_of_two_vectors():
 
 @pytest.mark.parametrize("first", [None, (-1, -5), (-9, -30)])
 def test_advice_just_passes(first):
-    """What the failing check advises passes, with less than 1 µm to spare."""
+    """What the failing check advises passes by no narrow margin, with less than 1 µm to spare."""
 
-    def outcome(**allowances):
+    def jams(**allowances):
         wheels = [wheel("a", 36, 0.014, allowance=allowances.get("a")), wheel("b", 39, allowance=allowances.get("b"))]
-        return solve.geometry(train(wheels, [mesh("a", "b", 80.555, tolerance=20)]), SPEED)
+        play = played(train(wheels, [mesh("a", "b", 80.555, tolerance=20)]))
+        return next(c for c in play.checks if c.id == "gears.a_b.backlash")
 
-    failing = next(c for c in outcome(a=first).checks if c.verdict == "fail")
-    ((key, ends),) = failing.remedies[0].changes
-    better = outcome(**{"a": first, key.split(".")[2]: tuple(ends)})
-    assert 0 <= better.result.meshes["a_b"].backlash_min < 1e-6
-    assert better.verdict != "fail"
+    jam = jams(a=first)
+    assert jam.value < 0
+    ((key, ends),) = jam.remedies[0].changes
+    better = jams(**{"a": first, key.split(".")[2]: tuple(ends)})
+    assert 0 <= better.value - 0.05 * better.zero_scale < 1 and better.verdict == "pass"
