@@ -13,7 +13,7 @@ from ...sheet.quantity import Described, Stated
 from ...sheet.step import Outcome, Table, finite
 from ...sheet.text import Text
 from ...sheet.units import NewtonMetre, Number
-from ...sheet.value import about, trace
+from ...sheet.value import about, recorded, trace
 from ..inputs import GearsInputs
 from ..limits import EXTREME
 from ..result import MeshResult, TrainResult
@@ -22,10 +22,20 @@ from . import mesh_strength as nominal
 from . import stress as s
 from .checks import checks
 from .influence import influence
-from .load import REFERENCE_NU, Power, RatingContext, RatingLoad, Surroundings, loads, mean_torques, rating_context
+from .load import (
+    REFERENCE_NU,
+    UNEVEN,
+    Power,
+    RatingContext,
+    RatingLoad,
+    Surroundings,
+    loads,
+    mean_torques,
+    rating_context,
+)
 from .mesh_strength import MeshLoad, mesh_strength
 from .notes import notes
-from .result import MeshRating, RatingResult, WheelStrength
+from .result import MeshRating, MeshStrength, RatingResult, WheelStrength
 from .screening.scuffing import screening
 from .strength import contacts_per_turn, load_cycles, loading_of, rim_of
 
@@ -60,7 +70,8 @@ def rating(
         rated = {key: _mesh(context, mesh, load[key], mean) for key, mesh in train.meshes.items()}
     result = RatingResult(meshes=rated)
     finite(result, "gears", EXTREME)
-    strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
+    strengths = _strengths(rated)
+    uneven = _if_uneven(context, load, mean)
     influences = {key: mesh_rating.influence for key, mesh_rating in rated.items() if mesh_rating.influence is not None}
 
     def tables() -> Iterator[Table]:
@@ -73,13 +84,31 @@ def rating(
     return Outcome(
         "gears",
         result=result,
-        checks=tuple(checks(context, rated, load)),
+        checks=tuple(checks(context, rated, load, uneven)),
         lines=tuple(lines),
         curves=Later(lambda: curves.curves(rated)),
         tables=Later(tables),
         errata=Later(lambda: source_sheet.errata(train, rated)),
         notes=Later(lambda: notes(context, rated, load)),
     )
+
+
+def _strengths(rated: Mapping[str, MeshRating]) -> dict[str, MeshStrength]:
+    return {key: mesh.strength for key, mesh in rated.items() if mesh.strength is not None}
+
+
+def _if_uneven(
+    context: RatingContext, load: Mapping[str, RatingLoad], mean: Mapping[str, NewtonMetre]
+) -> dict[str, MeshStrength]:
+    """The strengths where the application factor is that of the worst irregularity; none where it is not assumed."""
+    alone = replace(context, oil=None)  # not screened
+    with recorded(False):
+        worst = {
+            key: _mesh(alone, mesh, replace(load[key], K_A=UNEVEN), mean)
+            for key, mesh in context.train.meshes.items()
+            if load[key].assumed
+        }
+    return _strengths(worst)
 
 
 # --- one mesh
