@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from calc.gears.checks import SAME_RATIO, checks, speed_ratio_check
-from tests.calc.gears.trains import r753, solved
+from tests.calc.gears.trains import SPEED, r753, solved
 
 GEARS = r753()
 TRAIN = solved(GEARS)
@@ -134,5 +134,29 @@ def test_the_speed_ratio_is_kept_to_a_billionth():
     inside, outside = (speed_ratio_check(turning, -1.0 - off) for off in (0.9e-9, 1.1e-9))
     assert (inside.verdict, outside.verdict) == ("pass", "fail") and SAME_RATIO == 1e-9
     assert "number of meshes" in outside.source and inside.role == "self"
-    assert speed_ratio_check(turning, -1.0 - 0.5e-12).value == 0.0
-    assert speed_ratio_check(turning, -1.0 - 2e-12).value == pytest.approx(2e-12, rel=1e-3)
+    assert speed_ratio_check(turning, -1.0 - 0.99e-12).value == 0.0
+    assert speed_ratio_check(turning, -1.0 - 1.01e-12).value == pytest.approx(1.01e-12, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    "wanted, crank, value, name, advice",
+    [
+        (
+            -2.0,
+            None,
+            1.0,
+            "shaft to crank, −1: off the wanted −2",
+            "give shaft 0.5 times the teeth of crank and an odd",
+        ),
+        (-1.0, 2 * SPEED, 0.5, "shaft to the crank, −0.5: off", "give shaft 0.5 times the teeth of crank and an odd"),
+        (0.2, None, 1.2, "shaft to crank, −1: off the wanted +0.2", "give shaft 125 teeth and an even number"),
+        (-0.2, 5 * SPEED, 0.0, "shaft to the crank, −0.2: off", "give shaft 25 teeth and an odd number"),
+    ],
+)
+def test_the_speed_ratio_is_that_of_the_last_wheel_to_the_crank(wanted, crank, value, name, advice):
+    """Of all wheels on the way from the first driver."""
+    check = speed_ratio_check(TRAIN, wanted, crank)
+    assert check.value == pytest.approx(value, abs=1e-12) and name in check.name
+    assert "crank 25 → central 36 → idler 39 → shaft 25" in check.advice and "by 3 meshes" in check.advice
+    assert advice in check.advice
+    assert check.moved_by == tuple(f"gears.wheels.{w}.teeth" for w in ("shaft", "idler", "central", "crank"))

@@ -174,6 +174,7 @@ def test_flanks_leave_each_other_where_the_torque_changes_its_sign(least, verdic
 def test_what_is_not_known_of_the_torque_is_said():
     check = flank_reversal_check(KEY, "central–idler", RatingLoad(4.0, None, None, 4.0, USUAL, assumed=True))
     assert check.verdict == "note" and "not known" in check.name and math.isnan(check.value)
+    assert (check.limit, check.scale) == (0.0, 4.0)
     assert check.missing == ("gears.application_factor", "gears.speed_irregularity")
     assert [str(text) for text in check.taken] == ["1.25", "none"]
     given = RatingLoad(4.0, None, None, 4.0, 1.5)
