@@ -423,22 +423,27 @@ def stretched(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def _stretched(check: Check, missed: Sequence[Check]) -> Check:
-    factor, outside = 1.0, list[str]()
-    for method in missed:
-        for rule, weaker in method.rule.weakens:
-            if rule is check.rule and _one_part(method.id, check.id):
-                factor, outside = factor * weaker, [*outside, method.id]
-    if not outside:
+    factors = {
+        method: factor
+        for method in missed
+        for rule, factor in method.rule.weakens
+        if rule is check.rule and _one_part(method, check.id)
+    }
+    if not factors:
         return check
+    # of several meshes of one wheel the formula is stretched once
+    factor = math.prod({method.rule.id: factor for method, factor in factors.items()}.values())
     worst: End = check.value if check.at_worst is None else check.at_worst
     if isinstance(worst, (int, float)):
         over = worst - check.base
         worst = check.base + (over / factor if check.sense in (">=", ">") else over * factor)
     best = check.value if check.at_best is None else check.at_best
-    return check.but(outside=tuple(outside), at_best=best, at_worst=worst)
+    return check.but(outside=tuple([method.id for method in factors]), at_best=best, at_worst=worst)
 
 
-def _one_part(method: str, check: str) -> bool:
+def _one_part(method: Check, check: str) -> bool:
     """Whether both are of one bearing, mesh or wheel, or one is of all; a wheel is part of its meshes."""
-    of, part = method.split(".")[1:-1], check.split(".")[1:-1]
+    of, part = method.id.split(".")[1:-1], check.split(".")[1:-1]
+    if method.rule.id.endswith("_W"):  # of one wheel of a mesh
+        return method.id.endswith(f"_{part[0]}")
     return not of or not part or "train" in of or of[0] == part[0] or part[0] in of[0].split("_")
