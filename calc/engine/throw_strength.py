@@ -248,7 +248,8 @@ def _worst(
 FATIGUE = CheckRule(
     "engine.throw.fatigue",
     "caution",
-    "A crack at a fillet breaks the crank; the notch is that of a round shaft, and rolled or hardened fillets bear more.",
+    "A crack at a fillet breaks the crank; the notch is that of a round shaft, and rolled or hardened fillets bear "
+    "more.",
     Text("Safety of the throws against fatigue"),
     source=Text("{fkm}: endless life at rated speed", fkm=fatigue.FKM),
     advice=Text("A larger fillet, a larger diameter; rolling or hardening the fillets, which is not counted here."),
