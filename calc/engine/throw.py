@@ -259,7 +259,7 @@ DIAMETERS = {
 }
 FILLET_RADIUS = dotted("engine", EngineInputs.throw, ThrowInputs.fillet_radius)
 SPAN_OF_THROW = CheckRule(
-    "engine.throw.span",
+    dotted("engine", EngineInputs.throw, ThrowResult.span),
     "method",
     "A throw that is not as long as the cylinder pitch is not the one between two main journals that is computed.",
     Text("Distance of the main journals over the cylinder pitch"),

@@ -119,7 +119,7 @@ OIL_ROWS = CheckRule(
     moved_by=TEMPERATURES,
 )
 POWER_OUT = CheckRule(
-    "friction.M.power_out",
+    dotted("friction", "M", MeshResult.power_out),
     "limit",
     "Nothing comes out of the mesh.",
     sense=">",
@@ -196,7 +196,7 @@ BULK = CheckRule(
     moved_by=(dotted("friction", FrictionInputs.bulk_temperature),),
 )
 BULK_TEMPERATURE = CheckRule(
-    "friction.M.bulk_temperature",
+    dotted("friction", "M", MeshLoss.bulk_temperature),
     "caution",
     "The teeth lose their hardness; the temperature is an estimate.",
     sense="<=",
