@@ -204,6 +204,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             h.journals(design),
             gear,
             design.bearings.slope if design.bearings is not None else None,
+            design.engine.highest_speed / design.engine.rated_speed if design.engine is not None else 1.0,
         )
     else:
         c = part.absent("countershaft", design.countershaft, (e, i))
