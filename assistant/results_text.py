@@ -22,8 +22,8 @@ from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of, grouped, named, severity, with_it
 from calc.sheet.version import VERSION
 from calc.solve import TITLES, Results
+from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
-from calc.studies.ready import not_counted
 
 # --- findings, as plain text that fits a screen
 # Limits first, then cautions, each group of one cause by its worst check; advice and what concerns the method by

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far a design is: the state of each step, whether the whole is ready, what is open, and what nobody counts."""
+"""How far a design is: the state of each step, whether the whole is ready, and what is open."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ..design.addresses import Table, as_table
-from ..design.model import STEPS, Design
+from ..design.model import STEPS
 from ..sheet.check import Check
-from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
 from ..sheet.text import COMMA, Small, Text, plural
@@ -137,42 +136,3 @@ def limits_hold(results: "Results") -> Text:
     outcomes = results.outcomes
     unused = [Small(step.title) for step in STEPS if not step.optional and outcomes[step.key].state == "not_asked"]
     return Text("{held}; {steps} not used", held=held, steps=COMMA.join(unused)) if unused else held
-
-
-# --- what is not counted
-
-
-def _slopes_given(design: Design) -> bool:
-    return design.gears is not None and all(mesh.shaft_deflection is not None for mesh in design.gears.meshes)
-
-
-@record
-class Influence:
-    """What acts on the parts of a step and no formula counts.  `given`: whether a design has the inputs by which it is
-    counted; None: there are none yet."""
-
-    step: str
-    words: Text
-    given: Callable[[Design], bool] | None = None
-
-
-BEARINGS, SHAFT, GEARS = dotted(Design.bearings), dotted(Design.countershaft), dotted(Design.gears)
-INFLUENCES = (
-    Influence(BEARINGS, Text("alignment of the bores")),
-    Influence(BEARINGS, Text("distortion of the housing")),
-    Influence(BEARINGS, Text("stiffness of the housing under the journals")),
-    Influence(BEARINGS, Text("air and fuel in the oil")),
-    Influence(BEARINGS, Text("pulsation of the oil pressure")),
-    Influence(BEARINGS, Text("bolts of the bearing joint")),
-    Influence(BEARINGS, Text("wear of journals and bores")),
-    Influence(SHAFT, Text("torsion of the shaft")),
-    Influence(GEARS, Text("slope of the shaft at its wheel"), _slopes_given),
-    Influence(GEARS, Text("wear of the teeth")),
-)
-
-
-def not_counted(design: Design) -> tuple[Text, ...]:
-    """What acts on the steps that are asked and no input of this design describes.  It is no finding: it touches no
-    state."""
-    asked = {step.key for step in design.asked()}
-    return tuple([each.words for each in INFLUENCES if each.step in asked and not (each.given and each.given(design))])
