@@ -99,6 +99,9 @@ def verify(it: argparse.ArgumentParser) -> None:
 @command("scenarios", "run scripted designs and compare with what they expect")
 def replay(it: argparse.ArgumentParser) -> None:
     it.add_argument("files", nargs="+", metavar="FILE")
+    it.add_argument(
+        "--update", action="store_true", help="rewrite the expectations that were recorded, and say which moved"
+    )
 
 
 @command("choose", "edit a design file in place, comments kept")
