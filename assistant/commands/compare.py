@@ -7,10 +7,11 @@ import sys
 import textwrap
 from argparse import Namespace
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from assistant.results_text import LINE, finite, sign, table_lines
+from assistant.results_text import FINDINGS_LINE, LINE, finite, sign, table_lines
 from assistant.session.saving import spare
 from calc.design.model import STEPS
 from calc.design.predicted import compared_table
@@ -101,7 +102,8 @@ def text(sides: Sides, comparison: Comparison, everything: bool) -> Iterator[str
     if comparison.equal:
         yield EQUAL
         return
-    yield from sentences(comparison, names, sign)
+    for sentence in sentences(comparison, names, sign):
+        yield from textwrap.wrap(sentence, FINDINGS_LINE, break_on_hyphens=False)
     (_, a), (_, b) = sides
     measured = compared_table((a.design, a.predicted), (b.design, b.predicted), names)
     tables = [
@@ -153,6 +155,7 @@ def comparison_json(sides: Sides, comparison: Comparison) -> dict[str, Any]:
         "equal": comparison.equal,
         "conclusion": {
             "verdict": dict(zip("ab", comparison.whole)),
+            "counts": {side: asdict(results.counts) for side, (_, results) in zip("ab", sides)},
             "results": [_key_result(result) for result in comparison.results],
         },
         "inputs": [{"key": d.key, "label": d.label, "unit": d.unit, "a": d.a, "b": d.b} for d in comparison.inputs],

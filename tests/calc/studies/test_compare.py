@@ -20,6 +20,7 @@ from calc.solve import Results, solve
 from calc.studies.compare import Comparison, ValueDifference, compare, inputs, relative, turn
 from calc.studies.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
 from tests.conftest import DESIGNS, GAMMA
+from tests.made_checks import made_check
 
 BETA = DESIGNS / "r753ie4_beta.toml"
 OWN = {  # of what the two files say about one and the same thing
@@ -244,7 +245,7 @@ def test_phases_are_compared_the_shorter_way(
 
 
 def test_a_limit_that_turns_into_advice_differs(gamma_results: Results) -> None:
-    checks = [Check("engine.x", "x", 1.0, 2.0, "<=", "N", "ours", kind=kind) for kind in ("limit", "advice")]
+    checks = [made_check(1.0, "<=", 2.0, kind, "N", id="engine.x") for kind in ("limit", "advice")]
     found = compare({}, {}, *(results_of(gamma_results, checks=(c,)) for c in checks)).checks
     assert len(found) == 1 and found[0].relative == 0 and not found[0].moved
     assert check_table(found, ("A", "B"), str).rows[0][3] == "≤ 2 N → ≤ 2 N (advice)"
@@ -288,7 +289,12 @@ def test_the_tables_have_a_row_for_each_difference(found: Comparison) -> None:
     names = ("β", "γ")
     assert len(input_table(found.inputs, names).rows) == len(found.inputs)
     assert [row[0] for row in verdict_table(found, names, str).rows] == [step.title for step in STEPS]
-    assert verdict_table(found, names, str).rows[2] == ("Counter-shaft", "pass", "warn: 2 warn")
+    shaft, row = found.verdicts[2], verdict_table(found, names, str).rows[2]
+    assert (
+        row[0] == "Counter-shaft"
+        and str(row[2]).startswith("warn: ")
+        and f"{shaft.b.counts.cautions} cautions" in row[2]
+    )
     table = check_table(found.checks, names, str)
     assert [row[0] for row in table.rows] == [d.id for d in found.checks]
     assert all(len(row) == len(table.columns) for row in table.rows)
