@@ -11,7 +11,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from assistant.results_text import FINDINGS_LINE, LINE, finite, sign, table_lines
+from assistant.results_text import LINE, finite, sign, table_lines
 from assistant.session.saving import spare
 from calc.design.model import STEPS
 from calc.design.predicted import compared_table
@@ -102,8 +102,7 @@ def text(sides: Sides, comparison: Comparison, everything: bool) -> Iterator[str
     if comparison.equal:
         yield EQUAL
         return
-    for sentence in sentences(comparison, names, sign):
-        yield from textwrap.wrap(sentence, FINDINGS_LINE, break_on_hyphens=False)
+    yield from sentences(comparison, names, sign)
     (_, a), (_, b) = sides
     measured = compared_table((a.design, a.predicted), (b.design, b.predicted), names)
     tables = [
