@@ -85,11 +85,16 @@ def nearest_passing(
     asked = ["--step", step] if step is not None else []
     command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
     if not repair.left:
+        after = repair.results if step is None else repair.results.outcomes[step]
         warnings = [
             warning for warning in warned(results, repair.results) if step is None or warning.id.startswith(f"{step}.")
         ]
         then = [f"with new warnings: {named(warnings)}"] if warnings else []
-        return [*kept_as, f"to pass: {repair.words}", *then, f"nearest passing design: {command}"]
+        if after.verdict in ("pass", "warn", "computed"):
+            then += [f"then {after.words()}"] if after.verdict == "warn" else []
+            return [*kept_as, f"to pass: {repair.words}", *then, f"nearest passing design: {command}"]
+        mends = f"for no limit to fail: {repair.words}"
+        return [*kept_as, mends, *then, f"then {after.words()}", f"nearest design in which no limit fails: {command}"]
     lines = [f"repairs a part: {repair.words}", f"a part of the way: {command}"] if repair.changes else []
     lines += [f"still fails: {unmended.id}: {unmended.why}" for unmended in repair.left[1:]]
     first = repair.left[0]
