@@ -114,8 +114,8 @@ def _change(row: ShiftRow, gears: GearsInputs) -> float:
 
 
 # --- teeth that jam
-# As many whole micrometres off the spans of the wheels as free every pair at its smallest backlash, with what is not
-# given at its unfavourable end, and by no narrow margin.
+# As many whole micrometres off the spans of the wheels as free every pair at its smallest backlash: by no narrow margin
+# as it is, and with what is not given at its unfavourable end.
 
 KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_warming", "backlash_runout")
 ROUNDS = 4  # a wheel grows with temperature, so that its allowance does not act to the last micrometre
@@ -132,8 +132,9 @@ def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Prog
             return state
         missing: dict[str, int] = {}
         for check in jammed:
-            least = min([check.value, *([check.at_worst] if isinstance(check.at_worst, float) else [])])
-            off = THIN_MARGIN * check.scale - least
+            off = THIN_MARGIN * check.scale - check.value
+            if isinstance(check.at_worst, float):
+                off = max(off, -check.at_worst)
             if not off < MOST:
                 value = Amount(check.value, "µm")
                 raise NoSolution(
