@@ -19,7 +19,7 @@ from tests.conftest import GAMMA, ROOT
 def test_sweep_writes_csv_and_says_the_verdicts(tmp_path):
     out = tmp_path / "speeds.csv"
     done = run("sweep", GAMMA, "--vary", "engine.rated_speed_rpm=1000:2600:5", "--step", "imbalance", "-o", out)
-    assert done.returncode == 0 and "5 designs: 5 ✓ pass" in done.stdout
+    assert done.returncode == 0 and "5 designs: 5 ✓ computed" in done.stdout
     rows = out.read_text(encoding="utf-8").splitlines()
     assert len(rows) == 6 and rows[0].startswith("engine.rated_speed_rpm,imbalance.order_1.force_forward [N]")
 

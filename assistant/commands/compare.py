@@ -7,6 +7,7 @@ import sys
 import textwrap
 from argparse import Namespace
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -153,6 +154,7 @@ def comparison_json(sides: Sides, comparison: Comparison) -> dict[str, Any]:
         "equal": comparison.equal,
         "conclusion": {
             "verdict": dict(zip("ab", comparison.whole)),
+            "counts": {side: asdict(results.counts) for side, (_, results) in zip("ab", sides)},
             "results": [_key_result(result) for result in comparison.results],
         },
         "inputs": [{"key": d.key, "label": d.label, "unit": d.unit, "a": d.a, "b": d.b} for d in comparison.inputs],

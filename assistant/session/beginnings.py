@@ -135,6 +135,8 @@ def _solved(path: Path, memory: Memory) -> "Results":
 
 def _verdicts(results: "Results") -> list[Text]:
     """What a design comes to, in a few lines: what fails by its name, and how much is open."""
+    from calc.studies.ready import limits_hold
+
     rows = [group[0] for group in grouped(results.checks()) if group[0].open]
     fails = [check for check in rows if check.verdict == "fail"]
     unsolved = [outcome.reason for outcome in results.outcomes.values() if outcome.state == "no_solution"]
@@ -146,7 +148,7 @@ def _verdicts(results: "Results") -> list[Text]:
         for c in fails
     ]
     if not lines:
-        lines = [Text("Every limit holds.")]
+        lines = [Text("{held}.", held=limits_hold(results))]
     return [*lines, plural("{n} caution is open.", "{n} cautions are open.", n=cautions)] if cautions else lines
 
 

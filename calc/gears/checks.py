@@ -13,7 +13,7 @@ from ..sheet.units import Metre, Number
 from . import limits as p
 from .backlash.case import way_to
 from .formulas import ISO
-from .inputs import GearsInputs, wheel_key
+from .inputs import GearsInputs, Mesh, wheel_key
 from .measures.solve import contact_checks
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 from .wheel_inputs import Wheel

@@ -119,11 +119,6 @@ def colour_state(state: str, n: Counts) -> str:
     return "warn" if state == "not_judged" and n.cautions else state
 
 
-def worst(verdicts: Iterable[str]) -> str:
-    """The worst of several states."""
-    return max(verdicts, key=ORDER.index, default="pass")
-
-
 def closest(checks: Iterable[Check]) -> Check | None:
     """The limit of physics that is kept by least, or missed by most; None where none was judged."""
     among = [

@@ -16,7 +16,7 @@ from ..design.unusual import told, unusual
 from ..sheet.check import ORDER, Check
 from ..sheet.quantity import Published, Quantity, dotted, keys
 from ..sheet.text import EMPTY, Name, Text
-from ..sheet.verdict import design_state, step_state
+from ..sheet.verdict import Counts, design_state, step_state
 
 if TYPE_CHECKING:
     from ..solve import Results
@@ -148,8 +148,7 @@ class Judged:
     accepted."""
 
     verdict: str
-    fail: int
-    warn: int
+    counts: Counts
     reason: Text = EMPTY
     unaccepted: str = ""
 
@@ -280,6 +279,7 @@ class Comparison:
     unusual: tuple[Text, Text] = (EMPTY, EMPTY)  # the inputs of A and of B that are not usual
     whole: tuple[str, str] = ("pass", "pass")  # the state of each design
     unaccepted: tuple[str, str] = ("pass", "pass")  # its state if nothing were accepted
+    words: tuple[Text, Text] = (EMPTY, EMPTY)  # its state and what is open
 
     @property
     def equal(self) -> bool:
@@ -325,6 +325,7 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
         (told(unusual(results_a.design)), told(unusual(results_b.design))),
         (results_a.verdict, results_b.verdict),
         (_unaccepted(results_a), _unaccepted(results_b)),
+        (results_a.words(), results_b.words()),
     )
 
 
@@ -338,13 +339,12 @@ def _unaccepted(results: "Results") -> str:
 
 def _judged(results: "Results", step: str) -> Judged:
     outcome = results.outcomes[step]
-    verdicts = [check.verdict for check in outcome.checks]
     unaccepted = (
         step_state([check.but(accepted="") for check in outcome.checks], computes=outcome.computes)
         if outcome.state == "solved"
         else outcome.verdict
     )
-    return Judged(outcome.verdict, verdicts.count("fail"), verdicts.count("warn"), outcome.reason, unaccepted)
+    return Judged(outcome.verdict, outcome.counts, outcome.reason, unaccepted)
 
 
 def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:

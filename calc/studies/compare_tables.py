@@ -94,11 +94,8 @@ def judged_text(judged: Judged, sign: Sign) -> Text:
     verdict = Name(sign(judged.verdict))
     if judged.reason:
         return Text("{verdict}: {reason}", verdict=verdict, reason=judged.reason)
-    if judged.fail and judged.warn:
-        return Text("{verdict}: {fail} fail, {warn} warn", verdict=verdict, fail=judged.fail, warn=judged.warn)
-    if judged.fail:
-        return Text("{verdict}: {fail} fail", verdict=verdict, fail=judged.fail)
-    return Text("{verdict}: {warn} warn", verdict=verdict, warn=judged.warn) if judged.warn else verdict
+    open_ = COMMA.join(words for _, words in judged.counts.words)
+    return Text("{verdict}: {open}", verdict=verdict, open=open_) if open_ else verdict
 
 
 def check_table(
@@ -202,7 +199,7 @@ WAYS = (WORSE, NEW, NOT_ACCEPTED, BETTER, ACCEPTED, GONE)  # in the order in whi
 
 def sentences(comparison: Comparison, names: Names, sign: Sign) -> list[Text]:
     """The conclusion in a few sentences; `names`: of the two designs."""
-    texts = [_whole(comparison, names, sign)]
+    texts = [_whole(comparison, names)]
     if comparison.steps_moved:
         sides = [(v.title, sign(v.a.verdict), sign(v.b.verdict)) for v in comparison.steps_moved]
         steps = (Text("{step} {before} → {after}", step=step, before=a, after=b) for step, a, b in sides)
@@ -258,11 +255,13 @@ def _of_results(results: Sequence[KeyResult]) -> Iterator[Text]:
         yield Text("Key results: {better} better, {worse} worse, {same} the same within {share}.", **counts)
 
 
-def _whole(comparison: Comparison, names: Names, sign: Sign) -> Text:
+def _whole(comparison: Comparison, names: Names) -> Text:
     before, after = comparison.whole
+    parts = dict(zip(("a", "b", "before", "after"), (*names, *comparison.words)))
     if before == after:
-        return Text("{a} → {b}: the whole stays {verdict}.", a=names[0], b=names[1], verdict=sign(before))
-    parts = dict(a=names[0], b=names[1], before=sign(before), after=sign(after))
+        if len(set(comparison.words)) == 1:
+            return Text("{a} → {b}: the whole stays {before}.", **parts)
+        return Text("{a} → {b}: the whole goes from {before} to {after}.", **parts)
     if comparison.only_accepted:
         return Text("{a} → {b}: the whole goes from {before} to {after}, by what is accepted.", **parts)
     if ORDER.index(after) > ORDER.index(before):

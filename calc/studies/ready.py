@@ -9,7 +9,7 @@ from ..design.model import STEPS
 from ..sheet.check import Check
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
-from ..sheet.text import Text, plural
+from ..sheet.text import COMMA, Small, Text, plural
 
 if TYPE_CHECKING:
     from ..solve import Results
@@ -128,3 +128,11 @@ def tally(states: Sequence[StepState], results: "Results | None") -> Tally:
         sum(state.state == "ready" for state in asked),
         len(asked),
     )
+
+
+def limits_hold(results: "Results") -> Text:
+    """`31 limits hold; bearings not used`: how many were judged and hold, and the steps that were not asked."""
+    held = plural("{n} limit holds", "{n} limits hold", n=results.counts.held)
+    outcomes = results.outcomes
+    unused = [Small(step.title) for step in STEPS if not step.optional and outcomes[step.key].state == "not_asked"]
+    return Text("{held}; {steps} not used", held=held, steps=COMMA.join(unused)) if unused else held

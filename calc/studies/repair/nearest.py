@@ -2,7 +2,7 @@
 """The nearest passing design: of one step that fails, or of the whole design, step by step in the order of solving."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 
@@ -17,7 +17,7 @@ from ...sheet.step import Outcome
 from ...sheet.text import COMMA, Text
 from ...solve import Results
 from . import sizing, teeth
-from .state import ORDER, TITLES, RepairState, broken, first_repaired, repaired, state_of
+from .state import ORDER, TITLES, RepairState, broken, first_repaired, is_mended, repaired, state_of, warned
 from .trials import one_number
 
 ROUNDS = 3  # through the steps: one may undo a little of an earlier one
@@ -30,10 +30,10 @@ Repairer = Callable[[RepairState, tuple[Check, ...], Progress | None], RepairSta
 
 @dataclass(frozen=True)
 class NearestRemedy:
-    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `mends`: ids of checks that failed and hold
-    with it (a step that had no solution: its key).  `left`: what still fails in the step, and why; then it is a part of
-    a remedy only.  `breaks`: ids of checks of other steps that fail with it and did not before.  `document` and
-    `results`: the design with it."""
+    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `said`: the state of the step then; `mends`:
+    ids of checks that failed and do not with it (a step that had no solution: its key).  `left`: what still fails in
+    the step, and why; then it is a part of a remedy only.  `breaks`: ids of limits of other steps that are judged
+    worse with it.  `document` and `results`: the design with it."""
 
     step: str
     changes: tuple[str, ...]
@@ -161,7 +161,7 @@ def nearest(
 
 
 def _without_needless(start: RepairState, state: RepairState) -> RepairState:
-    """The same without the changes without which nothing more fails, the last ones first: a search moves several
+    """The same without the changes without which nothing is judged worse, the last ones first: a search moves several
     numbers at once, and what a later change repairs may need no earlier one.  A design is solved no further than to the
     first check that says so."""
     failing = {c.id for c in state.results.checks() if c.verdict == "fail"}
@@ -188,9 +188,14 @@ def _without_needless(start: RepairState, state: RepairState) -> RepairState:
             other = start.with_changes(rest, state.results, fails)
         except BadInput:
             continue
-        if not worse and not broken(state, other):
+        if not worse and not broken(state, other) and not warned(state.results, other.results):
             state = other
     return state
+
+
+def _still(check: Check, ids: Sequence[str]) -> bool:
+    """Whether it fails, and is among these: none are all."""
+    return check.verdict == "fail" if not ids else check.id in ids and not is_mended(check)
 
 
 class _Step:
@@ -217,13 +222,13 @@ class _Step:
         if start.unsolved(self.step) and not state.unsolved(self.step):
             mends = [self.step]
         breaks = tuple(id for id in broken(start, state) if not id.startswith(f"{self.step}."))
-        title = TITLES[self.step]
+        then = state.outcome(self.step).words()
         if left:
             effect = Text("still fails: {checks}", checks=COMMA.join(unmended.name for unmended in left))
         elif breaks:
-            effect = Text("passes all checks of the {step}; then fails: {checks}", step=title, checks=", ".join(breaks))
+            effect = Text("{then}; then not kept: {checks}", then=then, checks=", ".join(breaks))
         else:
-            effect = Text("passes all checks of the {step}", step=title)
+            effect = then
         changes, named = tuple(assignments(state.changes)), words(start.document, start.results, state.changes)
         document, results = state.document, state.results
         return NearestRemedy(self.step, changes, named, effect, tuple(mends), left, breaks, document, results), state
@@ -295,9 +300,9 @@ class _Step:
             worse = [id for id in broken(state, mended, ORDER[: ORDER.index(self.step) + 1]) if id not in ids]
             if repaired(state, mended, self.step, ids) and not worse:
                 return mended
-            still = [c.name for c in mended.failing(self.step) if not ids or c.id in ids]
+            still = [c.name for c in mended.outcome(self.step).checks if _still(c, ids)]
             if worse:
-                reason = Text("what repairs it makes {check} fail", check=worse[0])
+                reason = Text("with what repairs it {check} is not kept", check=worse[0])
             else:
                 reason = Text("the nearest still fails: {checks}", checks=COMMA.join(still))
         for id in ids or [self.step]:

@@ -29,12 +29,13 @@ from ...sheet.progress import Progress, part, tell
 from ...sheet.quantity import Quantity, dotted
 from ...sheet.remedy import Changes, assignments
 from ...sheet.search import Budget, closer, rounded
-from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, plural
+from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
+from ...sheet.verdict import named as named_checks
 from ...solve import Results, solve
 from . import sizing
 from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, words_of
 from .nearest import remedy
-from .state import ORDER, RepairState, broken, state_of
+from .state import ORDER, RepairState, broken, closer_limits, is_mended, state_of
 from .trials import ROUND, Trials
 
 # --- one way to mend a finding: what it changes, how far it comes, and what it does to all the rest
@@ -49,9 +50,10 @@ class RepairOption:
     each key with its new value, `changes` the same as KEY=VALUE.
 
     `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is
-    still open in the group; `breaks`: names of limits that fail then and did not, and of steps without a solution.
-    `verdicts`: step, before, after. `power` [W], `mass` [kg]: before and after, of the crank's loss and the shaft;
-    `cold` [µm]: the cold clearance, of a bearing. `locked`: why it was not looked at."""
+    still open in the group; `breaks`: names of limits that are judged worse then, and of steps without a solution;
+    `closer`: of limits that come closer to failing, or further out, in words. `verdicts`: step, before, after. `power`
+    [W], `mass` [kg]: before and after, of the crank's loss and the shaft; `cold` [µm]: the cold clearance, of a
+    bearing. `locked`: why it was not looked at."""
 
     kind: Text
     keys: tuple[str, ...]
@@ -62,6 +64,7 @@ class RepairOption:
     disturbance: float = 0.0
     left: tuple[Text, ...] = ()
     breaks: tuple[Text, ...] = ()
+    closer: tuple[Text, ...] = ()
     verdicts: tuple[tuple[str, str, str], ...] = ()
     power: tuple[float, float] | None = None
     mass: tuple[float, float] | None = None
@@ -78,7 +81,7 @@ class RepairOption:
 
     @property
     def rest(self) -> Text:
-        """What it does beside: `+9 W, +0.4 kg, cold gap 32 µm; then fails: …`."""
+        """What it does beside: `+9 W, +0.4 kg, cold gap 32 µm; then not kept: …`."""
         parts = [
             Text("{change}", change=Amount(b - a, unit, form="+.3g"))
             for pair, unit in ((self.power, "W"), (self.mass, "kg"))
@@ -86,11 +89,12 @@ class RepairOption:
         ]
         if self.cold is not None:
             parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
-        text = COMMA.join(parts) if parts else EMPTY
+        texts = [COMMA.join(parts)] if parts else []
         if self.breaks:
-            fails = Text("then fails: {checks}", checks=COMMA.join(self.breaks[:2]))
-            text = SEMICOLON.join([text, fails]) if text else fails
-        return text
+            texts.append(Text("then not kept: {checks}", checks=COMMA.join(self.breaks[:2])))
+        if self.closer:
+            texts.append(Text("then closer: {checks}", checks=COMMA.join(self.closer[:2])))
+        return SEMICOLON.join(texts) if texts else EMPTY
 
 
 def ranked(ways: Iterable[RepairOption]) -> tuple[RepairOption, ...]:
@@ -106,26 +110,30 @@ def repair_option(
     """A way that was found, with all that it does."""
     left = _open_still(after, group)
     names = {c.id: c.name for c in after.results.checks()}
-    breaks = tuple(names.get(id, Text("{step} has no solution", step=id)) for id in broken(state, after))
+    worse = broken(state, after)
+    breaks = tuple(names.get(id, Text("{step} has no solution", step=id)) for id in worse)
+    mine = {c.id for c in group} | set(worse)
+    part = group[0].id.rpartition(".")[0] if group else ""
+    closer = tuple(named_checks([c]) for c in closer_limits(state.results, after.results, part) if c.id not in mine)
     limits = any(c.verdict == "fail" for c in left) or (bool(left) and left[0].id == group[0].id)
     quality = NEAR if limits else BREAKS if breaks else AS_GIVEN if left else ALL_CORNERS
     before, then = state.results, after.results
-    bearing = group[0].id.rpartition(".")[0] if group else ""
     gaps = {v.id.rpartition(".")[0]: v.shown for v in then.values_of(BearingResult.clearance_cold)}
     return RepairOption(
         kind,
         tuple(changes),
         tuple(changes.items()),
         words(state.document, before, changes),
-        _effect(group, left, quality),
+        _effect(after, group, left, quality),
         quality,
         disturbance(state.document, changes),
         tuple(c.name for c in left),
         breaks,
+        closer,
         tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
         _pair(before, then, FrictionResult.total_loss),
         _pair(before, then, CountershaftResult.mass),
-        gaps.get(bearing),
+        gaps.get(part),
     )
 
 
@@ -140,11 +148,11 @@ def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ..
     return tuple(
         there[c.id]
         for c in group
-        if c.id in there and (there[c.id].open if c.verdict != "fail" else not there[c.id].holds)
+        if c.id in there and (there[c.id].open if c.verdict != "fail" else not is_mended(there[c.id]))
     )
 
 
-def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
+def _effect(after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
     if quality == NEAR and left:
         worst = left[0]
         if worst.id != group[0].id:
@@ -156,6 +164,10 @@ def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> 
         return plural(
             "passes as given; {n} finding is still open", "passes as given; {n} findings are still open", n=len(left)
         )
+    ids = {c.id for c in group}
+    if unknown := [c for c in after.results.checks() if c.id in ids and c.verdict == "not_verified"]:
+        keys = dict.fromkeys(key for c in unknown for key in c.missing)
+        return Text("holds as taken; not verified without {keys}", keys=Name(", ".join(keys)))
     return (
         Text("passes, also at every corner")
         if any("corner" in c.id or "worst" in c.id for c in group)
@@ -396,9 +408,10 @@ def search(
     state, ends = state_of(document, results), math.inf if seconds is None else time.monotonic() + seconds
     step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
     group = () if isinstance(finding, str) else group_of(state.results, finding)
-    if any(c.missing for c in group):
+    if group and group[0].verdict == "not_verified":
         yield from _given(state, group)
-        return
+        if group[0].holds:  # by what is taken: no other number makes it known
+            return
     every = plans(state, step, group) if group else []
     yield from (_locked(state, plan, group) for plan in every if plan.reason)
     free = [plan for plan in every if not plan.reason]
@@ -428,7 +441,8 @@ def _whole_step(
 
 
 def _given(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOption]:
-    """Of what can not be judged: the missing inputs, with a usual value where there is one."""
+    """Of what can not be judged: the missing inputs, with a usual value where there is one, and all of them at once."""
+    every: Changes = {}
     for key in dict.fromkeys(key for check in group for key in check.missing):
         try:
             about = quantity_of(state.document.data, key)
@@ -438,12 +452,22 @@ def _given(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOptio
         values = _usual(state, key, about)
         if not values:
             yield RepairOption(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
-        for value in values:
-            try:
-                after = state.with_changes({key: value})
-            except BadInput:
-                continue
-            yield repair_option(state, after, {key: value}, group, kind)
+        if values:
+            every[key] = values[0]
+        yield from _as_given(state, group, [{key: value} for value in values], kind)
+    if len(every) > 1:
+        yield from _as_given(state, group, [every], Text("give all that is missing"))
+
+
+def _as_given(
+    state: RepairState, group: tuple[Check, ...], ways: Iterable[Changes], kind: Text
+) -> Iterator[RepairOption]:
+    for changes in ways:
+        try:
+            after = state.with_changes(changes)
+        except BadInput:
+            continue
+        yield repair_option(state, after, changes, group, kind)
 
 
 def _usual(state: RepairState, key: str, about: Quantity) -> tuple[float | int | str, ...]:

@@ -277,7 +277,7 @@ def _wider(state: RepairState, names: list[str], ids: list[str], low: float, hig
             wider = state.with_changes({key: whole(n * STEP) for key, b in widths.items() if b < n * STEP})
         except BadInput:
             return None
-        return wider if repaired(state, wider, "gears", ids) and not broken(state, wider) else None
+        return wider if repaired(state, wider, "gears", ids, well=True) and not broken(state, wider) else None
 
     narrow, wide = min(widths.values()), max(widths.values())
     return least_whole(with_width, math.floor(narrow * low / STEP) + 1, math.floor(wide * high / STEP))

@@ -88,31 +88,69 @@ def state_of(document: Document, results: Results | None = None) -> RepairState:
 
 
 def broken(before: RepairState, after: RepairState, steps: Iterable[str] = ORDER) -> list[str]:
-    """Checks of these steps that fail now and did not before, and steps that lost their solution; of a step without one
-    nothing counts."""
+    """Limits of these steps that are judged worse now: that fail and did not before, or are not verified any more; and
+    steps that lost their solution.  Of a step without one nothing counts."""
     worse = []
     for step in steps:
         if before.outcome(step).state != "solved":
             continue
         if after.outcome(step).state != "solved":
             worse.append(step)
-        failed = {c.id for c in before.failing(step)}
-        worse += [c.id for c in after.failing(step) if c.id not in failed]
+        were = {c.id: _lost(c) for c in before.outcome(step).checks}
+        worse += [c.id for c in after.outcome(step).checks if _lost(c) > were.get(c.id, UNVERIFIED)]
     return worse
+
+
+UNVERIFIED = 2  # of a limit that was not there: it may be new, but must not fail
+
+
+def _lost(check: Check) -> int:
+    """How far a limit is from being kept: 0 where it is, 3 where it fails; else it is not verified, and holds by what
+    is taken, or does not."""
+    if check.kind != "limit":
+        return 0
+    return {"fail": 3, "not_verified": 1 if check.holds else 2}.get(check.verdict, 0)
 
 
 def warned(before: Results, after: Results) -> list[Check]:
     """Checks that held, or were not there, and are a warning now, the worst first."""
-    known = {c.id for c in before.checks() if c.open}
+    known = {c.id for c in before.checks() if c.open and c.verdict != "fail"}
     return sorted((c for c in after.checks() if c.verdict == "warn" and c.id not in known), key=severity)
 
 
-def repaired(before: RepairState, after: RepairState, step: str, ids: Iterable[str]) -> bool:
-    """Whether these checks hold now; where the step had no solution, all of its checks."""
+def closer_limits(before: Results, after: Results, part: str) -> list[Check]:
+    """Limits that are kept by a narrow margin now and were not, and those of a part (`bearings.front`) that are passed
+    over, or not verified, by more than before; the worst first."""
+    were = {c.id: c for c in before.checks() if c.kind == "limit"}
+    closer = []
+    for check in after.checks():
+        was = were.get(check.id)
+        if was is None or not check.open:
+            continue
+        mine = check.id.startswith(f"{part}.") and check.margin < was.margin - NOTICED
+        if mine if was.open else check.narrow:
+            closer.append(check)
+    return sorted(closer, key=severity)
+
+
+NOTICED = 1e-3  # of a margin: a limit that is passed over by so little more is as far out as before
+
+
+def is_mended(check: Check) -> bool:
+    """Whether a limit that failed does not any more: it holds by what is taken, though it may not be verified."""
+    return check.verdict != "fail" and check.holds
+
+
+def repaired(before: RepairState, after: RepairState, step: str, ids: Iterable[str], *, well: bool = False) -> bool:
+    """Whether these checks hold now, `well`: and by no narrow margin; where the step had no solution, all of its
+    checks."""
     if after.outcome(step).state != "solved":
         return False
-    failing = {c.id for c in after.failing(step)}
-    return not failing if before.unsolved(step) else not failing & set(ids)
+    if before.unsolved(step):
+        return not after.failing(step)
+    wanted = set(ids)
+    checks = [c for c in after.outcome(step).checks if c.id in wanted]
+    return all(is_mended(c) and not (well and c.narrow) for c in checks)
 
 
 def first_repaired(
@@ -129,7 +167,8 @@ def first_repaired(
     tried.
 
     One that breaks no check that held is preferred to one that breaks checks of later steps, which can be repaired in
-    turn; with `whole` one by which all of the step holds goes before.  Raises NoSolution where no way does."""
+    turn, and of these one that leaves no narrow margin; with `whole` one by which all of the step holds goes before.
+    Raises NoSolution where no way does."""
     wanted, earlier = list(ids), ORDER[: ORDER.index(step) + 1]
 
     def tried(changes: Changes) -> Trial[RepairState]:
@@ -138,14 +177,15 @@ def first_repaired(
         except BadInput as bad:
             return Trial(None, why=bad.errors[0].reason)
         if not repaired(before, after, step, wanted):
-            still = next((c for c in after.failing(step) if c.id in wanted), None)
+            still = next((c for c in after.outcome(step).checks if c.id in wanted and not is_mended(c)), None)
             return Trial(
                 None, why=Text("{check} would still fail", check=still.name) if still else after.outcome(step).reason
             )
         if worse := broken(before, after, earlier):
             return Trial(None, why=Text("{check} would then fail", check=worse[0]))
         later = broken(before, after) or any(map(after.unsolved, ORDER))
-        return Trial(after, 2 * bool(whole and after.failing(step)) + bool(later))
+        narrow = not repaired(before, after, step, wanted, well=True)
+        return Trial(after, 4 * bool(whole and after.failing(step)) + 2 * bool(later) + narrow)
 
     different = list({tuple(map(str, way.items())): way for way in ways if way}.values())
     best = first_good(different, tried, progress, TITLES[step], most)

@@ -25,7 +25,7 @@ from ...gears.selection.tables import changes, freed
 from ...gears.train import tooth_system
 from ...gears.wheel_inputs import Wheel
 from ...sheet.arrays import Array
-from ...sheet.check import Check
+from ...sheet.check import THIN_MARGIN, Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, tell
 from ...sheet.remedy import Changes, whole
@@ -114,9 +114,10 @@ def _change(row: ShiftRow, gears: GearsInputs) -> float:
 
 
 # --- teeth that jam
-# As many whole micrometres off the spans of the wheels as free every pair at its smallest backlash.
+# As many whole micrometres off the spans of the wheels as free every pair at its smallest backlash: by no narrow margin
+# as it is, and with what is not given at its unfavourable end.
 
-KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_runout")
+KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_warming", "backlash_runout")
 ROUNDS = 4  # a wheel grows with temperature, so that its allowance does not act to the last micrometre
 MOST = 1000  # µm off one pair: beyond, the backlash is not that of its tolerances
 
@@ -125,18 +126,22 @@ def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Prog
     """Raises NoSolution where thinner teeth do not free a pair."""
     for n in range(ROUNDS):
         tell(progress, n / ROUNDS, Text("backlash"))
-        jammed = [c for c in state.failing("gears") if c.id.rpartition(".")[2] in KINDS]
+        limits = [c for c in state.outcome("gears").checks if c.kind == "limit" and c.id.rpartition(".")[2] in KINDS]
+        jammed = [c for c in limits if not c.holds]
         if not jammed:
             return state
         missing: dict[str, int] = {}
         for check in jammed:
-            if not -check.value < MOST:
+            off = THIN_MARGIN * check.scale - check.value
+            if isinstance(check.at_worst, float):
+                off = max(off, -check.at_worst)
+            if not off < MOST:
                 value = Amount(check.value, "µm")
                 raise NoSolution(
                     Text("{check} is {value}: thinner teeth alone do not free the pair", check=check.name, value=value)
                 )
             mesh = check.id.split(".")[1]
-            missing[mesh] = max(missing.get(mesh, 0), math.ceil(-check.value - 1e-6))
+            missing[mesh] = max(missing.get(mesh, 0), math.ceil(off - 1e-6))
         state = state.with_changes(_thinner(state, missing))
     raise NoSolution(Text("thinner teeth do not free the pair: look at measured sizes and centre distances"))
 

@@ -80,11 +80,11 @@ class Trials:
         return self._ended
 
     def score(self, after: RepairState | None, wanted: tuple[Check, ...]) -> float:
-        """The least margin of what is to hold, from what it needs; no number where there is none."""
+        """The least margin of what is to hold, from that at which it is no warning; no number where there is none."""
         if after is None or after.outcome(self.step).state != "solved":
             return nan
         there = {c.id: c for c in after.outcome(self.step).checks}
-        margins = [there[c.id].margin - (THIN_MARGIN if c.narrow else 0.0) for c in wanted if c.id in there]
+        margins = [there[c.id].margin - _needed(c) for c in wanted if c.id in there]
         if not margins or any(map(isnan, margins)):
             return 0.0 if repaired(self.state, after, self.step, self.ids) else nan
         return min(margins)
@@ -110,9 +110,18 @@ class Trials:
                 ]
                 break
             if nearest := sign * ends:
+                numbers = [lever.number(nearest)]  # it may hold there, by a narrow margin
                 break
-        holds = (number for number in numbers if self.score(self.tried(lever.at(number)), wanted) >= 0)
+        holds = (number for number in numbers if self.holds(self.tried(lever.at(number)), wanted))
         return holds, nearest
+
+    def holds(self, after: RepairState | None, wanted: tuple[Check, ...]) -> bool:
+        """Whether what is wanted is kept: what failed, if only just, and what was narrow, clear of it."""
+        score = self.score(after, wanted)
+        if after is None or not score < 0:
+            return score >= 0
+        there = {c.id: c for c in after.outcome(self.step).checks}
+        return all(c.verdict == "fail" and c.id in there and there[c.id].holds for c in wanted)
 
     def score_at(self, lever: Lever, wanted: tuple[Check, ...], sign: float, change: float) -> float:
         """That of a relative change up or down."""
@@ -126,6 +135,11 @@ class Trials:
             if after is not None and repaired(self.state, after, self.step, self.ids) and not broken(self.state, after):
                 return abs(number - lever.now) / lever.scale, after
         return None
+
+
+def _needed(check: Check) -> float:
+    """The margin by which a check is no warning."""
+    return THIN_MARGIN if check.kind == "limit" and not check.exact else 0.0
 
 
 # --- of all numbers the one that changes least

@@ -18,7 +18,7 @@ from ...sheet.value import recorded
 from ...solve import Results, solve
 from ..processes import spread
 from .inputs import Combination, SweepPlan, Varied, grid
-from .table import SIZE, Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
+from .table import NO_DESIGN, SIZE, Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
 
 BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
 WORTH = 100  # designs from which a second process gains more than its start costs
@@ -99,14 +99,15 @@ def designs(document: Document, inputs: Sequence[Varied], at: Sequence[Combinati
         try:
             yield design(changed, sound)
         except BadInput as bad:
-            yield Solved({}, {}, reason_of(bad.errors))
+            yield Solved({}, {}, NO_DESIGN, reason_of(bad.errors))
 
 
 def _row(results: Results, step: str | None, wanted: frozenset[str] = frozenset()) -> Solved:
     outcomes = [o for key, o in results.outcomes.items() if step in (None, key) and o.state != "not_asked"]
     values: dict[str, tuple[float | None, str]] = {v.id: (v.shown, v.unit) for o in outcomes for v in o.values(wanted)}
     reason = "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason)
-    return Solved(values, {o.key: o.verdict for o in outcomes}, reason)
+    verdict = results.verdict if step is None else results.outcomes[step].verdict
+    return Solved(values, {o.key: o.verdict for o in outcomes}, verdict, reason)
 
 
 def _needed(design: Design, step: str | None) -> Design:

@@ -20,22 +20,23 @@ from ...design.toml_file import Document
 from ...sheet.errors import InputError, NoSolution
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.verdict import worst
 from ...sheet.version import VERSION
 from .inputs import Combination, SweepPlan, Varied
 
 # --- one design of many, and many of them together as they are kept
 
 Cell = float | str | None
+NO_DESIGN = "bad_input"  # in place of a verdict
 
 
 @record
 class Solved:
-    """`values`: number and unit by id; `verdicts` by step; `reason`: why it is no design, or which steps have no
-    solution."""
+    """`values`: number and unit by id; `verdicts` by step; `verdict`: the state of the design, or of the one step that
+    is asked; `reason`: why it is no design, or which steps have no solution."""
 
     values: dict[str, tuple[float | None, str]]
     verdicts: dict[str, str]
+    verdict: str
     reason: str = ""
 
 
@@ -46,6 +47,7 @@ class SweepRow:
     at: Combination
     cells: tuple[float | None, ...]
     verdicts: tuple[str | None, ...]
+    verdict: str
     reason: str = ""
 
 
@@ -73,7 +75,8 @@ def chunk_of(grid: Sequence[Combination], solved: Iterable[Solved], wanted: Sequ
     for at, design in zip(grid, designs):
         numbers = [design.values.get(id, (None, ""))[0] for id in units]
         cells = tuple([x if x is not None and isfinite(x) else None for x in numbers])
-        rows.append(SweepRow(at, cells, tuple([design.verdicts.get(step) for step in steps]), design.reason))
+        verdicts = tuple([design.verdicts.get(step) for step in steps])
+        rows.append(SweepRow(at, cells, verdicts, design.verdict, design.reason))
     return Chunk(units, tuple(steps), tuple(rows))
 
 
@@ -142,7 +145,7 @@ class InFolder:
     def keep(self, n: int, chunk: Chunk) -> None:
         about = {"units": chunk.units, "steps": chunk.steps, "count": len(chunk.rows)}
         about["reasons"] = any(row.reason for row in chunk.rows)
-        rows = [[row.at, row.cells, row.verdicts, row.reason] for row in chunk.rows]
+        rows = [[row.at, row.cells, row.verdicts, row.verdict, row.reason] for row in chunk.rows]
         text = "\n".join(map(json.dumps, [about, *rows]))
         self.folder.mkdir(parents=True, exist_ok=True)
         draft = self._file(n).with_suffix(".new")
@@ -153,14 +156,14 @@ class InFolder:
         """The chunk without its designs, one that stands for those with a reason excepted."""
         with open(self._file(n), encoding="utf-8") as file:
             about = json.loads(file.readline())
-        rows = (SweepRow((), (), (), "some"),) if about["reasons"] else ()
+        rows = (SweepRow((), (), (), NO_DESIGN, "some"),) if about["reasons"] else ()
         return Chunk(about["units"], tuple(about["steps"]), rows)
 
     def chunk(self, n: int) -> Chunk:
-        first, *rest = self._file(n).read_text(encoding="utf-8").splitlines()
+        first, *lines = self._file(n).read_text(encoding="utf-8").splitlines()
         about = json.loads(first)
-        parts = map(json.loads, rest)
-        rows = [SweepRow(tuple(at), tuple(cells), tuple(judged), reason) for at, cells, judged, reason in parts]
+        parts = map(json.loads, lines)
+        rows = [SweepRow(tuple(at), tuple(cells), tuple(verdicts), *rest) for at, cells, verdicts, *rest in parts]
         if len(rows) != about["count"]:
             raise ValueError("is cut off")
         return Chunk(about["units"], tuple(about["steps"]), tuple(rows))
@@ -196,7 +199,6 @@ def key_of(document: Document, plan: SweepPlan, step: str | None, wanted: tuple[
 # --- the table
 
 REASON = "reason"
-NO_DESIGN = "bad_input"  # in place of a verdict
 
 
 @record
@@ -259,17 +261,11 @@ def columns(document: Document, inputs: Sequence[Varied], store: Store) -> Sweep
     return SweepColumns(keys, words, units, tuple(steps), reasons)
 
 
-def verdict_of(row: SweepRow) -> str:
-    """The worst of its steps; of what is no design that it is none."""
-    judged = [verdict for verdict in row.verdicts if verdict is not None]
-    return worst(judged) if judged else NO_DESIGN
-
-
 def in_memory(document: Document, inputs: Sequence[Varied], store: Store) -> Swept:
     table_columns = columns(document, inputs, store)
     chunks = [store.chunk(n) for n in range(len(store))]
     lines = [line for chunk in chunks for line in table_columns.lines(chunk)]
-    return Swept(table_columns.header, lines, [verdict_of(row) for chunk in chunks for row in chunk.rows])
+    return Swept(table_columns.header, lines, [row.verdict for chunk in chunks for row in chunk.rows])
 
 
 def write_csv(file: TextIO, document: Document, inputs: Sequence[Varied], store: Store) -> Counter[str]:
@@ -280,7 +276,7 @@ def write_csv(file: TextIO, document: Document, inputs: Sequence[Varied], store:
     for n in range(len(store)):
         chunk = store.chunk(n)
         writer.writerows(table_columns.lines(chunk))
-        counts.update(map(verdict_of, chunk.rows))
+        counts.update(row.verdict for row in chunk.rows)
     return counts
 
 
@@ -309,5 +305,5 @@ def write_parquet(path: Path, document: Document, inputs: Sequence[Varied], stor
             by_column = zip(*table_columns.lines(chunk))
             arrays = [arrow.array(column, kind, from_pandas=False) for column, kind in zip(by_column, kinds)]
             writer.write_table(arrow.Table.from_arrays(arrays, schema=schema))
-            counts.update(map(verdict_of, chunk.rows))
+            counts.update(row.verdict for row in chunk.rows)
     return counts

@@ -41,9 +41,9 @@ def compare(document, inputs, rows, step=None):
         changed = document
         for variable, number in zip(inputs, at):
             changed = changed.with_value(variable.key, number)
-        asked = [
-            o for key, o in solve(design(changed)).outcomes.items() if step in (None, key) and o.state != "not_asked"
-        ]
+        alone = solve(design(changed))
+        asked = [o for key, o in alone.outcomes.items() if step in (None, key) and o.state != "not_asked"]
+        assert row.verdict == (alone.verdict if step is None else alone.outcomes[step].verdict)
         assert row.verdicts == {outcome.key: outcome.verdict for outcome in asked}
         assert row.values == {value.id: (value.shown, value.unit) for outcome in asked for value in outcome.values()}
         assert row.reason == "; ".join(f"{outcome.key}: {outcome.reason}" for outcome in asked if outcome.reason)
