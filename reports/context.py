@@ -316,7 +316,7 @@ def stands(check: Check) -> bool:
     return check.open or check.kind in ("limit", "caution")
 
 
-def closeness(check: Check) -> tuple[bool, int, int, float]:
+def closeness(check: Check) -> tuple[bool, bool, int, int, float]:
     """Sorts checks so that the one that decides a step is the first: what is urgent, else the limit that is kept most
     narrowly."""
     return check.verdict not in URGENT, *severity(check)[1:]

@@ -10,6 +10,7 @@ from typing import Any
 
 from ..bearings.inputs import BearingInputs, BearingsInputs
 from ..countershaft.inputs import CountershaftInputs
+from ..engine.gas import COMPRESSION, INTAKE, GasInputs
 from ..engine.inputs import EngineInputs
 from ..gears.inputs import GearsInputs
 from ..gears.wheel_inputs import Wheel
@@ -31,12 +32,15 @@ DEGREE = 180 / math.pi
 # What a number may be wrong by, the most plausible first: a unit a thousand times larger, a digit, an inch; of speeds
 # radians or turns a second.
 SLIPS: dict[str, tuple[float, ...]] = {
-    "rpm": (30 / math.pi, 60.0, 2 * math.pi, 1000.0, 10.0),
+    "mm": (1000.0, 10.0, 25.4),
+    "rpm": (30 / math.pi, 60.0, 1000.0, 10.0, 2 * math.pi),
     "°": (DEGREE,),
     "%": (100.0,),
     "": (100.0, 10.0, 1000.0),
+    "10⁻⁶/K": (1e6, 10.0),
 }
-LENGTH_SLIPS = (1000.0, 10.0, 25.4)
+OTHER_SLIPS = (1000.0, 10.0)
+READINGS = 2  # of one number, at most
 MAKERS = Text("rule of thumb, from what makers build")
 
 
@@ -72,25 +76,32 @@ def unusual(design: Design, steps: Iterable[str] = STEP_KEYS, checks: Iterable[C
     """The furthest outside first, without what one of the `checks` says already.  Ranges are those that the form shows
     beside a field."""
     known = {check.id for check in checks if check.rule.of_input}
-    outliers = [outlier for step in steps for outlier in _of_step(design, step) if _id(step, outlier) not in known]
-    return sorted(outliers, key=lambda outlier: -outlier.beyond)
+    outliers = {x.key: x for step in steps for x in _of_step(design, step) if _id(step, x) not in known}
+    return sorted(outliers.values(), key=lambda outlier: -outlier.beyond)
 
 
 def _of_step(design: Design, step: str) -> Iterator[Unusual]:
-    table = getattr(design, step)
+    """Of its table, and of the materials of this design that it names."""
+    table, names = getattr(design, step), set()
     for key, about, content in given(table, step, named=True) if table is not None else ():
-        if about.usual is not None and (outlier := _outlier(key, about, about.usual, content)) is not None:
-            yield outlier
+        if about.catalogue:
+            names.add(content)
+        elif about.usual is not None:
+            yield from _outlier(key, about, about.usual, content)
+    for material in design.material:
+        if material.name in names:
+            for key, about, content in given(material, dotted(Design.material, material.name)):
+                if about.usual is not None:
+                    yield from _outlier(key, about, about.usual, content)
 
 
-def _outlier(key: str, about: Quantity, usual: tuple[float, float], content: Any) -> Unusual | None:
+def _outlier(key: str, about: Quantity, usual: tuple[float, float], content: Any) -> Iterator[Unusual]:
     low, high = usual
     numbers = [about.units.shown(x) for x in (content if isinstance(content, tuple) else (content,))]
     far = [x for x in numbers if _times(x, usual, about.unit) > FAR]
     most = max(far or numbers, key=lambda x: max(low - x, x - high), default=low)
-    if not far and low <= most <= high:
-        return None
-    return Unusual(key, about, most, usual, max(low - most, most - high) / (high - low), bool(far), content)
+    if far or not low <= most <= high:
+        yield Unusual(key, about, most, usual, max(low - most, most - high) / (high - low), bool(far), content)
 
 
 def _times(number: float, usual: tuple[float, float], unit: str) -> float:
@@ -108,8 +119,12 @@ def _times(number: float, usual: tuple[float, float], unit: str) -> float:
         return 0.0
     if low > 0:
         return max(low / number, number / high) if number > 0 else math.inf
-    tiny = max(abs(low), abs(high)) / abs(number) / SLIPS.get(unit, LENGTH_SLIPS)[0] if unit else 0.0
-    return max(1 + outside / (high - low), FAR * tiny)
+    return max(1 + outside / (high - low), FAR * _least(usual, unit) / abs(number))
+
+
+def _least(usual: tuple[float, float], unit: str) -> float:
+    """Of a range that reaches 0: what would still be usual in a larger unit."""
+    return max(map(abs, usual)) / SLIPS.get(unit, OTHER_SLIPS)[0] if unit else 0.0
 
 
 FAR_OUTSIDE = {
@@ -129,25 +144,27 @@ def _id(step: str, outlier: Unusual) -> str:
 
 
 def _far_check(step: str, outlier: Unusual) -> Check:
-    about, inside = outlier.about, outlier.about.units.inside
-    low, high = outlier.usual
+    about, (low, high), x = outlier.about, outlier.usual, outlier.number
+    inside, small = about.units.inside, low <= x <= high  # small: usual, were it in a larger unit
     check = FAR_OUTSIDE[step](
-        inside(outlier.number),
-        (inside(low), inside(high)),
+        inside(abs(x) if small else x),
+        inside(_least(outlier.usual, about.unit)) if small else (inside(low), inside(high)),
         at=outlier.key.removeprefix(f"{step}."),
         name=Text("Far from usual: {input}", input=called(outlier.key, about)),
         source=about.source,
+        sense=">" if small else "in",
         unit=about.unit,
         moved_by=(outlier.key,),
     )
     return _asking(check, [(_changed(outlier, number),) for number in _meant(outlier)])
 
 
-def _meant(outlier: Unusual) -> Iterator[float]:
+def _meant(outlier: Unusual) -> list[float]:
     """What may have been meant: the usual numbers that one of the slips leads to."""
-    low, high = outlier.usual
-    for slip in SLIPS.get(outlier.about.unit, LENGTH_SLIPS):
-        yield from (x for x in (outlier.number * slip, outlier.number / slip) if low <= x <= high)
+    (low, high), x, unit = outlier.usual, outlier.number, outlier.about.unit
+    slips = SLIPS.get(unit, OTHER_SLIPS)
+    readings = [x * slips[0]] if low <= x <= high else [reading for slip in slips for reading in (x * slip, x / slip)]
+    return [reading for reading in readings if low <= reading <= high][:READINGS]
 
 
 def _changed(outlier: Unusual, number: float) -> Change:
@@ -315,11 +332,34 @@ POWER = CheckRule(
     "bar",
     source=MAKERS,
     advice=Text("Rated power is in kW (1 PS is 0.735 kW) and of the whole engine."),
-    moved_by=(dotted(ENGINE, EngineInputs.rated_power), dotted(ENGINE, EngineInputs.rated_speed)),
+    moved_by=(
+        dotted(ENGINE, EngineInputs.rated_power),
+        dotted(ENGINE, EngineInputs.rated_speed),
+        dotted(ENGINE, EngineInputs.bore),
+        dotted(ENGINE, EngineInputs.crank_radius),
+    ),
     of_input=True,
 )
 MEAN_PRESSURES = (1.5e5, 32e5)  # Pa
 PS = 0.73549875  # kW
+
+
+BURNING = CheckRule(
+    "engine.inputs.gas",
+    "caution",
+    "No gas burns to so many times what it is compressed to: one of the pressures is in another unit.",
+    Text("Peak pressure over that at the end of compression"),
+    "<=",
+    source=Text("rule of thumb: 1.3 to 4"),
+    advice=Text("Pressures are in bar, absolute."),
+    moved_by=(
+        dotted(ENGINE, EngineInputs.gas, GasInputs.peak_pressure),
+        dotted(ENGINE, EngineInputs.gas, GasInputs.intake_pressure),
+        dotted(ENGINE, EngineInputs.gas, GasInputs.compression_ratio),
+    ),
+    of_input=True,
+)
+MOST_BURNING = 6.0
 
 
 def _engine(design: Design) -> Iterator[Check]:
@@ -352,6 +392,11 @@ def _engine(design: Design) -> Iterator[Check]:
         readings = [engine.rated_power * x for x in (1e-3, PS)]
         by_power = [(x * per_watt, (_to(EngineInputs.rated_power, x, ENGINE),)) for x in readings]
         yield from _doubted(POWER, engine.rated_power * per_watt, MEAN_PRESSURES, *by_power)
+    if (gas := engine.gas) is not None and gas.peak_pressure and gas.compression_ratio:
+        drawn = gas.intake_pressure if gas.intake_pressure is not None else INTAKE
+        rise = gas.peak_pressure / (drawn * gas.compression_ratio**COMPRESSION)
+        intake = _to(GasInputs.intake_pressure, 10 * drawn, ENGINE, EngineInputs.gas)
+        yield from _doubted(BURNING, rise, MOST_BURNING, (rise / 10, (intake,)))
 
 
 CORE = CheckRule(
@@ -494,7 +539,7 @@ WHEEL_FACE = CheckRule(
     moved_by=(dotted(GEARS, GearsInputs.wheels, "W", Wheel.face_width), dotted(GEARS, GearsInputs.normal_module)),
     of_input=True,
 )
-FACES = (2.0, 100.0)
+FACES = (2.0, 60.0)
 
 GEAR_POWER = CheckRule(
     "gears.inputs.power",
@@ -574,7 +619,7 @@ def _mounting(design: Design) -> Iterator[Check]:
     scaled = [(x / litres, (_to(MountingInputs.mass, x, MOUNTING),)) for x in (1e3 * m, 1e-3 * m)]
     yield from _doubted(MASS, m / litres, PER_LITRE, *scaled)
     if J := mounting.inertia:
-        furthest = max(J, key=lambda x: abs(math.log(x / m)))
+        furthest = max(J, key=lambda x: abs(math.log(x / m / (RADII[0] * RADII[1]))))
         readings: list[Reading] = [
             (math.sqrt(furthest * x / m), (_to(MountingInputs.inertia, tuple([each * x for each in J]), MOUNTING),))
             for x in (1e-3, 1e-4, 1e-6)
@@ -596,15 +641,19 @@ CROSSED: dict[str, Callable[[Design], Iterator[Check]]] = {
 
 
 def doubts(design: Design, step: str) -> tuple[Check, ...]:
-    """The cautions on the inputs of a step: those far outside, and those that do not fit each other."""
+    """The cautions on the inputs of a step: those far outside, and those that do not fit each other, but for what is
+    far outside itself."""
     far = [_far_check(step, outlier) for outlier in _of_step(design, step) if outlier.far]
-    return (*far, *(CROSSED[step](design) if step in CROSSED else ()))
+    known = {key for check in far for key in check.moved_by}
+    crossed = CROSSED[step](design) if step in CROSSED else ()
+    return (*far, *(check for check in crossed if known.isdisjoint(check.moved_by)))
 
 
 def with_doubts(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:
-    """The outcomes with the cautions on their inputs, which stand first; a step that is not solved has none."""
+    """The outcomes with the cautions on their inputs, which stand first; where a step has no solution they may say
+    why."""
     for outcome in outcomes:
-        checks = doubts(design, outcome.key) if outcome.state == "solved" else ()
+        checks = doubts(design, outcome.key) if outcome.state in ("solved", "no_solution") else ()
         yield replace(outcome, checks=checks + outcome.checks) if checks else outcome
 
 
