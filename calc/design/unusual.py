@@ -21,8 +21,8 @@ from ..sheet.record import record
 from ..sheet.remedy import Change, Remedy, remedy, whole
 from ..sheet.step import Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text, alternatives, plural
+from .addresses import called
 from .model import STEP_KEYS, Design
-from .names import called
 
 SHOWN = 4
 
@@ -402,14 +402,16 @@ def _engine(design: Design) -> Iterator[Check]:
 CORE = CheckRule(
     "bearings.inputs.B.core",
     "caution",
-    "A journal thinner than the core of its shaft: a radius stands for a diameter, or the reverse.",
-    Text("Journal diameter over that of the shaft's core"),
+    "A journal that is long for its diameter, and thinner than the core of its shaft: its radius stands for it.",
+    Text("Diameter of a long journal over that of the shaft's core"),
     ">=",
-    source=Text("geometry: the core runs on into the journals"),
+    source=Text("rule of thumb, from what makers build: thin journals are short"),
     advice=Text("Journals are given by their diameter, the core by its radius."),
     moved_by=(dotted(BEARINGS, "B", BearingInputs.diameter), dotted(SHAFT, CountershaftInputs.core_radius)),
     of_input=True,
 )
+LONG = 0.85  # diameters
+
 LENGTH = CheckRule(
     "bearings.inputs.B.length",
     "caution",
@@ -496,7 +498,7 @@ def _bearings(design: Design) -> Iterator[Check]:
 
 def _journal(place: str, bearing: BearingInputs, core: float | None) -> Iterator[Check]:
     d, l, g, F = bearing.diameter, bearing.length, bearing.clearance, bearing.load
-    if core:
+    if core and l > LONG * d:
         doubled = (_to(BearingInputs.diameter, 2 * d, BEARINGS, place),)
         yield from _doubted(CORE, d / (2 * core), 1.0, (d / core, doubled), at=place)
     sizes = [
