@@ -152,7 +152,7 @@ class Closing(ItemList):
         beyond = Counter(method for methods in held for method in methods)
         stretched = [(method.id, Text("{what}: {n} of them", n=n, what=method.name)) for method, n in beyond.items()]
         yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
-        odd = [(oddity.key.partition(".")[0], oddity.words) for oddity in unusual(session.design)]
+        odd = [(oddity.key.partition(".")[0], oddity.words) for oddity in unusual(session.design, checks=checks)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
         measured = [

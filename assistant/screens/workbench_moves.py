@@ -83,7 +83,7 @@ class WorkbenchMoves(WorkbenchResults):
             return
         outcomes = session.results.outcomes
         faults = [(s, group[0]) for s in STEPS for group in outcomes[s.key].causes if group[0].verdict in URGENT]
-        faults.sort(key=lambda f: severity(f[1])[:3])
+        faults.sort(key=lambda f: severity(f[1])[:4])
         if not faults:
             self.app.tell(Text("No check fails or warns."))
             return

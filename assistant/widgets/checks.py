@@ -35,7 +35,7 @@ HOLDING = plural("{n} holds", "{n} hold", n=0)
 
 def sorted_checks(checks: tuple[Check, ...]) -> list[Check]:
     """The worst first; equal ones as the step has them."""
-    return sorted(checks, key=lambda c: severity(c)[:3])
+    return sorted(checks, key=lambda c: severity(c)[:4])
 
 
 @dataclass(frozen=True)

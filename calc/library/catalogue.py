@@ -201,11 +201,19 @@ class Material:
     E: float = quantity("Young's modulus", "GPa", within=(1, 1000))
     poisson: float = quantity("Poisson's ratio", default=0.3, within=(0.0, 0.49), symbol="nu")
     density: float = quantity("Density", "kg/m³", within=(500, 25000), symbol="rho")
-    expansion: float = quantity("Thermal expansion", "10⁻⁶/K", within=(0, 100), symbol="alpha")
+    expansion: float = quantity("Thermal expansion", "10⁻⁶/K", within=(0, 100), symbol="alpha", rule_of_thumb=(5, 30))
     proof_stress: float | None = quantity(
-        "Proof stress", "MPa", default=None, up_to=10000, symbol="R_p", help="Rp0.2, tension."
+        "Proof stress",
+        "MPa",
+        default=None,
+        up_to=10000,
+        symbol="R_p",
+        rule_of_thumb=(80, 1500),
+        help="Rp0.2, tension.",
     )
-    tensile_strength: float | None = quantity("Tensile strength", "MPa", default=None, up_to=10000, symbol="R_m")
+    tensile_strength: float | None = quantity(
+        "Tensile strength", "MPa", default=None, up_to=10000, symbol="R_m", rule_of_thumb=(120, 2200)
+    )
     kind: str = choice(
         "Kind",
         "steel",

@@ -83,7 +83,8 @@ class CheckRule:
     order in which a designer uses them; the key of a table stands for the numbers in it. `short`: in a word. `decides`:
     it stands for its step where no limit is open. `proven`: a report proves it whatever its margin, with these symbols
     however far back they stand; `proven_where`: only where this result is not 0. `weakens`: where this check of the
-    method is passed over, the margins of these checks are known by these factors less."""
+    method is passed over, the margins of these checks are known by these factors less. `of_input`: it doubts a number
+    that is given, and stands before all that follows from it."""
 
     id: str
     kind: Kind
@@ -106,6 +107,7 @@ class CheckRule:
     proven: tuple[str, ...] | None = None
     proven_where: object = None
     weakens: tuple[tuple["CheckRule", float], ...] = ()
+    of_input: bool = False
 
     def __post_init__(self) -> None:
         if self.id in RULES:
@@ -132,6 +134,7 @@ class CheckRule:
         source: Text | None = None,
         advice: Text | None = None,
         sense: str | None = None,
+        unit: str | None = None,
         scale: float | None = None,
         index: int | None = None,
         value_id: str | None = None,
@@ -145,15 +148,16 @@ class CheckRule:
         `at`: the elements that the letters of the id stand for; `index`: of the mesh in its array.  `value`: None, or
         no number, keeps no limit. `scale`: what the margin is a share of where the limit is 0. `advice`: what could be
         done beside the remedies, which are made only where it does not hold. `base`: what the value would be without
-        what a stretched formula adds to it.  `value_id`, `moved_by`: where the site knows them better.
+        what a stretched formula adds to it.  `unit`, `value_id`, `moved_by`: where the site knows them better.
 
         A function that gives several is a generator, called `checks` or `…_checks`, and becomes a tuple where the
         Outcome is made; one that gives one, or perhaps none, is called `…_check`."""
-        names, shown = self.names(at, index), UNITS[self.unit].shown
+        names, unit = self.names(at, index), self.unit if unit is None else unit
+        shown = UNITS[unit].shown
         value = math.nan if value is None else value
         if isinstance(limit, tuple):
             bound: float | tuple[float, float] = (shown(limit[0]), shown(limit[1]))
-        elif limit == 0 and scale is None and self.unit != "°C":
+        elif limit == 0 and scale is None and unit != "°C":
             raise ValueError(f"{self.id}: a limit of 0 has no margin without a scale")
         else:
             bound = linked(shown(limit), link_of(limit))
@@ -169,6 +173,7 @@ class CheckRule:
             linked(shown(value) if math.isfinite(value) else value, link_of(value)),
             bound,
             self.sense if sense is None else sense,
+            unit,
             self.source if source is None else source,
             self.advice if advice is None else advice,
             cause=_filled(self.cause, names),
@@ -236,6 +241,7 @@ class Check:
     value: float
     limit: float | tuple[float, float]
     sense: str
+    unit: str = ""
     source: Text = EMPTY
     advice: Text = EMPTY
     cause: str = ""
@@ -263,10 +269,6 @@ class Check:
     @property
     def role(self) -> Role:
         return self.rule.role
-
-    @property
-    def unit(self) -> str:
-        return self.rule.unit
 
     @property
     def exact(self) -> bool:

@@ -243,7 +243,7 @@ def _verdict(context: Context) -> list[Block]:
             limit=context.say(worst.limit_text()),
         )
         words = ". ".join([words, ", ".join(filter(None, (at, used(context, worst).words)))])
-    if odd := told(unusual(context.design)):
+    if odd := told(unusual(context.design, checks=context.results.checks())):
         words = ". ".join([words, context.say(odd)])
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
     sign = one_line(f"{SIGNS[state]}  {verdict_words}", big, 0.4 * WIDTH)

@@ -14,9 +14,10 @@ from ...bearings.selection.search import bearing_changes, nearest_row
 from ...countershaft.inputs import CountershaftInputs, EccentricMass
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
+from ...design.addresses import PLACES
 from ...design.locks import locked
 from ...design.model import Design
-from ...design.names import PLACES, named
+from ...design.names import named
 from ...design.step_inputs import bearings_case
 from ...engine.result import EngineResult
 from ...gears.inputs import GearsInputs, wheel_key
