@@ -240,7 +240,9 @@ class TopLine(Widget):
         if self.app.writing:
             verdict = [*([] if short else verdict), (say(self.app.writing), "bold")]
         before = (0 if short else 15) + (len(state) + 2 if state else 0)
-        for parts in ([*verdict, (time, "dim")], [*verdict[:1], (time, "dim")], verdict[:1] or [(time, "dim")]):
+        when = (time, "dim")
+        shorter = verdict if session.current else [*verdict[:1], when]  # nobody needs to know how long it took
+        for parts in ([*verdict, when], shorter, verdict[:1] or [when]):
             end = Content.assemble(*(piece for part in parts for piece in (part, "  ")))
             if end.cell_length + before + NAME <= width:
                 break
