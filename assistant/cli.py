@@ -3,7 +3,8 @@
 runs.
 
 Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found
-· 70 a fault of the program itself · 130 ended by Ctrl-C · 141 nobody reads the output any more."""
+· 4 nothing fails, but not all that is asked holds (`check --strict`) · 70 a fault of the program itself · 130 ended by
+Ctrl-C · 141 nobody reads the output any more."""
 
 import os
 import sys

@@ -6,6 +6,7 @@ import os
 import sys
 import textwrap
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict
 from difflib import get_close_matches
 from typing import Any
 
@@ -14,13 +15,14 @@ from calc.design.model import OPTIONAL, STEPS
 from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
-from calc.sheet.check import SIGNS, URGENT, Check
+from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
-from calc.sheet.step import Outcome, Table, no_such_check
-from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
-from calc.sheet.verdict import grouped, named, severity, with_it
+from calc.sheet.step import Outcome, Table, ignored
+from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
+from calc.sheet.verdict import findings_of, grouped, named, severity, with_it
 from calc.sheet.version import VERSION
 from calc.solve import TITLES, Results
+from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
 
 # --- findings, as plain text that fits a screen
@@ -29,9 +31,11 @@ from calc.studies.explain import Effect, effects
 
 WORDS = {
     "pass": "pass",
+    "computed": "computed",
     "warn": "warn",
     "fail": "FAIL",
     "note": "note",
+    "not_judged": "not judged",
     "not_verified": "not verified",
     "accepted": "accepted",
     "blocked": "blocked",
@@ -49,10 +53,12 @@ def sign(verdict: str) -> str:
 
 
 def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequence[Unusual] = ()) -> Iterator[str]:
-    """All that is open, and what the user accepted; `odd`: inputs that are not usual, which stand before what are
-    notes."""
+    """How many findings there are, all that is open, and what the user accepted; `odd`: inputs that are not usual,
+    which stand before what are notes."""
     groups = [[check for check in group if check.open] for group in grouped(checks)]
     open_groups = [group for group in groups if group]
+    if listed := [group for group in open_groups if everything or group[0].kind in ("limit", "caution")]:
+        yield findings_of(listed)
     for group in open_groups:
         if everything:
             for check in group:
@@ -66,6 +72,7 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
         yield from _counts("advice", [group for group in open_groups if group[0].kind == "advice"])
         yield from _counts("method", [group for group in open_groups if group[0].kind == "method"])
         yield from _outside(checks)
+        yield from _assumed(checks)
     for check in checks:
         if check.verdict == "accepted":
             yield from _wrapped_finding(
@@ -75,9 +82,9 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
 
 def _finding(check: Check) -> Iterator[str]:
     yield from _wrapped_finding(_judged(check), f"{sign(check.verdict)}  ")
-    unknown = [Text("Not known: {keys}.", keys=Name(", ".join(check.missing)))] if check.missing else []
-    if unknown or check.advice:
-        yield from _wrapped_finding(SPACE.join([*unknown, *([check.advice] if check.advice else [])]))
+    beyond = Text("Outside validity: {methods}.", methods=Name(", ".join(check.outside))) if check.outside else EMPTY
+    if words := [*filter(None, (beyond, check.lack_text(), check.advice))]:
+        yield from _wrapped_finding(SPACE.join(words))
     yield f"{INDENT}{check.id} · {check.source}" if check.verdict in ("fail", "not_verified") else f"{INDENT}{check.id}"
 
 
@@ -119,6 +126,22 @@ def _outside(checks: Sequence[Check]) -> Iterator[str]:
         yield from _wrapped_finding(sentence, f"{sign('note')}  ")
 
 
+def _assumed(checks: Sequence[Check]) -> Iterator[str]:
+    """How many checks hold by what stands for inputs that are not given, and what that is."""
+    held = [check for check in checks if check.verdict == "pass" and check.taken]
+    if held:
+        taken = list(dict.fromkeys(words for check in held for words in check.taken))
+        sentence = plural(
+            "{n} check holds by what is assumed: {taken}",
+            "{n} checks hold by what is assumed: {taken}",
+            n=len(held),
+            taken=SEMICOLON.join(taken[:SHOWN]),
+        )
+        if len(taken) > SHOWN:
+            sentence = Text("{sentence}; {more} more", sentence=sentence, more=len(taken) - SHOWN)
+        yield from _wrapped_finding(sentence, f"{sign('note')}  ")
+
+
 def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
     """The inputs outside what is usual, and their keys below."""
     if odd:
@@ -127,14 +150,16 @@ def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
 
 
 def lost_acceptances(results: Results) -> Iterator[str]:
-    """What is accepted, and of no check that the design has: of a step that is not solved it may be one."""
-    known = {check.id for outcome in results.outcomes.values() for check in outcome.checks}
+    """What is accepted in vain: a limit, or no check that the design has; of a step that is not solved it may be
+    one."""
+    known = {check.id: check for check in results.checks()}
     waits = {key for key, outcome in results.outcomes.items() if outcome.state != "solved"}
     for id, _ in results.design.accepted:
-        if id not in known and id.partition(".")[0] not in waits:
-            near = get_close_matches(id, known, 1)
+        words = ignored(id, known.get(id))
+        if words and id.partition(".")[0] not in waits:
+            near = [] if id in known else get_close_matches(id, known, 1)
             meant = Text("; did you mean {near}?", near=near[0]) if near else EMPTY
-            yield from _wrapped_finding(no_such_check(id) + meant, f"{sign('note')}  ")
+            yield from _wrapped_finding(words + meant, f"{sign('note')}  ")
 
 
 def _wrapped_finding(text: str, start: str = INDENT) -> list[str]:
@@ -168,17 +193,24 @@ VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
 def print_results(
     results: Results, step: str | None = None, *, everything: bool = True, findings: bool = False
 ) -> None:
-    """A screen: what is open, the verdict and two values of every step, what was measured beside what is predicted.
+    """A screen: the state, what is open, the verdict and two values of every step, what was measured beside what is
+    predicted.
 
     `step`: only that, with all its values, tables, notes and checks before; `findings`: so of every step, every check
     that is open in full, and what is made only when asked for: the tables of studies, which take longer than the solve.
     `everything`: there vectors of no length as well, which say nothing."""
+    print(state_words(results, step))
     for key, outcome in results.outcomes.items():
         if outcome.state != "not_asked" and (findings if step is None else step == key):
             _print_step(outcome.whole, everything)
-    print_summary(results, step, findings)
+    print_findings(results, step, findings)
     if results.design.measured and step is None and not findings:
         print("", *table_lines(measured_table(list(results.design.measured), results.predicted)), sep="\n")
+
+
+def state_words(results: Results, step: str | None = None) -> Text:
+    """The state of the design, or of one step, and what is open: `WARN: 2 cautions`."""
+    return results.words() if step is None else results.outcomes[step].words()
 
 
 def _print_step(outcome: Outcome[object], everything: bool) -> None:
@@ -207,6 +239,8 @@ def _print_step(outcome: Outcome[object], everything: bool) -> None:
         print(f"  note: {note}")
     for check in outcome.checks:
         print(f"  {check_line(check, judged(check))}")
+        if lack := check.lack_text():
+            print(f"{INDENT}{lack}")
     print()
 
 
@@ -260,7 +294,13 @@ def check_line(check: Check, verdict: str) -> str:
     return f"{sign(verdict):<9} {check.id:<42} {value}  {check.name}"
 
 
-def print_summary(results: Results, step: str | None = None, everything: bool = False) -> None:
+def print_summary(results: Results) -> None:
+    """The state of a design, what is open, and the verdict of each step."""
+    print(results.words())
+    print_findings(results)
+
+
+def print_findings(results: Results, step: str | None = None, everything: bool = False) -> None:
     """What is open, then the verdict of each step with the values that stand for it: what stands last is what a
     terminal shows.
 
@@ -292,13 +332,16 @@ def results_json(
 ) -> dict[str, Any]:
     """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that
     move a check."""
+    judged_part = results if step is None else results.outcomes[step]
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
     moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
-        "schema": 1,
+        "schema": 2,
         "program": "contralbero",
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
+        "verdict": judged_part.verdict,
+        "counts": asdict(judged_part.counts),
         "values": {
             id: {"value": finite(v.shown), "unit": v.unit, "label": v.label}
             for o in shown
@@ -306,7 +349,7 @@ def results_json(
             for id in v.ids
         },
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
-        "checks": [check_json(c, outside(c, o.checks), moved.get(c.id)) for o in shown for c in o.checks],
+        "checks": [check_json(c, moved.get(c.id)) for o in shown for c in o.checks],
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
             {
@@ -327,26 +370,30 @@ def results_json(
             for oddity in unusual(results.design, [o.key for o in shown])
         ],
         "reasons": {o.key: o.reason for o in shown if o.reason},
+        "not_counted": list(not_counted(results.design)),
     }
 
 
-def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
-    """A check with everything that it knows.  `beyond`: the checks of the method that put it outside the validity of
-    its formula; `moved`: what the inputs do that move it, where it was measured."""
+def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
+    """A check with everything that it knows.  `moved`: what the inputs do that move it, where it was measured."""
     measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
     return {
         "id": check.id,
         "kind": check.kind,
+        "role": check.role,
         "cause": check.cause or check.id,
         "name": check.name,
         "value": finite(check.value),
         "sense": check.sense,
         "limit": list(check.limit) if isinstance(check.limit, tuple) else check.limit,
         "unit": check.unit,
+        "gap": finite(check.gap),
+        "scale": finite(check.scale),
         "margin": finite(check.margin),
         "utilisation": finite(check.utilisation),
+        "finding": check.finding,
         "verdict": check.verdict,
-        "outside": [method.id for method in beyond],
+        "outside": list(check.outside),
         "source": check.source,
         "advice": check.advice,
         "judges": check.value_id,
@@ -357,8 +404,16 @@ def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effe
             for remedy in check.remedies
         ],
         "missing": list(check.missing),
+        "taken": list(check.taken),
+        "at_best": _end_json(check.at_best),
+        "at_worst": _end_json(check.at_worst),
         "accepted": check.accepted,
     }
+
+
+def _end_json(end: End | None) -> float | str | None:
+    """The value there, "holds" or "none"; null where nothing is missing."""
+    return end if isinstance(end, str) else finite(end)
 
 
 def table_json(table: Table) -> dict[str, Any]:

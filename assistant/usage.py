@@ -64,6 +64,7 @@ def check(it: argparse.ArgumentParser) -> None:
         help="the same of every step, and every finding in full: advice, method, what shares a cause",
     )
     it.add_argument("--short", action="store_true", help="with --all or --step: leave out vectors of no length")
+    it.add_argument("--strict", action="store_true", help="exit 4 where nothing fails, but not all that is asked holds")
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
@@ -98,6 +99,9 @@ def verify(it: argparse.ArgumentParser) -> None:
 @command("scenarios", "run scripted designs and compare with what they expect")
 def replay(it: argparse.ArgumentParser) -> None:
     it.add_argument("files", nargs="+", metavar="FILE")
+    it.add_argument(
+        "--update", action="store_true", help="rewrite the expectations that were recorded, and say which moved"
+    )
 
 
 @command("choose", "edit a design file in place, comments kept")

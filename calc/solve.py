@@ -69,7 +69,7 @@ class Results:
             words = f"{head.label}: {short(head.shown)} {head.unit}" if head else outcome.reason
             rows.append((f"  {step.title}", outcome.verdict, words))
         fails = [f"  {check}" for check in self.checks() if check.verdict == "fail"]
-        return "\n".join([aligned(f"{self.design.name}: {self.verdict}", iter(rows)), *fails])
+        return "\n".join([aligned(f"{self.design.name}: {self.words()}", iter(rows)), *fails])
 
     def result(self, kind: type[R]) -> R | None:
         """What the step gave whose results are of this class; None where it is not solved."""

@@ -13,6 +13,7 @@ ROOT = HERE.parent
 sys.path.insert(0, str(ROOT))
 
 from calc.design.model import STEPS  # noqa: E402
+from calc.sheet.check import LETTERS, RULES  # noqa: E402
 from calc.sheet.expression import expression, text  # noqa: E402
 from calc.sheet.formula import FORMULAS, Equation, units  # noqa: E402
 
@@ -54,6 +55,36 @@ def pages() -> dict[str, str]:
     return made
 
 
+CHECKS = """# What is checked, and of which kind
+
+Every check of the program, as its declaration in the code has it. A **limit** must hold: else a part breaks, seizes, jams or can not be put together
+(its role: physics, chosen by the designer, or self: data and program agree with themselves). A **caution** is the same less surely; **advice** is a usual
+figure or a rule of thumb; **method** is about the calculation, not the part. *Exact*: the limit may be used up. The scale is what the margin of a limit of
+nought is a share of. {letters}. Made by `python docs/generate.py`.
+"""
+
+
+def checks() -> str:
+    """Every declared check, step by step."""
+    for path in sorted((ROOT / "calc").rglob("*.py")):
+        if "CheckRule(" in path.read_text(encoding="utf-8") and path.parent.name != "sheet":
+            import_module(".".join(path.relative_to(ROOT).with_suffix("").parts))
+    letters = "; ".join(f"**{letter}** in an id stands for {words}" for letter, words in LETTERS.items())
+    parts = [CHECKS.format(letters=letters)]
+    for step in STEPS:
+        parts += [
+            f"\n## {step.title}\n",
+            "| check | kind | why | scale | shown under | moved by |",
+            "|---|---|---|---|---|---|",
+        ]
+        for rule in sorted((r for r in RULES.values() if r.id.startswith(f"{step.key}.")), key=lambda r: r.id):
+            kind = ", ".join(filter(None, (f"{rule.kind} {rule.role}".strip(), "exact" if rule.exact else "")))
+            moved = " ".join(f"`{key}`" for key in rule.moved_by)
+            cause = f"`{rule.cause}`" if rule.cause else ""
+            parts.append(f"| `{rule.id}` | {kind} | {rule.why} | {rule.zero} | {cause} | {moved} |")
+    return "\n".join(parts) + "\n"
+
+
 def _line(one: Equation) -> str:
     shown = str(one.shows) or text(expression(one))
     unit = one.unit or units(one).get("return", "")
@@ -79,6 +110,7 @@ def everything() -> dict[str, str]:
     return pages() | {
         "validation.md": validation
         + "".join(f"    {line}\n" if line else "\n" for line in spoken("validate").splitlines()),
+        "checks.md": checks(),
         "errata.md": spoken("errata", "--markdown"),
         "contralbero.schema.json": spoken("schema"),
     }

@@ -22,13 +22,12 @@ from calc.design.names import belongs
 from calc.design.other_tables import DocumentControl
 from calc.design.toml_file import Document
 from calc.locale import Language
-from calc.sheet.check import URGENT, Check
+from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published, dotted
 from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
 from calc.sheet.value import Line, Link, leaves, link_of
-from calc.sheet.verdict import severity
 from calc.solve import Results
 from calc.studies.drive.front import Picked
 from calc.studies.explain import Chains
@@ -314,9 +313,3 @@ def stands(check: Check) -> bool:
     """Whether a check has a line of its own in the engineer's report: advice and what concerns the method do where they
     are passed over."""
     return check.open or check.kind in ("limit", "caution")
-
-
-def closeness(check: Check) -> tuple[bool, int, int, float]:
-    """Sorts checks so that the one that decides a step is the first: what is urgent, else the limit that is kept most
-    narrowly."""
-    return check.verdict not in URGENT, *severity(check)[1:]

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from calc.design.toml_file import design, read
+from calc.solve import solve
 from tests.command import run
 from tests.conftest import DESIGNS
 
@@ -77,3 +79,31 @@ def test_odd_names_are_bad_input(folder: Path) -> None:
             and "r.toml:4: step.0.report: " in done.stderr
             and "must be the bare name" in done.stderr
         )
+
+
+def test_update_rewrites_what_was_recorded_and_nothing_else(folder: Path) -> None:
+    text = (
+        "# a ratio that was another once\n"
+        '[[expect]]\nvalue = "gears.pair.ratio"\nis = 1.1  # of the first teeth\n'
+        'unit = ""\nrel = 1e-3\nkind = "recorded"\n'
+        '[[expect]]\nstep = "gears"\nverdict = "no_solution"\nkind = "recorded"\n'
+        '[[expect]]\nstep = "engine"\nverdict = "fail"\n'
+    )
+    file = folder / "r.toml"
+    name = next(v.id for v in solve(design(read(folder / "d.toml"))).values().values() if "contact_ratio" in v.id)
+    assert played(folder, text.replace("gears.pair.ratio", name)).returncode == 1
+    before = file.read_text("utf-8")
+    done = run("replay", file, "--update", cwd="/")
+    after = file.read_text("utf-8")
+    assert done.returncode == 1, "what nobody recorded still differs"
+    assert f"  {name}: 1.1 ± 1.1·10⁻³ → " in done.stdout and "  gears: no_solution → " in done.stdout
+    assert "✗ engine: not_asked, expected fail" in done.stdout
+    changed = [(a, b) for a, b in zip(before.splitlines(), after.splitlines(), strict=True) if a != b]
+    assert (
+        len(changed) == 2
+        and changed[0][1].endswith("# of the first teeth")
+        and changed[1][0] == 'verdict = "no_solution"'
+    )
+    assert (folder / "r.toml.bak").read_text("utf-8") == before
+    again = run("replay", file, "--update", cwd="/")
+    assert " → " not in again.stdout and "2 of 3 as expected" in again.stdout and file.read_text("utf-8") == after

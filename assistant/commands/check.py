@@ -17,7 +17,6 @@ from calc.design.model import STEPS, Design
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput, Cancelled, InputError
 from calc.sheet.progress import at_most
-from calc.sheet.step import Outcome
 from calc.sheet.text import Text
 from calc.sheet.verdict import named
 from calc.solve import Results, solve
@@ -37,7 +36,7 @@ def run_check(asked: Namespace) -> int:
         )
     document, changed_design = changed(read(file), changes)
     results = solve(changed_design)
-    verdict = exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
+    state = results.verdict if asked.step is None else results.outcomes[asked.step].verdict
     if asked.json:
         print(
             json.dumps(
@@ -52,9 +51,9 @@ def run_check(asked: Namespace) -> int:
                 f"{'|'.join(step.key for step in changed_design.asked())}"
             )
         sys.stdout.flush()  # the verdicts are there before the search ends
-        if verdict:
+        if state in EXITS:
             print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
-    return verdict
+    return exit_code(state, asked.strict)
 
 
 def nearest_passing(
@@ -128,7 +127,11 @@ def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Desig
     return document, changed_design
 
 
-def exit_code(outcomes: Iterable[Outcome[object]]) -> int:
-    """1 where a limit fails, 3 where a step found no solution."""
-    verdicts = {outcome.verdict for outcome in outcomes}
-    return 3 if "no_solution" in verdicts else 1 if "fail" in verdicts else 0
+EXITS = {"no_solution": 3, "fail": 1}
+DONE = ("pass", "computed", "not_asked")
+
+
+def exit_code(state: str, strict: bool = False) -> int:
+    """Of a state: 1 where a limit fails, 3 where there is no solution.  `strict`: 4 where nothing fails, but not all
+    that is asked holds."""
+    return EXITS.get(state, 4 if strict and state not in DONE else 0)

@@ -16,7 +16,7 @@ from pathlib import Path
 from assistant.commands.check import changed
 from assistant.offers import Offer
 from assistant.offers import offer as offer_for
-from assistant.results_text import LINE, check_line, print_summary, sign, table_json, table_lines
+from assistant.results_text import LINE, check_line, print_findings, print_summary, sign, table_json, table_lines
 from assistant.session.editing import locked_text
 from assistant.session.guide import CHOICES
 from assistant.session.saving import asked_for, edited_text, write_asked
@@ -107,13 +107,13 @@ def _write(path: Path, document: Document, changes: list[str], step: str, words:
     for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
         print(f"A comment went with its key: {comment}")
     results = solve(changed_design)
-    print()
+    print(f"\n{results.words()}")
     for key, outcome in results.outcomes.items():
         if key != step and outcome.state != "not_asked":
             reason = f"  {outcome.reason}" if outcome.reason else ""
             print(f"{TITLES[key]:<14} {sign(outcome.verdict)}{reason}")
             print("".join(f"  {check_line(c, c.verdict)}\n" for c in outcome.checks if c.verdict == "fail"), end="")
-    print_summary(results, step)
+    print_findings(results, step)
 
 
 def _comments(text: str) -> list[str]:

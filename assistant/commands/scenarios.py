@@ -16,7 +16,7 @@ from typing import Any
 import tomli_w
 
 from assistant.results_text import table_json, table_lines
-from assistant.session.saving import asked_for, spare, write_asked
+from assistant.session.saving import asked_for, edited_text, spare, write_asked
 from calc.design import replay
 from calc.design.disk import read_file, write_file
 from calc.design.limits import PDF_BYTES
@@ -148,13 +148,24 @@ def run_replay(asked: Namespace) -> int:
     differs = False
     for script in scripts:
         compared = replay.run(script, solve, _report)
-        failed = [c for c in compared if not c.agrees]
+        updated = _update(script, replay.moved(compared)) if asked.update else []
+        failed = [c for c in compared if not c.agrees and c not in updated]
         differs |= bool(failed) or not compared
         agree = Text("{n} of {all} as expected", n=len(compared) - len(failed), all=len(compared))
         print(f"{script.place}: {agree if compared else Text('nothing was compared: it has no [[expect]]')}")
+        for c in updated:
+            print(f"  {c.about}: {c.expected} → {c.found}")
         for c in failed:
             print(f"  {c.text}")
     return 1 if differs else 0
+
+
+def _update(script: replay.Script, moved: dict[int, replay.Compared]) -> list[replay.Compared]:
+    """Writes into the replay what its recorded expectations have come to; comments stay."""
+    if moved:
+        changes = [(("expect", n, c.under), c.now) for n, c in moved.items()]
+        write_asked(Path(script.place), edited_text(script.raw.decode("utf-8"), changes), expected=script.raw)
+    return [*moved.values()]
 
 
 def _report(document: Document, results: Results, path: Path) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table, address
-from calc.design.replay import played
+from calc.design.replay import RECORDED, played
 from calc.design.toml_file import Document
 from calc.sheet.errors import BadInput
 
@@ -185,16 +185,17 @@ def _names(here: Any, part: str | int) -> list[str]:
 
 
 def expected(results: "Results") -> Iterator[dict[str, Any]]:
-    """What the replay is to come to: the verdict of every step, every check that fails, and the values that stand for
-    the steps."""
-    asked = results.design.asked()
+    """What the replay is to come to: the state of the design and of every step, every check that fails, and the values
+    that stand for the steps."""
+    asked, recorded = results.design.asked(), {"kind": RECORDED}
+    yield {"design": results.verdict, **recorded}
     for asked_step in asked:
-        yield {"step": asked_step.key, "verdict": results.outcomes[asked_step.key].verdict}
+        yield {"step": asked_step.key, "verdict": results.outcomes[asked_step.key].verdict, **recorded}
     for id in dict.fromkeys(check.id for check in results.checks() if check.verdict == "fail"):
-        yield {"check": id, "verdict": "fail"}
+        yield {"check": id, "verdict": "fail", **recorded}
     values = results.values()
     for asked_step in asked:
         head = next(iter(asked_step.heads(values)), None)
         if head is not None and math.isfinite(head.shown):
             held = {"rel": REL} if abs(head.shown) > NOTHING else {"abs": NOTHING}
-            yield {"value": head.id, "is": float(head.shown), "unit": head.unit, **held, "kind": "recorded"}
+            yield {"value": head.id, "is": float(head.shown), "unit": head.unit, **held, **recorded}

@@ -5,12 +5,13 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol, TypedDict, TypeGuard
+from typing import TYPE_CHECKING, Protocol, TypedDict, TypeGuard, get_args
 
 from ..sheet.check import ORDER
 from ..sheet.errors import BadInput, InputError
 from ..sheet.number import short
 from ..sheet.text import Text
+from ..sheet.verdict import State
 from .addresses import Table, value_at, written
 from .disk import bare_name
 from .model import Design
@@ -24,7 +25,10 @@ STEP = Text(
     "several at once, "
     'or undo = true, or report = "out.pdf"'
 )
-KINDS = ("reference", "recorded")
+RECORDED = "recorded"
+KINDS = ("reference", RECORDED)
+NAMED = ("value", "check", "step", "design")  # one of them says what an expectation is about
+OF_DESIGN = [state for state in get_args(State) if state not in ("blocked", "not_asked", "computed")]
 Report = Callable[[Document, "Results", Path], None]
 Solve = Callable[[Design, "Results | None"], "Results"]  # a design, after an earlier one
 
@@ -51,6 +55,7 @@ Expect = TypedDict(
         "value": str,
         "check": str,
         "step": str,
+        "design": str,
         "is": float,
         "unit": str,
         "rel": float,
@@ -66,7 +71,8 @@ Expect = TypedDict(
 
 @dataclass(frozen=True)
 class Compared:
-    """One expectation beside what came out."""
+    """One expectation beside what came out.  `now`: what it would have to expect, under the key `under`; None where
+    there is no such thing."""
 
     about: str
     expected: str
@@ -74,6 +80,8 @@ class Compared:
     agrees: bool
     kind: str
     source: str
+    under: str
+    now: float | str | None
 
     @property
     def text(self) -> str:
@@ -90,6 +98,7 @@ class Script:
     steps: tuple[Step, ...]
     expects: tuple[Expect, ...]
     lines: dict[str, int]
+    raw: bytes
 
 
 def load(path: Path | str) -> Script:
@@ -135,7 +144,7 @@ def load(path: Path | str) -> Script:
     if errors:
         raise BadInput(raw.place, errors)
     assert start is not None
-    return Script(raw.place, start, tuple(steps), tuple(expects), raw.lines)
+    return Script(raw.place, start, tuple(steps), tuple(expects), raw.lines, raw.raw)
 
 
 def _check_step(key: str, row: Table, error: Complain) -> None:
@@ -159,19 +168,24 @@ def _check_step(key: str, row: Table, error: Complain) -> None:
 def _check_expect(key: str, row: Table, steps: int, error: Complain) -> None:
     for unknown in [key for key in row if key not in Expect.__annotations__]:
         error(f"{key}.{unknown}", Text("is not known; an expectation has ") + ", ".join(sorted(Expect.__annotations__)))
-    named = [row[name] for name in ("value", "check", "step") if name in row]
+    named = [row[name] for name in NAMED if name in row]
     if len(named) != 1 or not isinstance(named[0], str):
-        error(key, Text("must name one value, check or step"))
+        error(key, Text("must name one value, check or step, or the state of the design"))
+    if row.get("kind", RECORDED) not in KINDS:
+        error(key, Text('needs kind = "reference" or "recorded"'))
     if "value" in row:
         if not _number(row.get("is")):
             error(key, Text("needs is = NUMBER"))
         tolerances = [row[name] for name in ("rel", "abs") if name in row]
         if not tolerances or not all(_number(t) and t >= 0 for t in tolerances):
             error(key, Text("needs a tolerance: rel or abs, a number of 0 or more"))
-        if row.get("kind") not in KINDS:
+        if "kind" not in row:
             error(key, Text('needs kind = "reference" or "recorded"'))
         if row.get("kind") == "reference" and not row.get("source"):
             error(key, Text("a reference value needs its source"))
+    elif "design" in row:
+        if row["design"] not in OF_DESIGN or "verdict" in row:
+            error(key, Text("needs design = one of ") + ", ".join(OF_DESIGN))
     elif row.get("verdict") not in ORDER:
         error(key, Text("needs verdict = one of ") + ", ".join(ORDER))
     after = row.get("after", steps)
@@ -184,12 +198,12 @@ def _number(x: object) -> TypeGuard[float]:
 
 
 def run(script: Script, solve: Solve, report: Report | None = None) -> list[Compared]:
-    """Play a script and compare.
+    """Play a script and compare; in the order of the expectations.
 
     `solve`: that of the program.  `report`: writes the PDFs that the script asks for, beside it."""
     history = [script.start]
     results = solve(design(script.start), None)
-    compared: list[Compared] = []
+    compared: dict[int, Compared] = {}
     for number in range(len(script.steps) + 1):
         if number:
             step = script.steps[number - 1]
@@ -201,8 +215,16 @@ def run(script: Script, solve: Solve, report: Report | None = None) -> list[Comp
                 results = solve(design(history[-1]), results)
             elif report is not None:
                 report(history[-1], results, target(script, step))
-        compared += [compare(results, row) for row in script.expects if row.get("after", len(script.steps)) == number]
-    return compared
+        for n, row in enumerate(script.expects):
+            if row.get("after", len(script.steps)) == number:
+                compared[n] = compare(results, row)
+    return [compared[n] for n in sorted(compared)]
+
+
+def moved(compared: list[Compared]) -> dict[int, Compared]:
+    """The expectations that were recorded and do not come out any more, by their places: what they would have to
+    expect is known."""
+    return {n: c for n, c in enumerate(compared) if not c.agrees and c.kind == RECORDED and c.now is not None}
 
 
 def target(script: Script, step: Step) -> Path:
@@ -242,18 +264,36 @@ def _edited(script: Script, number: int, document: Document, step: Step) -> Docu
 def compare(results: "Results", row: Expect) -> Compared:
     """One expectation against results."""
     kind, source = row.get("kind", ""), row.get("source", "")
-    if "value" not in row:
-        what = row.get("check") or row.get("step")
-        if "check" in row:
-            actual = next((c.verdict for c in results.checks() if c.id == what), "no such check")
-        else:
-            actual = results.outcomes[what].verdict if what in results.outcomes else "no such step"
-        return Compared(str(what), row["verdict"], actual, actual == row["verdict"], kind, source)
+    if "design" in row:
+        state = results.verdict
+        return Compared("design", row["design"], state, state == row["design"], kind, source, "design", state)
+    if "check" in row:
+        verdict = next((c.verdict for c in results.checks() if c.id == row["check"]), None)
+        return _compared_verdict(row["check"], row, verdict, "no such check")
+    if "step" in row:
+        outcome = results.outcomes.get(row["step"])
+        return _compared_verdict(row["step"], row, outcome.verdict if outcome else None, "no such step")
     name, expected, unit = row["value"], float(row["is"]), row.get("unit", "")
     value = results.values().get(name)
     tolerance = max(abs(row.get("rel", 0.0) * expected), row.get("abs", 0.0))
     text = f"{short(expected, 6)} ± {short(tolerance, 2)} {unit}".rstrip()
     if value is None:
-        return Compared(name, text, "no such value", False, kind, source)
-    agrees = value.unit == unit and math.isfinite(value.shown) and abs(value.shown - expected) <= tolerance * (1 + 1e-9)
-    return Compared(name, text, f"{short(value.shown, 6)} {value.unit}".rstrip(), agrees, kind, source)
+        return Compared(name, text, "no such value", False, kind, source, "is", None)
+    there = value.unit == unit and math.isfinite(value.shown)
+    agrees = there and abs(value.shown - expected) <= tolerance * (1 + 1e-9)
+    now = _rounded(value.shown, row) if there else None
+    return Compared(name, text, f"{short(value.shown, 6)} {value.unit}".rstrip(), agrees, kind, source, "is", now)
+
+
+def _compared_verdict(about: str, row: Expect, verdict: str | None, none: str) -> Compared:
+    """A step that was said to pass may be one that only computes: before version 0.2 there was no word for it."""
+    agrees = verdict == row["verdict"] or ("step" in row and (row["verdict"], verdict) == ("pass", "computed"))
+    kind, source = row.get("kind", ""), row.get("source", "")
+    return Compared(about, row["verdict"], verdict or none, agrees, kind, source, "verdict", verdict)
+
+
+def _rounded(number: float, row: Expect) -> float:
+    """With as few digits as leave nine tenths of the tolerance."""
+    tolerance = max(abs(row.get("rel", 0.0) * number), row.get("abs", 0.0))
+    rounded = (float(f"{number:.{digits}g}") for digits in range(4, 17))
+    return next((x for x in rounded if abs(x - number) <= tolerance / 10), number)

@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 from .record import record
 from .remedy import Remedy, sentence
-from .text import EMPTY, SPACE, Amount, Text
+from .text import COMMA, EMPTY, SPACE, Amount, Name, Text
 from .units import UNITS
 from .value import link_of, linked
 
@@ -204,8 +204,19 @@ SIGNS = {
     "no_solution": "✗",
 }
 # from good to bad
-ORDER = ("not_asked", "pass", "accepted", "computed", "note", "warn", "not_judged", "not_verified", "blocked")
-ORDER += ("fail", "no_solution")
+ORDER: tuple[str, ...] = (
+    "not_asked",
+    "pass",
+    "accepted",
+    "computed",
+    "note",
+    "warn",
+    "not_judged",
+    "not_verified",
+    "blocked",
+    "fail",
+    "no_solution",
+)
 URGENT = ("fail", "not_verified", "warn")  # verdicts of checks that somebody has to look at
 
 
@@ -366,15 +377,37 @@ class Check:
 
     def margin_text(self) -> Text:
         """Per cent; of a limit of 0 and of temperatures the gap with its unit."""
-        gap, limit = self.nearest
+        gap = self.gap
         if math.isnan(gap):
             return Text("no number")
-        if limit == 0 or self.unit == "°C":
+        if self.limit == 0 or self.unit == "°C":
             return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form="+.3g"))
         if abs(self.margin) > 1000:  # of a limit that is all but zero
             return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, self.margin), "%", form="+.0f"))
         percent = self.margin * 100
         return Text("{percent}", percent=Amount(percent, "%", form="+.1f" if 0 < abs(percent) < 0.5 else "+.0f"))
+
+    def lack_text(self) -> Text:
+        """What is not given, what stands for it, and how far the value goes with it; empty where nothing is missing."""
+        if self.at_best is None:
+            return EMPTY
+        taken = COMMA.join(self.taken)
+        if self.verdict in ("pass", "accepted") and taken:
+            return Text("Assumed: {taken}.", taken=taken)
+        ends = Text(
+            "At best {best}, at worst {worst}.", best=self._shown(self.at_best), worst=self._shown(self.at_worst)
+        )
+        if not self.missing:
+            return ends
+        keys = Name(", ".join(self.missing))
+        if not taken:
+            return Text("Not given: {keys}.", keys=keys)
+        return Text("Not given: {keys}; taken: {taken}. {ends}", keys=keys, taken=taken, ends=ends)
+
+    def _shown(self, end: End | None) -> Text | Amount:
+        if isinstance(end, (int, float)):
+            return Amount(end, self.unit)
+        return Text("it can not fail") if end == "holds" else Text("nobody knows")
 
 
 # --- checks outside the validity of their formulas
@@ -390,7 +423,7 @@ def stretched(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def _stretched(check: Check, missed: Sequence[Check]) -> Check:
-    factor, outside = 1.0, []
+    factor, outside = 1.0, list[str]()
     for method in missed:
         for rule, weaker in method.rule.weakens:
             if rule is check.rule and _one_part(method.id, check.id):

@@ -189,7 +189,7 @@ class Outcome(Generic[R]):
 
     def __str__(self) -> str:
         """The verdict, every value by its id, and the checks that are open."""
-        title = f"{self.key}: {self.verdict}" + (f", {self.reason}" if self.reason else "")
+        title = f"{self.key}: {self.words()}" + (f", {self.reason}" if self.reason else "")
         shown = aligned(title, ((f"  {v.id}", brief(v.shown), f"{v.unit:<9} {v.label}") for v in self.values()))
         return "\n".join([shown, *(f"  {check}" for check in self.checks if check.open)])
 
@@ -264,18 +264,23 @@ def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:
     return replace(outcome, checks=checks, notes=outcome.notes + Later(lambda: _of_accepted(checks, reasons)))
 
 
-def no_such_check(id: str) -> Text:
-    return Text("Accepted, but this design has no such check: {id}", id=id)
-
-
 def _of_accepted(checks: tuple[Check, ...], reasons: dict[str, str]) -> list[Text]:
     """What there is to say of what is accepted."""
-    verdicts = {c.id: c.verdict for c in checks}
-    notes = [no_such_check(id) + "." for id in reasons if id not in verdicts]
-    held = [id for id in reasons if verdicts.get(id) == "pass"]
-    notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in held]
-    limits = [c.id for c in checks if c.id in reasons and c.kind == "limit"]
-    return notes + [Text("A limit, which nobody can accept: {id}.", id=id) for id in limits]
+    by_id = {c.id: c for c in checks}
+    notes = [Text("{ignored}.", ignored=words) for id in reasons if (words := ignored(id, by_id.get(id)))]
+    held = [id for id in reasons if id in by_id and by_id[id].verdict == "pass"]
+    return notes + [Text("Accepted without need, since it holds: {id}.", id=id) for id in held]
+
+
+def ignored(id: str, check: Check | None) -> Text:
+    """Why an entry of what is accepted does nothing; empty where it may.  `check`: what it names, where that is there.
+
+    It was written for another version of the design, or of the program: it may stay, and is said."""
+    if check is None:
+        return Text("Ignored: {id} is accepted, but this design has no such check", id=id)
+    if check.kind == "limit":
+        return Text("Ignored: {id} is accepted, but is a limit, which nobody can accept", id=id)
+    return EMPTY
 
 
 # --- numbers far outside of what a step is for: a word instead of an infinite value

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a design is about, in a line for each of its steps: the object, its drive, and the load case it is judged at."""
+"""What a design is about, in a line for each of its steps: the object, its drive, and the load case it is judged at;
+and what acts on it that nobody counts."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from math import degrees
 
 from ..bearings.inputs import BearingInputs
 from ..design.model import STEPS, Design
 from ..engine.formulas import stroke
+from ..sheet.quantity import dotted
+from ..sheet.record import record
 from ..sheet.text import COMMA, Amount, Name, Text, plural
 
 TITLES = {step.key: step.title for step in STEPS}
@@ -94,3 +97,42 @@ def _mm(length: float) -> Amount:
 
 def _degrees(angle: float) -> Amount:
     return Amount(degrees(angle), "°", digits=6)
+
+
+# --- what is not counted
+
+
+def _slopes_given(design: Design) -> bool:
+    return design.gears is not None and all(mesh.shaft_deflection is not None for mesh in design.gears.meshes)
+
+
+@record
+class Influence:
+    """What acts on the parts of a step and no formula counts.  `given`: whether a design has the inputs by which it is
+    counted; None: there are none yet."""
+
+    step: str
+    words: Text
+    given: Callable[[Design], bool] | None = None
+
+
+BEARINGS, SHAFT, GEARS = dotted(Design.bearings), dotted(Design.countershaft), dotted(Design.gears)
+INFLUENCES = (
+    Influence(BEARINGS, Text("alignment of the bores")),
+    Influence(BEARINGS, Text("distortion of the housing")),
+    Influence(BEARINGS, Text("stiffness of the housing under the journals")),
+    Influence(BEARINGS, Text("air and fuel in the oil")),
+    Influence(BEARINGS, Text("pulsation of the oil pressure")),
+    Influence(BEARINGS, Text("bolts of the bearing joint")),
+    Influence(BEARINGS, Text("wear of journals and bores")),
+    Influence(SHAFT, Text("torsion of the shaft")),
+    Influence(GEARS, Text("slope of the shaft at its wheel"), _slopes_given),
+    Influence(GEARS, Text("wear of the teeth")),
+)
+
+
+def not_counted(design: Design) -> tuple[Text, ...]:
+    """What acts on the steps that are asked and no input of this design describes.  It is no finding: it touches no
+    state."""
+    asked = {step.key for step in design.asked()}
+    return tuple([each.words for each in INFLUENCES if each.step in asked and not (each.given and each.given(design))])

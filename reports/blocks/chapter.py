@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from calc.sheet.check import Check
+from calc.sheet.check import SIGNS, Check
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 from calc.sheet.value import Line
-from calc.sheet.verdict import grouped
+from calc.sheet.verdict import findings_of, grouped
 
 from ..context import Context
 from ..typesetting.equation import SIGN, EquationEntry, Label, Labelled, entry_blocks
@@ -22,7 +22,6 @@ from .checks import counted, name_of, shown_value, sign_cell
 from .inputs import input_blocks, remarks
 from .proof import proof_blocks, proofs
 from .values import table_blocks, value_blocks
-from .words import verdict
 
 VERDICT, LONG_VERDICT = 46.0, 66.0
 EARLY = ("verdicts_of", "notes", "tables")
@@ -63,16 +62,17 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
 
 def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
     """How the step came out, and what is open or accepted, one line a cause, the worst first."""
-    summary = f"{verdict(context.words, outcome.verdict)}: {counted(context, outcome.checks)}."
+    groups = [group for group in grouped(outcome.checks) if any(check.verdict != "pass" for check in group)]
+    listed = f" {context.say(findings_of([[c for c in g if c.verdict != 'pass'] for g in groups]))}:" if groups else ""
+    words = f"{SIGNS[outcome.verdict]} {context.say(outcome.words())}"
+    summary = f"{words}. {counted(context, outcome.checks).capitalize()}.{listed}"
     reason = paragraph(context.say(outcome.reason), BODY, gap=2.0, keep=True) if outcome.reason else []
     blocks = reason + paragraph(summary, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
     rows: list[Row] = []
-    for group in grouped(outcome.checks):
-        findings = [check for check in group if check.verdict != "pass"]
-        if findings:
-            worst, more = findings[0], len(findings) - 1
-            name = name_of(context, worst) + (f" ({context.text('more_twins', count=more)})" if more else "")
-            rows.append(_row(context, worst, name))
+    for group in groups:
+        worst, *more = [check for check in group if check.verdict != "pass"]
+        name = name_of(context, worst) + (f" ({context.text('more_twins', count=len(more))})" if more else "")
+        rows.append(_row(context, worst, name))
     return blocks + (table(_columns(context, outcome.checks), rows) if rows else [])
 
 

@@ -9,8 +9,8 @@ from dataclasses import replace
 from calc.design.names import knows
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Erratum
-from calc.sheet.text import Amount, Text, plural
-from calc.sheet.verdict import grouped, with_it
+from calc.sheet.text import Amount, Text
+from calc.sheet.verdict import counts, grouped, with_it
 
 from ..context import Context
 from ..typesetting.fonts import BOLD
@@ -45,21 +45,20 @@ def name_of(context: Context, check: Check) -> str:
 
 
 def counted(context: Context, checks: Sequence[Check]) -> str:
-    """How many checks came out how; what holds by a formula outside its validity is counted by itself."""
+    """How many of the limits hold, and what stands below them: what holds by a formula outside its validity, and open
+    notes."""
     if not checks:
         return context.words["no_checks"]
-    states = [context.state(check) for check in checks]
-    words = context.text(
-        "count",
-        fail=states.count("fail"),
-        open=states.count("not_verified"),
-        warnings=plural("{n} warning", "{n} warnings", n=states.count("warn")),
-        notes=plural("{n} note", "{n} notes", n=states.count("note")),
-        accepted=states.count("accepted"),
-        passed=states.count("pass"),
-        checks=plural("{n} check", "{n} checks", n=len(checks)),
-    )
-    return f"{words}; {context.text('counted_outside', n=outside)}" if (outside := states.count("outside")) else words
+    n, outside = counts(checks), sum(context.state(check) == "outside" for check in checks)
+    words = [context.text("held", n=n.held)] if n.limits else []
+    if n.held < n.limits:
+        words[0] += " " + context.text("of_judged", count=n.limits - n.not_verified)
+    if outside:
+        words.append(context.text("counted_outside", n=outside))
+    words += [
+        context.text(f"open_{kind}", n=count) for kind, count in (("advice", n.advice), ("method", n.method)) if count
+    ]
+    return "; ".join(words) or context.words["no_limits"]
 
 
 def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:
@@ -88,8 +87,7 @@ def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
     rows = []
     for (_, advice), some in together.items():
         for check, others in some:
-            missing = context.say(Text("Not known: {keys}.", keys=", ".join(check.missing))) if check.missing else ""
-            parts = (missing, advice if check is some[-1][0] else "", others)
+            parts = (context.say(check.lack_text()), advice if check is some[-1][0] else "", others)
             rows.append(_check_row(context, check, " ".join(part for part in parts if part)))
     rows += [_check_row(context, check, _accepted(context, check)) for check in checks if check.verdict == "accepted"]
     return _check_table(context, rows, 4.0, checks)

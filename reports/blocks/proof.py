@@ -349,8 +349,8 @@ def _after(context: Context, proof: Proof) -> list[Block]:
             limit=context.say(method.limit_text()),
         )
     check = proof.governing
-    if check.missing:
-        blocks += _line(context, "not_known", keys=", ".join(check.missing))
+    if lack := check.lack_text():
+        blocks += paragraph(context.say(lack), NOTE, x=INDENT, gap=1.2)
     if check.accepted:
         blocks += _line(context, "accepted_because", reason=check.accepted)
     for advice in dict.fromkeys(twin.advice for twin in proof.checks if twin.advice and not twin.holds):

@@ -10,13 +10,14 @@ from calc.design.key_results import key_results
 from calc.design.names import knows
 from calc.design.unusual import told, unusual
 from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
-from calc.sheet.check import SIGNS, THIN_MARGIN
+from calc.sheet.check import SIGNS, THIN_MARGIN, URGENT
 from calc.sheet.text import Amount, Text
+from calc.sheet.verdict import closest, findings_of, grouped
 from calc.studies.described import described
 from calc.studies.drawings import shaft, train
 from calc.studies.repair.nearest import nearest
 
-from ..context import Context, closeness
+from ..context import Context
 from ..typesetting.boxes import BLACK, GREY, Colour
 from ..typesetting.fonts import BOLD, LEFT, WIDTH
 from ..typesetting.pagination import Block, Picture, TextContent, bullet, heading, paginate, paragraph
@@ -137,7 +138,9 @@ def summary_blocks(context: Context) -> list[Block]:
     blocks += _steps(context)
     blocks += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
     if attention := attention_blocks(context, results.checks()):
-        blocks += heading(w["attention"], SECTION, gap=9.0, after=0.0)
+        urgent = [[check for check in group if check.verdict in URGENT] for group in grouped(results.checks())]
+        findings = findings_of([group for group in urgent if group])
+        blocks += heading(context.text("counted_attention", findings=findings), SECTION, gap=9.0, after=0.0)
         blocks += attention
     return blocks
 
@@ -225,16 +228,14 @@ def _proposals(context: Context, above: list[Block]) -> list[Block]:
 
 def _verdict(context: Context) -> list[Block]:
     """The overall verdict as a panel: sign, word, and the count of checks."""
-    w, results = context.words, context.results
+    results = context.results
     state = results.verdict
     checks = list(results.checks())
-    words = counted(context, checks)
-    waiting = [context.say(step.title) for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
-    if waiting:
-        words += context.text("waiting", steps=", ".join(waiting))
-    limits = [check for check in checks if check.kind == "limit"]
-    if limits:
-        worst = min(limits, key=closeness)
+    verdict_words, _, open_ones = context.say(results.words()).partition(": ")
+    unused = [context.say(step.title) for _, step, o in context.steps() if o.state == "not_asked" and not step.optional]
+    unused_words = [context.text("unused", steps=", ".join(unused))] if unused else []
+    words = "; ".join(filter(None, [open_ones, counted(context, checks), *unused_words]))
+    if (worst := closest(checks)) is not None:
         at = context.text(
             "governing",
             name=name_of(context, worst),
@@ -245,7 +246,7 @@ def _verdict(context: Context) -> list[Block]:
     if odd := told(unusual(context.design)):
         words = ". ".join([words, context.say(odd)])
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
-    sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)
+    sign = one_line(f"{SIGNS[state]}  {verdict_words}", big, 0.4 * WIDTH)
     beside = lines(words, BODY, WIDTH - sign.width - 40.0)
     height = max(30.0, len(beside) * BODY.leading + 12.0)
 
@@ -257,11 +258,11 @@ def _verdict(context: Context) -> list[Block]:
         for i, line in enumerate(beside):
             pen.put(line, sign.width + 28.0, base - i * BODY.leading)
 
-    return [Block(height, draw, gap=7.0, content=TextContent(f"{SIGNS[state]} {w[state].upper()}. {words}", STRONG))]
+    return [Block(height, draw, gap=7.0, content=TextContent(f"{SIGNS[state]} {verdict_words}. {words}", STRONG))]
 
 
 def _steps(context: Context) -> list[Block]:
-    """One row a step: its verdict and the check that is closest to its limit, or furthest beyond."""
+    """One row a step: its verdict and the limit of physics that is closest, or passed over furthest."""
     w = context.words
     rows: list[Row] = []
     for number, step, outcome in context.steps():
@@ -269,11 +270,9 @@ def _steps(context: Context) -> list[Block]:
             continue
         title = f"{number}  {context.say(step.title)}"
         state = outcome.verdict
-        worst = min(outcome.checks, key=closeness, default=None) if outcome.state == "solved" else None
+        worst = closest(outcome.checks) if outcome.state == "solved" else None
         if worst is None:
-            words = {"blocked": outcome.reason, "no_solution": outcome.reason, "not_asked": "–"}.get(
-                outcome.state, w["no_checks"]
-            )
+            words = outcome.reason if outcome.state in ("blocked", "no_solution") else "–"
             rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
             continue
         cells = (

@@ -20,6 +20,7 @@ WORDS: dict[str, Text] = {
     "attached": Text("The design file is attached to this document as design.toml."), "pass": Text("pass"),
     "warn": Text("warn"),
     "fail": Text("fail"), "note": Text("note"), "not_verified": Text("not verified"), "accepted": Text("accepted"),
+    "computed": Text("computed"), "not_judged": Text("not judged"),
     "blocked": Text("blocked"), "not_asked": Text("not used"), "no_solution": Text("no solution"),
     "step": Text("Step"), "verdict": Text("Verdict"), "worst": Text("Closest limit"), "value": Text("Value"),
     "limit": Text("Limit"),
@@ -27,7 +28,7 @@ WORDS: dict[str, Text] = {
     "symbol": Text("Symbol"),
     "key": Text("Key in the design file"), "id": Text("Name of the value"), "source": Text("Source"),
     "advice": Text("advice"),
-    "steps": Text("Steps"), "attention": Text("What is open"), "errata": Text("Where the source is wrong"),
+    "steps": Text("Steps"), "errata": Text("Where the source is wrong"),
     "source_value": Text("Its method"), "our_value": Text("This report"), "deviation": Text("Deviation"),
     "contents": Text("Contents"),
     "inputs": Text("Inputs"), "notes": Text("Assumptions"), "formulas": Text("Formulas"), "results": Text("Results"),
@@ -60,12 +61,12 @@ WORDS: dict[str, Text] = {
                        "be {limit})."),
     "counted_outside": plural("{n} holds outside the validity of its formula", "{n} hold outside the validity of "
                                                                                "their formulas", n=0),
-    "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"),
+    "accepted_because": Text("Accepted: {reason}"),
     "with_values": Text("With {values}."),
     "as_in": Text("as in {number}"),
     "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"), "proofs": Text("Proofs"),
     "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
-    "governing": Text("Governing: {name}, {value}, needs {limit}"), "key_results": Text("Key results"),
+    "governing": Text("Closest limit: {name}, {value}, needs {limit}"), "key_results": Text("Key results"),
     "nearest_title": Text("Nearest passing design"), "nearest_passes": Text("No limit fails with: {changes}."),
     "nearest_part": Text("A part of the way: {changes}."), "nearest_left": Text("{name}: nothing was found, {why}."),
     "errata_count": plural(
@@ -93,8 +94,12 @@ WORDS: dict[str, Text] = {
     "own": Text("Definitions and rules without a publication"), "not_asked_text": Text("the design file has no table "
                                                                                        "[{key}]."),
     "blocked_text": Text("this step {reason}."), "no_solution_text": Text("{reason}."), "no_checks": Text("no checks"),
-    "count": Text("{fail} failed, {open} not verified, {warnings}, {notes}, {accepted} accepted, {passed} passed of "
-    "{checks}"), "waiting": Text("; not solved: {steps}"),
+    "no_limits": Text("no limits"),
+    "held": plural("{n} limit holds", "{n} limits hold", n=0), "of_judged": Text("of {count} judged"),
+    "unused": Text("not used: {steps}"), 
+    "open_advice": plural("{n} piece of advice", "{n} pieces of advice", n=0),
+    "open_method": plural("{n} note on the method", "{n} notes on the method", n=0),
+    "counted_attention": Text("What is open: {findings}"),
     "missing_glyphs": Text("▯ stands for a character that this report's font does not have; the attached file has it."),
     "comparison": Text("Comparison of two designs"), "design": Text("Design"),
     "verdicts": Text("Verdicts of the steps"), "equal": EQUAL,
@@ -122,6 +127,8 @@ STATE_COLOURS: dict[str, Colour] = {
     "pass": (0.0, 0.42, 0.31),
     "warn": (0.66, 0.40, 0.0),
     "fail": (0.75, 0.16, 0.0),
+    "computed": (0.0, 0.42, 0.31),
+    "not_judged": (0.35, 0.35, 0.35),
     "blocked": (0.35, 0.35, 0.35),
     "not_asked": (0.45, 0.45, 0.45),
     "no_solution": (0.75, 0.16, 0.0),
@@ -130,7 +137,13 @@ STATE_COLOURS: dict[str, Colour] = {
     "accepted": (0.0, 0.42, 0.31),
     "outside": (0.35, 0.35, 0.35),
 }
-STATE_PANELS: dict[str, Colour] = {"pass": (0.92, 0.97, 0.94), "warn": (0.99, 0.96, 0.88), "fail": (0.99, 0.93, 0.90)}
+STATE_PANELS: dict[str, Colour] = {
+    "pass": (0.92, 0.97, 0.94),
+    "warn": (0.99, 0.96, 0.88),
+    "not_verified": (0.99, 0.96, 0.88),
+    "fail": (0.99, 0.93, 0.90),
+    "no_solution": (0.99, 0.93, 0.90),
+}
 
 
 def verdict(words: dict[str, str], state: str) -> str:

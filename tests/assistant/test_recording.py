@@ -70,10 +70,14 @@ def test_edits_of_all_kinds_play_to_the_same_values(
     assert end(script) == data == session.data
     compared = replay.run(script, solve)
     assert all(c.agrees for c in compared), [c.text for c in compared]
+    assert session.results is not None and [row["design"] for row in script.expects if "design" in row] == [
+        session.results.verdict
+    ]
+    assert all(row["kind"] == replay.RECORDED for row in script.expects)
     assert {row["step"] for row in script.expects if "step" in row} == {s.key for s in session.design.asked()}
     assert {row["value"] for row in script.expects if "value" in row} >= {"engine.stroke", "friction.total_loss"}
     assert any("check" in row for row in script.expects)
-    assert replay_command(type("Asked", (), {"files": [str(tmp_path / "r.toml")]})()) == 0  # type: ignore[arg-type]
+    assert replay_command(type("Asked", (), {"files": [str(tmp_path / "r.toml")], "update": False})()) == 0  # type: ignore[arg-type]
     assert f"{len(compared)} of {len(compared)} as expected" in capsys.readouterr().out
 
 

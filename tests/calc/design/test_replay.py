@@ -3,6 +3,7 @@
 import pytest
 
 from calc.design import replay
+from calc.design.toml_file import design
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 from tests.conftest import GAMMA, ROOT
@@ -48,6 +49,10 @@ def test_edits_undo_and_moments(tmp_path):
         "[[step]]\nunset = [1]\n" + EXPECT,
         '[[step]]\nset = "a"\n' + EXPECT,
         '[[expect]]\ncheck = "x"\nverdict = "bogus"\n',
+        '[[expect]]\ncheck = "x"\nverdict = "pass"\nkind = "guessed"\n',
+        '[[expect]]\ndesign = "computed"\n',
+        '[[expect]]\ndesign = "fail"\nverdict = "fail"\n',
+        '[[expect]]\ndesign = "fail"\nstep = "gears"\nverdict = "fail"\n',
         "",
         "expect = 3\n",
         "surprise = 1\n" + EXPECT,
@@ -167,3 +172,34 @@ def test_every_shipped_design_has_a_replay():
     assert {p.stem for p in (ROOT / "tests" / "replays").glob("*.toml")} == {
         p.stem for p in (ROOT / "designs").glob("*.toml")
     }
+
+
+def test_the_state_of_a_design_and_every_state_of_a_step_may_be_expected(tmp_path):
+    steps = ("engine", "imbalance", "gears")
+    rows = "".join(f'[[expect]]\nstep = "{step}"\nverdict = "pass"\n' for step in steps)
+    script = replay.load(written(tmp_path, HEAD + rows + '[[expect]]\ndesign = "fail"\n'))
+    results = solve(design(script.start))
+    found = [(c.about, c.found, c.agrees) for c in replay.run(script, solve)]
+    assert found[:2] == [("engine", "computed", True), ("imbalance", "computed", True)]  # an old word for it
+    assert found[2] == ("gears", results.outcomes["gears"].verdict, results.outcomes["gears"].verdict == "pass")
+    assert found[3] == ("design", results.verdict, results.verdict == "fail")
+    for state in ("not_verified", "not_judged", "computed", "no_solution"):
+        replay.load(written(tmp_path, HEAD + f'[[expect]]\nstep = "gears"\nverdict = "{state}"\n'))
+
+
+def test_a_check_that_passes_is_not_one_that_is_computed(tmp_path):
+    row = '[[expect]]\nstep = "engine"\nverdict = "{}"\n'
+    script = replay.load(written(tmp_path, HEAD + row.format("computed") + row.format("warn")))
+    assert [c.agrees for c in replay.run(script, solve)] == [True, False]
+
+
+def test_what_was_recorded_and_moved_is_known_with_no_more_digits_than_its_tolerance_asks_for(tmp_path):
+    recorded = EXPECT.replace("0.3282", "0.31")
+    reference = recorded.replace('"recorded"', '"reference"\nsource = "a book"')
+    gone = recorded.replace("engine.lambda", "engine.nothing")
+    verdict = '[[expect]]\nstep = "engine"\nverdict = "fail"\nkind = "recorded"\n'
+    text = HEAD + EXPECT + recorded + reference + gone + verdict + verdict.replace('kind = "recorded"\n', "")
+    compared = replay.run(replay.load(written(tmp_path, text)), solve)
+    assert [c.agrees for c in compared] == [True, False, False, False, False, False]
+    moved = {n: (c.under, c.now) for n, c in replay.moved(compared).items()}
+    assert moved == {1: ("is", 0.32822), 4: ("verdict", "computed")}

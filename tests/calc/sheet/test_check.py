@@ -7,64 +7,113 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.sheet.check import Check, check, grouped, step_verdict, worst
+from calc.sheet.check import RULES, CheckRule, Missing, stretched
 from calc.sheet.functions import root
 from calc.sheet.number import short
 from calc.sheet.quantity import group, inputs, published, quantity, result, value
 from calc.sheet.remedy import change, remedy
-from calc.sheet.text import Text
+from calc.sheet.text import EMPTY, Text
 from calc.sheet.units import Metre
-
-
-def judged(value, sense=">=", limit=1.0, kind="limit", **more):
-    return Check("step.object.name", Text("A check"), value, limit, sense, "", "a source", kind=kind, **more)
+from tests.made_checks import made_check, rule
 
 
 @pytest.mark.parametrize(
-    "number, sense, limit, kind, margin, verdict",
+    "value, sense, limit, unit, scale, margin",
     [
-        (9.0, ">=", 9.0, "limit", 0.0, "warn"),
-        (10.0, ">=", 9.0, "limit", 1 / 9, "pass"),
-        (8.0, ">=", 9.0, "limit", -1 / 9, "fail"),
-        (9.2, ">=", 9.0, "limit", 0.2 / 9, "warn"),
-        (8.0, ">=", 9.0, "advice", -1 / 9, "note"),
-        (9.0, ">=", 9.0, "advice", 0.0, "pass"),
-        (8.0, ">=", 9.0, "caution", -1 / 9, "warn"),
-        (9.2, ">=", 9.0, "caution", 0.2 / 9, "pass"),
-        (8.0, ">=", 9.0, "method", -1 / 9, "note"),
-        (130.0, "<=", 135.0, "limit", 5 / 135, "warn"),
-        (136.0, "<=", 135.0, "limit", -1 / 135, "fail"),
-        (0.0, ">", 0.0, "limit", 0.0, "fail"),
-        (3.0, ">", 0.0, "limit", 3.0, "pass"),
-        (-4.8, ">", 0.0, "limit", -4.8, "fail"),
-        (0.5, "in", (0.2, 1.0), "limit", 1.5, "pass"),
-        (0.9, "in", (0.2, 1.0), "limit", 0.1, "pass"),
-        (0.99, "in", (0.2, 1.0), "limit", 0.01, "warn"),
-        (0.1, "in", (0.2, 1.0), "limit", -0.5, "fail"),
-        (1.5, "in", (0.2, 1.0), "advice", -0.5, "note"),
-        (math.nan, ">=", 1.0, "limit", math.nan, "fail"),
-        (math.nan, ">=", 1.0, "advice", math.nan, "note"),
-        (math.nan, ">=", 1.0, "caution", math.nan, "warn"),
+        (9.2, ">=", 9.0, "µm", None, 0.2 / 9),
+        (8.0, ">=", 9.0, "µm", None, -1 / 9),
+        (236.0, "<=", 235.0, "MPa", None, -1 / 235),
+        (131.0, "<=", 135.0, "°C", None, 0.04),  # 100 K
+        (-5.0, ">=", 0.0, "°C", None, -0.05),
+        (0.5, "in", (0.2, 1.0), "", None, 0.3 / 0.8),  # its width
+        (0.9, "in", (0.2, 1.0), "", None, 0.1 / 0.8),
+        (-15.4, ">=", 0.0, "µm", 103.0, -15.4 / 103),
+        (1.6, ">", 0.0, "µm", 32.0, 0.05),
+        (math.nan, ">=", 1.0, "", None, math.nan),
+        (2.0, ">=", 0.0, "", 0.0, math.inf),
+        (0.0, ">=", 0.0, "", 0.0, 0.0),
+        (3.0, "in", (3.0, 3.0), "", None, 0.0),
     ],
 )
-def test_margin_and_verdict(number, sense, limit, kind, margin, verdict):
-    made = judged(number, sense, limit, kind)
-    assert made.margin == pytest.approx(margin, nan_ok=True)
-    assert made.verdict == verdict
+def test_a_margin_is_the_gap_over_its_scale(value, sense, limit, unit, scale, margin):
+    check = made_check(value, sense, limit, unit=unit, zero_scale=scale)
+    assert check.margin == pytest.approx(margin, nan_ok=True)
 
 
 @pytest.mark.parametrize(
-    "kind, verdict, step",
+    "value, sense, limit, unit, scale, text",
     [
-        ("limit", "not_verified", "not_verified"),
-        ("caution", "not_verified", "warn"),
-        ("advice", "pass", "pass"),
-        ("method", "pass", "pass"),
+        (10.0, ">=", 9.0, "µm", None, "+11 %"),
+        (20.8, ">=", 0.0, "µm", 100.0, "+20.8 µm"),
+        (-8.7, ">=", 0.0, "µm", 100.0, "−8.7 µm"),
+        (116.5, "<=", 135.0, "°C", None, "+18.5 K"),
+        (0.5, "in", (0.0, 1.0), "", None, "+50 %"),
+        (math.nan, ">=", 1.0, "", None, "no number"),
     ],
 )
-def test_a_check_whose_data_are_missing_is_not_verified_even_if_it_holds(kind, verdict, step):
-    made = judged(2.0, kind=kind, missing=("gears.housing_material",))
-    assert (made.verdict, step_verdict([made])) == (verdict, step)
+def test_a_margin_is_told_per_cent_and_that_of_nought_with_its_unit(value, sense, limit, unit, scale, text):
+    assert made_check(value, sense, limit, unit=unit, zero_scale=scale).margin_text() == text
+
+
+NO, HOLDS, NONE = None, "holds", "none"
+
+
+@pytest.mark.parametrize(  # kind, value, sense, limit, unit, scale, best, worst, exact → finding
+    "kind, value, sense, limit, unit, scale, best, worst, exact, finding",
+    [
+        ("limit", 4.6, ">=", 4.5, "µm", NO, NO, NO, False, "warn"),
+        ("limit", 4.4, ">=", 4.5, "µm", NO, NO, NO, False, "fail"),
+        ("limit", 1.6, ">", 0.0, "µm", 32.0, NO, NO, False, "pass"),
+        ("limit", -0.2, ">", 0.0, "µm", 32.0, 20.8, -0.2, False, "not_verified"),
+        ("limit", 131.0, "<=", 135.0, "°C", NO, NO, NO, False, "warn"),
+        ("limit", 116.0, "<=", 135.0, "°C", NO, NO, NO, False, "pass"),
+        ("limit", -34.7, ">=", 0.0, "µm", 107.0, -14.65, NONE, False, "fail"),
+        ("limit", -15.4, ">=", 0.0, "µm", 103.0, 3.5, -15.4, False, "not_verified"),
+        ("limit", 12.0, ">=", 0.0, "µm", 90.0, HOLDS, 12.0, False, "pass"),
+        ("limit", 2.02, ">=", 1.0, "", NO, 2.02, 1.119, False, "pass"),
+        ("limit", 2.02, ">=", 1.0, "", NO, 2.02, 0.9, False, "not_verified"),
+        ("limit", 0.95, ">=", 1.0, "", NO, 0.95, 0.6, False, "fail"),
+        ("limit", 180.0, "<=", 235.0, "MPa", NO, HOLDS, 180.0, False, "pass"),
+        ("limit", 240.0, "<=", 235.0, "MPa", NO, HOLDS, 240.0, False, "not_verified"),
+        ("limit", 130.5, "<=", 135.0, "°C", NO, 124.0, 130.5, False, "warn"),
+        ("limit", 0.0, ">=", 0.0, "mm", 37.0, NO, NO, True, "pass"),
+        ("limit", 0.0, ">=", 0.0, "mm", 37.0, NO, NO, False, "warn"),
+        ("limit", 0.0, ">", 0.0, "mm", 37.0, NO, NO, True, "fail"),
+        ("limit", 0.5, "in", (0.2, 1.0), "", NO, NO, NO, False, "pass"),
+        ("limit", 0.21, "in", (0.2, 1.0), "", NO, NO, NO, False, "warn"),
+        ("limit", 0.1, "in", (0.2, 1.0), "", NO, NO, NO, False, "fail"),
+        ("limit", math.nan, ">=", 4.5, "µm", NO, NO, NO, False, "fail"),
+        ("limit", math.nan, ">=", 1.0, "", NO, NONE, NONE, False, "not_verified"),
+        ("caution", 3.4, ">=", 6.2, "µm", NO, NO, NO, False, "warn"),
+        ("caution", 6.3, ">=", 6.2, "µm", NO, NO, NO, False, "pass"),
+        ("caution", 6.4, ">=", 6.2, "µm", NO, 7.0, NONE, False, "not_verified"),
+        ("caution", -0.3, ">", 0.0, "µm", 50.0, 4.0, -0.3, False, "not_verified"),
+        ("caution", -0.3, ">", 0.0, "µm", 50.0, -0.1, -0.3, False, "warn"),
+        ("caution", math.nan, ">=", 1.0, "", NO, NO, NO, False, "warn"),
+        ("advice", 3.4, ">=", 6.2, "µm", NO, 7.0, 3.4, False, "note"),
+        ("advice", math.nan, ">=", 1.0, "", NO, NONE, NONE, False, "note"),
+        ("method", 3.4, ">=", 6.2, "µm", NO, NO, NO, False, "note"),
+        ("method", 9.0, ">=", 6.2, "µm", NO, NO, NO, False, "pass"),
+    ],
+)
+def test_what_is_found_with_and_without_all_that_is_needed(
+    kind, value, sense, limit, unit, scale, best, worst, exact, finding
+):
+    missing = () if best is None else ("gears.wheels.idler.runout_um",)
+    check = made_check(
+        value,
+        sense,
+        limit,
+        kind,
+        unit,
+        zero_scale=scale,
+        missing=missing,
+        at_best=best,
+        at_worst=worst,
+        rule_of={"exact": exact},
+    )
+    assert check.finding == finding
+    assert check.narrow is (finding == "warn" and kind == "limit")
 
 
 @pytest.mark.parametrize(
@@ -79,19 +128,8 @@ def test_a_check_whose_data_are_missing_is_not_verified_even_if_it_holds(kind, v
     ],
 )
 def test_a_limit_is_accepted_by_nobody(kind, value, verdict):
-    made = judged(value, kind=kind, accepted="seen on the test bench")
-    assert made.verdict == verdict and made.open is (verdict in ("fail", "warn"))
-    assert step_verdict([made]) == {"accepted": "pass"}.get(verdict, verdict)
-
-
-def test_notes_do_not_colour_a_step_and_a_caution_does():
-    note, caution, limit = judged(0.5, kind="advice"), judged(0.5, kind="caution"), judged(0.5)
-    assert [step_verdict(some) for some in ([note], [note, caution], [caution, limit, note], [])] == [
-        "pass",
-        "warn",
-        "fail",
-        "pass",
-    ]
+    check = made_check(value, kind=kind, accepted="seen on the test bench")
+    assert check.verdict == verdict and check.open is (verdict in ("fail", "warn"))
 
 
 @pytest.mark.parametrize(
@@ -106,74 +144,124 @@ def test_notes_do_not_colour_a_step_and_a_caution_does():
     ],
 )
 def test_utilisation_is_demand_over_capacity(value, sense, limit, demand, utilisation):
-    assert judged(value, sense, limit, demand=demand).utilisation == utilisation
+    assert made_check(value, sense, limit, rule_of={"demand": demand}).utilisation == utilisation
 
 
-def test_a_group_stands_where_its_worst_check_does():
-    names = dict(
-        note=judged(0.5, kind="advice"),
-        corner=judged(0.2, kind="caution"),
-        fails=judged(0.9),
-        far=judged(0.1),
-        holds=judged(9.0),
-    )
-    rows = {id: replace(one, id=id, cause="" if id in ("note", "far") else "fails") for id, one in names.items()}
-    assert [[c.id for c in group] for group in grouped(rows.values())] == [
-        ["fails", "corner", "holds"],
-        ["far"],
-        ["note"],
-    ]
+# --- what is declared, and what is made of it
 
 
-def test_a_check_stands_in_the_shown_unit_and_has_the_kind_of_its_row():
-    made = check("bearings.front.film_edge_corner", Text("Film"), 7.4e-6, ">=", 9e-6, "µm", "a source", kind="limit")
-    assert (made.value, made.limit, made.limit_text(), made.margin_text()) == (7.4, 9.0, "≥ 9 µm", "−18 %")
-    assert (made.kind, made.cause, made.value_id) == (
+def test_a_declaration_fills_its_letters_and_shows_si_in_its_unit():
+    edge = rule(
         "caution",
-        "bearings.front.film_edge",
-        "bearings.front.corners.film_edge",
+        "µm",
+        id="bearings.B.edge_corner",
+        cause="bearings.B.edge",
+        value_id="bearings.B.corners.edge",
+        limit_id="bearings.B.least",
+        moved_by=("bearings.B.length_mm", "bearings.journal_fit"),
+        name=Text("Film"),
+        sense=">=",
     )
-    assert check("gears.front.ball", Text("Ball"), 1.0, ">=", 0.0, "mm", "a source", kind="advice").kind == "advice"
-    assert check("gears.front.ball", Text("Ball"), 1.0, ">=", 0.0, "mm", "a source").kind == "limit"
+    check = edge(7.4e-6, 9e-6, at="front")
+    assert (check.id, check.value, check.limit) == ("bearings.front.edge_corner", 7.4, 9.0)
+    assert (check.limit_text(), check.margin_text(), check.name) == ("≥ 9 µm", "−18 %", "Film")
+    assert (check.cause, check.value_id) == ("bearings.front.edge", "bearings.front.corners.edge")
+    assert check.limit_id == "bearings.front.least"
+    assert check.moved_by == ("bearings.front.length_mm", "bearings.journal_fit")
+    with pytest.raises(ValueError):
+        edge(7.4e-6, 9e-6)  # of which bearing?
+
+
+def test_the_letters_of_a_mesh_are_its_wheels_and_its_place():
+    keys = ("gears.wheels.DRIVER.teeth", "gears.wheels.DRIVEN.teeth", "gears.meshes.#.tolerance_um")
+    root = rule("method", id="gears.M.notch_W", value_id="gears.M.notch_parameter_W", moved_by=keys)
+    check = root(1.0, 2.0, at=("rear_front", "front"), index=2)
+    assert (check.id, check.value_id) == ("gears.rear_front.notch_front", "gears.rear_front.notch_parameter_front")
+    assert check.moved_by == ("gears.wheels.rear.teeth", "gears.wheels.front.teeth", "gears.meshes.2.tolerance_um")
+    assert not any("meshes" in key for key in root(1.0, 2.0, at=("rear_front", "front")).moved_by)
+
+
+def test_a_limit_of_nought_needs_a_scale():
+    gap = rule("limit", "mm", id="step.gap", zero="the radius")
+    with pytest.raises(ValueError, match=r"step\.gap"):
+        gap(0.001, 0.0)
+    assert gap(0.001, 0.0, scale=0.02).margin == pytest.approx(0.05)
+    assert rule("limit", "°C", id="step.ice")(-3.0, 0.0).margin == pytest.approx(-0.03)
+
+
+def test_a_check_is_declared_once_and_a_limit_has_a_role():
+    CheckRule("test.twice", "advice", "Once.")
+    try:
+        with pytest.raises(ValueError, match="declared twice"):
+            CheckRule("test.twice", "advice", "Twice.")
+    finally:
+        del RULES["test.twice"]
+    for kind, role in (("limit", ""), ("caution", "physics")):
+        with pytest.raises(ValueError, match="role"):
+            CheckRule("test.role", kind, "A role.", role=role)
+
+
+def test_what_is_missing_is_shown_in_the_unit_of_the_check():
+    film = rule("limit", "µm", id="step.film")
+    lack = Missing(("bearings.slope_mrad",), (Text("0.1 mrad"),), 8e-6, 4e-6)
+    check = film(5e-6, 4.5e-6, missing=lack)
+    assert (check.at_best, check.at_worst, check.missing) == (8.0, 4.0, ("bearings.slope_mrad",))
+    assert check.finding == "not_verified"
+    assert film(5e-6, 4.5e-6, missing=Missing(("a.b",), (EMPTY,), "holds", "none")).at_worst == "none"
+    assert film(5e-6, 4.5e-6).at_best is None
 
 
 def test_the_advice_is_rendered_from_the_remedies_in_the_labels_and_units_of_the_fields():
     cut = remedy(change(Plate, "plates.lid.width_mm", 3.0, place="lid", bound=">="), effect=Text("it then fits"))
     both = remedy(change(Plate, "plates.depth_mm", None), change(Plate, "plates.lid.width_mm", [1.5, 2.0], place="lid"))
-    made = check(
-        "bearings.front.film_edge",
-        Text("Film"),
-        1.0,
-        ">=",
-        2.0,
-        "",
-        "a source",
-        Text("Or a thinner lid."),
-        remedies=lambda: (cut, both),
-    )
+    film = rule("limit", id="step.film")
+    check = film(1.0, 2.0, advice=Text("Or a thinner lid."), remedies=lambda: (cut, both))
     assert (
-        made.advice
+        check.advice
         == "To pass: Width of lid at least 3 mm (it then fits) or Depth left out and Width of lid [1.5; 2] mm. Or a "
         "thinner lid."
     )
-    assert [one.changes for one in made.remedies] == [
+    assert [one.changes for one in check.remedies] == [
         (("plates.lid.width_mm", 3.0),),
         (("plates.depth_mm", None), ("plates.lid.width_mm", [1.5, 2.0])),
     ]
-    alone = check("bearings.front.film_edge", Text("Film"), 1.0, ">=", 2.0, "", "a source", remedies=lambda: (cut,))
-    assert alone.advice == "To pass: Width of lid at least 3 mm (it then fits)." and judged(0.5).advice == ""
-    assert (
-        check(
-            "bearings.front.film_edge", Text("Film"), 3.0, ">=", 2.0, "", "a source", remedies=lambda: (cut,)
-        ).remedies
-        == ()
+    assert film(1.0, 2.0, remedies=lambda: (cut,)).advice == "To pass: Width of lid at least 3 mm (it then fits)."
+    assert film(3.0, 2.0, remedies=lambda: (cut,)).remedies == () and film(1.0, 2.0).advice == ""
+
+
+# --- outside the validity of a formula
+
+
+def test_a_stretched_formula_weakens_what_stands_on_it():
+    safety = rule("limit", id="gears.W.safety")
+    other = rule("limit", id="gears.W.other")
+    load = rule("method", id="gears.M.load", weakens=((safety, 2.0),))
+    root = rule("method", id="gears.train.root", weakens=((safety, 1.5),))
+    front, back, calm = safety(2.5, 1.0, at="front"), safety(4.0, 1.0, at="back"), other(1.5, 1.0, at="front")
+    low, rough = load(1.0, 2.0, at="front_idler"), root(1.0, 2.0)
+
+    def verdicts(*checks):
+        return [(c.verdict, c.at_worst, c.outside) for c in stretched(checks)[: len(checks)]]
+
+    assert verdicts(front, load(3.0, 2.0, at="front_idler"))[0] == ("pass", None, ())
+    assert verdicts(front, low)[0] == ("pass", 1.25, (low.id,))
+    assert verdicts(front, low, rough)[0] == ("not_verified", pytest.approx(2.5 / 3), (low.id, rough.id))
+    assert verdicts(back, low)[0] == ("pass", None, ()), "a wheel of another mesh"
+    assert verdicts(calm, low, rough)[0] == ("pass", None, ())
+    assert verdicts(safety(0.9, 1.0, at="front"), low)[0][0] == "fail"
+
+
+def test_what_is_weakened_counts_from_its_base_and_from_the_unfavourable_end():
+    outlet = rule("limit", "°C", id="bearings.B.outlet", sense="<=")
+    film = rule("caution", "µm", id="bearings.B.film")
+    flow = rule("method", id="bearings.B.flow", weakens=((outlet, 1.3), (film, 1.3)))
+    missed = flow(1.0, 2.0, at="rear")
+    lack = Missing(("bearings.slope_mrad",), (EMPTY,), 9e-6, 5.2e-6)
+    hot, thin, _ = stretched(
+        (outlet(120.0, 135.0, at="rear", base=90.0), film(6e-6, 5e-6, at="rear", missing=lack), missed)
     )
-
-
-def test_the_worst_of_several():
-    assert worst(["pass", "warn", "fail", "pass"]) == "fail"
-    assert worst(["pass", "note", "accepted"]) == "pass"
-    assert worst([]) == "pass"
+    assert hot.at_worst == pytest.approx(129.0) and hot.finding == "pass"
+    assert (thin.at_best, thin.at_worst) == (9.0, pytest.approx(4.0)) and thin.finding == "not_verified"
 
 
 @pytest.mark.parametrize(
@@ -261,10 +349,3 @@ def test_a_jump_through_zero_is_a_root_and_no_change_of_sign_is_an_error():
     assert root(lambda x: 1.0 if x < 0.3 else -1.0, 0, 1) == pytest.approx(0.3)
     with pytest.raises(ValueError, match="no change of sign"):
         root(lambda x: x * x + 1, 0, 1)
-
-
-def test_a_limit_that_is_kept_narrowly_is_told_from_one_that_is_passed_over():
-    near, over, far = (judged(value) for value in (1.01, 0.9, 2.0))
-    assert (near.verdict, over.verdict, far.verdict) == ("warn", "fail", "pass")
-    assert near.narrow and not over.narrow and not far.narrow
-    assert not judged(0.9, kind="advice").narrow and not judged(1.01, kind="caution").narrow
