@@ -3,7 +3,7 @@
 out by whom, and what is assumed, accepted and not verified."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -20,6 +20,7 @@ from calc.engine import sketch as engine
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of
+from calc.studies.described import not_counted
 from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
 from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 
@@ -34,23 +35,29 @@ from .dialogs import Once
 
 REPORT, EXPORT, DRIVE = "report", "export", "drive"  # actions that the page gives beside a step's key and a check's id
 PICTURE = (90, 14)  # cells of the picture at most
-ASSUMED = "assumed"
+ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
 
 
 class Closing(ItemList):
-    """The key of an item is that of a step, the id of a check, or ASSUMED."""
+    """The key of an item is that of a step, the id of a check, or of what is folded."""
 
     def __init__(self, session: Session) -> None:
         super().__init__(id="closing")
         self.session = session
-        self.unfolded = False
+        self.unfolded: set[str] = set()
 
     def choose(self, clicked: bool = False) -> None:
-        if self.key == ASSUMED:
-            self.unfolded = not self.unfolded
+        if self.key in (ASSUMED, NOT_COUNTED):
+            self.unfolded ^= {self.key}
             self.rebuild()
         else:
             super().choose(clicked)
+
+    def unfold(self, key: str) -> None:
+        """Show what is folded there."""
+        self.unfolded |= {key}
+        self.rebuild()
+        self.go_to(key, top=True)
 
     def build(self, width: int) -> list[Item]:
         parts = (self._picture(width), self._numbers(width), self._left(width), *self._said(width))
@@ -112,7 +119,7 @@ class Closing(ItemList):
 
     def _said(self, width: int) -> Iterator[list[Item]]:
         """What stands behind the verdict: left out, accepted, not verified, measured, assumed."""
-        session, say = self.session, self.app.say
+        session = self.session
         outcomes = session.results.outcomes.values() if session.results is not None else ()
         checks = [check for outcome in outcomes for check in outcome.checks]
         stays = list(remaining(session.results)) if session.results is not None else []
@@ -175,15 +182,17 @@ class Closing(ItemList):
         ]
         yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
-        if notes:
-            fold = self.app.signs.mark("unfolded" if self.unfolded else "folded")
-            head = Content.styled(f"{say(Text('assumed ({n})', n=len(notes)))} {fold}", "bold")
-            rows = (
-                [Content(f"{lead}{row}") for note in notes for lead, row in _bulleted(say(note), width)]
-                if self.unfolded
-                else []
-            )
-            yield [Item(ASSUMED, [head]), *([Item("", rows)] if rows else [])]
+        yield self._folded(ASSUMED, Text("assumed ({n})", n=len(notes)), notes, width)
+        uncounted = not_counted(session.design)
+        yield self._folded(NOT_COUNTED, Text("not counted ({n})", n=len(uncounted)), uncounted, width)
+
+    def _folded(self, key: str, title: Text, texts: Sequence[Text], width: int) -> list[Item]:
+        if not texts:
+            return []
+        say, unfolded = self.app.say, key in self.unfolded
+        head = Content.styled(f"{say(title)} {self.app.signs.mark('unfolded' if unfolded else 'folded')}", "bold")
+        rows = [Content(lead + row) for text in texts if unfolded for lead, row in _bulleted(say(text), width)]
+        return [Item(key, [head]), *([Item("", rows)] if rows else [])]
 
     def _lack(self, check: Check, names: Mapping[str, Text]) -> Text:
         """What is not given, and which checks of the method put it outside the validity of its formula."""
@@ -233,7 +242,8 @@ def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
 
 
 class ReadyScreen(Once, Screen[str | None]):
-    """Gives the key of a step or the id of a check to go to, REPORT or EXPORT, or None."""
+    """Gives the key of a step or the id of a check to go to, REPORT or EXPORT, or None.  `unfolded`: what is shown of
+    what is folded."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -241,26 +251,29 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
         Binding("e", f"give('{EXPORT}')", "Export", show=False),
         Binding("t", f"give('{DRIVE}')", "Whole drive", show=False),
+        Binding("i", f"unfold('{NOT_COUNTED}')", "What is not counted", show=False),
         Binding("enter", "choose", "Go there", show=False),
         Binding("down,j", "move(1)", "Down", show=False),
         Binding("up,k", "move(-1)", "Up", show=False),
     ]
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, unfolded: str = "") -> None:
         super().__init__()
-        self.session = session
+        self.session, self.unfolded = session, unfolded
 
     def compose(self) -> ComposeResult:
         yield Static(id="ready-title")
         yield Closing(self.session)
         keys = Text(
-            "{report} report · e export · t better drives · Enter goes there · Esc goes on editing",
+            "{report} report · e export · t better drives · i not counted · Enter goes there · Esc goes on editing",
             report=self.app.shown_key("report"),
         )
         yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
 
     def on_mount(self) -> None:
         self.query_one(Closing).focus()
+        if self.unfolded:
+            self.call_after_refresh(self.action_unfold, self.unfolded)
 
     def on_resize(self) -> None:
         """The design and its verdict at both ends of the first row."""
@@ -283,6 +296,9 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def action_choose(self) -> None:
         self.query_one(Closing).choose()
+
+    def action_unfold(self, key: str) -> None:
+        self.query_one(Closing).unfold(key)
 
     def action_move(self, by: int) -> None:
         self.query_one(Closing).move(by)
