@@ -190,9 +190,6 @@ class Grade:
     below: float = quantity("Below", "mm²/s")
 
 
-WEAKEST_STEEL = 235e6  # Pa: proof stress of the weakest structural steel
-
-
 @inputs
 class Material:
     """A solid by what shaft, bearing and gear need of it."""
