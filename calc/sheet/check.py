@@ -383,7 +383,8 @@ class Check:
         if math.isnan(gap):
             return Text("no number")
         if self.limit == 0 or self.unit == "°C":
-            return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form="+.3g"))
+            form = "+.3g" if abs(gap) < 1000 else "+.0f"
+            return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form=form))
         if abs(self.margin) > 1000:  # of a limit that is all but zero
             return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, self.margin), "%", form="+.0f"))
         percent = self.margin * 100
