@@ -4,7 +4,6 @@ subjects, those of its outline where it is put together."""
 
 from collections.abc import Callable, Iterator
 
-from ..bearings.inputs import BearingInputs, BearingsInputs
 from ..gears.inputs import GearsInputs
 from ..imbalance.result import ImbalanceResult
 from ..library import fatigue
@@ -18,6 +17,7 @@ from ..sheet.text import SPACE, Amount, Text
 from ..sheet.units import Metre, Number
 from .bending.shaft import Bending
 from .inputs import CountershaftInputs
+from .making.parts import SEAT_DIAMETERS
 from .outline import Journals
 from .result import CountershaftResult, SupportResult
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
@@ -241,10 +241,6 @@ ENDLESS, RESERVE = 1.0, 1.5  # safety against fatigue
 
 # --- whether it fits
 
-SEAT_DIAMETERS = (
-    dotted("bearings", BearingsInputs.front, BearingInputs.diameter),
-    dotted("bearings", BearingsInputs.rear, BearingInputs.diameter),
-)
 ENVELOPE = CheckRule(
     "countershaft.envelope",
     "limit",

@@ -9,7 +9,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from ...bearings.inputs import BearingInputs, BearingsInputs
 from ...library.catalogue import Material, proof_of
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.deferred import Later, Many
@@ -238,6 +237,7 @@ def _with_wall(shaft: CountershaftInputs, journals: Journals) -> CountershaftInp
     return replace(shaft, support=replace(support, wall=w))
 
 
+SEAT_DIAMETERS = "bearings.front.diameter_mm", "bearings.rear.diameter_mm"
 SUPPORT_WALL = CheckRule(
     "countershaft.support.wall",
     "caution",
@@ -246,11 +246,7 @@ SUPPORT_WALL = CheckRule(
     unit="mm",
     source=Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat"),
     advice=Text("A smaller seat, or a larger casting."),
-    moved_by=(
-        dotted("countershaft", CountershaftInputs.support, Support.wall),
-        dotted("bearings", BearingsInputs.front, BearingInputs.diameter),
-        dotted("bearings", BearingsInputs.rear, BearingInputs.diameter),
-    ),
+    moved_by=(dotted("countershaft", CountershaftInputs.support, Support.wall), *SEAT_DIAMETERS),
 )
 SUPPORT_BOLT_STRESS = CheckRule(
     "countershaft.support.bolt_stress",

@@ -38,6 +38,7 @@ EXCUSED = {
     "calc/studies/drive/classes.py": "the id of a check",
     "calc/draw/sheet_data.py": "stands below the steps whose keys it reads",
     "calc/gears/rating/checks.py": "names inputs of bearings and friction, which stand above it",
+    "calc/countershaft/making/parts.py": "names inputs of the bearings, which stand above it",
     "calc/countershaft/sketch.py": "names inputs of the bearings, which stand above it",
     "calc/gears/layout/room.py": "names inputs of the shaft and its bearings, which stand above it",
 }
