@@ -137,6 +137,20 @@ def test_wheels_of_two_materials_against_points_on_their_flanks(second, housing,
     assert found + larger_pitch == pytest.approx(expected, abs=1e-9)
 
 
+def test_the_wheel_that_grows_less_gives_the_growth():
+    gears = changed(pair_1(allowances=SHAVED), wheels={"idler": {"material": "EN AC-43100"}})
+    (m,) = cases(gears, solved(gears))
+    grown = t.grown(m, t.expansions(m, gears, SOLIDS, "iron"), 100.0, 120.0)
+    at = t.at_state(m, grown, m.closest, *(teeth.thickest for teeth in m.teeth))
+    assert (at.wheel_growth, at.centre_growth) == pytest.approx((1 + 11.5e-6 * 100, 1 + 11e-6 * 80))
+
+
+def test_base_circles_that_overlap_have_no_backlash_at_an_end():
+    (m,) = cases(pair_1(), solved(pair_1()))
+    alpha, (cold, *_) = t.Expansions(11e-6, 11e-6, 11e-6), t.states(pair_1(), 0.0)
+    assert t.smallest(m, alpha, cold, 0.999 * m.touching) == -math.inf
+
+
 def test_a_support_spans_its_share():
     """Half of steel and half of aluminium: the mean of both; a share of one is the support alone."""
 

@@ -33,6 +33,8 @@ def test_the_reach_of_a_wheel_between_two_axes(c, verdict):
     assert check.holds == (verdict == "pass") and check.verdict in (verdict, "warn" if check.holds else verdict)
     assert check.limit == pytest.approx((9.998, 70.002)) and str(check.source) == CIRCLES
     assert check.margin == pytest.approx(min(c - 9.998, 70.002 - c) / 60.004, abs=1e-9)
+    do = "near a limit" if check.holds else "closer" if c > 40 else "further apart"
+    assert do in check.advice
 
 
 def test_axes_can_stand_on_each_other():
