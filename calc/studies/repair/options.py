@@ -399,6 +399,9 @@ def search(
     if any(c.missing for c in group):
         yield from _given(state, group)
         return
+    if group and group[0].rule.of_input:
+        yield from _meant(state, group)
+        return
     every = plans(state, step, group) if group else []
     yield from (_locked(state, plan, group) for plan in every if plan.reason)
     free = [plan for plan in every if not plan.reason]
@@ -444,6 +447,19 @@ def _given(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOptio
             except BadInput:
                 continue
             yield repair_option(state, after, {key: value}, group, kind)
+
+
+def _meant(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOption]:
+    """Of an input that is doubted: what was probably meant, and nothing that only just gets by."""
+    for way in group[0].remedies:
+        changes = dict(way.changes)
+        if any(locked(state.document.data, key) for key in changes):
+            continue
+        try:
+            after = state.with_changes(changes)
+        except BadInput:
+            continue
+        yield repair_option(state, after, changes, group, Text("what was probably meant"))
 
 
 def _usual(state: RepairState, key: str, about: Quantity) -> tuple[float | int | str, ...]:
