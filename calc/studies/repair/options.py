@@ -414,6 +414,9 @@ def search(
         yield from _given(state, group)
         if group[0].holds:  # by what is taken: no other number makes it known
             return
+    if group and group[0].rule.of_input:
+        yield from _meant(state, group)
+        return
     every = plans(state, step, group) if group else []
     yield from (_locked(state, plan, group) for plan in every if plan.reason)
     free = [plan for plan in every if not plan.reason]
@@ -470,6 +473,19 @@ def _as_given(
         except BadInput:
             continue
         yield repair_option(state, after, changes, group, kind)
+
+
+def _meant(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOption]:
+    """Of an input that is doubted: what was probably meant, and nothing that only just gets by."""
+    for way in group[0].remedies:
+        changes = dict(way.changes)
+        if any(locked(state.document.data, key) for key in changes):
+            continue
+        try:
+            after = state.with_changes(changes)
+        except BadInput:
+            continue
+        yield repair_option(state, after, changes, group, Text("what was probably meant"))
 
 
 def _usual(state: RepairState, key: str, about: Quantity) -> tuple[float | int | str, ...]:

@@ -3,12 +3,13 @@
 
 import pytest
 
-from calc.design.toml_file import Document, design
+from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 from calc.studies.repair.options import NEAR, RepairOption, ranked, search
 from calc.studies.repair.state import broken, state_of
+from calc.studies.shipped import DESIGNS
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
 
 
@@ -90,3 +91,22 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
 
     with pytest.raises(Cancelled):
         ranked(search(gamma, check, gamma_results, stop))
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong", "id", "right"),
+    [
+        ("engine.bore_mm", 9.4, "engine.inputs.bore_mm", 94),
+        ("engine.rod_cg_to_big_end_mm", 113.0, "engine.inputs.rod_cg", 50),
+    ],
+)
+def test_of_an_input_that_is_doubted_what_was_meant_is_all_that_is_offered(
+    key: str, wrong: float, id: str, right: float
+) -> None:
+    """Not the smallest change that only just gets by."""
+    document = read(DESIGNS / "r753ie4_sized.toml").with_value(key, wrong)
+    results = solve(design(document))
+    doubt = next(check for check in results.checks() if check.id == id)
+    assert [way.changes for way in search(document, doubt, results)] == [(f"{key}={right}",)]
+    shut = document.with_value("locked", {key: "measured"})
+    assert list(search(shut, doubt)) == []
