@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
 """The version as a literal: reading it from the installed metadata would cost 50 ms."""
 
-VERSION = "0.1.0"
+VERSION = "0.2.0"

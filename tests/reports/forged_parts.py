@@ -103,7 +103,7 @@ many(
             ("pages", b"Pages", lambda u: u.root, forged_pages),
             ("names", b"Names", lambda u: u.root, lambda u: b"<< >>"),
             ("title", b"Title", lambda u: u.info, lambda u: b"(all checks pass)"),
-            ("keywords", b"Keywords", lambda u: u.info, lambda u: b"(Contralbero 0.1.0)"),
+            ("keywords", b"Keywords", lambda u: u.info, lambda u: b"(Contralbero 0.2.0)"),
             ("structure", b"StructTreeRoot", lambda u: u.root, lambda u: b"<< >>"),
         )
         for first in (True, False)

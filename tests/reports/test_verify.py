@@ -178,7 +178,7 @@ def test_keywords_that_no_report_has_are_refused(made: bytes) -> None:
     for wrong in (
         about.replace("depth:engineer", "depth:foo"),
         about.replace("lang:en", "lang:xx"),
-        "Contralbero 0.1.0",
+        f"Contralbero {verifying.VERSION}",
     ):
         with pytest.raises(BadInput, match="no report of this program"):
             verify(rewritten(made, keywords=wrong), "x.pdf")

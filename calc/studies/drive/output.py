@@ -77,7 +77,7 @@ def table(front: FrontFound, drives: Iterable[int] | None = None) -> Table:
         cells += [Name(_size(problem, s, place)) for place in ("front", "rear")]
         cells += [Name(f"{s.core:g}{END if CORE in at_end(problem, drive) else ''}"), float(drive.open)]
         rows.append(tuple(cells))
-    note = Text("{proof} Every row was solved whole and keeps every limit.", proof=proof(front))
+    note = Text("{proof} Every row was solved whole, and no limit of it fails.", proof=proof(front))
     if any(at_end(problem, drive) for drive in front.drives):
         note = Text("{note} {end}: at the end of its range, beyond may be better.", note=note, end=Name(END))
     return Table("drives", Text("Front of the whole drive"), tuple(columns), tuple(rows), note)

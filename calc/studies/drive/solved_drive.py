@@ -22,6 +22,7 @@ from ...sheet.record import record
 from ...sheet.remedy import Changes, digits
 from ...sheet.units import Kilogram, Watt
 from ...sheet.value import recorded
+from ...sheet.verdict import counts
 from ...solve import Results, solve
 from .problem import BOTH, BOTH_FITS, CORE, FITS, Problem, of_bearing, of_shaft
 
@@ -116,9 +117,11 @@ def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tupl
         for key, bound in problem.most.items()
         if objectives and _beyond(key, objectives.get(key), bound)
     )
-    count = sum(c.verdict == "warn" for c in checks)
+    n = counts(checks)
     lacks = sum(map(_lack, fail)) + LARGE * len({*stopped, *over} - set(broken))
-    return Whole(sized, changed, document, objectives, (*stopped, *broken, *over), count, lacks), results
+    return Whole(
+        sized, changed, document, objectives, (*stopped, *broken, *over), n.cautions + n.narrow + n.not_verified, lacks
+    ), results
 
 
 def _lack(broken: Check) -> float:

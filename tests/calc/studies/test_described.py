@@ -3,12 +3,13 @@ number."""
 
 import pytest
 
-from calc.design.toml_file import Document, design
+from calc.design.toml_file import Document, design, read
 from calc.draw.drawing import Dimension
 from calc.engine.sketch import sketch
 from calc.locale import language
 from calc.solve import solve
-from calc.studies.described import described
+from calc.studies.described import described, not_counted
+from calc.studies.shipped import EXAMPLE
 
 ENGINE = {
     "name": "one",
@@ -45,3 +46,20 @@ def test_one_cylinder_is_not_several(told: tuple[str, str, str]) -> None:
     say = language(code)
     assert one in say(next(iter(described(design(document()))))[1])
     assert three in say(next(iter(described(design(document(cylinders=3)))))[1])
+
+
+def test_what_is_not_counted_is_of_the_steps_that_are_asked_and_leaves_with_its_key() -> None:
+    example = read(EXAMPLE)
+    every = not_counted(design(example))
+    assert {"alignment of the bores", "torsion of the shaft", "slope of the shaft at its wheel"} <= set(every)
+    assert len(set(every)) == len(every) == 10
+    assert not_counted(design(document())) == ()
+    no_shaft = Document({key: table for key, table in example.data.items() if key in ("schema", "name", "gears")})
+    gears = ("slope of the shaft at its wheel", "wear of the teeth")
+    assert not_counted(design(no_shaft.with_value("gears.speed_rpm", 2600.0))) == gears
+    part = example.with_value("gears.meshes.0.shaft_deflection_um", 1.0)
+    assert not_counted(design(part)) == every  # of one mesh of several
+    whole = example
+    for n in range(len(example.data["gears"]["meshes"])):
+        whole = whole.with_value(f"gears.meshes.{n}.shaft_deflection_um", 1.0)
+    assert set(every) - set(not_counted(design(whole))) == {"slope of the shaft at its wheel"}
