@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 from ..sheet.quantity import choice, dotted, inputs, keys, quantity, tables, text, unknown
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
+from ..sheet.units import Pascal
 from ..sheet.value import Link, linked
 from .table_file import Mistake, bad_table, parsed, text_of_table
 
@@ -122,6 +123,15 @@ class Oil:
     pour_point: float | None = quantity(
         "Pour point", "°C", default=None, within=(-80, 50), symbol="T_PP", help="Below it the oil stands."
     )
+    hths: float | None = quantity(
+        "Viscosity at high shear (HTHS)",
+        "mPa·s",
+        default=None,
+        within=(0.5, 50),
+        symbol="mu_HTHS",
+        source="SAE J300",
+        help="Dynamic, at 150 °C and 10⁶ 1/s. Left out: the least of the multigrade that the name says.",
+    )
     printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
     source: str = text("Source", default="the user")
     claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from
@@ -181,11 +191,14 @@ class BaseStock:
 
 @inputs
 class Grade:
-    """An SAE grade by its kinematic viscosity at 100 °C."""
+    """An SAE grade by its kinematic viscosity at 100 °C.  What a multigrade oil of it must have at high shear: also
+    with a winter grade of 15W or thicker."""
 
     name: str = text("Grade")
     from_: float = quantity("From", "mm²/s")
     below: float = quantity("Below", "mm²/s")
+    hths: float = quantity("Least viscosity at high shear", "mPa·s")
+    hths_thick: float = quantity("Least viscosity at high shear, 15W and thicker", "mPa·s")
 
 
 @inputs
@@ -221,6 +234,8 @@ class Material:
     )
     source: str = text("Source", default="the user")
 
+
+WEAKEST_STEEL: Pascal = 235e6  # proof stress of the weakest structural steels
 
 CLAIM = ("is", "confidence", "source")  # the keys of a value that stands with where it comes from
 
