@@ -31,9 +31,7 @@ SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
 
 SHEAR_THINNING = 1e5  # 1/s
-IN_ALL = (
-    1.3  # how far a film, or a rise of temperature, is known outside the range of its formula; rule of this program
-)
+OUTSIDE = 1.3  # how well films and rises are known outside the range of their formulas; rule of this program
 
 
 def least_film(d: float, u: float) -> float | None:
@@ -271,7 +269,7 @@ TEMPERATURE_TRUMPLER = CheckRule(
 TEMPERATURE_RISE_USUAL = CheckRule(
     "bearings.B.temperature_rise_usual",
     "advice",
-    "A rule for conditions that stay; the heat balance is closed at any rise, and the outlet temperature has its limit.",
+    "A rule for conditions that stay; the heat balance closes at any rise, and the outlet temperature has its limit.",
     Text("Temperature rise, usual"),
     "<=",
     "K",
@@ -477,7 +475,7 @@ SUPPLY_RANGE = CheckRule(
     source=Text("Finotti 2013, Table 5.1 (DIN 31652-2): range of the supply factors"),
     advice=Text("Outside, the flow through the hole or pocket is not to be trusted: the rise is taken 1.3 times."),
     moved_by=(HOLE, dotted("bearings", BearingsInputs.pocket_width), LENGTH),
-    weakens=tuple([(rule, IN_ALL) for rule in HEAT]),
+    weakens=tuple([(rule, OUTSIDE) for rule in HEAT]),
 )
 OIL_ROWS = CheckRule(
     "bearings.B.oil_rows",
@@ -489,7 +487,7 @@ OIL_ROWS = CheckRule(
     BEYOND_ROWS,
     MORE_ROWS,
     moved_by=(SUPPLY_TEMPERATURE, OIL),
-    weakens=tuple([(rule, IN_ALL) for rule in FILMS]),
+    weakens=tuple([(rule, OUTSIDE) for rule in FILMS]),
 )
 VISCOSITY_RANGE = CheckRule(
     "bearings.B.viscosity_range",
@@ -501,7 +499,7 @@ VISCOSITY_RANGE = CheckRule(
     LAW_RANGE,
     OTHER_OIL,
     moved_by=(OIL, SUPPLY_TEMPERATURE),
-    weakens=tuple([(rule, IN_ALL) for rule in FILMS]),
+    weakens=tuple([(rule, OUTSIDE) for rule in FILMS]),
 )
 OIL_PUMPING = CheckRule(
     "bearings.oil_pumping",

@@ -14,6 +14,7 @@ from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.oils import high_shear
 from ..library.tolerances import deviations, parse
+from ..sheet.arrays import Array
 from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
@@ -359,7 +360,7 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
     return closed(own_warm, seat, _at_speed(seat, duty, n, T_in, p_s), rise)
 
 
-def _edge(seat: BearingCase, duty: OperatingPoint, film: Film, slope: Radian) -> Metre | None:
+def _edge(seat: BearingCase, duty: OperatingPoint, film: Film[Array], slope: Radian) -> Metre | None:
     """The film at the edge by lines of the calculation, at the rise that is known; None where there is none."""
     rise = film.temperature_rise[0].item()
     if not np.isfinite(rise):

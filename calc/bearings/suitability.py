@@ -233,8 +233,10 @@ def material_checks(
     """By the material's own row, where it has the number; p and p·u on the projected area, the journal's hardness in
     HB; `T_in`: of the oil that is supplied."""
     of = {"material": material.name, "place": IN_WORDS[place]}
+    # what a bare seat carries is the source's limit, which has a check of its own
+    allowed = None if material.form == "bare" else material.specific_load
     for rule, label, value, limit, base in (
-        (MATERIAL_LOAD, Text("Specific load allowed for {material}, {place}", **of), p, material.specific_load, 0.0),
+        (MATERIAL_LOAD, Text("Specific load allowed for {material}, {place}", **of), p, allowed, 0.0),
         (MATERIAL_PV, Text("p·v allowed for {material}, {place}", **of), pv, material.pv, 0.0),
         (
             MATERIAL_TEMPERATURE,
