@@ -81,16 +81,21 @@ class Judged:
 
 
 def judged(
-    rule: object, value: Array, limit: float | tuple[float, float] | Array, sense: str = ">=", where: object = None
+    rule: object,
+    value: Array,
+    limit: float | tuple[float, float] | Array,
+    sense: str = ">=",
+    where: object = None,
+    scale: float | None = None,
 ) -> Judged:
-    """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit."""
+    """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit.  `scale`: what the
+    margin is a share of; None: the limit, of a range its width."""
     if isinstance(limit, tuple):
         low, high = limit
-        to_low, to_high = value - low, high - value
-        margin = np.where(to_low <= to_high, to_low / (abs(low) or 1.0), to_high / (abs(high) or 1.0))
+        margin = np.minimum(value - low, high - value) / (high - low)
     else:
         gap = value - limit if sense in (">=", ">") else limit - value
-        margin = gap / np.where(limit == 0, 1.0, np.abs(limit))
+        margin = gap / (np.where(limit == 0, 1.0, np.abs(limit)) if scale is None else scale)
     margin = np.where(np.abs(margin) <= DUST, 0.0, margin)
     return Judged(rule, value, limit, np.where(np.isnan(margin), -np.inf, margin), where)
 

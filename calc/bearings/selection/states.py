@@ -21,7 +21,7 @@ from ...library import journal_rules
 from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, Num
-from ...sheet.check import Check
+from ...sheet.check import DEGREES, Check
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted
 from ...sheet.record import record
@@ -111,7 +111,8 @@ class BearingRule:
         `where`: the index of the task's state that governs, or its name; −1: it has none."""
         units = UNITS[self.check.unit]
         bound = self.check.limit if limit is None else units.all_shown(np.asarray(limit))
-        return judged(self, units.all_shown(np.asarray(value)), bound, self.check.sense, where)
+        scale = DEGREES if self.check.unit == "°C" else None
+        return judged(self, units.all_shown(np.asarray(value)), bound, self.check.sense, where, scale)
 
 
 def check_of(judgement: Judged, index: Index) -> Check:
