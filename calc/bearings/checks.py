@@ -3,32 +3,35 @@
 
 import math
 from collections.abc import Callable, Iterator
-from functools import partial
+from typing import Any
 
+from ..countershaft.inputs import CountershaftInputs
 from ..library import journal_rules as rules
-from ..library.catalogue import Oil
+from ..library.catalogue import WEAKEST_STEEL, Material, Oil
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
-from ..library.tolerances import clearance_limits, parse
-from ..sheet.check import Check
+from ..library.tolerances import Assumed, clearance_limits, parse
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down, up
-from ..sheet.shim_check import check
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import Metre
 from . import formulas as f
+from .corners import Corners
 from .film.table import RAIMONDI_BOYD
-from .inputs import IN_WORDS, BearingInputs, BearingsInputs
-from .result import BearingResult
+from .inputs import IN_WORDS, SLOPE_TAKEN, BearingInputs, BearingsInputs
+from .materials import running_surface
+from .result import BearingResult, RouteResult
 from .routes import supply
 from .routes.routes import ROUTES
 from .routes.side_by_side import SPREAD
+from .suitability import DIAMETER, LENGTH, MATERIAL_TEMPERATURE, OIL, SUPPLY_TEMPERATURE
 
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (from memory), in m.
 SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
 
 SHEAR_THINNING = 1e5  # 1/s
-LOST_BY_SHEAR = 0.3  # of its viscosity, at the most, by a multigrade oil at 150 °C and 10⁶ 1/s; from memory
+OUTSIDE = 1.3  # how well films and rises are known outside the range of their formulas; rule of this program
 
 
 def least_film(d: float, u: float) -> float | None:
@@ -37,202 +40,703 @@ def least_film(d: float, u: float) -> float | None:
     return next((row[column] for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
 
 
+# --- what is judged
+
+CLEARANCE = (
+    dotted("bearings", "B", BearingInputs.clearance),
+    dotted("bearings", "B", BearingInputs.clearance_factor),
+)
+ROUGHNESSES = (
+    dotted("bearings", "B", BearingInputs.journal_roughness),
+    dotted("bearings", "B", BearingInputs.housing_roughness),
+)
+FITS = (dotted("bearings", BearingsInputs.journal_fit), dotted("bearings", BearingsInputs.seat_fit))
+SLOPE = dotted("bearings", BearingsInputs.slope)
+CORE = dotted("countershaft", CountershaftInputs.core_radius)
+SUPPLY_PRESSURE = dotted("bearings", BearingsInputs.supply_pressure)
+HOLE = dotted("bearings", BearingsInputs.hole_diameter)
+ASKED = dotted("bearings", "B", BearingResult.kreisle_film)
+KREISLE = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra; what runs in: rule of this program")
+
+FILM_EDGE = CheckRule(
+    "bearings.B.film_edge",
+    "limit",
+    "The journal touches its seat at the edge and wears.",
+    Text("Film at the edge"),
+    unit="µm",
+    source=KREISLE,
+    advice=Text(
+        "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."
+    ),
+    role="physics",
+    value_id=dotted("bearings", "B", BearingResult.film_edge),
+    limit_id=ASKED,
+    moved_by=(LENGTH, *ROUGHNESSES, *CLEARANCE, CORE, OIL),
+    short=Text("film"),
+    decides=True,
+)
+FILM_EDGE_RANGE = CheckRule(
+    "bearings.B.film_edge_range",
+    "limit",
+    "The journal touches its seat at a speed that the engine runs at.",
+    unit="µm",
+    source=KREISLE,
+    advice=Text("As for the film at the edge; or keep away from this speed."),
+    role="physics",
+    cause=FILM_EDGE.id,
+    limit_id=ASKED,
+    moved_by=(LENGTH, *ROUGHNESSES, dotted("bearings", BearingsInputs.speed_range)),
+    short=Text("film"),
+    decides=True,
+)
+FILM_EDGE_SPEEDS = CheckRule(
+    "bearings.B.film_edge_speeds",
+    "caution",
+    "The rated speed holds, another one of a range that is only assumed does not.",
+    unit="µm",
+    source=KREISLE,
+    advice=Text("As for the film at the edge; or keep away from this speed."),
+    cause=FILM_EDGE.id,
+    limit_id=ASKED,
+    moved_by=(LENGTH, *ROUGHNESSES, dotted("bearings", BearingsInputs.speed_range)),
+)
+FILM_EDGE_STANDING = CheckRule(
+    "bearings.B.film_edge_standing",
+    "caution",
+    "The turning load holds; weight and gear force are added by a first-order estimate.",
+    Text("Film at the edge over a turn, with the standing load"),
+    unit="µm",
+    source=Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
+    advice=Text("As for the film at the edge; the standing part is weight and gear force."),
+    cause=FILM_EDGE.id,
+    limit_id=ASKED,
+    moved_by=(LENGTH, *ROUGHNESSES),
+)
+FILM_EDGE_SHEARED = CheckRule(
+    "bearings.B.film_edge_sheared",
+    "caution",
+    "The same film with the oil as thin as high shear makes it, which is known less well.",
+    Text("Film at the edge, oil thinned by shear"),
+    unit="µm",
+    source=KREISLE + Text("; viscosity at high shear: SAE J300, least of the grade, from memory"),
+    advice=Text("As for the film at the edge; or give the viscosity of the oil at high shear (HTHS)."),
+    cause=FILM_EDGE.id,
+    value_id=dotted("bearings", "B", BearingResult.film_sheared),
+    limit_id=ASKED,
+    moved_by=(LENGTH, *ROUGHNESSES, *CLEARANCE, OIL),
+)
+FILM_OVERSPEED = CheckRule(
+    "bearings.B.film_overspeed",
+    "caution",
+    "The reserve of a load that grows with the speed: the journal touches its seat when the engine runs away.",
+    unit="µm",
+    source=KREISLE,
+    advice=Text("As for the film at the edge."),
+    cause=FILM_EDGE.id,
+    value_id=dotted("bearings", "B", BearingResult.film_overspeed),
+    limit_id=ASKED,
+    moved_by=(LENGTH, *ROUGHNESSES, *CLEARANCE, dotted("bearings", BearingsInputs.overspeed)),
+)
+FILM_EDGE_CORNER = CheckRule(
+    "bearings.B.film_edge_corner",
+    "caution",
+    "The worst of the tolerances touches, the bearing of the drawing does not.",
+    Text("Film at the edge at the worst corner"),
+    unit="µm",
+    source=Text("Kreisle, after Finotti 2013, 5.5.3"),
+    advice=Text("A longer bearing, closer fits or a smoother surface."),
+    cause=FILM_EDGE.id,
+    value_id=dotted("bearings", "B", "corners", Corners.film_edge),
+    limit_id=ASKED,
+    moved_by=(LENGTH, *ROUGHNESSES, *FITS),
+)
+FILM_EDGE_USUAL = CheckRule(
+    "bearings.B.film_edge_usual",
+    "advice",
+    "A general figure by diameter and speed; the roughness of these surfaces decides.",
+    Text("Film at the edge against h_lim"),
+    unit="µm",
+    source=Text("ISO 7902-3, in its manner"),
+    advice=Text("Lengthen the bearing or lower the clearance."),
+    cause=FILM_EDGE.id,
+    value_id=dotted("bearings", "B", BearingResult.film_edge),
+    moved_by=(LENGTH, *CLEARANCE),
+)
+FILM_DOUBLE_LOAD = CheckRule(
+    "bearings.B.film_double_load",
+    "advice",
+    "A load that turns doubles only at 1.41 times the speed, where the film gains too: overspeed judges that.",
+    Text("Film at twice the load"),
+    unit="µm",
+    source=rules.DESIGN_FACTOR,
+    advice=Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."),
+    value_id=dotted("bearings", "B", BearingResult.film_double_load),
+    limit_id=dotted("bearings", "B", BearingResult.trumpler_film),
+    moved_by=(LENGTH, *CLEARANCE, OIL),
+    short=Text("film, 2 F"),
+)
+FILM_TRUMPLER = CheckRule(
+    "bearings.B.film_trumpler",
+    "advice",
+    "A line fitted to large machines, which knows no roughness.",
+    Text("Film by Trumpler"),
+    unit="µm",
+    source=rules.TRUMPLER,
+    advice=Text("Lengthen the bearing, lower the clearance, or take a thicker oil."),
+    cause=FILM_DOUBLE_LOAD.id,
+    value_id=dotted("bearings", "B", BearingResult.film),
+    limit_id=dotted("bearings", "B", BearingResult.trumpler_film),
+    moved_by=(LENGTH, *CLEARANCE, OIL),
+)
+FILM_EDGE_TRUMPLER = CheckRule(
+    "bearings.B.film_edge_trumpler",
+    "advice",
+    "Asked of a candidate that is chosen, so that it has the reserve at its edge too.",
+    Text("Film at the edge by Trumpler"),
+    unit="µm",
+    source=rules.TRUMPLER,
+    advice=FILM_EDGE.advice,
+    cause=FILM_DOUBLE_LOAD.id,
+    value_id=dotted("bearings", "B", BearingResult.film_edge),
+    moved_by=(LENGTH, dotted("bearings", "B", BearingInputs.clearance), OIL),
+    short=Text("film"),
+)
+FILM_PRESSURE = CheckRule(
+    "bearings.B.film_pressure",
+    "limit",
+    "The surface of the seat yields under the film.",
+    Text("Largest film pressure"),
+    sense="<=",
+    unit="MPa",
+    advice=Text("Lengthen the bearing, take a larger journal or a stronger seat."),
+    role="physics",
+    value_id=dotted("bearings", "B", BearingResult.film_pressure_max),
+    moved_by=(LENGTH, DIAMETER, dotted("bearings", BearingsInputs.housing_material)),
+    short=Text("pressure"),
+)
+FILM_BAND = CheckRule(
+    "bearings.B.film_band",
+    "advice",
+    "A band that the source recommends; the film itself has its own limits.",
+    Text("Place of the film in its band"),
+    "in",
+    "%",
+    RAIMONDI_BOYD,
+    Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."),
+    value_id=dotted("bearings", "B", BearingResult.film_band),
+    moved_by=(*CLEARANCE, OIL),
+)
+TEMPERATURE = CheckRule(
+    "bearings.B.temperature",
+    "limit",
+    "The oil fails beyond it: limit of the engine's maker.",
+    Text("Outlet temperature"),
+    "<=",
+    "°C",
+    Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),
+    Text("More oil (larger hole, more pressure, more clearance) or cooler oil."),
+    role="physics",
+    value_id=dotted("bearings", "B", BearingResult.outlet_temperature),
+    moved_by=(SUPPLY_TEMPERATURE, HOLE, SUPPLY_PRESSURE, *CLEARANCE),
+    short=Text("oil"),
+)
+TEMPERATURE_CORNER = CheckRule(
+    "bearings.B.temperature_corner",
+    "caution",
+    "The worst of the tolerances runs too hot, the bearing of the drawing does not.",
+    Text("Outlet temperature at the worst corner"),
+    "<=",
+    "°C",
+    Text("given in the design: its limit"),
+    Text("More clearance at the tight end, or more oil."),
+    cause=TEMPERATURE.id,
+    value_id=dotted("bearings", "B", "corners", Corners.outlet_temperature),
+    moved_by=(CLEARANCE[0], SUPPLY_TEMPERATURE, *FITS),
+)
+TEMPERATURE_TRUMPLER = CheckRule(
+    "bearings.B.temperature_trumpler",
+    "advice",
+    "A general figure; the engine maker's own limit decides.",
+    Text("Outlet temperature by Trumpler"),
+    "<=",
+    "°C",
+    rules.TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
+    Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."),
+    cause="bearings.temperature_trumpler",
+    value_id=dotted("bearings", "B", BearingResult.outlet_temperature),
+    moved_by=(SUPPLY_TEMPERATURE, HOLE, SUPPLY_PRESSURE),
+)
+TEMPERATURE_RISE_USUAL = CheckRule(
+    "bearings.B.temperature_rise_usual",
+    "advice",
+    "A rule for conditions that stay; the heat balance closes at any rise, and the outlet temperature has its limit.",
+    Text("Temperature rise, usual"),
+    "<=",
+    "K",
+    Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay"),
+    Text("More oil, or a thinner one."),
+    cause=TEMPERATURE.id,
+    value_id=dotted("bearings", "B", BearingResult.temperature_rise),
+    moved_by=(HOLE, SUPPLY_PRESSURE, CLEARANCE[0], OIL),
+    short=Text("oil rise"),
+)
+SPECIFIC_LOAD = CheckRule(
+    "bearings.B.specific_load",
+    "caution",
+    "One maker accepted no more for steel in bare aluminium; a lined seat is judged by its material.",
+    Text("Specific load"),
+    "<=",
+    "MPa",
+    rules.FINOTTI,
+    Text("A larger journal helps as well."),
+    demand=True,
+    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    moved_by=(LENGTH, DIAMETER),
+    short=Text("load"),
+)
+SPECIFIC_LOAD_USUAL = CheckRule(
+    "bearings.B.specific_load_usual",
+    "advice",
+    "The usual range.",
+    Text("Specific load, usual"),
+    "<=",
+    "MPa",
+    rules.FINOTTI,
+    Text("A larger journal helps as well."),
+    demand=True,
+    cause=SPECIFIC_LOAD.id,
+    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    moved_by=(LENGTH, DIAMETER),
+)
+HEAT_INDEX = CheckRule(
+    "bearings.B.heat_index",
+    "advice",
+    "An old table of cooling; the heat balance is solved, and the outlet temperature has its limit.",
+    Text("Heat index"),
+    "<=",
+    "N·rpm/mm",
+    advice=Text("A longer bearing carries off more heat."),
+    demand=True,
+    value_id=dotted("bearings", "B", BearingResult.heat_index),
+    moved_by=(LENGTH,),
+    short=Text("heat"),
+)
+CLEARANCE_COLD = CheckRule(
+    "bearings.B.clearance_cold",
+    "limit",
+    "The journal seizes in the cold.",
+    sense=">",
+    unit="µm",
+    source=Text("physics: seizure of a journal that shrinks less than its seat"),
+    advice=Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."),
+    role="physics",
+    zero="the clearance at its reference temperature",
+    value_id=dotted("bearings", "B", BearingResult.clearance_cold),
+    moved_by=(*CLEARANCE, dotted("bearings", BearingsInputs.housing_material)),
+    short=Text("cold gap"),
+)
+CLEARANCE_COLD_CORNER = CheckRule(
+    "bearings.B.clearance_cold_corner",
+    "limit",
+    "A part within its drawing seizes in the cold.",
+    sense=">",
+    unit="µm",
+    source=Text("physics: seizure when cold"),
+    advice=Text("More clearance, or closer fits."),
+    role="physics",
+    zero="the clearance at its reference temperature",
+    cause=CLEARANCE_COLD.id,
+    value_id=dotted("bearings", "B", "corners", Corners.clearance_cold),
+    moved_by=(CLEARANCE[0], *FITS),
+    short=Text("cold gap"),
+)
+LENGTH_RATIO = CheckRule(
+    "bearings.B.length_ratio",
+    "advice",
+    "The source accepts no bearing beyond it; the film is solved from 0.1 to 2.",
+    Text("Length ratio l/d"),
+    "in",
+    source=rules.FINOTTI,
+    advice=Text("Change length or diameter."),
+    value_id=dotted("bearings", "B", BearingResult.length_ratio),
+    moved_by=(LENGTH, DIAMETER),
+    short=Text("length ratio"),
+)
+LENGTH_RATIO_USUAL = CheckRule(
+    "bearings.B.length_ratio_usual",
+    "advice",
+    "The usual range.",
+    Text("Length ratio l/d, usual"),
+    "in",
+    source=Text("Finotti 2013, 5.5.2"),
+    advice=Text("Change length or diameter."),
+    value_id=dotted("bearings", "B", BearingResult.length_ratio),
+    moved_by=(LENGTH, DIAMETER),
+)
+TRANSITION = CheckRule(
+    "bearings.B.transition",
+    "advice",
+    "An empirical rule, held at 10 m/s beyond its range; the film over the speeds is the same question solved.",
+    Text("Speed above mixed friction"),
+    unit="rpm",
+    source=Text(f.least_speed.source),
+    advice=Text("A thicker or cooler oil, or a lower specific load."),
+    limit_id=dotted("bearings", "B", BearingResult.least_speed),
+    moved_by=(OIL, SUPPLY_TEMPERATURE, LENGTH),
+    short=Text("speed"),
+)
+MCKEE = CheckRule(
+    "bearings.B.mckee",
+    "advice",
+    "A rule of thumb with five times the number of the transition, which is judged by itself.",
+    Text("McKee number, cP·rpm/psi"),
+    source=Text("McKee & McKee 1932, after Finotti 2013, 5.4.1; 30 is the transition"),
+    advice=Text("A thicker or cooler oil, or a lower specific load, for a stable film."),
+    value_id=dotted("bearings", "B", BearingResult.mckee_number),
+    moved_by=(OIL, SUPPLY_TEMPERATURE, LENGTH),
+)
+MISALIGNMENT = CheckRule(
+    "bearings.B.misalignment",
+    "advice",
+    "A rule of this program on the slope; the film at the edge judges it.",
+    Text("Slope over the length"),
+    "<=",
+    "µm",
+    Text("rule of this program: 0.3·h₀"),
+    Text("Stiffen the shaft between its bearings."),
+    cause=FILM_EDGE.id,
+    moved_by=(CORE, LENGTH, SLOPE),
+)
+FIT = CheckRule(
+    "bearings.B.fit",
+    "caution",
+    "The fits make another clearance than the one that is judged.",
+    Text("Clearance made by the fits"),
+    "in",
+    "µm",
+    Text("ISO 286"),
+    value_id=dotted("bearings", "B", BearingResult.clearance),
+    moved_by=(*FITS, CLEARANCE[0]),
+)
+ROUTES_SPREAD = CheckRule(
+    "bearings.B.routes_spread",
+    "method",
+    "How far other methods are off says nothing of the part.",
+    Text("Spread of the routes"),
+    "<=",
+    "%",
+    Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution"),
+    cause="bearings.routes_spread",
+    value_id=dotted("bearings", "B", BearingResult.routes_spread),
+)
+SHEAR_RATE = CheckRule(
+    "bearings.B.shear_rate",
+    "method",
+    "Beyond it a multigrade oil is thinner than its law: the film is solved once more with that.",
+    Text("Shear rate in the narrowest gap"),
+    "<=",
+    "1/s",
+    Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
+    Text("The film is solved once more with the viscosity at high shear (HTHS)."),
+    cause="bearings.shear_rate",
+    value_id=dotted("bearings", "B", BearingResult.shear_rate),
+    moved_by=(OIL, dotted("bearings", BearingsInputs.viscosity_tolerance)),
+)
+FRICTION_REGIME = CheckRule(
+    "bearings.B.friction_regime",
+    "method",
+    "Outside it the full film, on which the solution stands, is doubtful.",
+    Text("Coefficient of friction"),
+    "in",
+    source=Text("Finotti 2013, 5.4.1: full film"),
+    advice=Text("Outside the usual range of a full film: look at film and clearance."),
+    value_id=dotted("bearings", "B", RouteResult.friction_coefficient),
+    moved_by=(CLEARANCE[0], OIL),
+)
+FILMS = (
+    FILM_EDGE,
+    FILM_EDGE_RANGE,
+    FILM_EDGE_SPEEDS,
+    FILM_EDGE_STANDING,
+    FILM_EDGE_SHEARED,
+    FILM_OVERSPEED,
+    FILM_EDGE_CORNER,
+    FILM_EDGE_USUAL,
+    FILM_DOUBLE_LOAD,
+    FILM_TRUMPLER,
+)
+HEAT = (TEMPERATURE, TEMPERATURE_CORNER, TEMPERATURE_TRUMPLER, TEMPERATURE_RISE_USUAL, MATERIAL_TEMPERATURE)
+SUPPLY_RANGE = CheckRule(
+    "bearings.B.supply_range",
+    "method",
+    "Outside it the formula of the flow is an extrapolation.",
+    Text("Width of the oil supply over the length"),
+    "in",
+    source=Text("Finotti 2013, Table 5.1 (DIN 31652-2): range of the supply factors"),
+    advice=Text("Outside, the flow through the hole or pocket is not to be trusted: the rise is taken 1.3 times."),
+    moved_by=(HOLE, dotted("bearings", BearingsInputs.pocket_width), LENGTH),
+    weakens=tuple([(rule, OUTSIDE) for rule in HEAT]),
+)
+OIL_ROWS = CheckRule(
+    "bearings.B.oil_rows",
+    "method",
+    "Beyond the rows of the oil its viscosity is an extrapolation.",
+    Text("Film temperature within the rows of the oil"),
+    "in",
+    "°C",
+    BEYOND_ROWS,
+    MORE_ROWS,
+    moved_by=(SUPPLY_TEMPERATURE, OIL),
+    weakens=tuple([(rule, OUTSIDE) for rule in FILMS]),
+)
+VISCOSITY_RANGE = CheckRule(
+    "bearings.B.viscosity_range",
+    "method",
+    "Outside it the viscosity is an extrapolation.",
+    Text("Oil viscosity"),
+    "in",
+    "mm²/s",
+    LAW_RANGE,
+    OTHER_OIL,
+    moved_by=(OIL, SUPPLY_TEMPERATURE),
+    weakens=tuple([(rule, OUTSIDE) for rule in FILMS]),
+)
+OIL_PUMPING = CheckRule(
+    "bearings.oil_pumping",
+    "caution",
+    "Below it the bearings run dry after a cold start until the oil is warm.",
+    Text("Lowest temperature, oil still pumped"),
+    unit="°C",
+    advice=Text("An oil of a lower winter grade, or no start so cold."),
+    moved_by=(dotted("bearings", BearingsInputs.lowest_temperature), OIL),
+)
+
+
+# --- the checks
+
+
 def oil_check(inputs: BearingsInputs, oil: Oil) -> Check | None:
     """What the oil itself bears: it has to flow at a cold start."""
     limits = [T for T in (oil.pumping_limit, oil.pour_point) if T is not None]
     if not limits:
         return None
-    label = Text("Lowest temperature, oil still pumped")
     source = Text("given in the design") if oil.source == "the user" else Name(oil.source)
-    advice = Text("An oil of a lower winter grade, or no start so cold.")
-    return check("bearings.oil_pumping", label, inputs.lowest_temperature, ">=", max(limits), "°C", source, advice)
+    return OIL_PUMPING(inputs.lowest_temperature, max(limits), source=source)
 
 
-def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
-    """`slope`: of the journal in its seat, rad."""
+def on_bearing(
+    rule: CheckRule, place: str, value: float | None, limit: float | tuple[float, float], **more: Any
+) -> Check:
+    """A check on one bearing, under the name of its rule."""
+    return rule(value, limit, at=place, name=named_at(rule.name, place), **more)
+
+
+def named_at(what: Text, place: str) -> Text:
+    return Text("{what}, {place}", what=what, place=IN_WORDS[place])
+
+
+def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
+    """Of one bearing; `housing`: what a bare seat is of."""
     bearing, inputs, lubricant = r.seat.bearing, r.seat.inputs, r.seat.lubricant
-    bearing_check, lengthened = partial(_bearing_check, place), partial(_lengthened, place, bearing)
-    lands = supply.lands(inputs)
-    groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
+    yield from _film_checks(place, r)
+    yield from _seat_checks(place, r, housing)
 
-    kreisle = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra")
-    advice = Text(
-        "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."
-    )
-    yield bearing_check("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle, advice)
-    label = Text("Film at twice the load")
-    advice = Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance.")
-    yield bearing_check(
-        "film_double_load", label, r.film_double_load, ">=", r.trumpler_film, "µm", rules.DESIGN_FACTOR, advice
-    )
-    advice = Text("Lengthen the bearing, lower the clearance, or take a thicker oil.")
-    yield bearing_check(
-        "film_trumpler", Text("Film by Trumpler"), r.film, ">=", r.trumpler_film, "µm", rules.TRUMPLER, advice
-    )
+    T_in = inputs.supply_temperature
+    for rule, limit in (
+        (TEMPERATURE, inputs.outlet_temperature_limit),
+        (TEMPERATURE_TRUMPLER, rules.TRUMPLER_TEMPERATURE),
+    ):
+        yield on_bearing(rule, place, r.outlet_temperature, limit, base=T_in)
+    yield on_bearing(TEMPERATURE_RISE_USUAL, place, r.temperature_rise, rules.RISE[1])
+
+    oiled = rules.LUBRICATIONS[inputs.lubrication]
+    low, high = Amount(oiled.usual[0]), Amount(oiled.usual[1], "N·rpm/mm")
+    source = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
+    if oiled.most is not None:
+        source += Text(", beyond it by how much is cooled, up to {most}", most=Amount(oiled.most, "N·rpm/mm"))
+    longer = _lengthened(place, bearing, bearing.length * (r.heat_index / oiled.limit))
+    yield on_bearing(HEAT_INDEX, place, r.heat_index, oiled.limit, source=source, remedies=longer)
+    yield on_bearing(FILM_BAND, place, r.film_band, (0.0, 1.0))
+    yield on_bearing(TRANSITION, place, r.duty.effective_speed, r.least_speed)
+    yield on_bearing(MCKEE, place, r.mckee_number, rules.STABLE_FILM)
+    if r.routes_spread is not None:
+        yield on_bearing(ROUTES_SPREAD, place, r.routes_spread, SPREAD, advice=_outside(r))
+    tilt = (SLOPE_TAKEN if r.slope is None else r.slope) * bearing.length
+    yield on_bearing(MISALIGNMENT, place, tilt, 0.3 * r.film)
+    yield on_bearing(FRICTION_REGIME, place, r.friction_coefficient, rules.FULL_FILM_FRICTION)
+
+    if not lubricant.constant:
+        yield on_bearing(VISCOSITY_RANGE, place, r.hot.oil.nu, VISCOSITIES)
+    if (reach := lubricant.reach) is not None:
+        yield on_bearing(OIL_ROWS, place, r.hot.mean_temperature, reach)
+    if lubricant.polymer_thickened:
+        yield on_bearing(SHEAR_RATE, place, r.shear_rate, SHEAR_THINNING)
+    yield from _corner_checks(place, r)
+    journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
+    if journal.letter is not None and seat.letter is not None:
+        clearances = clearance_limits(journal, seat, bearing.diameter)
+        advice = Text(
+            "{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
+            journal_fit=inputs.journal_fit,
+            seat_fit=inputs.seat_fit,
+        )
+        yield on_bearing(FIT, place, r.clearance, clearances, advice=advice)
+    if inputs.supply != "groove":
+        widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
+        width = (widths.get(inputs.supply, inputs.hole_diameter) or 0.0) / bearing.length
+        yield on_bearing(SUPPLY_RANGE, place, width, rules.SUPPLY_WIDTH)
+
+
+def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
+    yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge))
+    yield on_bearing(FILM_DOUBLE_LOAD, place, r.film_double_load, r.trumpler_film)
+    yield on_bearing(FILM_TRUMPLER, place, r.film, r.trumpler_film)
     if r.thinnest_film is not None:
         label = Text(
             "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm",
             speed_of_thinnest_film=Amount((r.speed_of_thinnest_film or 0.0) * 60),
         )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        advice = Text("As for the film at the edge; or keep away from this speed.")
-        yield bearing_check("film_edge_speeds", label, edge, ">=", r.kreisle_film, "µm", kreisle, advice)
-
-    limit = inputs.outlet_temperature_limit
-    source = Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)")
-    advice = Text("More oil (larger hole, more pressure, more clearance) or cooler oil.")
-    yield bearing_check(
-        "temperature", Text("Outlet temperature"), r.outlet_temperature, "<=", limit, "°C", source, advice
-    )
-    label, limit = Text("Outlet temperature by Trumpler"), rules.TRUMPLER_TEMPERATURE
-    source = rules.TRUMPLER + Text(", who rounds his 250 °F (121 °C)")
-    advice = Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C.")
-    yield bearing_check("temperature_trumpler", label, r.outlet_temperature, "<=", limit, "°C", source, advice)
-    label, limit = Text("Temperature rise, usual"), rules.RISE[1]
-    source = Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay")
-    advice = Text("More oil, or a thinner one.")
-    yield bearing_check("temperature_rise_usual", label, r.temperature_rise, "<=", limit, "K", source, advice)
-
-    advice = Text("A larger journal helps as well.")
-    for key, label, limit in (
-        ("specific_load", Text("Specific load"), rules.SPECIFIC_LOAD),
-        ("specific_load_usual", Text("Specific load, usual"), rules.USUAL_SPECIFIC_LOAD),
-    ):
-        longer = lengthened(groove + (bearing.length - groove) * (r.specific_load / limit))
-        yield bearing_check(key, label, r.specific_load, "<=", limit, "MPa", rules.FINOTTI, advice, remedies=longer)
-    oiled = rules.LUBRICATIONS[inputs.lubrication]
-    low, high = Amount(oiled.usual[0]), Amount(oiled.usual[1], "N·rpm/mm")
-    source = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
-    heat = [("heat_index", Text("Heat index"), oiled.limit)]
-    if oiled.most is not None:
-        source += Text(", beyond it by how much is cooled, up to {most}", most=Amount(oiled.most, "N·rpm/mm"))
-        heat.append(("heat_index_usual", Text("Heat index, usual"), oiled.usual[1] * rules.N_RPM_MM))
-    advice = Text("A longer bearing carries off more heat.")
-    for key, label, limit in heat:
-        longer = lengthened(bearing.length * (r.heat_index / limit))
-        yield bearing_check(key, label, r.heat_index, "<=", limit, "N·rpm/mm", source, advice, remedies=longer)
-
-    source = Text("physics: seizure of a journal that shrinks less than its seat")
-    advice = Text("The journal seizes when cold: more clearance, or a housing that expands like the journal.")
-    yield bearing_check("clearance_cold", _when_cold(inputs), r.clearance_cold, ">", 0.0, "µm", source, advice)
-    usual, advice = Text("Finotti 2013, 5.5.2"), Text("Change length or diameter.")
-    for key, label, ratios, source in (
-        ("length_ratio", Text("Length ratio l/d"), rules.LENGTH_RATIO, rules.FINOTTI),
-        ("length_ratio_usual", Text("Length ratio l/d, usual"), rules.USUAL_LENGTH_RATIO, usual),
-    ):
-        # of each land, where a groove parts the bearing
-        within = lengthened(*(lands * ratio * bearing.diameter + groove for ratio in ratios))
-        yield bearing_check(key, label, r.length_ratio, "in", ratios, "", source, advice, remedies=within)
-    label = Text("Place of the film in its band")
-    advice = Text(
-        "Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."
-    )
-    yield bearing_check("film_band", label, r.film_band, "in", (0.0, 1.0), "%", RAIMONDI_BOYD, advice)
-    label, n = Text("Speed above mixed friction"), r.duty.effective_speed
-    source, advice = Text(f.least_speed.source), Text("A thicker or cooler oil, or a lower specific load.")
-    yield bearing_check("transition", label, n, ">=", r.least_speed, "rpm", source, advice)
-    label = Text("McKee number, cP·rpm/psi")
-    source = Text("McKee & McKee 1932, after Finotti 2013, 5.4.1; 30 is the transition")
-    advice = Text("A thicker or cooler oil, or a lower specific load, for a stable film.")
-    yield bearing_check("mckee", label, r.mckee_number, ">=", rules.STABLE_FILM, "", source, advice)
-    if r.routes_spread is not None:
-        label = Text("Spread of the routes")
-        source = Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution")
-        yield bearing_check("routes_spread", label, r.routes_spread, "<=", SPREAD, "%", source, _outside(r))
-    if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
-        label, source = Text("Film at the edge against h_lim"), Text("ISO 7902-3, in its manner")
-        advice = Text("Lengthen the bearing or lower the clearance.")
-        yield bearing_check("film_edge_usual", label, r.film_edge, ">=", h_lim, "µm", source, advice)
-    label, source = Text("Slope over the length"), Text("rule of this program: 0.3·h₀")
-    advice = Text("Stiffen the shaft between its bearings.")
-    yield bearing_check("misalignment", label, slope * bearing.length, "<=", 0.3 * r.film, "µm", source, advice)
-    label, source = Text("Coefficient of friction"), Text("Finotti 2013, 5.4.1: full film")
-    advice = Text("Outside the usual range of a full film: look at film and clearance.")
-    yield bearing_check(
-        "friction_regime", label, r.friction_coefficient, "in", rules.FULL_FILM_FRICTION, "", source, advice
-    )
-
-    if not lubricant.constant:
-        yield bearing_check(
-            "viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", VISCOSITIES, "mm²/s", LAW_RANGE, OTHER_OIL
+        rule = FILM_EDGE_RANGE if r.sweep.given else FILM_EDGE_SPEEDS
+        yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=edge_missing(r, edge))
+    if r.shear_factor is not None:
+        yield on_bearing(
+            FILM_EDGE_SHEARED,
+            place,
+            r.film_sheared,
+            r.kreisle_film,
+            missing=edge_missing(r, r.film_sheared, unsheared=r.film_edge),
         )
-    if (reach := lubricant.reach) is not None:
-        label, T = Text("Film temperature within the rows of the oil"), r.hot.mean_temperature
-        yield bearing_check("oil_rows", label, T, "in", reach, "°C", BEYOND_ROWS, MORE_ROWS)
-    if lubricant.polymer_thickened:
-        label = Text("Shear rate in the narrowest gap")
-        source = Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory")
-        advice = Text(
-            "A multigrade oil loses up to {share} of its viscosity here, by which the film at the edge falls to "
-            "{edge}: take the viscosity at high shear (HTHS).",
-            share=Amount(100 * LOST_BY_SHEAR, "%"),
-            edge=told_when_thinned(r),
-        )
-        yield bearing_check("shear_rate", label, r.shear_rate, "<=", SHEAR_THINNING, "1/s", source, advice)
-    yield from _corner_checks(place, r)
-    journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
-    if journal.letter is not None and seat.letter is not None:
-        clearances = clearance_limits(journal, seat, bearing.diameter)
-        label, source = Text("Clearance made by the fits"), Text("ISO 286")
-        advice = Text(
-            "{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
-            journal_fit=inputs.journal_fit,
-            seat_fit=inputs.seat_fit,
-        )
-        yield bearing_check("fit", label, r.clearance, "in", clearances, "µm", source, advice)
-    if inputs.supply != "groove":
-        widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
-        width = (widths.get(inputs.supply, inputs.hole_diameter) or 0.0) / bearing.length
-        label = Text("Width of the oil supply over the length")
-        source = Text("Finotti 2013, Table 5.1 (DIN 31652-2): range of the supply factors")
-        advice = Text("Outside, the flow through the hole or pocket is not to be trusted.")
-        yield bearing_check("supply_range", label, width, "in", rules.SUPPLY_WIDTH, "", source, advice)
+    label = Text(
+        "Film at the edge at {overspeed} % overspeed", overspeed=Amount(r.seat.inputs.overspeed * 100, form="g")
+    )
+    yield FILM_OVERSPEED(
+        r.film_overspeed,
+        r.kreisle_film,
+        at=place,
+        name=named_at(label, place),
+        missing=edge_missing(r, r.film_overspeed),
+    )
+    if (h_lim := least_film(r.seat.bearing.diameter, r.surface_speed)) is not None:
+        yield on_bearing(FILM_EDGE_USUAL, place, r.film_edge, h_lim)
 
 
-def _bearing_check(
-    place: str,
-    key: str,
-    label: Text,
-    value: float | None,
-    sense: str,
-    limit: float | tuple[float, float],
-    unit: str,
-    source: Text,
-    advice: Text,
+def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
+    """What the seat carries, the length of the bearing, and the clearance that the cold leaves."""
+    bearing, inputs = r.seat.bearing, r.seat.inputs
+    lands = supply.lands(inputs)
+    groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
+    yield from _pressure_checks(place, r, housing)
+    bare = inputs.bush_material is None
+    rule, limit = (SPECIFIC_LOAD, rules.SPECIFIC_LOAD) if bare else (SPECIFIC_LOAD_USUAL, rules.USUAL_SPECIFIC_LOAD)
+    longer = _lengthened(place, bearing, groove + (bearing.length - groove) * (r.specific_load / limit))
+    yield on_bearing(rule, place, r.specific_load, limit, remedies=longer)
+    # what the source accepts, and within that what it calls usual: of one source one verdict
+    low, high = rules.LENGTH_RATIO
+    accepted = low <= r.length_ratio <= high
+    rule, ratios = (LENGTH_RATIO_USUAL, rules.USUAL_LENGTH_RATIO) if accepted else (LENGTH_RATIO, rules.LENGTH_RATIO)
+    # of each land, where a groove parts the bearing
+    within = _lengthened(place, bearing, *(lands * ratio * bearing.diameter + groove for ratio in ratios))
+    yield on_bearing(rule, place, r.length_ratio, ratios, remedies=within)
+    name = named_at(_when_cold(inputs), place)
+    yield CLEARANCE_COLD(r.clearance_cold, 0.0, at=place, name=name, scale=r.clearance)
+
+
+def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
+    """The film's pressure on bare metal, and on a lining whose yield stress is known."""
+    p, bush = r.film_pressure_max, r.seat.inputs.bush_material
+    strength, missing = Text("elasticity, proof stress of {name}", name=housing.name), None
+    if bush is not None:
+        lining = running_surface(bush, housing.name)
+        if lining is None or lining.yield_ is None:
+            return
+        limit, strength = lining.yield_, Text("yield stress of {name}: {source}", name=bush, source=Text(lining.source))
+    elif housing.proof_stress is not None:
+        limit = housing.proof_stress
+    elif housing.tensile_strength is not None:
+        limit = housing.tensile_strength
+        strength = Text("elasticity, tensile strength of {name}, which has no proof stress", name=housing.name)
+    else:
+        limit = WEAKEST_STEEL
+        taken = Text("{stress}, as the weakest structural steels", stress=Amount(WEAKEST_STEEL * 1e-6, "MPa"))
+        missing = Missing((dotted("material", Material.proof_stress),), (taken,), "holds", p)
+    yield on_bearing(FILM_PRESSURE, place, p, limit, source=strength, missing=missing)
+
+
+# --- what is not given
+
+
+def edge_missing(
+    r: BearingResult,
+    edge: Metre | None,
     *,
-    remedies: Callable[[], tuple[Remedy, ...]] | None = None,
-) -> Check:
-    """A check on one bearing; a value that is None, since there is no film, keeps no limit."""
-    name = Text("{what}, {place}", what=label, place=IN_WORDS[place])
-    number = math.nan if value is None else value
-    return check(f"bearings.{place}.{key}", name, number, sense, limit, unit, source, advice, remedies=remedies)
+    unsheared: Metre | None = None,
+    exact: Metre | None = None,
+) -> Missing | None:
+    """What a film at the edge stands on that the design does not give; None: it gives all.
+
+    `unsheared`: that film of an oil that loses nothing by shear, where the viscosity at high shear matters; `exact`:
+    that of parts without the tolerances that are not given, None where all are."""
+    keys, taken, best = [], [], math.nan if edge is None else edge
+    if unsheared is not None and r.seat.lubricant.oil.hths is None:
+        keys.append(dotted("oil", Oil.hths))
+        hths = Amount((r.hths or math.nan) * 1e3, "mPa·s")
+        taken.append(Text("viscosity at high shear {hths}, the least of the grade", hths=hths))
+        best = unsheared
+    if exact is not None:
+        keys += fits_missing(r)
+        taken.append(Text("IT7 for what has no fit"))
+        best = exact
+    if r.slope is None:
+        keys.append(SLOPE)
+        taken.append(Text("slope {slope}", slope=Amount(SLOPE_TAKEN * 1e3, "mrad")))
+        best += r.film - r.film_edge
+    return Missing(tuple(keys), tuple(taken), best, math.nan if edge is None else edge) if keys else None
 
 
-def _lengthened(
-    place: str, bearing: BearingInputs, low: Metre, high: Metre = math.inf
-) -> Callable[[], tuple[Remedy, ...]]:
-    """The nearest length between the two; none where the least is not finite."""
-
-    def ways() -> tuple[Remedy, ...]:
-        key, shorter = dotted("bearings", place, BearingInputs.length), bearing.length <= low
-        length = None if not math.isfinite(low) else up(low) if shorter else down(high)
-        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if shorter else "<=")()
-
-    return ways
+def fits_missing(r: BearingResult) -> list[str]:
+    """The keys of the fits that are assumed."""
+    inputs = r.seat.inputs
+    return [key for key, fit in zip(FITS, (inputs.journal_fit, inputs.seat_fit)) if isinstance(fit, Assumed)]
 
 
-def _when_cold(inputs: BearingsInputs) -> Text:
-    return Text("Clearance at {lowest_temperature} °C", lowest_temperature=Amount(inputs.lowest_temperature))
+def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
+    """The limits once more at the worst corner of the tolerances, given or assumed."""
+    c, inputs, exact = r.corners, r.seat.inputs, r.corners.exact
+    taken = (Text("IT7 for what has no fit"),)
+    keys = tuple(fits_missing(r))
 
+    def corner_check(rule: CheckRule, what: Text, column: str, *judged: Any, **more: Any) -> Check:
+        corner = c.worst(column)
+        return rule(
+            *judged,
+            at=place,
+            name=named_at(what, place),
+            source=Text("{source}; corner: {corner}", source=rule.source, corner=corner),
+            advice=Text("Worst corner: {corner}. {advice}", corner=corner, advice=rule.advice),
+            **more,
+        )
 
-def edge_when_thinned(r: BearingResult) -> Metre:
-    """The film at the edge of an oil that has lost by shear what a multigrade can."""
-    return r.thinned - (r.film - r.film_edge)
-
-
-def told_when_thinned(r: BearingResult) -> Amount | Text:
-    edge = edge_when_thinned(r)
-    return Text("nothing") if math.isnan(edge) else Amount(edge * 1e6, "µm")
+    film = edge_missing(r, c.film_edge, exact=None if exact is None else exact.film_edge)
+    yield corner_check(FILM_EDGE_CORNER, FILM_EDGE_CORNER.name, "film_edge", c.film_edge, r.kreisle_film, missing=film)
+    heat = cold = None
+    if exact is not None:
+        hot = math.nan if c.outlet_temperature is None else c.outlet_temperature
+        heat = Missing(keys, taken, exact.outlet_temperature, hot)
+        cold = Missing(keys, taken, exact.clearance_cold, c.clearance_cold)
+    yield corner_check(
+        TEMPERATURE_CORNER,
+        TEMPERATURE_CORNER.name,
+        "outlet_temperature",
+        c.outlet_temperature,
+        inputs.outlet_temperature_limit,
+        missing=heat,
+        base=inputs.supply_temperature,
+    )
+    label = Text("{title} at the worst corner", title=_when_cold(inputs))
+    yield corner_check(
+        CLEARANCE_COLD_CORNER, label, "clearance_cold", c.clearance_cold, 0.0, missing=cold, scale=r.clearance
+    )
 
 
 def _outside(r: BearingResult) -> Text:
@@ -250,30 +754,18 @@ def _outside(r: BearingResult) -> Text:
     return SEMICOLON.join([*far_off, Text("the own solution of Reynolds' equation judges.")]) if far_off else EMPTY
 
 
-def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
-    """The limits once more at the worst corner of the tolerances, given or assumed."""
-    c, inputs = r.corners, r.seat.inputs
-    doubled, hottest = Text("Film at twice the load"), inputs.outlet_temperature_limit
-    kreisle, given = Text("Kreisle, after Finotti 2013, 5.5.3"), Text("given in the design: its limit")
-    seizure = Text("physics: seizure when cold")
-    smoother = Text("A longer bearing, closer fits or a smoother surface.")
-    longer, closer = Text("A longer bearing, or closer fits."), Text("More clearance, or closer fits.")
-    more_oil = Text("More clearance at the tight end, or more oil.")
-    for key, label, value, sense, limit, unit, source, advice in (
-        ("film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm", kreisle, smoother),
-        ("film_double_load", doubled, c.film_double_load, ">=", r.trumpler_film, "µm", rules.DESIGN_FACTOR, longer),
-        ("temperature", Text("Outlet temperature"), c.outlet_temperature, "<=", hottest, "°C", given, more_oil),
-        ("clearance_cold", _when_cold(inputs), c.clearance_cold, ">", 0.0, "µm", seizure, closer),
-    ):
-        corner = c.worst("outlet_temperature" if key == "temperature" else key)
-        yield _bearing_check(
-            place,
-            f"{key}_corner",
-            Text("{title} at the worst corner", title=label),
-            value,
-            sense,
-            limit,
-            unit,
-            Text("{source}; corner: {corner}", source=source, corner=corner),
-            Text("Worst corner: {corner}. {advice}", corner=corner, advice=advice),
-        )
+def _lengthened(
+    place: str, bearing: BearingInputs, low: Metre, high: Metre = math.inf
+) -> Callable[[], tuple[Remedy, ...]]:
+    """The nearest length between the two; none where the least is not finite."""
+
+    def ways() -> tuple[Remedy, ...]:
+        key, shorter = dotted("bearings", place, BearingInputs.length), bearing.length <= low
+        length = None if not math.isfinite(low) else up(low) if shorter else down(high)
+        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if shorter else "<=")()
+
+    return ways
+
+
+def _when_cold(inputs: BearingsInputs) -> Text:
+    return Text("Clearance at {lowest_temperature} °C", lowest_temperature=Amount(inputs.lowest_temperature))

@@ -8,14 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from ..library.tolerances import deviations, parse, tolerance
+from ..library.tolerances import Assumed, deviations, parse, tolerance
 from ..sheet.arrays import Array
 from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import result, value
+from ..sheet.record import record
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
 from ..sheet.units import Celsius, Metre, Radian
-from ..sheet.value import about, based_on
+from ..sheet.value import about, based_on, untraced
 from . import formulas as f
 from .inputs import IN_WORDS, BearingsInputs
 from .routes.routes import own_warm
@@ -47,6 +48,15 @@ COLUMNS = (
 )
 
 
+@record
+class Exact:
+    """The worst of the corners of parts that have no tolerance where none is given; nan: one has no film."""
+
+    clearance_cold: Metre
+    film_edge: Metre
+    outlet_temperature: Celsius
+
+
 @result
 class Corners:
     """The worst of the eight corners, each quantity for itself; None: a corner has no film."""
@@ -59,6 +69,7 @@ class Corners:
     film_double_load: Metre | None = value("Thinnest film at twice the load of the corners", "µm", "h_2F,min")
     outlet_temperature: Celsius | None = value("Hottest outlet of the corners", "°C", "T_out,max")
     names: tuple[str, ...]
+    exact: Exact | None  # None: both fits are given
     columns: dict[str, Array]  # one array over the corners for each quantity above and more
 
     def worst(self, quantity: str) -> str:
@@ -66,13 +77,18 @@ class Corners:
         return self.names[_worst(quantity, self.columns[quantity])]
 
 
-def limits(inputs: BearingsInputs, d: Metre, g: Metre) -> tuple[tuple[Metre, Metre], tuple[Metre, Metre]]:
+def limits(
+    inputs: BearingsInputs, d: Metre, g: Metre, *, exact: bool = False
+) -> tuple[tuple[Metre, Metre], tuple[Metre, Metre]]:
     """Lower and upper deviation of the journal, and of the seat.  Fits without a place lie about the middle of
-    clearance `g`."""
+    clearance `g`.  `exact`: a fit that is not given has no width."""
     journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
     if journal.letter is not None and seat.letter is not None:
         return deviations(journal, d), deviations(seat, d)
-    half_J, half_S = tolerance(journal.grade, d) / 2, tolerance(seat.grade, d) / 2
+    half_J, half_S = (
+        0.0 if exact and isinstance(given, Assumed) else tolerance(fit.grade, d) / 2
+        for given, fit in ((inputs.journal_fit, journal), (inputs.seat_fit, seat))
+    )
     return (-half_J, half_J), (g - half_S, g + half_S)
 
 
@@ -82,16 +98,21 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
 
 
 def corner_points(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
-    """Eight corners at the load, then the eight at twice the load: clearance, viscosity factor and load of shape
-    (16,)."""
+    """Eight corners at the load, the eight at twice the load, and where a fit is assumed eight without it, at the load:
+    clearance, viscosity factor and load of shape (16,) or (24,)."""
     g, factor = corner_values(seat)
-    load = duty.load * np.repeat([1.0, 2.0], len(g))
-    return replace(seat, clearance=np.tile(g, 2), viscosity_factor=np.tile(factor, 2)), replace(duty, load=load)
+    clearances, loads = [g, g], [1.0, 2.0]
+    if _assumed(seat.inputs):
+        clearances.append(corner_values(seat, exact=True)[0])
+        loads.append(1.0)
+    load = duty.load * np.repeat(loads, len(g))
+    at_corners = replace(seat, clearance=np.concatenate(clearances), viscosity_factor=np.tile(factor, len(clearances)))
+    return at_corners, replace(duty, load=load)
 
 
-def corner_values(seat: BearingCase) -> tuple[Array, Array]:
+def corner_values(seat: BearingCase, *, exact: bool = False) -> tuple[Array, Array]:
     """Clearance at the reference temperature and viscosity factor of each corner, shape (8,)."""
-    journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
+    journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance, exact=exact)
     g = [hole[s > 0] - journal[j > 0] for (_, j), (_, s), _ in CORNERS]
     numbers = based_on(
         gathered(g), seat.clearance, seat.bearing.diameter, seat.inputs.seat_fit, seat.inputs.journal_fit
@@ -114,7 +135,7 @@ def corners(
         least = f.least_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
         most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
     g, _ = corner_values(seat)
-    once, twice = slice(0, len(g)), slice(len(g), None)
+    once, twice = slice(0, len(g)), slice(len(g), 2 * len(g))
     rise, h_0 = film.temperature_rise, film.film
     columns = {
         "clearance": g,
@@ -158,7 +179,19 @@ def corners(
         film_double_load=None if doubled is None else doubled.film,
         outlet_temperature=outlet,
         names=NAMES,
+        exact=_exact(seat, duty, slope, film, slice(2 * len(g), None)) if _assumed(inputs) else None,
         columns=columns,
+    )
+
+
+def _exact(seat: BearingCase[Any], duty: OperatingPoint, slope: Radian, film: Film[Array], there: slice) -> Exact:
+    g, _ = corner_values(seat, exact=True)
+    with untraced():
+        cold = replace(seat, clearance=np.asarray(g)).clearance_at(seat.inputs.lowest_temperature)
+    return Exact(
+        clearance_cold=float(cold.min()),
+        film_edge=float(film.film[there].min() - slope * seat.bearing.length / 2),
+        outlet_temperature=float(duty.supply_temperature + film.temperature_rise[there].max()),
     )
 
 
@@ -194,6 +227,11 @@ def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table
         note,
         (f"bearings.{place}.corners.",),
     )
+
+
+def _assumed(inputs: BearingsInputs) -> bool:
+    """Whether a fit is not given."""
+    return isinstance(inputs.journal_fit, Assumed) or isinstance(inputs.seat_fit, Assumed)
 
 
 def _have_a_place(inputs: BearingsInputs) -> bool:

@@ -5,7 +5,7 @@ Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P�
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import largest, modulus, pi, power, sin, sqrt
+from ..sheet.functions import largest, log10, modulus, pi, power, sin, smallest, sqrt
 from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -26,6 +26,7 @@ from ..sheet.units import (
 )
 
 ONE_METRE_PER_SECOND: MetrePerSecond = 1.0
+ONE_PER_SECOND: RevPerSecond = 1.0
 MILLI: Number = 1e-3
 TRUMPLER_FILM: Metre = 5.08e-6
 TRUMPLER_SLOPE: Number = 4e-5
@@ -268,6 +269,32 @@ def shear_rate(u: MetrePerSecond, h_0: Metre) -> RevPerSecond:
 
 
 @formula(
+    "κ_full",
+    "definition: viscosity at 150 °C and 10⁶ 1/s over that of the oil's own law, 1 at most",
+    names={"hths": "μ_HTHS"},
+)
+def full_shear_factor(hths: PascalSecond, mu_150: PascalSecond) -> Number:
+    """>>> full_shear_factor(hths=0.0035, mu_150=0.005)
+    0.7
+    """
+    return smallest(1.0, hths / mu_150)
+
+
+@formula(
+    "κ",
+    "rule of this program: an oil loses by shear from 10⁵ 1/s on, in proportion to lg γ̇, and all that it can at 10⁶",
+    names={"kappa": "κ_full", "gamma": "γ̇"},
+)
+def shear_factor(kappa: Number, gamma: RevPerSecond) -> Number:
+    """>>> shear_factor(kappa=0.7, gamma=1e5)
+    1.0
+    >>> shear_factor(kappa=0.7, gamma=2e6)
+    0.7
+    """
+    return 1 + (kappa - 1) * smallest(largest(log10(gamma / ONE_PER_SECOND) - 5, 0.0), 1.0)
+
+
+@formula(
     "n_0",
     "dynamics: the turning load grows with the square of the speed; the standing one is as large at this",
     unit="rpm",
@@ -299,9 +326,16 @@ def viscosity_factor(t_nu: Number, o: Number) -> Number:
     return 1 + o * t_nu
 
 
-@formula("μ", "definition: viscosity at a corner of the oil's tolerance", unit="mPa·s", names={"mu": "μ_m"})
+@formula(
+    "μ", "definition: viscosity at a corner of the oil's tolerance, or at high shear", unit="mPa·s", names={"mu": "μ_m"}
+)
 def viscosity_at_corner(mu: PascalSecond, k: Number) -> PascalSecond:
     return k * mu
+
+
+@formula("n_over", "definition: overspeed above the highest speed", unit="rpm", names={"n": "n_max"})
+def overspeed(n: RevPerSecond, s: Number) -> RevPerSecond:
+    return n * (1 + s)
 
 
 @formula(
@@ -352,6 +386,18 @@ def kreisle_film(k_R: Number, Ra_1: Metre, Ra_2: Metre) -> Metre:
     9e-06
     """
     return k_R * Ra_1 + k_R * Ra_2
+
+
+@formula(
+    "Ra_S'",
+    "rule of this program: a lining that runs in gets as smooth as its journal, if it was not so before",
+    unit="µm",
+)
+def roughness_run_in(Ra_1: Metre, Ra_2: Metre) -> Metre:
+    """>>> roughness_run_in(Ra_1=2e-07, Ra_2=4e-07)
+    2e-07
+    """
+    return smallest(Ra_1, Ra_2)
 
 
 @formula("h_T", "Trumpler, after Finotti 2013, 5.5.1: 0.00508 mm + 4·10⁻⁵·d", unit="µm")

@@ -11,6 +11,7 @@ from ..library.catalogue import Oil
 from ..library.tolerances import ASSUMED_FIT, Assumed
 from ..sheet.quantity import choice, dotted, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
+from ..sheet.units import Radian
 from .materials import DEFAULT_APPLICATION
 
 PLACES = ("front", "rear")
@@ -21,6 +22,8 @@ LEAST_SPEED_SHARE = 0.02
 
 # of what brings the oil, over the length, for guide texts
 USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
+
+SLOPE_TAKEN: Radian = 0.1e-3  # of the journal in its seat, where nothing is known of it; rule of this program
 
 # the folds of the form
 MATERIALS = Text("Materials and fits")
@@ -64,8 +67,7 @@ class BearingInputs:
         within=(0.1, 5000),
         symbol="g",
         step=1,
-        source="Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16; Finotti 2013, 5.5.2: ψ 1 ‰ very precise, 2 ‰ "
-        "ordinary, 4 ‰ coarse",
+        source="makers of balance shafts; Finotti 2013, 5.5.2: ψ 1 ‰ very precise, 2 ‰ ordinary, 4 ‰ coarse",
         help=Text(
             "Bore minus journal at the reference temperature; {usual}. Left out: by clearance_factor or the fits.",
             usual=rules.USUAL_CLEARANCE,
@@ -409,6 +411,17 @@ class BearingsInputs:
         help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.",
         repair="asked",
     )
+    overspeed: float = quantity(
+        "Overspeed",
+        "%",
+        default=0.1,
+        within=(0, 50),
+        symbol="s",
+        step=1,
+        usual=(5, 20),
+        source="rule of this program",
+        help="How far the highest speed may be passed over: the film is solved there too.",
+    )
     roughness_ratio: float = quantity(
         "Rt/Ra",
         default=7.5,
@@ -444,7 +457,7 @@ class BearingsInputs:
         symbol="theta",
         usual=(0, rules.SLOPE * 1e3),
         source="Finotti 2013, 4.6 (in chapter 6)",
-        help="One, or [front, rear]. Left out: by bending, else 0.",
+        help="One, or [front, rear]. Left out: by bending, else 0.1.",
         change=("smaller slope", "larger slope", "slope of the shaft's bending"),
         repair="asked",
     )

@@ -15,25 +15,42 @@ import numpy as np
 from ..countershaft.result import Standing
 from ..library import journal_rules as rules
 from ..sheet.arrays import Array, Value
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import single_or_many
+from ..sheet.quantity import dotted
 from ..sheet.record import record
-from ..sheet.shim_check import check
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.units import MetrePerSecond, Newton, Watt
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
+from .checks import FILM_EDGE_STANDING, edge_missing, on_bearing
 from .film.dynamics import orbit
 from .inputs import IN_TITLES, IN_WORDS
 from .result import BearingResult, BearingsResult, StandingResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, settled
+from .suitability import DIAMETER, LENGTH
 
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
+
+
+START_LOAD = CheckRule(
+    "bearings.B.start_load",
+    "caution",
+    "Trumpler's criterion against wear at every start, before a film is there.",
+    Text("Specific load at the start"),
+    "<=",
+    "MPa",
+    rules.TRUMPLER + Text(": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"),
+    Text("A larger or longer journal."),
+    demand=True,
+    value_id=dotted("bearings", "B", StandingResult.load_at_start),
+    moved_by=(LENGTH, DIAMETER),
+)
 
 
 def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> Outcome[BearingsResult]:
@@ -87,20 +104,12 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
 
 
 def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
-    at, where = f"bearings.{place}", IN_WORDS[place]
-    label = Text("Specific load at the start, {place}", place=where)
-    source = rules.TRUMPLER + Text(
-        ": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"
-    )
-    limit, advice = rules.TRUMPLER_START_LOAD, Text("A larger or longer journal.")
-    yield check(f"{at}.start_load", label, part.load_at_start, "<=", limit, "MPa", source, advice)
+    yield on_bearing(START_LOAD, place, part.load_at_start, rules.TRUMPLER_START_LOAD)
     thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
     if thinnest is not None:
-        label = Text("Film at the edge over a turn, with the standing load, {place}", place=where)
         edge = f.film_at_edge_of_another(h_x=thinnest, h_0=bearing.film, h_edge=bearing.film_edge)
-        source = Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together")
-        advice = Text("As for the film at the edge; the standing part is weight and gear force.")
-        yield check(f"{at}.film_edge_standing", label, edge, ">=", bearing.kreisle_film, "µm", source, advice)
+        missing = edge_missing(bearing, edge)
+        yield on_bearing(FILM_EDGE_STANDING, place, edge, bearing.kreisle_film, missing=missing)
 
 
 # --- the friction of a journal over a turn, where a standing load passes under the one that turns with it

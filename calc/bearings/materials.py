@@ -15,7 +15,7 @@ from ..sheet.text import Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, RevPerSecond
 
 SCALE = ("poor", "fair", "good", "excellent")  # emergency running, from bad to good
-DEFAULT_APPLICATION = "diesel-main"
+DEFAULT_APPLICATION = "balance-shaft"
 
 
 @inputs
@@ -35,22 +35,22 @@ class BearingMaterial:
     emergency_basis: str = text("What the word rests on")
     fatigue: str = text("Fatigue")
     source: str = text("Source")
+    yield_: Pascal | None = quantity("Yield stress of the lining", "MPa", default=None, above=0)
 
 
 @inputs
 class Application:
-    """What the bearings of one application usually carry.  None: the figure has a dash there."""
+    """What the bearings of one application usually carry.  None: the source prints nothing there."""
 
     name: str = text("Name")
     title: str = text("What it is")
-    specific_load_low: Pascal = quantity("Specific load, from", "MPa")
-    specific_load_high: Pascal = quantity("Specific load, to", "MPa")
+    specific_load_low: Pascal | None = quantity("Specific load, from", "MPa", default=None)
+    specific_load_high: Pascal | None = quantity("Specific load, to", "MPa", default=None)
     pv: PascalMetrePerSecond | None = quantity("p·v", "MPa·m/s", default=None)
     viscosity_low: float | None = quantity("Viscosity, from", "mPa·s", default=None)
     viscosity_high: float | None = quantity("Viscosity, to", "mPa·s", default=None)
     duty_low: Number | None = quantity("µ·n/p, from", default=None)
     duty_high: Number | None = quantity("µ·n/p, to", default=None)
-    relative_clearance: Number | None = quantity("Relative clearance, at most", "‰", default=None)
     length_ratio_low: Number | None = quantity("Length ratio, from", default=None)
     length_ratio_high: Number | None = quantity("Length ratio, to", default=None)
 

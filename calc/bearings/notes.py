@@ -7,11 +7,10 @@ from ..countershaft.result import CountershaftResult
 from ..library.oils import rising_rows
 from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
-from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed
+from ..sheet.text import COMMA, EMPTY, Amount, Text, listed
 from ..sheet.units import UNITS
 from ..sheet.value import untraced
-from .checks import LOST_BY_SHEAR, told_when_thinned
-from .inputs import IN_TITLES, IN_WORDS, BearingsInputs
+from .inputs import IN_TITLES, IN_WORDS, SLOPE_TAKEN, BearingsInputs
 from .materials import running_surface
 from .result import BearingResult, RouteResult
 from .routes import supply
@@ -46,31 +45,20 @@ def _all_notes(
         yield Text(
             "No fits are given: the corners take IT7 for journal and seat, half of it to either side of the "
             "clearance, and the oil within "
-            "±{viscosity_tolerance} % of its viscosity. Corners that are assumed advise; those of journal_fit and "
-            "seat_fit judge.",
+            "±{viscosity_tolerance} % of its viscosity.",
             viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
         )
     yield _slope(inputs, shaft)
     yield _feed(inputs, results)
     for r in results.values():
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
-    if thinned := {place: r for place, r in results.items() if r.seat.lubricant.polymer_thickened}:
-        films = [
-            Text(
-                "{place} {film}, needs {least}",
-                place=IN_WORDS[place],
-                film=told_when_thinned(r),
-                least=Amount(r.kreisle_film * 1e6, "µm"),
+    for place, r in results.items():
+        if r.shear_factor is not None and r.film_sheared is None:
+            yield Text(
+                "{place} bearing: no film is found for the oil as thin as shear makes it.", place=IN_TITLES[place]
             )
-            for place, r in thinned.items()
-        ]
-        yield Text(
-            "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C "
-            "and 10⁶ 1/s). With "
-            "{share} less the film at the edge is: {films}.",
-            share=Amount(100 * LOST_BY_SHEAR, "%"),
-            films=SEMICOLON.join(films),
-        )
+        if r.film_overspeed is None:
+            yield Text("{place} bearing: no film is found at overspeed.", place=IN_TITLES[place])
     if fast := [place for place, r in results.items() if r.surface_speed > NO_RULE]:
         yield Text(
             "The journal's surface runs faster than 10 m/s at the {fast} bearing: the rule for the speed above mixed "
@@ -131,7 +119,8 @@ def _slope(inputs: BearingsInputs, shaft: CountershaftResult | None) -> Text:
             "The slope of the journals is that of the counter-shaft's bending, with the stiffness share of its sectors."
         )
     return Text(
-        "No slope of the journals is given: it is taken as zero, and the film at the edge is that of the middle."
+        "No slope of the journals is given: the film at the edge is that of {slope}.",
+        slope=Amount(SLOPE_TAKEN * 1e3, "mrad"),
     )
 
 

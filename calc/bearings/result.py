@@ -15,6 +15,7 @@ from ..sheet.units import (
     Number,
     Pascal,
     PascalMetrePerSecond,
+    PascalSecond,
     Radian,
     RevPerSecond,
     Watt,
@@ -92,6 +93,10 @@ class BearingResult:
         "Film at the bearing's edge", "µm", "h_edge", short=True, page_one=1, worst="least", each=True, headline=1
     )
     film_double_load: Metre | None = value("Film at twice the load", "µm", "h_2F", default=None, short=True)
+    film_sheared: Metre | None = value(
+        "Film at the edge, oil thinned by shear", "µm", "h_edge,κ", default=None, short=True
+    )
+    film_overspeed: Metre | None = value("Film at the edge at overspeed", "µm", "h_edge,s", default=None, short=True)
     speed_of_thinnest_film: RevPerSecond | None = value(
         "Speed of the thinnest film over the speeds", "rpm", default=None
     )
@@ -121,6 +126,7 @@ class BearingResult:
     heat_index: NewtonPerMetreSecond = value("Heat index", "N·rpm/mm", "W", short=True)
     surface_speed: MetrePerSecond = value("Surface speed", "m/s", "u", short=True)
     shear_rate: RevPerSecond = value("Shear rate in the narrowest gap", "1/s", "γ̇")
+    shear_factor: Number | None = value("Share of the viscosity left at this shear rate", "", "κ", default=None)
     length_ratio: Number = value("Length ratio", "", "l/d")
     transition_speed: RevPerSecond = value("Transition to mixed friction", "rpm", "n_T")
     least_speed: RevPerSecond = value("Least speed for a full film", "rpm", "n_min", short=True)
@@ -142,7 +148,8 @@ class BearingResult:
     sweep: Sweep
     side: RouteResultBeside
     beside: Film[Array]  # at a little less and a little more load
-    thinned: Metre  # the film of an oil that has lost by shear what a multigrade can; nan: none carries the load
+    slope: Radian | None  # of the journal in its seat; None: not known, and taken
+    hths: PascalSecond | None  # viscosity of the oil at high shear; None: it does not thin by it, as far as is known
 
 
 @result

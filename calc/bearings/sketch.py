@@ -42,7 +42,6 @@ PEAK: Number = 0.35  # of the radius: the largest pressure
 CORNERS = 48  # of the pressure
 FEED: Number = 0.22  # of the radius: how far a feed is drawn outwards
 LEAST = 0.05  # of the largest pressure: less is not drawn
-FILMS = (("film_edge", Text("{film} of {asked} µm")), ("film_double_load", Text("2 F: {film} of {asked}")))
 
 
 def sketch(design: "Design", results: "Results") -> Sketch:
@@ -99,21 +98,15 @@ def _bearing(
         "{load}", load=Amount(r.load / 1000, "kN", digits=2) if r.load >= 1000 else Amount(r.load, "N", digits=3)
     )
     yield Words(WORDS, (centre[0] - 0.12 * journal, centre[1] - 0.4 * journal), load, key=load_key, side="right")
-    yield from _films(key, centre, journal, checks)
+    yield from _film(key, centre, journal, checks)
 
 
-def _films(key: str, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
-    """The film at the edge against what it is to be, and that at twice the load where it is too thin."""
-    shown = [
-        (check, words)
-        for id, words in FILMS
-        if (check := checks.get(f"{key}.{id}")) is not None and (id == "film_edge" or check.verdict == "fail")
-    ]
-    for n, (check, words) in enumerate(shown):
-        limit = check.limit if isinstance(check.limit, float) else check.limit[0]
-        text = Text(words.template, film=Amount(check.value, digits=2), asked=Amount(limit, digits=2))
-        at = centre[0], centre[1] + (0.35 - 0.27 * n) * journal
-        yield Words(WORDS, at, text, key=_rough(key), state=judged([check], check.id), side="centre")
+def _film(key: str, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
+    """The film at the edge against what it is to be."""
+    check = checks[f"{key}.film_edge"]
+    film, asked = Amount(check.value, digits=2), Amount(check.nearest[1], digits=2)
+    at, text = (centre[0], centre[1] + 0.35 * journal), Text("{film} of {asked} µm", film=film, asked=asked)
+    yield Words(WORDS, at, text, key=_rough(key), state=judged([check], check.id), side="centre")
 
 
 def _keys(*declared: object) -> str:

@@ -12,26 +12,26 @@ from ..engine.inputs import BenchPoint, EngineInputs
 from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
+from ..library.oils import high_shear
 from ..library.tolerances import deviations, parse
-from ..sheet.check import Check
+from ..sheet.arrays import Array
+from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import gathered, item
-from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
-from ..sheet.shim_check import check
 from ..sheet.step import Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
-from .checks import LOST_BY_SHEAR, checks, oil_check
+from .checks import SLOPE, checks, oil_check
 from .corners import corner_points, corners, corners_table
 from .curves import charts, curves
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
-from .inputs import IN_WORDS, PLACES, BearingInputs, BearingsInputs
+from .inputs import IN_WORDS, PLACES, SLOPE_TAKEN, BearingInputs, BearingsInputs
 from .loads import loads_beside
 from .materials import application, running_surface
 from .notes import errata, notes
@@ -41,10 +41,31 @@ from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, closed, settled_together
-from .speeds import TURNING, Sweep, sweep, sweep_points
-from .suitability import Journal, Running, application_checks, film_duty, load_times_speed, reference_table
-from .suitability import checks as pairing_checks
+from .speeds import TURNING, Sweep, highest_speed, sweep, sweep_points
+from .suitability import (
+    Journal,
+    Running,
+    application_checks,
+    film_asked,
+    film_duty,
+    load_times_speed,
+    material_checks,
+    reference_table,
+)
 from .suitability import table as bushes_table
+
+SLOPE_GIVEN = CheckRule(
+    "bearings.B.slope_given",
+    "caution",
+    "The film at the edge is judged with a smaller slope than the shaft takes.",
+    unit="mrad",
+    source=Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
+    cause="bearings.slope_given",
+    moved_by=(SLOPE,),
+)
+
+
+HTHS_TEMPERATURE: Celsius = 150.0  # at which the viscosity at high shear is measured, SAE J300
 
 
 class BearingMaterials(NamedTuple):
@@ -84,7 +105,7 @@ def solve(
                 )
                 load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
-                all_checks += checks(place, results[place], slope)
+                all_checks += checks(place, results[place], solids.housing)
                 all_checks += _material_checks(place, results[place])
     all_checks += _slope_checks(bearings, shaft, results)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
@@ -117,7 +138,8 @@ def _material_checks(place: str, r: BearingResult) -> Iterator[Check]:
     inputs, bearing = r.seat.inputs, r.seat.bearing
     surface = running_surface(inputs.bush_material, inputs.housing_material)
     if surface is not None:
-        yield from pairing_checks(place, surface, r.specific_load, r.pressure_velocity, r.outlet_temperature)
+        T_in = inputs.supply_temperature
+        yield from material_checks(place, surface, r.specific_load, r.pressure_velocity, r.outlet_temperature, T_in)
     yield from application_checks(
         place,
         application(inputs.application),
@@ -155,12 +177,11 @@ def _load(place: str, bearing: BearingInputs, shaft: CountershaftResult | None) 
     return load
 
 
-def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None) -> float:
-    """As given, else as the counter-shaft's bending has it; zero where neither is known."""
+def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None) -> Radian | None:
+    """As given, else as the counter-shaft's bending has it; None where neither is known."""
     if inputs.slope is not None:
         return inputs.slope[0 if place == "front" else -1]
-    slope = None if shaft is None else shaft.slope_front if place == "front" else shaft.slope_rear
-    return 0.0 if slope is None else slope
+    return None if shaft is None else shaft.slope_front if place == "front" else shaft.slope_rear
 
 
 def _slope_checks(
@@ -170,7 +191,6 @@ def _slope_checks(
     given ones."""
     if inputs.slope is None or shaft is None or shaft.bending is None:
         return  # where nothing bends, the shaft has its slopes from here
-    source = Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors")
     for place, slope, bent in zip(PLACES, (inputs.slope[0], inputs.slope[-1]), (shaft.slope_front, shaft.slope_rear)):
         if bent is None:
             return
@@ -182,9 +202,9 @@ def _slope_checks(
             edge=Amount(edge * 1e6, "µm"),
             least=Amount(r.kreisle_film * 1e6, "µm"),
         )
-        left_out = by_key(BearingsInputs, dotted("bearings", BearingsInputs.slope), None, effect=effect)
+        left_out = by_key(BearingsInputs, SLOPE, None, effect=effect)
         label = Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place])
-        yield check(f"bearings.{place}.slope_given", label, slope, ">=", bent, "mrad", source, remedies=left_out)
+        yield SLOPE_GIVEN(slope, bent, at=place, name=label, remedies=left_out)
 
 
 def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> OperatingPoint:
@@ -202,7 +222,7 @@ def _bearing(
     place: str,
     seat: BearingCase,
     load: float,
-    slope: float,
+    slope: Radian | None,
     speed: RevPerSecond,
     bench: tuple[BenchPoint, ...],
     *,
@@ -214,9 +234,10 @@ def _bearing(
     n_s = f.sliding_speed(n_J=speed, n_B=based_on(i_B * speed, i_B, speed)) if i_B else based_on(speed, speed, i_B)
     u = f.surface_speed(d=d, n=n_s)
     duty = operating_point(inputs, load, speed)
+    theta = SLOPE_TAKEN if slope is None else slope
     with about(Text("{place} bearing, judged", place=IN_WORDS[place])):
         hot = balanced(own_warm, seat, duty)
-        edge = f.film_at_edge(h_0=hot.film, theta=slope, l=l)
+        edge = f.film_at_edge(h_0=hot.film, theta=theta, l=l)
         # a groove parts the bearing into two lands: p, l/d and the speeds are those of the lands
         lands = supply.lands(inputs)
         bare = l if lands == 1 else based_on(l - (inputs.groove_width or 0.0), l, inputs.groove_width)
@@ -228,9 +249,7 @@ def _bearing(
         uncapped = f.least_speed_uncapped(u=u, n_T=n_T)
         mckee = f.mckee_number(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)
         number = film_duty(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)
-        kreisle = f.kreisle_film(
-            k_R=inputs.roughness_ratio, Ra_1=bearing.journal_roughness, Ra_2=bearing.housing_roughness
-        )
+        kreisle = film_asked(inputs, bearing.journal_roughness, bearing.housing_roughness)
         trumpler = f.trumpler_film(d=d)
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
@@ -246,23 +265,38 @@ def _bearing(
         moving = dynamics(hot, duty, seat, ratio)
     twice = replace(duty, load=based_on(2 * load, load))
     speeds = sweep_points(seat, speed, bench, duty)
-    thin = replace(seat, viscosity_factor=(seat.viscosity_factor or 1.0) * (1 - LOST_BY_SHEAR))
-    at_corners, over_speeds, at_twice, beside, thinned = settled_together(
-        (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty), (thin, duty))
+    with about(Text("{place} bearing, oil thinned by shear", place=IN_WORDS[place])):
+        hths, thin = high_shear(seat.lubricant), seat
+        if hths is not None:
+            kappa = f.full_shear_factor(hths=hths, mu_150=seat.lubricant.at(HTHS_TEMPERATURE).mu)
+            thin = replace(seat, viscosity_factor=f.shear_factor(kappa=kappa, gamma=shear))
+    with about(Text("{place} bearing, overspeed", place=IN_WORDS[place])):
+        n_over = f.overspeed(n=highest_speed(speed, inputs), s=inputs.overspeed)
+        faster = _at_speed(seat, duty, n_over, duty.supply_temperature, duty.supply_pressure)
+    at_corners, over_speeds, at_twice, beside, at_shear, at_over = settled_together(
+        (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty), (thin, duty), (seat, faster))
     )
+    sheared = over = None  # where no film carries the load, the check on it fails
+    if hths is not None:
+        with about(Text("{place} bearing, oil thinned by shear", place=IN_WORDS[place])):
+            sheared = _edge(thin, duty, at_shear, theta)
+    with about(Text("{place} bearing, overspeed", place=IN_WORDS[place])):
+        over = _edge(seat, faster, at_over, theta)
     with about(Text("{place} bearing, twice the load", place=IN_WORDS[place])):
         rise = at_twice.temperature_rise[0].item()
         # where no film carries twice the load, the check on it fails
         doubled = closed(own_warm, seat, twice, rise) if np.isfinite(rise) else None
     with about(Text("{place} bearing, corners of the tolerances", place=IN_WORDS[place])):
-        at_worst = corners(seat, duty, slope, at_corners, Text("{place} bearing", place=IN_WORDS[place]))
-    swept = sweep(speed, inputs, bool(bench), speeds[1], over_speeds)
+        at_worst = corners(seat, duty, theta, at_corners, Text("{place} bearing", place=IN_WORDS[place]))
+    swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=IN_WORDS[place])):
         thinnest = _thinnest(seat, duty, swept)
     return BearingResult(
         film=hot.film,
         film_edge=edge,
         film_double_load=doubled.film if doubled else None,
+        film_sheared=sheared,
+        film_overspeed=over,
         speed_of_thinnest_film=swept.thinnest_speed,
         thinnest_film=None if thinnest is None else thinnest.film,
         eccentricity=hot.eccentricity,
@@ -290,6 +324,7 @@ def _bearing(
         heat_index=W,
         surface_speed=u,
         shear_rate=shear,
+        shear_factor=thin.viscosity_factor,
         length_ratio=ratio,
         transition_speed=n_T,
         least_speed=least,
@@ -310,7 +345,8 @@ def _bearing(
         sweep=swept,
         side=side,
         beside=beside,
-        thinned=thinned.film[0].item(),
+        slope=slope,
+        hths=hths,
     )
 
 
@@ -321,8 +357,21 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
     n, T_in, p_s, rise = (
         item(gathered(row)[swept.thinnest]) for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
     )
+    return closed(own_warm, seat, _at_speed(seat, duty, n, T_in, p_s), rise)
+
+
+def _edge(seat: BearingCase, duty: OperatingPoint, film: Film[Array], slope: Radian) -> Metre | None:
+    """The film at the edge by lines of the calculation, at the rise that is known; None where there is none."""
+    rise = film.temperature_rise[0].item()
+    if not np.isfinite(rise):
+        return None
+    return f.film_at_edge(h_0=closed(own_warm, seat, duty, rise).film, theta=slope, l=seat.bearing.length)
+
+
+def _at_speed(seat: BearingCase, duty: OperatingPoint, n: RevPerSecond, T_in: Celsius, p_s: Pascal) -> OperatingPoint:
+    """The same bearing at another speed, with the oil that is supplied there."""
     load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
-    slower = replace(
+    return replace(
         duty,
         load=load,
         speed=n,
@@ -330,7 +379,6 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
         supply_temperature=T_in,
         supply_pressure=p_s,
     )
-    return closed(own_warm, seat, slower, rise)
 
 
 def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio: Number) -> Radian | None:

@@ -11,6 +11,7 @@ from ..sheet.arrays import Array
 from ..sheet.linked_array import elements, gathered, item, linked_array
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Amount, Text
+from ..sheet.units import RevPerSecond
 from ..sheet.value import based_on, joined_links
 from .inputs import IN_WORDS, BearingsInputs
 from .routes.states import BearingCase, Film, OperatingPoint
@@ -35,6 +36,7 @@ class Sweep:
     thinnest_speed: float | None
     rated: float
     bench: bool  # its rows are those of the engine's bench run
+    given: bool  # the engine runs at these speeds: they are not assumed
 
     def gaps(self, place: str) -> Text:
         """The speeds without a film in the range of the table; empty where each has one."""
@@ -101,7 +103,14 @@ def at_speeds(
     )
 
 
-def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint[Any], film: Film[Array]) -> Sweep:
+def highest_speed(rated: RevPerSecond, inputs: BearingsInputs) -> RevPerSecond:
+    """Of those that are judged."""
+    return rated if inputs.speed_range is None else max(rated, inputs.speed_range[1])
+
+
+def sweep(
+    rated: float, inputs: BearingsInputs, bench: tuple[BenchPoint, ...], at: OperatingPoint[Any], film: Film[Array]
+) -> Sweep:
     """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not
     govern."""
     speeds, temperatures, pressures = at.speed, at.supply_temperature, at.supply_pressure
@@ -121,7 +130,8 @@ def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint[
         thinnest,
         at_thinnest,
         rated,
-        inputs.speed_range is None and bench,
+        inputs.speed_range is None and bool(bench),
+        inputs.speed_range is not None or any(row.speed <= rated * (1 + 1e-9) for row in bench),
     )
 
 

@@ -3,17 +3,15 @@
 
 In order: the formulas, with or without a bush, running examples, what is usual for the application.
 
-Handbook values give advice and never fail a design; the limits of a bearing stand in `checks`.  Read without numpy, so
-that a design's words can be checked before anything is solved."""
+Handbook values never fail a design; the limits of a bearing stand in `checks`."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from ..library.journal_rules import USUAL_LENGTH_RATIO, heat_index, specific_load
-from ..sheet.check import Check
+from ..library.journal_rules import MAKERS, RELATIVE_CLEARANCE, heat_index, specific_load
+from ..sheet.check import Check, CheckRule
 from ..sheet.formula import formula
-from ..sheet.number import short
-from ..sheet.shim_check import check
+from ..sheet.quantity import dotted
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
@@ -30,8 +28,11 @@ from ..sheet.units import (
     Second,
 )
 from ..sheet.value import untraced
-from .inputs import IN_TITLES, IN_WORDS
-from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
+from . import formulas as f
+from .corners import Corners
+from .inputs import IN_TITLES, IN_WORDS, BearingInputs, BearingsInputs
+from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings, running_surface
+from .result import BearingResult
 
 # --- what the pairing of journal and seat is judged by
 # p·v, the share of what is allowed, the turns of the load, the duty of a full film.
@@ -77,7 +78,117 @@ def film_duty(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
 
 
 LEAST_WORD = "fair"  # rule of this program: below, a warning
+RUNS_IN = ("good", "excellent")  # words of emergency running
 FIGURE = Text("Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16")
+
+LENGTH = dotted("bearings", "B", BearingInputs.length)
+DIAMETER = dotted("bearings", "B", BearingInputs.diameter)
+OIL = dotted("bearings", BearingsInputs.oil)
+SUPPLY_TEMPERATURE = dotted("bearings", BearingsInputs.supply_temperature)
+BUSH = dotted("bearings", BearingsInputs.bush_material)
+
+MATERIAL_LOAD = CheckRule(
+    "bearings.B.material_load",
+    "caution",
+    "Beyond it the seat's material creeps or fatigues; such figures are general ones.",
+    sense="<=",
+    unit="MPa",
+    advice=Text("Lengthen the bearing, take a larger journal or another bearing material."),
+    demand=True,
+    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    moved_by=(LENGTH, DIAMETER, BUSH),
+)
+MATERIAL_PV = CheckRule(
+    "bearings.B.material_pv",
+    "advice",
+    "It stands for the heat of a poor film; with a full film the heat balance decides.",
+    sense="<=",
+    unit="MPa·m/s",
+    advice=Text(
+        "Lengthen the bearing or take another bearing material. p·v stands for the heat of a poor film; with a full "
+        "film the heat balance decides."
+    ),
+    demand=True,
+    value_id=dotted("bearings", "B", BearingResult.pressure_velocity),
+    moved_by=(LENGTH, BUSH),
+)
+MATERIAL_TEMPERATURE = CheckRule(
+    "bearings.B.material_temperature",
+    "caution",
+    "Beyond it the seat's material softens; such figures are general ones.",
+    sense="<=",
+    unit="°C",
+    advice=Text("Cooler or more oil, or another bearing material."),
+    demand=True,
+    value_id=dotted("bearings", "B", Corners.outlet_temperature),
+    moved_by=(SUPPLY_TEMPERATURE, dotted("bearings", BearingsInputs.hole_diameter), BUSH),
+)
+MATERIAL_HARDNESS = CheckRule(
+    "bearings.B.material_hardness",
+    "caution",
+    "A softer journal wears on this seat when the film is thin.",
+    advice=Text("Harden the journal."),
+    moved_by=(dotted("bearings", BearingsInputs.journal_material),),
+)
+MATERIAL_EMERGENCY_RUNNING = CheckRule(
+    "bearings.B.material_emergency_running",
+    "advice",
+    "It counts only where the film breaks.",
+    cause="bearings.material_emergency_running",
+    moved_by=(BUSH,),
+)
+APPLICATION_LOAD = CheckRule(
+    "bearings.B.application_load",
+    "advice",
+    "What bearings of this application usually carry.",
+    sense="<=",
+    unit="MPa",
+    advice=Text("Lengthen the bearing or take a larger journal."),
+    demand=True,
+    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    moved_by=(LENGTH, DIAMETER),
+)
+APPLICATION_PV = CheckRule(
+    "bearings.B.application_pv",
+    "advice",
+    "What bearings of this application usually carry.",
+    sense="<=",
+    unit="MPa·m/s",
+    advice=Text("Lengthen the bearing."),
+    demand=True,
+    value_id=dotted("bearings", "B", BearingResult.pressure_velocity),
+    moved_by=(LENGTH,),
+)
+APPLICATION_DUTY = CheckRule(
+    "bearings.B.application_duty",
+    "advice",
+    "What bearings of this application usually have.",
+    value_id=dotted("bearings", "B", BearingResult.duty_number),
+    moved_by=(OIL, SUPPLY_TEMPERATURE, LENGTH),
+)
+LENGTH_RATIO_APPLICATION = CheckRule(
+    "bearings.B.length_ratio_application",
+    "advice",
+    "What bearings of this application usually have.",
+    sense="in",
+    advice=Text("A longer bearing on a smaller diameter, or the other way round."),
+    value_id=dotted("bearings", "B", BearingResult.length_ratio),
+    moved_by=(LENGTH, DIAMETER),
+)
+CLEARANCE_USUAL = CheckRule(
+    "bearings.B.clearance_usual",
+    "advice",
+    "What makers print for their balance shafts; film, heat and cold clearance decide.",
+    sense="in",
+    unit="‰",
+    source=MAKERS,
+    advice=Text("Less or more clearance, as long as film, heat and cold clearance allow it."),
+    cause="bearings.clearance_usual",
+    moved_by=(
+        dotted("bearings", "B", BearingInputs.clearance),
+        dotted("bearings", "B", BearingInputs.clearance_factor),
+    ),
+)
 
 
 class Journal(NamedTuple):
@@ -101,43 +212,56 @@ class Running(NamedTuple):
 # --- with or without a bush
 
 
-def checks(
+def film_asked(inputs: BearingsInputs, journal: Metre, seat: Metre) -> Metre:
+    """The film that keeps the peaks of both surfaces apart, by their roughnesses Ra.  On a lining that runs in the seat
+    counts as no rougher than its journal; bare metal keeps its peaks."""
+    surface = running_surface(inputs.bush_material, inputs.housing_material)
+    if surface is not None and surface.form != "bare" and surface.emergency_running in RUNS_IN:
+        seat = f.roughness_run_in(Ra_1=journal, Ra_2=seat)
+    return f.kreisle_film(k_R=inputs.roughness_ratio, Ra_1=journal, Ra_2=seat)
+
+
+def material_checks(
     place: str,
     material: BearingMaterial,
     p: Pascal,
     pv: PascalMetrePerSecond,
     T_hot: Celsius,
+    T_in: Celsius,
     hardness: Number | None = None,
 ) -> Iterator[Check]:
-    """Advice by the material's own row, where it has the number; p and p·u on the projected area, the journal's
-    hardness in HB."""
-    at, of = f"bearings.{place}.material", {"material": material.name, "place": IN_WORDS[place]}
-    other, source = Text("another bearing material"), Text(material.source)
-    load = Text("Specific load allowed for {material}, {place}", **of)
-    longer = Text("Lengthen the bearing, take a larger journal or {other}.", other=other)
-    heat = Text("p·v allowed for {material}, {place}", **of)
-    cooler = Text(
-        "Lengthen the bearing or take {other}. p·v stands for the heat of a poor film; with a full film the heat "
-        "balance decides.",
-        other=other,
-    )
-    temperature = Text("Temperature allowed for {material}, {place}", **of)
-    oiled = Text("Cooler or more oil, or {other}.", other=other)
-    surface, harder = Text("Hardness of the journal (HB) on {material}, {place}", **of), Text("Harden the journal.")
-    for key, label, value, sense, limit, unit, advice in (
-        ("load", load, p, "<=", material.specific_load, "MPa", longer),
-        ("pv", heat, pv, "<=", material.pv, "MPa·m/s", cooler),
-        ("temperature", temperature, T_hot, "<=", material.temperature, "°C", oiled),
-        ("hardness", surface, hardness, ">=", material.journal_hardness, "", harder),
+    """By the material's own row, where it has the number; p and p·u on the projected area, the journal's hardness in
+    HB; `T_in`: of the oil that is supplied."""
+    of = {"material": material.name, "place": IN_WORDS[place]}
+    # what a bare seat carries is the source's limit, which has a check of its own
+    allowed = None if material.form == "bare" else material.specific_load
+    for rule, label, value, limit, base in (
+        (MATERIAL_LOAD, Text("Specific load allowed for {material}, {place}", **of), p, allowed, 0.0),
+        (MATERIAL_PV, Text("p·v allowed for {material}, {place}", **of), pv, material.pv, 0.0),
+        (
+            MATERIAL_TEMPERATURE,
+            Text("Temperature allowed for {material}, {place}", **of),
+            T_hot,
+            material.temperature,
+            T_in,
+        ),
+        (
+            MATERIAL_HARDNESS,
+            Text("Hardness of the journal (HB) on {material}, {place}", **of),
+            hardness,
+            material.journal_hardness,
+            0.0,
+        ),
     ):
         if value is not None and limit is not None:
-            yield check(f"{at}_{key}", label, value, sense, limit, unit, source, advice)
+            yield rule(value, limit, at=place, name=label, source=Text(material.source), base=base)
     label = Text("Emergency running (1 poor to 4 excellent) of {material}, {place}", **of)
     grade, least = (SCALE.index(word) + 1.0 for word in (material.emergency_running, LEAST_WORD))
     basis = Text(
         "{emergency_basis}; the scale and its limit: rule of this program", emergency_basis=material.emergency_basis
     )
-    yield check(f"{at}_emergency_running", label, grade, ">=", least, "", basis, _emergency_advice(material))
+    advice = _emergency_advice(material)
+    yield MATERIAL_EMERGENCY_RUNNING(grade, least, at=place, name=label, source=basis, advice=advice)
 
 
 def _emergency_advice(material: BearingMaterial) -> Text:
@@ -217,8 +341,6 @@ def reference_table(journals: Iterable[Journal]) -> Table:
 
     p, W and u of all rows by the same formulas on the whole length: a groove is left out.
     """
-    from .formulas import surface_speed  # with numpy
-
     columns = (
         (Text("journal"), ""),
         (Text("status"), ""),
@@ -237,7 +359,7 @@ def reference_table(journals: Iterable[Journal]) -> Table:
             *((j.name, Text("this design"), j.diameter, j.length, j.speed, j.load) for j in journals),
             *((r.name, r.status, r.diameter, r.length, r.speed, r.load) for r in running_bearings().values()),
         ):
-            p, u = specific_load(F=F, d=d, l=l), surface_speed(d=d, n=n)
+            p, u = specific_load(F=F, d=d, l=l), f.surface_speed(d=d, n=n)
             numbers = d, l, n, F, p, heat_index(F=F, n=n, l=l), u, load_times_speed(p=p, u=u)
             rows.append((name, status, *(UNITS[unit].shown(float(x)) for x, (_, unit) in zip(numbers, columns[2:]))))
     note = Text(
@@ -265,41 +387,24 @@ def application_checks(
     psi: Number,
     l_over_d: Number,
 ) -> Iterator[Check]:
-    """Advice by what bearings of this application usually carry; nothing where the figure has a dash.  ψ as made, not
-    warm."""
-    at, where, source = f"bearings.{place}", IN_WORDS[place], Text("{figure} ({row})", figure=FIGURE, row=row.title)
-    label = Text("Specific load of the application, {place}", place=where)
-    advice = Text("Lengthen the bearing or take a larger journal.")
-    yield check(f"{at}.application_load", label, p, "<=", row.specific_load_high, "MPa", source, advice)
+    """Advice by what bearings of this application usually carry, where their row has it, and by the clearances that
+    makers print.  ψ as made, not warm."""
+    at: dict[str, Text] = {"place": IN_WORDS[place]}
+    source = Text("{figure} ({row})", figure=FIGURE, row=row.title)
+    if row.specific_load_high is not None:
+        label = Text("Specific load of the application, {place}", **at)
+        yield APPLICATION_LOAD(p, row.specific_load_high, at=place, name=label, source=source)
     if row.pv is not None:
-        label = Text("p·v of the application, {place}", place=where)
-        yield check(f"{at}.application_pv", label, pv, "<=", row.pv, "MPa·m/s", source, Text("Lengthen the bearing."))
+        label = Text("p·v of the application, {place}", **at)
+        yield APPLICATION_PV(pv, row.pv, at=place, name=label, source=source)
     if row.duty_low is not None:
-        label = Text("µ·n/p of the application, {place}", place=where)
-        viscosity = Amount(UNITS["mPa·s"].shown(mu), digits=3)
+        label, viscosity = Text("µ·n/p of the application, {place}", **at), Amount(UNITS["mPa·s"].shown(mu), digits=3)
         advice = Text("A thicker or cooler oil than {units} mPa·s, or a lower specific load.", units=viscosity)
-        yield check(f"{at}.application_duty", label, mu_n_over_p, ">=", row.duty_low, "", source, advice)
-    if row.relative_clearance is not None:
-        label = Text("Relative clearance as made, {place}", place=where)
-        advice = Text("Less clearance, as long as the cold clearance stays.")
-        yield check(f"{at}.clearance_usual", label, psi, "<=", row.relative_clearance, "‰", source, advice)
+        yield APPLICATION_DUTY(mu_n_over_p, row.duty_low, at=place, name=label, source=source, advice=advice)
     if row.length_ratio_low is not None and row.length_ratio_high is not None:
-        label = Text("Length ratio of the application, {place}", place=where)
-        ratios = row.length_ratio_low, row.length_ratio_high
-        advice = _length_advice(*ratios)
-        yield check(f"{at}.length_ratio_application", label, l_over_d, "in", ratios, "", source, advice)
-
-
-def _length_advice(low: float, high: float) -> Text:
-    usual_low, usual_high = USUAL_LENGTH_RATIO
-    if low > usual_high or high < usual_low:
-        span = Text("{low} to {high}", low=Amount(low), high=Amount(high)) if low < high else short(low)
-        return Text(
-            "This rule ({span}) and the usual {usual_low} to {usual_high} (Finotti 2013, 5.5.2) exclude each other: "
-            "one of the two is noted whatever the length. Short bearings suit a slope of the journal and a large oil "
-            "flow, long ones a thick film.",
-            span=span,
-            usual_low=Amount(usual_low),
-            usual_high=Amount(usual_high),
+        label, ratios = (
+            Text("Length ratio of the application, {place}", **at),
+            (row.length_ratio_low, row.length_ratio_high),
         )
-    return Text("A longer bearing on a smaller diameter, or the other way round.")
+        yield LENGTH_RATIO_APPLICATION(l_over_d, ratios, at=place, name=label, source=source)
+    yield CLEARANCE_USUAL(psi, RELATIVE_CLEARANCE, at=place, name=Text("Relative clearance as made, {place}", **at))

@@ -124,6 +124,15 @@ class Oil:
     pour_point: float | None = quantity(
         "Pour point", "°C", default=None, within=(-80, 50), symbol="T_PP", help="Below it the oil stands."
     )
+    hths: float | None = quantity(
+        "Viscosity at high shear (HTHS)",
+        "mPa·s",
+        default=None,
+        within=(0.5, 50),
+        symbol="mu_HTHS",
+        source="SAE J300",
+        help="Dynamic, at 150 °C and 10⁶ 1/s. Left out: the least of the multigrade that the name says.",
+    )
     printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
     source: str = text("Source", default="the user")
     claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from
@@ -183,11 +192,14 @@ class BaseStock:
 
 @inputs
 class Grade:
-    """An SAE grade by its kinematic viscosity at 100 °C."""
+    """An SAE grade by its kinematic viscosity at 100 °C.  What a multigrade oil of it must have at high shear: also
+    with a winter grade of 15W or thicker."""
 
     name: str = text("Grade")
     from_: float = quantity("From", "mm²/s")
     below: float = quantity("Below", "mm²/s")
+    hths: float = quantity("Least viscosity at high shear", "mPa·s")
+    hths_thick: float = quantity("Least viscosity at high shear, 15W and thicker", "mPa·s")
 
 
 @inputs

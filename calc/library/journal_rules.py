@@ -29,8 +29,12 @@ USUAL_SPECIFIC_LOAD: Pascal = 2e6
 RISE: tuple[Kelvin, Kelvin] = (15.0, 20.0)  # of the oil, for conditions that stay; Finotti 2013, 5.5.2
 LENGTH_RATIO: tuple[Number, Number] = (0.2, 1.0)
 USUAL_LENGTH_RATIO: tuple[Number, Number] = (0.25, 0.75)  # Finotti 2013, 5.5.2
-# as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
-RELATIVE_CLEARANCE: Number = 1e-3
+# as made: least printed clearance (GM L61, rear: 0.033 of 36.733 mm) to largest printed middle (Caterpillar 3304: 0.155
+# of 52.895 mm), over d
+RELATIVE_CLEARANCE: tuple[Number, Number] = (0.9e-3, 2.9e-3)
+MAKERS = Text(
+    "printed by makers of balance shafts: least clearance (GM L61) to largest middle (Caterpillar 3304), over d"
+)
 # of hole or pocket over the length; DIN 31652-2: range of the supply factors
 SUPPLY_WIDTH: tuple[Number, Number] = (0.05, 0.7)
 TRUMPLER_TEMPERATURE: Celsius = 120.0  # as Finotti 2013, 5.5.1, prints it; Trumpler himself has 250 °F, 121 °C
@@ -96,4 +100,8 @@ HEAT_INDEX = LUBRICATIONS[COOLED].limit
 
 # The same rules in words, for guide texts.
 USUAL_LENGTH = Text("usual l/d {low} to {high}", low=Amount(USUAL_LENGTH_RATIO[0]), high=Amount(USUAL_LENGTH_RATIO[1]))
-USUAL_CLEARANCE = Text("usual up to {most} of d as made", most=Amount(RELATIVE_CLEARANCE * 1e3, "‰"))
+USUAL_CLEARANCE = Text(
+    "usual {least} to {most} of d as made",
+    least=Amount(RELATIVE_CLEARANCE[0] * 1e3),
+    most=Amount(RELATIVE_CLEARANCE[1] * 1e3, "‰"),
+)

@@ -6,6 +6,7 @@ A printed dynamic viscosity is kept where it is within 5 % of the law through th
 its density; else it is rejected, and the reason is found from the numbers: what it implies, its SAE grade, its
 neighbours, and what is printed for other oils."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -219,6 +220,26 @@ def grade(nu: SquareMetrePerSecond) -> Text:
     if nu < known[0].from_:
         return Text("thinner than {grade}", grade=known[0].name)
     return next((Name(g.name) for g in known if nu < g.below), Text("thicker than {grade}", grade=known[-1].name))
+
+
+MULTIGRADE = re.compile(r"\b(\d+)W-?(\d+)\b")
+THICK_IN_WINTER = 15  # 15W and thicker
+
+
+def high_shear(lubricant: Lubricant) -> PascalSecond | None:
+    """The viscosity of an oil at 150 °C and 10⁶ 1/s: as given, else the least of the multigrade that its name says, or
+    that its viscosity line is as flat as; None where it does not thin by shear, as far as is known."""
+    oil = lubricant.oil
+    if oil.hths is not None:
+        return oil.hths
+    by_name = MULTIGRADE.search(oil.name)
+    if lubricant.constant or not (by_name or lubricant.polymer_thickened):
+        return None
+    hot = f"SAE {by_name[2]}" if by_name else grade(lubricant.nu100)
+    row = next((row for row in grades() if row.name == hot), None)
+    if row is None:
+        return None
+    return row.hths_thick if by_name and int(by_name[1]) >= THICK_IN_WINTER else row.hths
 
 
 def _mm2_s(nu: SquareMetrePerSecond) -> Amount:

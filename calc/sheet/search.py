@@ -81,15 +81,21 @@ class Judged:
 
 
 def judged(
-    rule: object, value: Array, limit: float | tuple[float, float] | Array, sense: str = ">=", where: object = None
+    rule: object,
+    value: Array,
+    limit: float | tuple[float, float] | Array,
+    sense: str = ">=",
+    where: object = None,
+    scale: float | None = None,
 ) -> Judged:
-    """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit."""
+    """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit.  `scale`: what the
+    margin is a share of; None: the limit, of a range its width."""
     if isinstance(limit, tuple):
         low, high = limit
         margin = np.minimum(value - low, high - value) / ((high - low) or 1.0)
     else:
         gap = value - limit if sense in (">=", ">") else limit - value
-        margin = gap / np.where(limit == 0, 1.0, np.abs(limit))
+        margin = gap / (np.where(limit == 0, 1.0, np.abs(limit)) if scale is None else scale)
     margin = np.where(np.abs(margin) <= DUST, 0.0, margin)
     return Judged(rule, value, limit, np.where(np.isnan(margin), -np.inf, margin), where)
 

@@ -66,7 +66,7 @@ class CandidateField:
         """Those of the candidates that keep every rule which have a usual clearance, else all; and whether they have
         none."""
         every, clearance_limit = self.passing(slope), usual(self.task, self.states.clearance)
-        kept = every if clearance_limit is None else every & (clearance_limit.margin >= 0)
+        kept = every & (clearance_limit.margin >= 0)
         return not kept.any(), kept if kept.any() else every
 
     def _least(self, slope: Radian, *keys: str) -> Array:

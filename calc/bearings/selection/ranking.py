@@ -140,7 +140,7 @@ def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
         tuple(check_of(limit, 0) for limit in limits.values()),
         check_of(worst, 0),
         corner,
-        check_of(psi, 0) if psi is not None and psi.margin[0] < 0 else None,
+        check_of(psi, 0) if psi.margin[0] < 0 else None,
         films,
     )
 

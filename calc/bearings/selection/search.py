@@ -20,7 +20,7 @@ from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
-from ..inputs import PLACES, BearingInputs, BearingsInputs
+from ..inputs import PLACES, SLOPE_TAKEN, BearingInputs, BearingsInputs
 from . import ranking
 from .grid import CandidateField, alike, field
 from .ranking import BearingRow, Fields, Pick, Slopes, best, by_change, by_power, closest
@@ -87,14 +87,14 @@ def settle(case: SelectionCase, row: BearingRow, fields: Fields, slopes: dict[st
 
 
 def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
-    """As given, else of the shaft's bending; where its outline is not known any more, as before; zero where it never
+    """As given, else of the shaft's bending; where its outline is not known any more, as before; taken where it never
     was."""
     bearings = case.bearings
     if bearings.slope is not None:
         return {"front": bearings.slope[0], "rear": bearings.slope[-1]}
     shaft = (results or drawn(case)).result(CountershaftResult)
     if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
-        return dict(before or dict.fromkeys(PLACES, 0.0))
+        return dict(before or dict.fromkeys(PLACES, SLOPE_TAKEN))
     return {"front": shaft.slope_front, "rear": shaft.slope_rear}
 
 

@@ -8,6 +8,7 @@ oil, for the film; the narrowest with the thicker oil for the heat; and the film
 offered is judged once more at all eight.  Where tolerances are only assumed, a candidate may also be judged as it is
 given, as the limits of the step do."""
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -16,21 +17,40 @@ import numpy as np
 
 from ...countershaft.inputs import CountershaftInputs
 from ...countershaft.result import CountershaftResult
+from ...library import journal_rules
 from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, Num
-from ...sheet.check import Check
+from ...sheet.check import DEGREES, Check
 from ...sheet.linked_array import column
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.search import Judged, judged
 from ...sheet.text import Amount, Small, Text
 from ...sheet.units import UNITS, Metre, Radian, RevPerSecond
 from .. import formulas as f
+from ..checks import (
+    CLEARANCE_COLD,
+    CLEARANCE_COLD_CORNER,
+    FILM_DOUBLE_LOAD,
+    FILM_EDGE,
+    FILM_EDGE_TRUMPLER,
+    HEAT_INDEX,
+    LENGTH_RATIO,
+    LENGTH_RATIO_USUAL,
+    SPECIFIC_LOAD,
+    TEMPERATURE,
+    TEMPERATURE_RISE_USUAL,
+    TRANSITION,
+    named_at,
+    on_bearing,
+)
 from ..corners import widths
 from ..inputs import IN_WORDS
 from ..routes import supply
 from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
+from ..suitability import CLEARANCE_USUAL, film_asked
 
 # --- words that the search uses over and over
 
@@ -66,26 +86,15 @@ def size(length: Metre, clearance: Metre) -> Text:
 
 
 # --- what a bearing that is offered has to keep, at the worst corner of its tolerances
-# The limits are those of the step's own checks, read off the checks of the design itself and written nowhere again.
-# Three are kept for choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film
-# at the edge too. The relative clearance that is usual for the application is kept wherever film, heat and cold
-# clearance leave something with it.
+# The limits are those of the step's own checks, whatever their kind, and written nowhere again.  Three are kept for
+# choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film at the edge too.
+# The relative clearance that is usual is kept wherever film, heat and cold clearance leave something with it.
 
 LEAST_COLD: Metre = 20e-6
 OWN = Text("rule of this program for choosing")
 RISES = Text("Finotti 2013, 5.5.2: 15 to 20 °C; for choosing the lower")
-READ = (
-    "film_edge",
-    "film_double_load",
-    "temperature",
-    "specific_load",
-    "heat_index",
-    "length_ratio",
-    "length_ratio_usual",
-    "transition",
-    "clearance_cold_corner",
-)
-USUAL = "clearance_usual"  # advice, and known of most applications only
+READ = (FILM_EDGE, FILM_DOUBLE_LOAD, TEMPERATURE, HEAT_INDEX, TRANSITION, CLEARANCE_COLD_CORNER)
+USUAL = "clearance_usual"
 
 Index = int | tuple[np.intp, ...]  # of one of many candidates
 
@@ -102,7 +111,8 @@ class BearingRule:
         `where`: the index of the task's state that governs, or its name; −1: it has none."""
         units = UNITS[self.check.unit]
         bound = self.check.limit if limit is None else units.all_shown(np.asarray(limit))
-        return judged(self, units.all_shown(np.asarray(value)), bound, self.check.sense, where)
+        scale = DEGREES if self.check.unit == "°C" else None
+        return judged(self, units.all_shown(np.asarray(value)), bound, self.check.sense, where, scale)
 
 
 def check_of(judgement: Judged, index: Index) -> Check:
@@ -116,21 +126,31 @@ def check_of(judgement: Judged, index: Index) -> Check:
 
 def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
     """The constraints of one bearing, by their key, from the checks of a solved design."""
-    at, known = f"bearings.{place}", {c.id: c for c in checks}
-    edge, doubled, hot, cold = (
-        known[f"{at}.{key}"] for key in ("film_edge", "film_double_load", "temperature", "clearance_cold")
-    )
-    trumpler = Text("Film at the edge by Trumpler, {place}", place=IN_WORDS[place])
-    rise = Text("Temperature rise, {place}", place=IN_WORDS[place])
-    own_checks = {
-        "film_edge_trumpler": replace(doubled, id=f"{at}.film_edge_trumpler", name=trumpler, advice=edge.advice),
-        "temperature_rise": replace(hot, id=f"{at}.temperature_rise", name=rise, limit=RISE[0], unit="K", source=RISES),
-        "clearance_cold": replace(cold, sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN),
+    own_id = dotted("bearings", place)
+    known = {
+        c.rule.id: c.but(missing=(), taken=(), at_best=None, at_worst=None)
+        for c in checks
+        if c.id.startswith(f"{own_id}.")
     }
-    if (usual := known.get(f"{at}.{USUAL}")) is not None:
-        own_checks[USUAL] = usual
-    all_checks = {key: known[f"{at}.{key}"] for key in READ} | own_checks
-    return {key: BearingRule(key, check) for key, check in all_checks.items()}
+    asked = {rule.id.rpartition(".")[2]: known[rule.id] for rule in READ}
+    trumpler, nought = known[FILM_DOUBLE_LOAD.id].nearest[1], math.nan  # what is judged are the candidates
+    asked |= {
+        "specific_load": on_bearing(SPECIFIC_LOAD, place, nought, journal_rules.SPECIFIC_LOAD),
+        "length_ratio": on_bearing(LENGTH_RATIO, place, nought, journal_rules.LENGTH_RATIO),
+        "length_ratio_usual": on_bearing(LENGTH_RATIO_USUAL, place, nought, journal_rules.USUAL_LENGTH_RATIO),
+        "film_edge_trumpler": on_bearing(FILM_EDGE_TRUMPLER, place, nought, UNITS["µm"].inside(trumpler)),
+        "temperature_rise": TEMPERATURE_RISE_USUAL(
+            nought,
+            RISE[0],
+            at=place,
+            name=named_at(Text("Temperature rise"), place),
+            source=RISES,
+            advice=TEMPERATURE.advice,
+        ),
+        "clearance_cold": known[CLEARANCE_COLD.id].but(sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN),
+        USUAL: known[CLEARANCE_USUAL.id],
+    }
+    return {key: BearingRule(key, check) for key, check in asked.items()}
 
 
 # --- how long the journals may be beside the sectors, as far as the shaft is known
@@ -286,7 +306,7 @@ class BearingTask:
         bearing, film = self.seat.bearing, self.rules["film_edge"]
         yield self
         for level, (Ra_1, Ra_2) in enumerate(smoother(bearing.journal_roughness, bearing.housing_roughness), 1):
-            asked = f.kreisle_film(k_R=self.seat.inputs.roughness_ratio, Ra_1=Ra_1, Ra_2=Ra_2)
+            asked = film_asked(self.seat.inputs, Ra_1, Ra_2)
             rule = replace(film, check=replace(film.check, limit=UNITS["µm"].shown(asked)))
             surfaces = replace(bearing, journal_roughness=Ra_1, housing_roughness=Ra_2)
             yield replace(
@@ -384,10 +404,9 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
         return judged if task.corners else [*judged, rule["clearance_cold_corner"].on(cold, where=TIGHT)]
 
 
-def usual(task: BearingTask, clearance: Array) -> Judged | None:
-    """The relative clearance against that of the application; None: it has none."""
-    rule, d = task.rules.get(USUAL), task.seat.bearing.diameter
-    return None if rule is None else rule.on(f.relative_clearance(g=clearance, d=d))
+def usual(task: BearingTask, clearance: Array) -> Judged:
+    """The relative clearance against what is usual."""
+    return task.rules[USUAL].on(f.relative_clearance(g=clearance, d=task.seat.bearing.diameter))
 
 
 def without_rise(task: BearingTask) -> Judged:

@@ -211,7 +211,8 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
 def _beside(problem: Problem, place: str, design: Design, results: Results) -> Beside:
     """The films that are limits beside those of the corners; what stands still is that of the class's own start."""
     bench = design.engine.bench if design.engine is not None else ()
-    over = bench if problem.binds(f"bearings.{place}.film_edge_speeds") else None
+    given = design.bearings is not None and design.bearings.speed_range is not None
+    over = bench if bench or given or problem.binds(f"bearings.{place}.film_edge_speeds") else None
     bearings, shaft = results.result(BearingsResult), results.result(CountershaftResult)
     part = bearings.bearings[place].standing if bearings is not None else None
     if bearings is None or part is None or shaft is None or not problem.binds(f"bearings.{place}.film_edge_standing"):

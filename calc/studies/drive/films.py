@@ -32,6 +32,7 @@ from ...bearings.selection.grid import (
 from ...bearings.selection.states import BALANCED, HOT, BearingTask, judge
 from ...bearings.selection.variants import SUPPLIES, Variant
 from ...bearings.speeds import at_speeds, sweep_points
+from ...bearings.suitability import film_asked
 from ...engine.inputs import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
 from ...sheet.arrays import Array, BoolArray
@@ -193,7 +194,7 @@ class Films:
 
 def asked_film(task: BearingTask, surfaces: tuple[Metre, Metre]) -> Metre:
     """The film that keeps the peaks of both surfaces apart, with what the cubic between lengths may be off."""
-    return f.kreisle_film(k_R=task.seat.inputs.roughness_ratio, Ra_1=surfaces[0], Ra_2=surfaces[1]) * (1 + KEPT)
+    return film_asked(task.seat.inputs, *surfaces) * (1 + KEPT)
 
 
 Cycle = Sequence[tuple[float, float]]

@@ -292,7 +292,7 @@ def _steps(low: float, high: float) -> tuple[float, ...]:
 
 LIMITS = (
     "bearings.*.film_edge_corner",
-    "bearings.*.film_double_load_corner",
+    "bearings.*.film_double_load",
     "bearings.*.temperature_corner",
     "bearings.*.clearance_cold_corner",
     "bearings.*.film_edge_speeds",
@@ -314,7 +314,7 @@ LIMITS = (
 )
 MARGIN_OF = (
     "bearings.*.film_edge_corner",
-    "bearings.*.film_double_load_corner",
+    "bearings.*.film_double_load",
     "bearings.*.film_edge_standing",
     "countershaft.slope_*",
 )

@@ -111,11 +111,11 @@ def test_a_corner_with_thick_oil_is_no_corner_without_film():
     assert outlets.max() - 60 == pytest.approx(83, rel=0.01)
 
 
-def test_where_load_and_surfaces_hardly_drag_the_film_the_transition_fails():
+def test_where_load_and_surfaces_hardly_drag_the_film_the_transition_is_told():
     """Load at 0.55 of the journal's speed: the film is that of 150 rpm, though the journal turns at 1500."""
     found = {c.id: c for c in solve(design(alone(load_speed_ratio=0.55))).outcomes["bearings"].checks}
     assert found["bearings.front.transition"].value == pytest.approx(150)
-    assert found["bearings.front.transition"].verdict == "fail"
+    assert found["bearings.front.transition"].verdict == "note"
 
 
 def test_a_bush_that_turns_makes_the_sliding_speed():
@@ -188,7 +188,7 @@ GROOVE = {"hole_diameter_mm": None, "supply": "groove", "groove_width_mm": 4.0}
         ({}, "heat_index", 11000.0, 30.0),
         (GROOVE, "heat_index", 11000.0, 30.0),
         ({}, "length_ratio_usual", 3000.0, 14.5),
-        (GROOVE, "length_ratio_usual", 3000.0, 24.0),
+        (GROOVE, "length_ratio", 3000.0, 24.0),
         ({}, "length_ratio_usual", 3000.0, 50.0),
         (GROOVE, "length_ratio_usual", 3000.0, 99.0),
     ],

@@ -7,11 +7,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.bearings.checks import checks, edge_when_thinned
-from calc.bearings.routes.routes import own_warm
-from calc.bearings.routes.thermal_balance import balanced
+from calc.bearings.checks import checks
 from calc.design.toml_file import design
+from calc.library.catalogue import materials
 from calc.solve import solve
+
+ALUMINIUM = materials()["EN AC-43100"]
 
 
 def outcome(document, **changes):
@@ -56,32 +57,18 @@ def test_the_source_methods_beside(gamma_results):
 def test_the_source_design_fails_where_it_did_not_look(gamma_results):
     found = verdicts(gamma_results.outcomes["bearings"])
     assert found["bearings.front.film_edge"] == "fail"
-    assert found["bearings.front.film_double_load"] == "fail"
-    assert found["bearings.rear.film_double_load"] == "fail"
+    assert found["bearings.front.film_edge_range"] == "fail"
+    assert found["bearings.front.film_double_load"] == found["bearings.rear.film_double_load"] == "note"
     assert found["bearings.rear.film_edge"] == "pass"
     assert found["bearings.front.mckee"] == "note"
     assert all(c.advice for c in gamma_results.outcomes["bearings"].checks if c.verdict != "pass")
 
 
-def test_what_an_oil_thinned_by_shear_leaves_is_told(gamma_results):
-    """With the lower viscosity put into its balance; 30 % is of a multigrade at 150 °C and 10⁶ 1/s."""
-    found = gamma_results.outcomes["bearings"]
-    for place, r in found.result.bearings.items():
-        thin = balanced(own_warm, replace(r.seat, viscosity_factor=0.7), r.duty)
-        edge = thin.film - (r.film - r.film_edge)
-        assert edge_when_thinned(r) == pytest.approx(edge, rel=1e-6) and edge < r.kreisle_film
-        told = next(c.advice.parts for c in found.checks if c.id == f"bearings.{place}.shear_rate")
-        assert told["edge"].number == pytest.approx(edge * 1e6, rel=1e-6)
-
-
 def test_an_oil_that_carries_nothing_once_thinned_says_so(gamma):
-    found = outcome(gamma, bearings__front__length_mm=7.0)
-    assert any("front nothing, needs 9 µm" in note for note in found.notes)
-    assert any(
-        "the film at the edge falls to nothing:" in c.advice
-        for c in found.checks
-        if c.id == "bearings.front.shear_rate"
-    )
+    found = outcome(gamma, bearings__front__length_mm=6.5)
+    r = found.result.bearings["front"]
+    assert r.film > 0 and r.film_sheared is None and verdicts(found)["bearings.front.film_edge_sheared"] == "warn"
+    assert any("Front bearing: no film is found for an oil thinned by shear" in note for note in found.notes)
 
 
 def test_what_a_slope_given_too_small_hides_is_told(gamma):
@@ -96,30 +83,29 @@ def test_what_a_slope_given_too_small_hides_is_told(gamma):
 
 
 @pytest.mark.parametrize(
-    "kind, usual, most",
+    "kind, most",
     [
-        ("grease", None, 20_000),
-        ("ring", None, 40_000),
-        ("ring_moving_air", None, 70_000),
-        ("ring_fast_air", None, 200_000),
-        ("forced", None, 70_000),
-        ("forced_cooled", 240_000, 500_000),
+        ("grease", 20_000),
+        ("ring", 40_000),
+        ("ring_moving_air", 70_000),
+        ("ring_fast_air", 200_000),
+        ("forced", 70_000),
+        ("forced_cooled", 500_000),
     ],
 )
-def test_the_heat_index_is_held_against_the_row_of_its_lubrication(gamma_results, kind, usual, most):
+def test_the_heat_index_is_held_against_the_row_of_its_lubrication(gamma_results, kind, most):
     """Finotti 2013, Table 3.1, as printed; only the last row lets go beyond its range."""
     r = gamma_results.outcomes["bearings"].result.bearings["rear"]
     oiled = replace(r, seat=replace(r.seat, inputs=replace(r.seat.inputs, lubrication=kind)))
-    found = {c.id.split(".")[-1]: c for c in checks("rear", oiled, 0.0)}
-    assert found["heat_index"].limit == most and found["heat_index"].verdict == ("pass" if most > 168_128 else "fail")
-    assert (found["heat_index_usual"].limit if "heat_index_usual" in found else None) == usual
+    found = {c.id.split(".")[-1]: c for c in checks("rear", oiled, ALUMINIUM)}
+    assert found["heat_index"].limit == most and found["heat_index"].verdict == ("pass" if most > 168_128 else "note")
 
 
 def test_a_rise_of_the_oil_beyond_20_degrees_is_told(gamma_results):
     """Finotti 2013, 5.5.2: ΔT ≤ 15 ÷ 20 °C."""
     r = gamma_results.outcomes["bearings"].result.bearings["front"]
     for rise, verdict in ((19.9, "pass"), (20.1, "note")):
-        found = {c.id: c for c in checks("front", replace(r, temperature_rise=rise), 0.0)}
+        found = {c.id: c for c in checks("front", replace(r, temperature_rise=rise), ALUMINIUM)}
         assert found["bearings.front.temperature_rise_usual"].verdict == verdict
 
 
@@ -231,11 +217,11 @@ def test_all_heat_leaves_with_the_oil(gamma, length, clearance, temperature):
     assert hot.friction_power == pytest.approx(hot.oil.rho * hot.oil.cp * hot.oil_flow * hot.temperature_rise, rel=1e-9)
 
 
-def test_no_film_at_twice_the_load_is_a_failed_check_and_not_the_end_of_the_step(gamma):
+def test_no_film_at_twice_the_load_is_told_and_not_the_end_of_the_step(gamma):
     found = outcome(gamma, bearings__front__length_mm=8.0)
     r = found.result.bearings["front"]
     assert found.state == "solved" and r.film > 0 and r.film_double_load is None
-    assert verdicts(found)["bearings.front.film_double_load"] == "fail"
+    assert verdicts(found)["bearings.front.film_double_load"] == "note"
 
 
 def test_a_row_of_the_bench_that_hardly_loads_the_film_is_a_gap(gamma):
@@ -287,8 +273,8 @@ def test_a_speed_range_is_judged_where_the_film_is_thinnest(gamma):
     found = outcome(gamma, bearings__speed_range_rpm=[800.0, 6000.0])
     r = found.result.bearings["front"]
     assert r.speed_of_thinnest_film * 60 == pytest.approx(6000)
-    check = {c.id: c for c in found.checks}["bearings.front.film_edge_speeds"]
-    assert check.verdict == "warn" and "6000 rpm" in check.name
+    check = {c.id: c for c in found.checks}["bearings.front.film_edge_range"]
+    assert check.verdict == "fail" and "6000 rpm" in check.name
     assert check.value == pytest.approx((r.thinnest_film - (r.film - r.film_edge)) * 1e6)
     assert not any("without load" in note for note in found.notes)
 
