@@ -580,6 +580,14 @@ def test_a_shaft_that_is_drawn_is_one():
     assert mass_shape(0.0).limit == 0.0 and mass_shape(0.0).scale == pytest.approx(32.0)
 
 
+def test_the_overlap_of_a_piece_within_another_is_its_whole_length():
+    shaft = replace(ASKED.countershaft, bearing_positions=(-0.17, 0.17), core_radius=CORE)
+    inside = Piece(-0.175, -0.165, R, CORE, 1.2, 0.0, "sector")
+    with pytest.raises(NoOutline) as none:
+        drawn.assembled(shaft, [inside], ((59 * mm, 24 * mm), (65 * mm, 26 * mm)), None)
+    assert none.value.broken.value == pytest.approx(10.0) and none.value.broken.scale == pytest.approx(10.0)
+
+
 def test_every_check_of_the_step_has_its_case():
     declared = {rule for rule in RULES.values() if rule.id.startswith("countershaft.")}
     assert {outside().rule for *_, outside in CASES} == declared
@@ -624,6 +632,22 @@ def test_what_turns_against_the_shaft_counts_before_it_too():
     solved = replace(SOLVED, residual_order_2_force=199.0, residual_order_2_couple=0.0)
     made = of_shaft.checks(ASKED.countershaft, against, solved, (), None)
     assert only(made, "residual_force_share").verdict == "note"
+    against = replace(TODO, order=2, C=30j, F=0j, C_against=170j, F_against=0j, one_couple=1000.0)
+    solved = replace(SOLVED, residual_order_2_force=0.0, residual_order_2_couple=199.0)
+    made = of_shaft.checks(ASKED.countershaft, against, solved, (), None)
+    assert only(made, "residual_share").verdict == "note"
+
+
+@pytest.mark.parametrize("bench, highest", [([], 5500), ([5000, 5600, 2000], 5600), ([5000], 5500)])
+def test_the_highest_speed_is_the_rated_one_or_one_of_the_bench_run(bench, highest):
+    """The shaft of the twin turns as fast as its crank."""
+    document = read(DESIGNS / "twin_drive.toml").with_value("engine.bench", [{**ROW, "speed_rpm": n} for n in bench])
+    made = solve(design(document)).outcomes["countershaft"].checks
+    assert only(made, "first_critical_speed").limit == pytest.approx(1.2 * highest)
+    assert only(made, "rigid").limit == pytest.approx(1.5 * highest)
+
+
+ROW = {"oil_temperature_C": 100.0, "oil_pressure_bar": 4.0}
 
 
 def test_a_clearance_that_nobody_asks_for_is_not_judged():
