@@ -100,14 +100,14 @@ LIMITS = [
     for n in """film_edge film_double_load temperature specific_load heat_index clearance_cold
 length_ratio transition""".split()
 ]
-LIMITS += [f"countershaft.{n}" for n in ("residual", "slope_front", "slope_rear", "first_critical_speed")]
+LIMITS += [f"countershaft.{n}" for n in ("residual", "first_critical_speed", "bending_stress")]
 LIMITS += [*(f"gears.{m}.{n}" for m in MESHES for n in ("backlash", "contact_ratio"))]
 LIMITS += [f"gears.{w}.{n}" for w in ("crank", "central", "idler", "shaft") for n in ("undercut", "tip_thickness")]
 ADVICE = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in ("length_ratio_usual", "mckee")]
 CAUTION = [
     *(f"bearings.{b}.film_edge_corner" for b in ("front", "rear")),
     "gears.central_idler.backlash_worst",
-    "countershaft.bolts.pressure",
+    *(f"countershaft.{n}" for n in ("slope_front", "slope_rear", "rigid", "bolts.pressure", "drain.clamp")),
 ]
 METHOD = ["bearings.front.routes_spread", "friction.crank_central.regime", "gears.crank_central.line_load"]
 KINDS = {"limit": LIMITS, "caution": CAUTION, "advice": ADVICE, "method": METHOD}
@@ -138,9 +138,7 @@ def test_a_sized_shaft_says_its_sectors_and_its_envelope():
     ):
         assert isinstance(found["values"][f"countershaft.{name}"]["value"], float)
     kinds = {c["id"]: c["kind"] for c in found["checks"]}
-    assert all(
-        kinds[f"countershaft.{name}"] == "limit" for name in ("residual", "slope_front", "slope_rear", "envelope")
-    )
+    assert all(kinds[f"countershaft.{name}"] == "limit" for name in ("residual", "fatigue", "envelope"))
     assert kinds["countershaft.balance_grade"] == "caution"
 
 

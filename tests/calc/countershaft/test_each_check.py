@@ -585,6 +585,7 @@ def test_the_overlap_of_a_piece_within_another_is_its_whole_length():
     inside = Piece(-0.175, -0.165, R, CORE, 1.2, 0.0, "sector")
     with pytest.raises(NoOutline) as none:
         drawn.assembled(shaft, [inside], ((59 * mm, 24 * mm), (65 * mm, 26 * mm)), None)
+    assert crossing(2e-6).value == pytest.approx(2e-3)
     assert none.value.broken.value == pytest.approx(10.0) and none.value.broken.scale == pytest.approx(10.0)
 
 
