@@ -688,6 +688,7 @@ def test_a_fillet_outside_its_range_is_known_by_a_half_less(safety, verdict):
 def test_a_fillet_that_is_not_given_leaves_fatigue_not_verified():
     fatigue = bent("fatigue", fatigue_safety=None)
     assert (fatigue.verdict, fatigue.missing) == ("not_verified", ("countershaft.fillet_radius_mm",))
+    assert fatigue.advice == "Give the radius of the fillets."
     still = replace(SOLVED.bending, bending_stress=0.0, fatigue_safety=None)
     assert not [c for c in of_shaft.bending_checks(still, STEEL) if c.rule is of_shaft.FATIGUE], "nothing bends it"
 
