@@ -100,7 +100,7 @@ def test_the_names_that_are_promised(checked, name):
 
 
 LIMITS = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in ("film_edge", "temperature", "clearance_cold")]
-LIMITS += [f"countershaft.{n}" for n in ("residual", "first_critical_speed")]
+LIMITS += [f"countershaft.{n}" for n in ("residual", "first_critical_speed", "bending_stress")]
 LIMITS += [*(f"gears.{m}.{n}" for m in MESHES for n in ("backlash", "contact_ratio"))]
 LIMITS += [f"gears.{w}.{n}" for w in ("crank", "central", "idler", "shaft") for n in ("undercut", "tip_thickness")]
 ADVICE = [
@@ -111,9 +111,7 @@ ADVICE = [
 CAUTION = [
     *(f"bearings.{b}.film_edge_corner" for b in ("front", "rear")),
     "gears.central_idler.backlash_worst",
-    "countershaft.bolts.pressure",
-    "countershaft.slope_front",
-    "countershaft.slope_rear",
+    *(f"countershaft.{n}" for n in ("slope_front", "slope_rear", "rigid", "bolts.pressure", "drain.clamp")),
 ]
 METHOD = ["bearings.front.routes_spread", "friction.crank_central.regime", "gears.crank_central.line_load"]
 KINDS = {"limit": LIMITS, "caution": CAUTION, "advice": ADVICE, "method": METHOD}

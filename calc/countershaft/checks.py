@@ -489,8 +489,7 @@ def bending_checks(bent: Bending, material: Material, fastest: Number = 1.0) -> 
             "rule of this program: as the weakest structural steels; the strength of {name} is not known",
             name=material.name,
         )
-        advice = Text("Give the strength of {name} as a [[material]] of the design.", name=material.name)
-        yield BENDING_STRESS(bent.bending_stress, proof, source=source, advice=advice, missing=unknown)
+        yield BENDING_STRESS(bent.bending_stress, proof, source=source, advice=_give(material), missing=unknown)
     if unknown is None and bent.notch_stress is not None:
         source = Text("{source}: above it the fillet yields locally", source=strength)
         yield NOTCH_STRESS(bent.notch_stress, proof, source=source)
@@ -513,5 +512,12 @@ def _fatigue_checks(bent: Bending, material: Material) -> Iterator[Check]:
         dotted("material", Material.tensile_strength): material.tensile_strength is None,
         dotted("material", Material.kind): str(material.kind) not in fatigue.KINDS,
     }
-    keys = [key for key, lacks in lacking.items() if lacks] or [FILLET_AND_CORE[0]]
-    yield FATIGUE(None, ENDLESS, missing=Missing(tuple(keys), (Text("none"),) * len(keys), "none", "none"))
+    keys = [key for key, lacks in lacking.items() if lacks]
+    advice = _give(material) if keys else Text("Give the radius of the fillets.")
+    keys = keys or [FILLET_AND_CORE[0]]
+    missing = Missing(tuple(keys), (Text("none"),) * len(keys), "none", "none")
+    yield FATIGUE(None, ENDLESS, advice=advice, missing=missing)
+
+
+def _give(material: Material) -> Text:
+    return Text("Give the strength of {name} as a [[material]] of the design.", name=material.name)
