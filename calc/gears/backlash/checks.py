@@ -181,10 +181,9 @@ def checks(gears: GearsInputs, of: JudgedMesh, housing: str | None, chance: Chan
             index=m.index,
             remedies=partial(_wider, m, play.centre_tolerance_rss),
         )
-    if play.backlash_min_worst is not None:
+    if play.backlash_min_worst is not None and (apart := play.centre_tolerance_worst) is not None:
         name = Text("Smallest backlash {name}, all parts at their worst", name=m.name)
-        apart = play.centre_tolerance_worst or 0.0
-        reach = Amount(apart * 1000000.0, form=".4g")
+        reach = Amount(apart * 1e6, form=".4g")
         source = Text("geometry, worst case: the centres ±{reach} µm, with runout", reach=reach)
         lack = _missing(m, still, _without_runout(m, apart), play.backlash_min_worst)
         yield _no_jam(BACKLASH_WORST, of, name, play.backlash_min_worst, lack, source)

@@ -107,8 +107,9 @@ def runout_of_grade(m_n: Metre, d: Metre, A: Number) -> Metre:
     2.9250562...e-05
     """
     row = house_table("iso_1328.toml")["runout"]
-    at_grade: float = row["per_module"] * m_n * 1e3 + row["per_root"] * (d * 1e3) ** 0.5 + row["constant"]
-    return at_grade * 2 ** ((A - row["grade"]) / 2) * 1e-6
+    of_grade = row["per_module"] * m_n * 1e3 + row["per_root"] * (d * 1e3) ** 0.5 + row["constant"]
+    F_r: float = of_grade * 2 ** ((A - row["grade"]) / 2) * 1e-6
+    return F_r
 
 
 @formula(

@@ -89,6 +89,15 @@ def test_the_guide(low, verdict):
     assert check.value == pytest.approx(low * 1e3) and check.limit == pytest.approx(107)
 
 
+def test_what_the_guide_advises_just_passes():
+    gears = given()
+    short = judged(gears)["backlash_guide"]
+    ((key, ends),) = short.remedies[0].changes
+    thinner = {key.split(".")[2]: {"span_allowance": tuple(end * UM for end in ends)}}
+    there = judged(changed(gears, wheels=thinner))["backlash_guide"]
+    assert (short.verdict, there.verdict) == ("note", "pass") and there.gap < 1
+
+
 @pytest.mark.parametrize(("rss", "verdict"), [(55.0, "pass"), (55.01, "warn")])
 def test_the_parts_between_the_centres(rss, verdict):
     check = judged(centre_tolerance_rss=rss * UM)["stack"]
