@@ -7,8 +7,8 @@ they test.
 Drawn at random from the modules that declare checks, from those that hold limits, and from the constants of friction and
 rating; or from the files that are named. A number is 5 % larger or smaller, a comparison has the other sense, `min` and
 `max` are exchanged, + and -; texts, units, labels and annotations are no such places. Against each, first the tests that
-import its module, then those of its folder, then those of its step; a file of tests that fails without any mutant is
-left out, and said.  Printed: a line for each (killed, by which file, or survived), then the share that died, and the
+import its module, then those of its folder, then those of its step; a file of tests that fails without any mutant as
+well does not count.  Printed: a line for each (killed, by which file, or survived), then the share that died, and the
 survivors."""
 
 import ast
@@ -19,9 +19,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache, partial
+from functools import cache
 from itertools import zip_longest
 from pathlib import Path
 from queue import SimpleQueue
@@ -158,36 +158,42 @@ def stages(path: Path) -> list[tuple[str, ...]]:
     return [tuple(str(x.relative_to(ROOT)) for x in stage) for stage in (near, folder, step) if stage]
 
 
-def failing(files: Sequence[str], copy: Path, *options: str, seconds: int = TIME) -> tuple[int, list[str]]:
+def failing(files: Sequence[str], copy: Path, *options: str) -> tuple[int, list[str]]:
     """What pytest returns for files of tests, and which of them fail."""
     command = [sys.executable, "-m", "pytest", "-q", "--no-header", "-p", "no:cacheprovider", *options, *files]
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(copy)}
-    run = subprocess.run(
-        command, cwd=copy, capture_output=True, text=True, env=environment, preexec_fn=partial(_limit, seconds)
-    )
+    run = subprocess.run(command, cwd=copy, capture_output=True, text=True, env=environment, preexec_fn=_limited)
     lines = [line.split()[1] for line in run.stdout.splitlines() if line.startswith(("FAILED ", "ERROR "))]
     return run.returncode, list(dict.fromkeys(line.split("::")[0] for line in lines))
 
 
-def killer(mutant: Mutant, copy: Path, unsound: Set[str]) -> str:
-    """The first file of tests that fails, or nothing.  `unsound`: files that fail without a mutant."""
+def killer(mutant: Mutant, copy: Path, sound: dict[str, bool]) -> str:
+    """The first file of tests that fails, or nothing.  `sound`: whether a file passes without a mutant."""
     target = copy / mutant.path.relative_to(ROOT)
     source = mutant.path.read_bytes()
+    mutated = source[: mutant.start] + mutant.new.encode() + source[mutant.end :]
     times = target.stat()
-    target.write_bytes(source[: mutant.start] + mutant.new.encode() + source[mutant.end :])
     try:
-        for files in stages(mutant.path):
-            code, failed = failing([x for x in files if x not in unsound], copy, "-x")
-            if code not in (0, 5):  # 5: no tests
-                return "no end" if code < 0 else failed[0] if failed else "does not start"
+        for stage in stages(mutant.path):
+            while files := [x for x in stage if sound.get(x, True)]:
+                target.write_bytes(mutated)
+                code, failed = failing(files, copy, "-x")
+                target.write_bytes(source)
+                if code in (0, 5):  # 5: no tests
+                    break
+                if not failed:
+                    return "no end" if code < 0 else "does not start"
+                if failed[0] not in sound:
+                    sound[failed[0]] = not failing(failed, copy)[0]
+                if sound[failed[0]]:
+                    return failed[0]
         return ""
     finally:
-        target.write_bytes(source)
         os.utime(target, ns=(times.st_atime_ns, times.st_mtime_ns))
 
 
-def _limit(seconds: int) -> None:
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+def _limited() -> None:
+    resource.setrlimit(resource.RLIMIT_CPU, (TIME, TIME))
 
 
 def main() -> None:
@@ -202,14 +208,12 @@ def main() -> None:
         for n in range(processes):
             shutil.copytree(ROOT, Path(folder) / str(n), ignore=shutil.ignore_patterns(".venv", ".git", "__pycache__"))
             copies.put(Path(folder) / str(n))
-        files = sorted({x for mutant in drawn for stage in stages(mutant.path) for x in stage})
-        unsound = set(failing(files, Path(folder) / "0", seconds=60 * TIME)[1])
-        print(*(f"fails without a mutant: {x}" for x in sorted(unsound)), sep="\n", flush=True)
+        sound: dict[str, bool] = {}
 
         def tried(mutant: Mutant) -> tuple[Mutant, str]:
             copy = copies.get()
             try:
-                by = killer(mutant, copy, unsound)
+                by = killer(mutant, copy, sound)
             finally:
                 copies.put(copy)
             print(f"{by or 'SURVIVED':60} {_shown(mutant)}", flush=True)

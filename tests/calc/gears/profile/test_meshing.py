@@ -9,7 +9,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.gears.curves import pitch_point_view
-from calc.gears.profile.meshing import checks, flank, notes, penetration, penetration_check, penetrations
+from calc.gears.profile.meshing import (
+    FILLET,
+    FLANK,
+    _seen,
+    checks,
+    flank,
+    notes,
+    penetration,
+    penetration_check,
+    penetrations,
+)
 from calc.gears.profile.outline import CHORD_ERROR, regions, shifts
 from calc.sheet.errors import NoSolution
 from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
@@ -95,6 +105,27 @@ def test_fillets_that_are_too_round_are_entered_though_the_formulas_pass():
     assert m.line_of_action - t.wheels["b"].tip_curvature > t.wheels["a"].form_curvature
     assert depth(t) > 10 * CHORD_ERROR
     assert depth(pair(20, 0.0, 20, 0.0, (1.3, 0.2))) == 0.0
+
+
+def test_a_point_is_carried_through_the_tip_circle_of_the_other_wheel():
+    """From where it enters to where it leaves, over the line of centres; one that stays outside stands still there."""
+    t = pair(*JAMS[1])
+    a_w, every = t.meshes["a_b"].centre_distance, np.arange(FLANK)
+    own, mate = (flank(t.system, t.wheels[name]) for name in ("a", "b"))
+    for share in (-1.0, 1.0):
+        assert _seen(a_w, own, mate, every, np.full(FLANK, share), 0.0)[0] == pytest.approx(own.tip_radius)
+    assert _seen(a_w, own, mate, every, np.zeros(FLANK), 0.0)[0] == pytest.approx(a_w - mate.points[0])
+    apart = a_w + 5e-3
+    assert _seen(apart, own, mate, every, np.ones(FLANK), 0.0)[0] == pytest.approx(apart - mate.points[0])
+
+
+def test_the_fillet_ends_where_the_involute_begins():
+    t = pair(*JAMS[1])
+    side = flank(t.system, t.wheels["a"])
+    r, angle = side.fillet
+    for n in (0, 60, FILLET - 2):
+        assert side.tooth_angle(np.array([(r[n] + r[n + 1]) / 2])) == pytest.approx((angle[n] + angle[n + 1]) / 2)
+    assert side.tooth_angle(r[-1:] * 1.01) == pytest.approx(side.cut.involute(r[-1:] * 1.01))
 
 
 def test_what_is_cut_off_the_tips_ends_the_interference():

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from calc.design.toml_file import design, read
 from calc.gears import solve
 from calc.gears.rating.checks import (
     application_factor_check,
@@ -23,7 +24,9 @@ from calc.gears.rating.load import UNEVEN, USUAL, Irregularity, RatingLoad, Surr
 from calc.library.catalogue import materials, oils
 from calc.library.lubricant import Lubricant
 from calc.sheet.check import stretched
+from calc.solve import solve as solve_design
 from tests.calc.gears.trains import r753, solved
+from tests.conftest import DESIGNS
 
 GEARS = r753()
 TRAIN = solved(GEARS)
@@ -198,6 +201,31 @@ def test_without_irregularity_the_worst_end_is_a_rating_at_five():
         assert check.missing == ("gears.application_factor", "gears.speed_irregularity")
     contact = unknown["gears.central_idler.safety_contact"]
     assert contact.at_worst > contact.value * math.sqrt(USUAL / UNEVEN) and UNEVEN == 5.0
+
+
+def of_design(name):
+    checks = solve_design(design(read(DESIGNS / f"{name}.toml"))).checks()
+    return [c for c in checks if c.id.rpartition(".")[2] in ("safety_contact", "safety_bending")]
+
+
+def test_a_parallel_twin_needs_no_flywheel():
+    """At K_A = 5 its safeties are 1.58 and 3.5, before what the small load per width takes from them."""
+    checks = of_design("twin_drive")
+    worst = {
+        name: min(c.at_worst for c in checks if c.id.endswith(name)) for name in ("safety_contact", "safety_bending")
+    }
+    assert worst["safety_contact"] * math.sqrt(2.0) == pytest.approx(1.58, abs=5e-3)
+    assert worst["safety_bending"] * 2.0 == pytest.approx(3.48, abs=5e-3)
+    assert all(c.outside and c.missing and c.verdict == "pass" for c in checks)
+
+
+@pytest.mark.parametrize(
+    "name, assumed", [("finotti_gear_sheet", False), ("r753ie4_gamma", True), ("r753ie4_sized", True)]
+)
+def test_the_safeties_of_shipped_designs_are_verified(name, assumed):
+    checks = of_design(name)
+    assert len(checks) > 4 and {c.verdict for c in checks} == {"pass"}
+    assert {bool(c.missing) for c in checks} == {assumed}
 
 
 def test_a_known_irregularity_is_no_unknown():

@@ -10,7 +10,16 @@ import pytest
 
 from calc.design.toml_file import design, read
 from calc.gears.rating.checks import application_factor_check
-from calc.gears.rating.load import USUAL, Irregularity, Power, Swing, firing_order, loads, mean_torques
+from calc.gears.rating.load import (
+    Irregularity,
+    Power,
+    Surroundings,
+    Swing,
+    firing_order,
+    loads,
+    mean_torques,
+    rating_context,
+)
 from calc.library.catalogue import materials
 from calc.solve import solve
 from tests.calc.gears.trains import SPEED, r753, solved
@@ -60,7 +69,8 @@ def test_either_the_peak_or_the_application_factor():
     uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
     peak, usual = rated(uneven)["idler_shaft"], rated(None)["idler_shaft"]
     assert peak.K_A == 1.0 and peak.rated == pytest.approx(peak.mean + peak.dynamic)
-    assert (usual.K_A, usual.rated, usual.dynamic) == (USUAL, usual.mean, None)
+    assert (usual.K_A, usual.rated, usual.dynamic) == (1.25, usual.mean, None)
+    assert usual.assumed and not peak.assumed
     given = rated(uneven, replace(GEARS, application_factor=1.5))["idler_shaft"]
     assert (given.K_A, given.rated) == (1.5, given.mean) and given.dynamic == peak.dynamic
 
@@ -98,6 +108,19 @@ def test_a_power_gives_the_torque_of_every_driver():
     assert first["idler_shaft"] == pytest.approx(first["crank_central"] * 39 / 25)
     each = mean_torques(TRAIN, Power({"crank_central": 1350.0, "central_idler": 1300.0, "idler_shaft": 1200.0}))
     assert each["central_idler"] == pytest.approx(1300 / (2 * math.pi * SPEED * 25 / 36))
+
+
+def test_the_roughness_of_the_flanks():
+    """Rz 4 µm where nothing is given; Ra = Rz/6 both ways, the rougher flank counts."""
+
+    def context(gears=GEARS, **around):
+        return rating_context(gears, TRAIN, materials(), Surroundings(**around))
+
+    usual, measured = context(), context(flank_ra=(0.5e-6, 0.8e-6))
+    given = context(replace(GEARS, flank_rz=3e-6), flank_ra=(0.5e-6, 0.8e-6))
+    assert usual.flank_rz == 4e-6 and usual.flank_ra == pytest.approx((2e-6 / 3,) * 2)
+    assert measured.flank_rz == pytest.approx(4.8e-6) and measured.flank_ra == (0.5e-6, 0.8e-6)
+    assert given.flank_rz == 3e-6 and given.flank_ra == pytest.approx((0.5e-6,) * 2)
 
 
 @pytest.mark.parametrize("cylinders, strokes, order", [(3, 4, 1.5), (4, 4, 2.0), (2, 2, 2.0)])
