@@ -77,6 +77,9 @@ ACTIONS: tuple[Action, ...] = (
                 "back.")),
     Action("ready", "", "D", EMPTY, Text("Ready?"),
            Text("Shows the whole drive with its main numbers, what is assumed and accepted, and what is left to do.")),
+    Action("not_counted", "", "i", EMPTY, Text("What is not counted"),
+           Text("Shows on the same page what acts on these parts and no input describes: it is in no verdict."),
+           call=("ready", "not_counted")),
     Action("report", "f8", "p", Text("PDF"), Text("PDF report"), Text("Writes the calculation report beside the "
                                                                       "design file.")),
     Action("export", "", "E", EMPTY, Text("Export …"),

@@ -308,7 +308,7 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
     checks = [check for outcome in shown.values() for check in outcome.checks]
-    findings = [*finding_lines(checks, everything, unusual(results.design, shown)), *lost_acceptances(results)]
+    findings = [*finding_lines(checks, everything, unusual(results.design, shown, checks)), *lost_acceptances(results)]
     for line in [*findings, ""] if findings else []:
         print(line)
     for key, outcome in shown.items():
@@ -367,7 +367,7 @@ def results_json(
         "notes": {o.key: list(o.notes) for o in shown if o.notes},
         "unusual": [
             {"key": oddity.key, "value": oddity.number, "usual": list(oddity.usual), "unit": oddity.about.unit}
-            for oddity in unusual(results.design, [o.key for o in shown])
+            for oddity in unusual(results.design, [o.key for o in shown], results.checks())
         ],
         "reasons": {o.key: o.reason for o in shown if o.reason},
         "not_counted": list(not_counted(results.design)),

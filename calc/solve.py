@@ -22,6 +22,7 @@ from .countershaft.supports import with_standing
 from .design import step_inputs as h
 from .design.model import STEPS, Design
 from .design.predicted import Predicted, with_measured
+from .design.unusual import with_doubts
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
@@ -204,6 +205,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             h.journals(design),
             gear,
             design.bearings.slope if design.bearings is not None else None,
+            design.engine.highest_speed / design.engine.rated_speed if design.engine is not None else 1.0,
         )
     else:
         c = part.absent("countershaft", design.countershaft, (e, i))
@@ -262,7 +264,8 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
         g = _on_engine(g, design, c)
     e = replace(e, computes=design.engine is None or design.engine.throw is None)
     i = replace(i, computes=True)
-    return judged((e, i, c, b, g, f, _mounted(part, design, e, i, c, g)), design.accepted)
+    outcomes = (e, i, c, b, g, f, _mounted(part, design, e, i, c, g))
+    return judged(with_doubts(design, outcomes), design.accepted)
 
 
 def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftResult]) -> Outcome[TrainResult]:

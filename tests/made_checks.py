@@ -30,4 +30,4 @@ def made_check(
     **more: Any,
 ) -> Check:
     """A check in shown units; `rule_of`: what else its declaration says."""
-    return Check(rule(kind, unit, id=id, **(rule_of or {})), id, name, value, limit, sense, source, **more)
+    return Check(rule(kind, unit, id=id, **(rule_of or {})), id, name, value, limit, sense, unit, source, **more)

@@ -50,13 +50,22 @@ def test_a_comma_and_a_table_of_another_name_are_found_in_their_lines(tmp_path):
     assert f'x.toml:{at}: bearing: is not known; did you mean "bearings"?' in run("check", path).stderr
 
 
-def test_a_bore_in_metres_is_told_with_what_is_usual():
-    said = run(
-        "check", "designs/r753ie4_sized.toml", "--set", "engine.bore_mm=0.094", "engine.cylinder_pitch_mm=0.105"
-    ).stdout
-    assert (
-        "2 inputs are not usual: bore 0.094 mm (usual 50 to 150); cylinder pitch 0.105 mm (usual 35 to 200)"
-        in " ".join(said.split())
+def test_a_bore_in_metres_is_a_caution_that_says_what_was_meant():
+    slips = ["--set", "engine.bore_mm=0.094", "engine.cylinder_pitch_mm=0.105"]
+    lines = run("check", "designs/r753ie4_sized.toml", *slips).stdout.split("\n")
+    assert lines[0] == "▲ warn  Far from usual: bore: 0.094 mm, needs 50 to 150 mm (−50 %)"
+    assert [line.strip() for line in lines[1:3]] == ["Did you mean bore 94 mm?", "engine.inputs.bore_mm"]
+    assert "Did you mean cylinder pitch 105 mm?" in lines[4]
+    checks = json.loads(run("check", "designs/r753ie4_sized.toml", *slips, "--json").stdout)["checks"]
+    bore = next(check for check in checks if check["id"] == "engine.inputs.bore_mm")
+    assert bore["kind"] == "caution" and bore["remedies"][0]["changes"] == {"engine.bore_mm": 94}
+
+
+def test_what_is_a_little_outside_is_told_with_what_is_usual():
+    slips = ["--set", "engine.bore_mm=45", "engine.cylinder_pitch_mm=210"]
+    said = run("check", "designs/r753ie4_sized.toml", *slips).stdout
+    assert "2 inputs are not usual: cylinder pitch 210 mm (usual 35 to 200); bore 45 mm (usual 50 to 150)" in " ".join(
+        said.split()
     )
     assert "not usual" not in run("check", "designs/r753ie4_sized.toml").stdout
     found = json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "gears", "--json").stdout)["unusual"]
@@ -65,18 +74,13 @@ def test_a_bore_in_metres_is_told_with_what_is_usual():
     ]
     assert json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "engine", "--json").stdout)["unusual"] == []
     assert "not usual" not in run("check", "designs/r753ie4_gamma.toml", "--step", "engine").stdout
-    slips = [
-        "engine.bore_mm=0.094",
-        "engine.crank_radius_mm=0.0535",
-        "gears.face_width_mm=0.15",
-        "engine.cylinder_pitch_mm=0.105",
-    ]
-    many = ["--set", *slips, "engine.piston_mass_g=1.178", "engine.rated_speed_rpm=272.27"]
+    many = ["--set", "engine.bore_mm=45", "engine.crank_radius_mm=15", "engine.cylinder_pitch_mm=210",
+            "engine.piston_mass_g=140", "engine.rod_mass_g=190", "engine.rated_speed_rpm=900"]  # fmt: skip
     short, whole = (
         " ".join(run("check", "designs/r753ie4_sized.toml", *many, *more).stdout.split()) for more in ([], ["--all"])
     )
-    assert "6 inputs are not usual:" in short and "; 2 more" in short and "rated speed" not in short
-    assert "6 inputs are not usual:" in whole and "rated speed 272.3 rpm" in whole
+    assert "6 inputs are not usual:" in short and "; 2 more" in short and "rod mass 190 g" not in short
+    assert "6 inputs are not usual:" in whole and "rod mass 190 g" in whole
 
 
 def test_what_is_accepted_of_no_check_is_told(tmp_path):

@@ -118,7 +118,7 @@ class Choose(Once, ModalScreen[str | None]):
         self.dismiss(None)
 
 
-# --- the reason of a decision: a line to write on, and below it usual reasons
+# --- the reason of a decision: an empty line to write on, and where a choice of them is common, usual reasons below it
 
 # usual reasons, to be written on
 USUAL_TO_ACCEPT = (
@@ -128,17 +128,10 @@ USUAL_TO_ACCEPT = (
     Text("to be settled by the supplier"),
     Text("outside what this design is for"),
 )
-USUAL_TO_LEAVE_OUT = (
-    Text("left out on purpose"),
-    Text("it is settled elsewhere"),
-    Text("to be settled by the supplier"),
-    Text("outside what this design is for"),
-)
-HINT = Text("Enter accepts it with this reason, ↓ chooses a usual one, Esc goes back.")
 
 
 class Reason(Once, ModalScreen[str | None]):
-    """Gives the reason, or None.  `begun`: what stands in the line at first, to be written on."""
+    """Gives the reason, which has at least a letter, or None."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -148,26 +141,32 @@ class Reason(Once, ModalScreen[str | None]):
         Binding("up", "list(-1)", "Back to the reason", show=False, priority=True),
     ]
 
-    def __init__(self, question: Text, about: str, usual: tuple[Text, ...], begun: str = "") -> None:
+    def __init__(self, question: Text, about: str, hint: Text, usual: tuple[Text, ...] = ()) -> None:
         super().__init__()
-        self.question, self.about, self.usual, self.begun = question, about, usual, begun
+        self.question, self.about, self.hint, self.usual = question, about, hint, usual
 
     def compose(self) -> ComposeResult:
         say = self.app.say
         with Vertical(classes="dialog"):
             yield Static(Content.styled(say(self.question), "bold"))
             yield Static(Content(self.about))
-            yield Input(self.begun, compact=True, select_on_focus=False, id="words")
-            yield OptionList(*(Content(say(reason)) for reason in self.usual), compact=True, id="names")
+            yield Input(compact=True, select_on_focus=False, id="words")
+            if self.usual:
+                yield OptionList(*(Content(say(reason)) for reason in self.usual), compact=True, id="names")
             yield Static("", classes="wrong")
-            yield Static(Content.styled(say(HINT), "dim"))
+            yield Static(Content.styled(say(self.hint), "dim"))
+
+    @property
+    def _chosen(self) -> int | None:
+        """The row under the cursor of the usual reasons, while they have the focus."""
+        return self.focused.highlighted if isinstance(self.focused, OptionList) else None
 
     def action_take(self) -> None:
         """The reason that is written; in the list that of the row, to be written on."""
-        options = self.query_one(OptionList)
-        if self.focused is options and options.highlighted is not None:
-            self._write(options.highlighted)
-        elif reason := "".join(letter for letter in self.query_one(Input).value if letter.isprintable()).strip():
+        reason = "".join(letter for letter in self.query_one(Input).value if letter.isprintable()).strip()
+        if self._chosen is not None:
+            self._write(self._chosen)
+        elif any(letter.isalpha() for letter in reason):
             self.dismiss(reason)
         else:
             self.query_one(".wrong", Static).update(
@@ -186,6 +185,8 @@ class Reason(Once, ModalScreen[str | None]):
         self.set_focus(box)
 
     def action_list(self, by: int) -> None:
+        if not self.usual:
+            return
         options = self.query_one(OptionList)
         if by > 0 and self.focused is not options:
             self.set_focus(options)
@@ -218,16 +219,18 @@ class Accept(Reason):
             else EMPTY
         )
         about = " ".join(part for part in (say(what), say(more)) if part)
-        super().__init__(Text("Leave this open: why is it right?"), about, USUAL_TO_ACCEPT)
+        hint = Text("Enter accepts it with this reason, ↓ chooses a usual one, Esc goes back.")
+        super().__init__(Text("Leave this open: why is it right?"), about, hint, USUAL_TO_ACCEPT)
 
 
 class LeaveOut(Reason):
-    """Why the design does without a step; `begun`: the reason that it has already."""
+    """Why the design does without a step; `reason`: that which it has already."""
 
-    def __init__(self, step: str, begun: str, say: Language) -> None:
+    def __init__(self, step: str, reason: str, say: Language) -> None:
         title = next(candidate.title for candidate in STEPS if candidate.key == step)
-        question = Text("Leave this step out: why is it right?")
-        super().__init__(question, say(title), USUAL_TO_LEAVE_OUT, begun or say(USUAL_TO_LEAVE_OUT[0]))
+        about = Text("{step}: {reason}", step=title, reason=reason) if reason else title
+        hint = Text("Enter leaves it out with this reason, Esc goes back.")
+        super().__init__(Text("Leave this step out: why is it right?"), say(about), hint)
 
 
 # --- a question with two answers

@@ -95,7 +95,7 @@ class Scatter(Widget):
         if points.now is not None:
             put(points.now, NOW, self.app.signs.style("fail") if points.fails else "bold")
         if self.picked in points.drives:
-            put(points.drives[self.picked], PICKED, self.app.signs.style("ready"))
+            put(points.drives[self.picked], PICKED, self.app.signs.style("pass"))
         bar = "|" if self.app.ascii else "│"
         lines = [Content.styled(fit(f"{pad('', LEFT - 1)}{points.up}", width), "dim")]
         for row in range(rows):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The closing page: the drive in one picture and ten numbers, what is assumed, accepted and not verified, and what is
-left to do."""
+"""The closing page: the drive in one picture and ten numbers, what is left to do, what stays to shake, what was left
+out by whom, and what is assumed, accepted and not verified."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -18,38 +18,46 @@ from calc.design.model import STEPS
 from calc.design.unusual import unusual
 from calc.engine import sketch as engine
 from calc.sheet.check import Check
-from calc.sheet.text import COMMA, Amount, Name, Text, plural
-from calc.studies.headlines import headline, main_numbers
-from calc.studies.ready import OPEN, StepState, ready
+from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
+from calc.sheet.verdict import findings_of
+from calc.studies.described import not_counted
+from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
+from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 
 from ..base_app import BaseApp
 from ..session.places import label_of
 from ..session.session import Session
 from ..widgets.canvas import draw
 from ..widgets.item_list import Item, ItemList
-from ..widgets.steps import states_of
+from ..widgets.steps import states_of, whole_of
 from ..widgets.text import fit, pad, wrap
 from .dialogs import Once
 
 REPORT, EXPORT, DRIVE = "report", "export", "drive"  # actions that the page gives beside a step's key and a check's id
 PICTURE = (90, 14)  # cells of the picture at most
-ASSUMED = "assumed"
+ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
 
 
 class Closing(ItemList):
-    """The key of an item is that of a step, the id of a check, or ASSUMED."""
+    """The key of an item is that of a step, the id of a check, or of what is folded."""
 
     def __init__(self, session: Session) -> None:
         super().__init__(id="closing")
         self.session = session
-        self.unfolded = False
+        self.unfolded: set[str] = set()
 
     def choose(self, clicked: bool = False) -> None:
-        if self.key == ASSUMED:
-            self.unfolded = not self.unfolded
+        if self.key in (ASSUMED, NOT_COUNTED):
+            self.unfolded ^= {self.key}
             self.rebuild()
         else:
             super().choose(clicked)
+
+    def unfold(self, key: str) -> None:
+        """Show what is folded there."""
+        self.unfolded |= {key}
+        self.rebuild()
+        self.go_to(key, top=True)
 
     def build(self, width: int) -> list[Item]:
         parts = (self._picture(width), self._numbers(width), self._left(width), *self._said(width))
@@ -68,10 +76,8 @@ class Closing(ItemList):
             (say(word), say(value).replace("→", self.app.signs.mark("then")))
             for word, value in main_numbers(self.session.results)
         ]
-        if not pairs:
-            return []
         for count in (3, 2, 1):
-            deep = -(-len(pairs) // count)
+            deep = max(1, -(-len(pairs) // count))
             columns = [pairs[n : n + deep] for n in range(0, len(pairs), deep)]
             cells = [
                 (max(len(word) for word, _ in column) + 2, max(len(value) for _, value in column) + 4)
@@ -88,32 +94,38 @@ class Closing(ItemList):
                 for piece in ((pad(word, left), "dim"), (pad(value, right), "bold"))
             ]
             rows.append(Content.assemble(*pieces))
+        closest = say(closest_limit(self.session.results))
+        rows.append(Content.assemble((f"{say(Text('closest limit'))}  ", "dim"), (closest, "bold")))
         return [Item("", rows)]
 
     def _left(self, width: int) -> list[Item]:
-        """A row for every step that is not ready."""
-        states = states_of(self.session)
-        return [self._step(n, state, width) for n, state in enumerate(states, 1) if not state.done]
+        """A row for every step in which something is open."""
+        states = [(n, state) for n, state in enumerate(states_of(self.session), 1) if not state.done]
+        wide = max((len(self.app.say(state.words)) for _, state in states if state.state in SOLVED), default=0)
+        return [self._step(n, state, max(22, wide) + 2, width) for n, state in states]
 
-    def _step(self, n: int, state: StepState, width: int) -> Item:
-        say, style = self.app.say, self.app.signs.style(state.state)
+    def _step(self, n: int, state: StepState, wide: int, width: int) -> Item:
+        """`wide`: the cells of the words."""
+        say, style = self.app.say, self.app.signs.style(state.colour)
         title, words, results = f"{n} {say(STEPS[n - 1].title)}", say(state.words), self.session.results
-        decides = headline(results, state.key) if results is not None and state.state in OPEN else None
+        decides = headline(results, state.key) if results is not None and state.state in SOLVED else None
         row = Content.assemble(
             (f"{self.app.signs.mark(state.state)} ", style),
             pad(title, 20),
-            (pad(words, 24), style),
-            (fit(say(decides.text), max(4, width - 46)), "dim") if decides is not None else "",
+            (pad(words, wide), style),
+            (fit(say(decides.text), max(4, width - 22 - wide)), "dim") if decides is not None else "",
         )
         return Item(state.key, [row], line=f"{title}: {words}")
 
     def _said(self, width: int) -> Iterator[list[Item]]:
         """What stands behind the verdict: left out, accepted, not verified, measured, assumed."""
-        session, say = self.session, self.app.say
+        session = self.session
         outcomes = session.results.outcomes.values() if session.results is not None else ()
         checks = [check for outcome in outcomes for check in outcome.checks]
+        stays = list(remaining(session.results)) if session.results is not None else []
+        yield self._part(Text("stays ({n})", n=len(stays)), stays, width)
         without = [
-            (step, Text("{step}: {reason}", step=_title(step), reason=reason))
+            (step, Text("{step}, by {whom}: {reason}", step=_title(step), whom=_whom(reason), reason=reason))
             for step, reason in session.design.without
         ]
         yield self._part(Text("left out ({n})", n=len(without)), without, width)
@@ -123,36 +135,38 @@ class Closing(ItemList):
             if c.verdict == "accepted"
         ]
         yield self._part(Text("accepted ({n})", n=len(accepted)), accepted, width)
-        unknown: dict[str, list[Check]] = {}  # the keys that are not given → what can not be judged without them
+        unknown: dict[str, list[Check]] = {}  # what is not given → what can not be judged without it
         for check in checks:
             if check.verdict == "not_verified":
-                unknown.setdefault(", ".join(check.missing), []).append(check)
+                unknown.setdefault(", ".join([*check.missing, *check.outside]), []).append(check)
         lacking = [
             (
                 mine[0].id,
                 plural(
-                    "{input} is not given: {check}",
-                    "{input} is not given: {check} and {more} more",
+                    "{lack}: {check}",
+                    "{lack}: {check} and {more} more",
                     n=len(mine),
-                    input=self._labels(mine[0].missing),
+                    lack=self._lack(mine[0], {check.id: check.name for check in checks}),
                     check=mine[0].name,
                     more=len(mine) - 1,
                 ),
             )
             for mine in unknown.values()
         ]
-        yield self._part(Text("not verified ({n})", n=sum(map(len, unknown.values()))), lacking, width)
-        held = [
-            outside(check, outcome.checks)
-            for outcome in outcomes
-            for check in outcome.checks
-            if check.verdict == "pass"
-        ]
+        title = Text("not verified: {findings}", findings=findings_of(list(unknown.values())))
+        yield self._part(title, lacking, width)
+        held = [check for check in checks if check.verdict == "pass"]
+        taken = Counter(what for check in held for what in check.taken)
+        holding = [("", plural("{what}: {n} check", "{what}: {n} checks", n=n, what=what)) for what, n in taken.items()]
+        yield self._part(Text("holds by what is assumed ({n})", n=len(holding)), holding, width)
         # how many hold by a formula that it puts out of its range
-        beyond = Counter(method for methods in held for method in methods)
-        stretched = [(method.id, Text("{what}: {n} of them", n=n, what=method.name)) for method, n in beyond.items()]
-        yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
-        odd = [(oddity.key.partition(".")[0], oddity.words) for oddity in unusual(session.design)]
+        beyond = Counter(method for check in held for method in outside(check, checks))
+        stretched = [
+            (method.id, plural("{what}: {n} check", "{what}: {n} checks", n=n, what=method.name))
+            for method, n in beyond.items()
+        ]
+        yield self._part(Text("holds outside the validity of a formula ({n})", n=len(stretched)), stretched, width)
+        odd = [(oddity.key.partition(".")[0], oddity.words) for oddity in unusual(session.design, checks=checks)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
         measured = [
@@ -168,15 +182,23 @@ class Closing(ItemList):
         ]
         yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
-        if notes:
-            fold = self.app.signs.mark("unfolded" if self.unfolded else "folded")
-            head = Content.styled(f"{say(Text('assumed ({n})', n=len(notes)))} {fold}", "bold")
-            rows = (
-                [Content(f"{lead}{row}") for note in notes for lead, row in _bulleted(say(note), width)]
-                if self.unfolded
-                else []
-            )
-            yield [Item(ASSUMED, [head]), *([Item("", rows)] if rows else [])]
+        yield self._folded(ASSUMED, Text("assumed ({n})", n=len(notes)), notes, width)
+        uncounted = not_counted(session.design)
+        yield self._folded(NOT_COUNTED, Text("not counted ({n})", n=len(uncounted)), uncounted, width)
+
+    def _folded(self, key: str, title: Text, texts: Sequence[Text], width: int) -> list[Item]:
+        if not texts:
+            return []
+        say, unfolded = self.app.say, key in self.unfolded
+        head = Content.styled(f"{say(title)} {self.app.signs.mark('unfolded' if unfolded else 'folded')}", "bold")
+        rows = [Content(lead + row) for text in texts if unfolded for lead, row in _bulleted(say(text), width)]
+        return [Item(key, [head]), *([Item("", rows)] if rows else [])]
+
+    def _lack(self, check: Check, names: Mapping[str, Text]) -> Text:
+        """What is not given, and which checks of the method put it outside the validity of its formula."""
+        missing = [Text("{input} is not given", input=self._labels(check.missing))] if check.missing else []
+        methods = COMMA.join(names.get(method, Name(method)) for method in check.outside)
+        return SEMICOLON.join([*missing, *([Text("outside validity, {methods}", methods=methods)] if methods else [])])
 
     def _labels(self, keys: tuple[str, ...]) -> Text:
         return COMMA.join(label_of(self.session.data, key) for key in keys)
@@ -199,6 +221,10 @@ def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:
         yield ("    " if n else "  · "), row
 
 
+def _whom(reason: str) -> Text:
+    return Text("the program, until you say so (- in the step)") if reason in OF_PROGRAM else Text("you")
+
+
 def _title(step: str) -> Text:
     return next((candidate.title for candidate in STEPS if candidate.key == step), Name(step))
 
@@ -216,7 +242,8 @@ def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
 
 
 class ReadyScreen(Once, Screen[str | None]):
-    """Gives the key of a step or the id of a check to go to, REPORT or EXPORT, or None."""
+    """Gives the key of a step or the id of a check to go to, REPORT or EXPORT, or None.  `unfolded`: what is shown of
+    what is folded."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -224,46 +251,38 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
         Binding("e", f"give('{EXPORT}')", "Export", show=False),
         Binding("t", f"give('{DRIVE}')", "Whole drive", show=False),
+        Binding("i", f"unfold('{NOT_COUNTED}')", "What is not counted", show=False),
         Binding("enter", "choose", "Go there", show=False),
         Binding("down,j", "move(1)", "Down", show=False),
         Binding("up,k", "move(-1)", "Up", show=False),
     ]
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, unfolded: str = "") -> None:
         super().__init__()
-        self.session = session
+        self.session, self.unfolded = session, unfolded
 
     def compose(self) -> ComposeResult:
         yield Static(id="ready-title")
         yield Closing(self.session)
         keys = Text(
-            "{report} report · e export · t better drives · Enter goes there · Esc goes on editing",
+            "{report} report · e export · t better drives · i not counted · Enter goes there · Esc goes on editing",
             report=self.app.shown_key("report"),
         )
         yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
 
     def on_mount(self) -> None:
         self.query_one(Closing).focus()
+        if self.unfolded:
+            self.call_after_refresh(self.action_unfold, self.unfolded)
 
     def on_resize(self) -> None:
         """The design and its verdict at both ends of the first row."""
-        say, signs, states = self.app.say, self.app.signs, states_of(self.session)
-        done = ready(states)
-        if done:
-            corners = self.session.results is not None and any(
-                c.id.endswith("_corner") for c in self.session.results.checks()
-            )
-            words = (
-                Text("every limit holds, at every corner of the tolerances") if corners else Text("every limit holds")
-            )
-            if without := [_title(step) for step, _ in self.session.design.without]:
-                words = Text("every limit holds; left out: {steps}", steps=COMMA.join(without))
-        else:
-            left = sum(not state.done for state in states)
-            words = plural("{n} step is left", "{n} steps are left", n=left)
-        mark = "ready" if done else "todo"
-        title = f" {say(Text('Ready'))}: {self.session.design.name}" if done else f" {self.session.design.name}"
-        end = Content.assemble((f"{signs.mark(mark)} {say(words)} ", signs.style(mark)))
+        say, signs, all_of_it = self.app.say, self.app.signs, whole_of(self.session)
+        name = self.session.design.name
+        title = f" {say(Text('Ready'))}: {name}" if all_of_it.ready else f" {name}"
+        room = max(8, self.size.width - min(len(title), self.size.width // 3) - 5)
+        words = fit(say(all_of_it.words), room)
+        end = Content.assemble((f"{signs.mark(all_of_it.state)} {words} ", signs.style(all_of_it.state)))
         start = Content.styled(fit(title, max(8, self.size.width - end.cell_length - 2)), "bold")
         gap = max(1, self.size.width - start.cell_length - end.cell_length)
         self.query_one("#ready-title", Static).update(Content.assemble(start, " " * gap, end))
@@ -277,6 +296,9 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def action_choose(self) -> None:
         self.query_one(Closing).choose()
+
+    def action_unfold(self, key: str) -> None:
+        self.query_one(Closing).unfold(key)
 
     def action_move(self, by: int) -> None:
         self.query_one(Closing).move(by)

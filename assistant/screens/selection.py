@@ -4,7 +4,6 @@
 The search runs aside and can be stopped; of the row under the cursor the whole design is solved before it is taken, so
 that its price in the other steps is seen."""
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
@@ -374,16 +373,16 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         self.query_one("#choosing-preview", Static).update(Content("\n").join(rows))
 
     def _verdicts(self, results: "Results") -> list[Content]:
-        signs, before = self.app.signs, self.session.results
+        before = self.session.results
         now = {step.key: results.outcomes[step.key].verdict for step in STEPS}
         was = {key: before.outcomes[key].verdict for key in now} if before is not None else now
-        counted = Counter(c.verdict for c in results.checks())
-        were = Counter(c.verdict for c in before.checks()) if before is not None else counted
-        counts = ", ".join(
-            f"{counted[v]} {signs.word(v)} ({self.app.say(Text('now {n}', n=were[v]))})"
-            for v in ("fail", "warn", "pass")
-        )
-        return [*self.verdict_rows(((key, was[key], now[key]) for key in now), "→"), Content.styled(counts, "dim")]
+        counts = results.words()
+        if before is not None:
+            counts = Text("{words} (now {were})", words=counts, were=before.words())
+        return [
+            *self.verdict_rows(((key, was[key], now[key]) for key in now), "→"),
+            Content.styled(self.app.say(counts), "dim"),
+        ]
 
     # --- what the keys do
     def action_take(self) -> None:

@@ -4,6 +4,7 @@ built or left out, findings that are accepted) and its files."""
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -30,6 +31,7 @@ from ..session.solving import mistake
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
+from ..widgets.steps import states_of
 from .dialogs import Accept, LeaveOut
 from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, folder_of
 from .workbench_moves import WorkbenchMoves
@@ -254,6 +256,9 @@ class WorkbenchEdits(WorkbenchMoves):
             return
         if why := plan.why or session.take(plan):
             self.app.tell(why, "warning")
+            before = takewhile(lambda state: state.key != step, states_of(session))
+            if (first := next((state.key for state in before if state.state == "todo"), None)) is not None:
+                self.call_later(self.open_step, next(candidate for candidate in STEPS if candidate.key == first))
             return
         if step and (reason := as_table(session.data.get("without")).get(step)):
             self.app.tell(Text("Left out: {reason}.", reason=str(reason)), "warning")

@@ -83,7 +83,7 @@ class WorkbenchMoves(WorkbenchResults):
             return
         outcomes = session.results.outcomes
         faults = [(s, group[0]) for s in STEPS for group in outcomes[s.key].causes if group[0].verdict in URGENT]
-        faults.sort(key=lambda f: severity(f[1])[:3])
+        faults.sort(key=lambda f: severity(f[1])[:4])
         if not faults:
             self.app.tell(Text("No check fails or warns."))
             return
@@ -380,12 +380,12 @@ class WorkbenchMoves(WorkbenchResults):
         await self.app.action_quit()
 
     # --- the closing page
-    def action_ready(self) -> None:
+    def action_ready(self, unfolded: str = "") -> None:
         """Show what is left to do, and go where it says."""
         from .ready import ReadyScreen
 
         self.session.solve()  # the page says what holds of the design as it is now
-        self.app.push_screen(ReadyScreen(self.session), self._go_from_ready)
+        self.app.push_screen(ReadyScreen(self.session, unfolded), self._go_from_ready)
 
     async def _go_from_ready(self, to: str | None) -> None:
         if to in BY_ID:

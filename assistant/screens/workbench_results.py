@@ -12,14 +12,14 @@ from textual.timer import Timer
 from textual.widget import AwaitMount
 from textual.worker import get_current_worker
 
-from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import said
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import Cancelled
 from calc.sheet.step import Curve, Outcome, Step, Table
-from calc.sheet.text import EMPTY, Name, Text, plural
+from calc.sheet.text import EMPTY, Name, Text
+from calc.sheet.verdict import findings_of
 
 from ..base_app import TYPING
 from ..session.calculation import CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
@@ -28,7 +28,7 @@ from ..session.places import Place, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
-from ..widgets.checks import Checks
+from ..widgets.checks import Checks, open_groups
 from ..widgets.field import Field
 from ..widgets.form import Form, Taken
 from ..widgets.headings import ArrayHeading, Fold, TableHeading
@@ -428,10 +428,8 @@ class WorkbenchResults(WorkbenchPanes):
         outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
         self.checks.show(outcome)
         if outcome is not None:
-            good = sum(judged(c) == "pass" for c in outcome.checks)
-            count = len(outcome.checks)
-            passing = plural("{passing} of {n} check passes", "{passing} of {n} checks pass", n=count, passing=good)
-            self.pane_named("checks").set_title(right=self.app.say(passing) if count else "")
+            findings = open_groups(outcome)
+            self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")
         self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
 
     def show_state(self) -> None:

@@ -10,8 +10,9 @@ from calc.design.toml_file import Document, design, read
 from calc.engine.inputs import EngineInputs
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import dotted
-from calc.sheet.text import EMPTY, Amount, Text, plural
+from calc.sheet.text import EMPTY, Amount, Text
 from calc.sheet.verdict import grouped
+from calc.studies.ready import limits_hold
 from calc.studies.shipped import EXAMPLE, engine_table, engines
 
 from .recovery import Memory, is_file
@@ -134,22 +135,15 @@ def _solved(path: Path, memory: Memory) -> "Results":
 
 
 def _verdicts(results: "Results") -> list[Text]:
-    """What a design comes to, in a few lines: what fails by its name, and how much is open."""
-    from calc.studies.ready import limits_hold
-
-    rows = [group[0] for group in grouped(results.checks()) if group[0].open]
-    fails = [check for check in rows if check.verdict == "fail"]
-    unsolved = [outcome.reason for outcome in results.outcomes.values() if outcome.state == "no_solution"]
-    cautions = sum(check.verdict in ("warn", "not_verified") for check in rows)
-    lines = [Text("No solution: {reason}", reason=reason) for reason in unsolved]
-    lines += [plural("It fails in {n} place:", "It fails in {n} places:", n=len(fails))] if fails else []
+    """What a design comes to, in a few lines: its state, and what fails by its name; else what was judged."""
+    lost = [outcome.reason for outcome in results.outcomes.values() if outcome.state == "no_solution"]
+    fails = [group[0] for group in grouped(results.checks()) if group[0].verdict == "fail"]
+    lines = [results.words(), *(Text("No solution: {reason}", reason=reason) for reason in lost)]
     lines += [
         Text("{name}: {value}, {limit}", name=c.name, value=Amount(c.value, c.unit), limit=c.limit_text())
         for c in fails
     ]
-    if not lines:
-        lines = [Text("{held}.", held=limits_hold(results))]
-    return [*lines, plural("{n} caution is open.", "{n} cautions are open.", n=cautions)] if cautions else lines
+    return lines if len(lines) > 1 else [*lines, limits_hold(results)]
 
 
 def _shaking(id: str) -> Finding:

@@ -2,7 +2,7 @@
 """The findings of a step: those of one cause in a row, the worst first; what is under the cursor is told in full; what
 holds is folded."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -11,12 +11,12 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.message import Message
 
-from calc.design.key_results import outside
-from calc.sheet.check import Check
+from calc.design.key_results import judged, outside
+from calc.sheet.check import Check, End
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
-from calc.sheet.text import COMMA, Amount, Name, Text, plural
+from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
 from calc.sheet.verdict import named, severity
 
 from ..session.places import label_of
@@ -35,7 +35,7 @@ HOLDING = plural("{n} holds", "{n} hold", n=0)
 
 def sorted_checks(checks: tuple[Check, ...]) -> list[Check]:
     """The worst first; equal ones as the step has them."""
-    return sorted(checks, key=lambda c: severity(c)[:3])
+    return sorted(checks, key=lambda c: severity(c)[:4])
 
 
 @dataclass(frozen=True)
@@ -182,19 +182,17 @@ class Checks(ItemList):
 
     def _finding_rows(self, outcome: Outcome[object]) -> list[CheckRow]:
         """The worst of each cause, before the others where they are unfolded; or that there is none."""
+        groups = open_groups(outcome)
+        if not groups:
+            judges = outcome.verdict not in ("not_judged", "computed")
+            words = Text("Nothing fails here, no caution is open.") if judges else Text("No limit is judged here.")
+            return [CheckRow("", head=Content.styled(f"{' ' * SIGN}{self.app.say(words)}", "dim"))]
         rows: list[CheckRow] = []
-        for group in ([check for check in checks if check.open] for checks in outcome.causes):
-            if not group or group[0].kind not in KINDS_SHOWN:
-                continue
-            others = [check for check in group[1:] if check.kind in KINDS_SHOWN]
-            unfolded = cause(group[0]) in self.unfolded
-            rows.append(CheckRow(group[0].id, group[0], 0 if unfolded else len(others)))
+        for worst, *others in groups:
+            unfolded = cause(worst) in self.unfolded
+            rows.append(CheckRow(worst.id, worst, 0 if unfolded else len(others)))
             rows += [CheckRow(check.id, check, inside=True) for check in others] if unfolded else []
-        if rows:
-            return rows
-        signs = self.app.signs
-        words = f"{signs.mark('ready')} {self.app.say(Text('Nothing fails here, no caution is open.'))}"
-        return [CheckRow("", head=Content.styled(words, signs.style("ready")))]
+        return rows
 
     def _folding_rows(self, key: str, checks: Sequence[Check], count: Text) -> list[CheckRow]:
         """How many there are, before them where they are unfolded."""
@@ -226,7 +224,10 @@ class Checks(ItemList):
         reasons = (
             [Item("", [Content(row) for row in wrap(say(outcome.reason), max(1, width))])] if outcome.reason else []
         )
-        items = [*reasons, Item("", [self._head(columns)])] if columns.numbers else reasons
+        signs = self.app.signs
+        verdict = wrap(f"{signs.mark(outcome.verdict)} {say(outcome.words())}", max(1, width), SIGN)
+        items = [*reasons, Item("", [Content.styled(row, signs.style(outcome.colour)) for row in verdict])]
+        items += [Item("", [self._head(columns)])] if columns.numbers else []
         for row in rows:
             if row.check is None:
                 items.append(Item(row.key, [(row.head or Content("")).truncate(width, ellipsis=True)]))
@@ -267,14 +268,14 @@ class Checks(ItemList):
         if row.check.verdict == "accepted":
             return say(Text("{check}: accepted, {reason}", check=Name(title), reason=row.check.accepted))
         if row.others:
-            return say(Text("{name} ({n} findings)", name=Name(title), n=row.others + 1))
+            return say(Text("{name} ({n} checks)", name=Name(title), n=row.others + 1))
         return f"  {title}" if row.inside else title
 
     def _title_rows(self, row: CheckRow, columns: CheckColumns) -> list[Content]:
         """Sign and name, and its numbers where they have columns."""
         assert row.check is not None
         check, say, signs = row.check, self.app.say, self.app.signs
-        verdict = "outside" if self._beyond(check) else check.verdict
+        verdict = judged(check)
         style = signs.style(verdict)
         names = wrap(self._title(row), columns.name, 2 if row.inside else 0)
         loud = "bold" if check.verdict in ("fail", "not_verified") else "" if check.open else "dim"
@@ -311,9 +312,9 @@ class Checks(ItemList):
             rows.extend(Content.styled(indent + row, style) for row in wrap(words, room))
 
         if beyond := self._beyond(check):
-            tell(say(Text("It holds by a formula outside its validity: {methods}", methods=named(beyond))))
-        if check.missing and check.open:
-            tell(say(Text("Not known: {keys}.", keys=COMMA.join(self._label(key) for key in check.missing))))
+            tell(say(Text("outside the validity of its formula: {methods}", methods=named(beyond))))
+        for words in self._missing(check):
+            tell(say(words))
         if advice := say(check.advice).removeprefix(say(sentence(check.remedies))).strip():
             tell(advice)
         if check.open and check.remedies:
@@ -329,27 +330,51 @@ class Checks(ItemList):
         return rows
 
     def _beyond(self, check: Check) -> list[Check]:
-        """What puts a check that holds outside the validity of its formula."""
-        return outside(check, self.outcome.checks) if self.outcome is not None and check.verdict == "pass" else []
+        """What puts a check outside the validity of its formula."""
+        return outside(check, self.outcome.checks) if self.outcome is not None else []
+
+    def _missing(self, check: Check) -> Iterator[Text]:
+        """What is not given, what was taken for it, and how far the value goes with it."""
+        if check.missing and check.open:
+            yield Text("Not given: {keys}.", keys=COMMA.join(self._label(key) for key in check.missing))
+        if check.taken:
+            taken = SEMICOLON.join(check.taken)
+            yield Text("taken: {taken}", taken=taken) if check.open else Text("assumed: {taken}", taken=taken)
+        if check.at_best is not None and (check.open or check.outside):
+            best, worst = _end(check, check.at_best), _end(check, check.at_worst)
+            yield Text("at best {best}, at worst {worst}", best=best, worst=worst)
 
     def _label(self, key: str) -> Text:
         return label_of(self.app.session.data, key)
 
     def _line(self, check: Check) -> str:
         """The whole of it, to be copied."""
-        judged = Text(
+        line = Text(
             "{verdict}: {check} {value}, limit {limit}, margin {margin} [{source}]",
-            verdict=self.app.signs.word("outside" if self._beyond(check) else check.verdict),
+            verdict=self.app.signs.word(judged(check)),
             check=check.name,
             value=Amount(check.value, check.unit),
             limit=check.limit_text(),
             margin=check.margin_text(),
             source=check.source,
         )
-        return self.app.say(judged)
+        return self.app.say(line)
 
 
 KINDS_SHOWN = ("limit", "caution")  # the kinds whose findings are not folded
+
+
+def open_groups(outcome: Outcome[object]) -> list[list[Check]]:
+    """What is open and not folded, under its causes."""
+    groups = ([check for check in checks if check.open and check.kind in KINDS_SHOWN] for checks in outcome.causes)
+    return [group for group in groups if group]
+
+
+def _end(check: Check, end: End | None) -> Text:
+    """The value at a favourable or unfavourable end."""
+    if isinstance(end, (int, float)):
+        return Text("{value}", value=Amount(end, check.unit, digits=3))
+    return Text("it holds") if end == "holds" else Text("unknown")
 
 
 def cause(check: Check) -> str:

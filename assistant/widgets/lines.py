@@ -15,14 +15,15 @@ from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
 from calc.sheet.text import EMPTY, Amount, Text
-from calc.studies.ready import OPEN, StepState, tally
+from calc.sheet.verdict import colour_state
+from calc.studies.ready import StepState
 
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
 from ..session.guide import step_of
 from ..session.places import Place, label_of, named_key
 from ..session.session import Session
-from .steps import nothing_left, states_of
+from .steps import nothing_left, states_of, whole_of
 from .text import fit, wrap
 
 if TYPE_CHECKING:
@@ -75,7 +76,8 @@ class MessageLine(Widget):
             return urgent
         if ahead:
             return "todo", say(ahead)
-        return "pass", say(Text("Nothing fails, no caution is open."))
+        all_of_it = whole_of(session)
+        return all_of_it.state, say(all_of_it.words)
 
     def _mistake(self, reasons: Mapping[Place, Text]) -> str:
         """Why an input is not accepted: of this step, else of another one."""
@@ -167,9 +169,10 @@ def _ahead(states: Sequence[StepState]) -> Text:
 
 
 # --- the first row
-# The file and its state, what is open and how many steps are ready, and how long it took.
+# The file and its state, the verdict and how many steps are done, and how long it took.
 
 FEWEST = 60  # columns in which everything can be seen
+NAME = 12  # columns of the file's name at least, where what stands behind it can be shorter
 
 
 class TopLine(Widget):
@@ -198,18 +201,24 @@ class TopLine(Widget):
             parts.append(f"({say(Text('example'))})")
         return ", ".join(parts)
 
+    def _verdict(self, dim: str) -> list[tuple[str, str]]:
+        """The words of the state, and how many steps are done."""
+        session, signs, say = self.session, self.app.signs, self.app.say
+        if (results := session.results) is None:
+            return []
+        words = say(results.words()), dim + signs.style(colour_state(results.verdict, results.counts))
+        all_of_it = whole_of(session)
+        if all_of_it.ready:
+            return [words, (say(Text("ready")), dim + signs.style(all_of_it.state))]
+        asked = [state for state in states_of(session) if state.state != "not_asked"]
+        done = Text("{n} of {count} done", n=sum(state.done for state in asked), count=len(asked))
+        return [words, (say(done), "dim")]
+
     def render(self) -> Content:
         session, signs, say = self.session, self.app.signs, self.app.say
         width = self.size.width
         short = width < 100
         dim = "dim " if session.results is not None and not session.current else ""
-        right: list[Content | tuple[str, str] | str] = []
-        if session.results is not None:
-            counts = tally(states_of(session), session.results)
-            for state, words in counts.words:
-                text = f"{getattr(counts, state)} {signs.mark(state)}" if short and state in OPEN else say(words)
-                right += [(" " if short else " · ") if right else "", (text, dim + signs.style(state))]
-            right.append("  ")
         if not session.valid:
             time = say(Text("input is not valid"))
         elif session.failure:
@@ -218,6 +227,7 @@ class TopLine(Widget):
             time = f"{signs.mark('solving')} {say(Text('solving'))}"
         else:
             time = say(Text("solved in {time}", time=Amount(session.seconds * 1000, "ms", form=".0f")))
+        time = time if short else f"{time:>18}"
         if width < FEWEST:  # which must be seen
             wordings = (
                 Text("The window is too small: it needs {n} columns.", n=FEWEST),
@@ -226,12 +236,17 @@ class TopLine(Widget):
             )
             fitting = [f" {say(wording)}" for wording in wordings if len(say(wording)) < width]
             return Content(fitting[0] if fitting else fit(say(wordings[-1]), width))
+        verdict, state = self._verdict(dim), self.state(short)
         if self.app.writing:
-            right = [*([] if short else right), (say(self.app.writing), "bold"), "  "]
-        right.append((f"{time:>18}" if not short else time, "dim"))
-        end = Content.assemble(*right, " ")
-        state = self.state(short)
-        room = max(8, width - end.cell_length - 2 - (0 if short else 15) - (len(state) + 2 if state else 0))
+            verdict = [*([] if short else verdict), (say(self.app.writing), "bold")]
+        before = (0 if short else 15) + (len(state) + 2 if state else 0)
+        when = (time, "dim")
+        shorter = verdict if session.current else [*verdict[:1], when]  # nobody needs to know how long it took
+        for parts in ([*verdict, when], shorter, verdict[:1] or [when]):
+            end = Content.assemble(*(piece for part in parts for piece in (part, "  ")))
+            if end.cell_length + before + NAME <= width:
+                break
+        room = max(8, width - end.cell_length - 1 - before)
         start = Content.assemble(
             ("" if short else " Contralbero   "),
             " " if short else "",

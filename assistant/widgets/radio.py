@@ -58,15 +58,16 @@ class Todo(Radio):
         say = self.app.say
         without = self.session.data.get("without", {})
         reason = without.get(self.step, "") if isinstance(without, dict) else ""
-        hindered = hindrance(self.session.document, self.step)
-        if hindered:
+        if hindered := hindrance(self.session.document, self.step):
             words = say(Text("not built by rules: {why}", why=hindered))
             rows = [Content.styled(row, "dim") for row in wrap(f"    {words}", width - 1, 4)]
-            items = [Item("", rows, line=words)]
+            first = Item(
+                self.BUILD, rows, line=words
+            )  # under the cursor at first, as what leaves the step out never is
         else:
-            items = [self._offer(self.BUILD, say(GUIDES[self.step].builds), False, width)]
+            first = self._offer(self.BUILD, say(GUIDES[self.step].builds), False, width)
         leave = say(Text("leave it out"))
-        return [*items, self._offer(self.LEAVE, f"{leave}: {reason}" if reason else leave, bool(reason), width)]
+        return [first, self._offer(self.LEAVE, f"{leave}: {reason}" if reason else leave, bool(reason), width)]
 
     def _offer(self, key: str, words: str, on: bool, width: int) -> Item:
         rows = wrap(self.button(on) + words, width - 1, 4)
@@ -74,7 +75,7 @@ class Todo(Radio):
 
     def explained(self) -> tuple[str, str]:
         title, text = super().explained()
-        return title, f"{text} {self.app.say(Text('- leaves the step out.'))}"
+        return title, f"{text} {self.app.say(Text('- leaves the step out, for a reason that you type.'))}"
 
     def action_leave(self) -> None:
         self.post_message(self.Chosen(self, self.LEAVE))

@@ -9,9 +9,11 @@ from calc.sheet.text import Text
 
 WORDS = {
     "pass": Text("pass"),
+    "computed": Text("computed"),
     "warn": Text("warn"),
     "fail": Text("FAIL"),
     "note": Text("note"),
+    "not_judged": Text("not judged"),
     "not_verified": Text("not verified"),
     "accepted": Text("accepted"),
     "blocked": Text("waits"),
@@ -24,40 +26,39 @@ MARKS = SIGNS | {
     "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←",
     "yes": "✓", "more": "…",
     "then": "→", "recording": "●", "editing": "✎",
-    "todo": "○", "needs": "!", "waits": "◌", "ready": "✓", "folded": "▸", "unfolded": "▾",
+    "todo": "○", "needs": "!", "waits": "◌", "folded": "▸", "unfolded": "▾",
 }  # fmt: skip
 ASCII = {
-    "pass": "+", "warn": "!", "fail": "x", "note": "-", "not_verified": "?", "accepted": "+", "blocked": "o",
-    "not_asked": ".",
-    "no_solution": "x", "outside": "-",
+    "pass": "+", "computed": "+", "warn": "!", "fail": "x", "note": "-", "not_judged": "?", "not_verified": "?",
+    "accepted": "+", "blocked": "o", "not_asked": ".", "no_solution": "x", "outside": "-",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-",
     "yes": "+", "more": "...",
     "then": "->", "recording": "@", "editing": "*",
-    "todo": "o", "needs": "!", "waits": "o", "ready": "+", "folded": "...", "unfolded": ":",
+    "todo": "o", "needs": "!", "waits": "o", "folded": "...", "unfolded": ":",
 }  # fmt: skip
 
 # Okabe and Ito: told apart by nearly everybody; the darker ones for a light background
 DARK = {
     "pass": "#56B4E9",
+    "computed": "#56B4E9",
     "warn": "#E69F00",
     "fail": "#D55E00",
     "no_solution": "#D55E00",
     "invalid": "#E69F00",
     "not_verified": "#E69F00",
     "needs": "#E69F00",
-    "ready": "#56B4E9",
     "accepted": "#56B4E9",
     "lit": "#56B4E9",
 }
 LIGHT = {
     "pass": "#0072B2",
+    "computed": "#0072B2",
     "warn": "#8A5A00",
     "fail": "#B04A00",
     "no_solution": "#B04A00",
     "invalid": "#8A5A00",
     "not_verified": "#8A5A00",
     "needs": "#8A5A00",
-    "ready": "#0072B2",
     "accepted": "#0072B2",
     "lit": "#0072B2",
 }

@@ -10,8 +10,8 @@ from textual.style import Style
 from textual.widget import Widget
 
 from calc.design.model import STEPS
-from calc.sheet.text import Text, plural
-from calc.studies.ready import StepState, readiness, ready
+from calc.sheet.text import Text
+from calc.studies.ready import SOLVED, Readiness, StepState, readiness, whole
 
 from ..actions import BY_ID
 from ..base_app import BaseApp
@@ -19,7 +19,7 @@ from ..session.places import Place
 from ..session.session import Session
 from .item_list import Item, ItemList
 from .signs import Signs
-from .text import bar, fit
+from .text import bar, fit, wrap
 
 READY = "ready"  # the key of the row behind the steps
 INDENT = "  "
@@ -30,6 +30,11 @@ def states_of(session: Session) -> tuple[StepState, ...]:
     count."""
     results = None if session.failure else session.results
     return readiness(session.data, results, map(_dotted, session.reasons()))
+
+
+def whole_of(session: Session) -> Readiness:
+    """Whether a design under edit is ready, and what to say of it."""
+    return whole(states_of(session), None if session.failure else session.results)
 
 
 def nothing_left(states: Sequence[StepState], key: str) -> bool:
@@ -55,7 +60,7 @@ class Steps(ItemList):
     def build(self, width: int) -> list[Item]:
         states = states_of(self.session)
         items = [Item(state.key, self._step(n, state, width)) for n, state in enumerate(states, 1)]
-        items.append(Item(READY, self._ready(states, width)))
+        items.append(Item(READY, self._ready(width)))
         if sum(len(item.rows) + 1 for item in items) > self.size.height + 1:
             return items
         return [entry for item in items for entry in (item, Item("", [Content("")]))]
@@ -66,17 +71,20 @@ class Steps(ItemList):
         title = fit(f"{n} {say(STEPS[n - 1].title)}", width - 4)
         end = signs.mark("here") if here else ""
         gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
-        style = signs.style(state.state)
-        loud = style if state.state in ("needs", "fail", "not_verified", "warn") else "dim"
+        style = signs.style(state.colour)
+        loud = "dim" if state.done else style
+        words = wrap(say(state.words), room)
+        if state.state not in SOLVED:  # a reason, which is told in full elsewhere
+            words = [fit(say(state.words), room)]
         rows = [
             Content.assemble(
                 (signs.mark(state.state), style), " ", (title, "bold" if here else ""), gap, (end, "bold")
             ),
-            Content.assemble(INDENT, (fit(say(state.words), room), loud)),
+            *(Content.assemble(INDENT, (row, loud)) for row in words),
         ]
         results = self.session.results
         shown = None
-        if results is not None and state.state in ("fail", "not_verified", "warn", "ready"):
+        if results is not None and state.state in SOLVED:
             from calc.studies.headlines import headline  # with numpy
 
             shown = headline(results, state.key)
@@ -92,16 +100,15 @@ class Steps(ItemList):
                 )
         return rows
 
-    def _ready(self, states: tuple[StepState, ...], width: int) -> list[Content]:
-        """The last row: whether all is done, or how many steps are left."""
-        signs, say, done = self.app.signs, self.app.say, ready(states)
-        left = sum(not state.done for state in states)
-        mark = "ready" if done else "todo"
-        words = Text("every limit holds") if done else plural("{n} step left", "{n} steps left", n=left)
-        style = signs.style(mark)
+    def _ready(self, width: int) -> list[Content]:
+        """The last row: whether all is done, or what is left."""
+        signs, say, all_of_it = self.app.signs, self.app.say, whole_of(self.session)
+        style = signs.style(all_of_it.state)
         return [
-            Content.assemble((signs.mark(mark), style), " ", (say(Text("Ready")), "bold" if done else "")),
-            Content.assemble(INDENT, (fit(say(words), width - len(INDENT)), style if done else "dim")),
+            Content.assemble(
+                (signs.mark(all_of_it.state), style), " ", (say(Text("Ready")), "bold" if all_of_it.ready else "")
+            ),
+            Content.assemble(INDENT, (fit(say(all_of_it.words), width - len(INDENT)), style)),
         ]
 
 
@@ -139,12 +146,13 @@ class StepBar(Widget):
             text = Content.assemble(
                 "[" if current else "" if parts and shown[n - 2][1].key == self.current else " ",
                 str(n),
-                (signs.mark(state.state), signs.style(state.state)),
+                (signs.mark(state.state), signs.style(state.colour)),
                 (fit(title, longest, ""), "bold" if current else ""),
                 "]" if current else "",
             )
             parts.append(text.stylize(Style.from_meta({"@click": f"screen.{BY_ID[f'step_{n}'].does}"})))
-        mark = "ready" if ready(states) else "todo"
-        last = Content.assemble(" ", (signs.mark(mark), signs.style(mark)), (end, "bold" if mark == "ready" else "dim"))
+        all_of_it = whole_of(self.session)
+        mark = signs.mark(all_of_it.state), signs.style(all_of_it.state)
+        last = Content.assemble(" ", mark, (end, "bold" if all_of_it.ready else "dim"))
         parts.append(last.stylize(Style.from_meta({"@click": f"screen.{BY_ID['ready'].does}"})))
         return Content("").join(parts)

@@ -1,27 +1,348 @@
 # SPDX-License-Identifier: Apache-2.0
 """The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their
-subjects."""
+subjects, those of its outline where it is put together."""
 
 from collections.abc import Callable, Iterator
 
+from ..gears.inputs import GearsInputs
+from ..imbalance.result import ImbalanceResult
 from ..library import fatigue
-from ..library.catalogue import Material
+from ..library.catalogue import Material, proof_of
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.functions import argument, degrees
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down
-from ..sheet.shim_check import check
 from ..sheet.text import SPACE, Amount, Text
-from ..sheet.units import Metre
-from .bending.shaft import RIGID, Bending
+from ..sheet.units import Metre, Number
+from .bending.shaft import Bending
 from .inputs import CountershaftInputs
+from .making.parts import SEAT_DIAMETERS
 from .outline import Journals
-from .result import CountershaftResult
+from .result import CountershaftResult, SupportResult
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 from .supports import Gear
 
-WEAKEST = 235e6  # Pa: proof stress of the weakest structural steel
+# --- what is left over
+
+OF_COUPLE = Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none")
+OF_FORCE = Text("rule of this program: 5 % of m·r·ω² of one cylinder")
+MASSES = (dotted("countershaft", CountershaftInputs.masses),)
+
+RESIDUAL = CheckRule(
+    "countershaft.residual",
+    "limit",
+    "The couple is what the shaft is for, and no shaft may make it worse.",
+    sense="<=",
+    unit="N·m",
+    source=OF_COUPLE,
+    role="physics",
+    moved_by=MASSES,
+    short=Text("couple left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_couple,
+)
+RESIDUAL_FORCE = CheckRule(
+    "countershaft.residual_force",
+    "limit",
+    "The force is what the shaft is for, or brings into the engine.",
+    sense="<=",
+    unit="N",
+    source=OF_FORCE,
+    role="physics",
+    cause=RESIDUAL.id,
+    moved_by=MASSES,
+    short=Text("force left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_force,
+)
+RESIDUAL_SHARE = CheckRule(
+    "countershaft.residual_share",
+    "advice",
+    "Shafts at twice crank speed are for comfort and often take a part of the couple only.",
+    sense="<=",
+    unit="N·m",
+    source=OF_COUPLE,
+    moved_by=MASSES,
+    short=Text("couple left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_couple,
+)
+RESIDUAL_FORCE_SHARE = CheckRule(
+    "countershaft.residual_force_share",
+    "advice",
+    "Shafts at twice crank speed are for comfort and often take a part of the force only.",
+    sense="<=",
+    unit="N",
+    source=OF_FORCE,
+    cause=RESIDUAL_SHARE.id,
+    moved_by=MASSES,
+    short=Text("force left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_force,
+)
+
+# --- how it bends
+
+STIFFNESS = (
+    dotted("countershaft", CountershaftInputs.core_radius),
+    dotted("countershaft", CountershaftInputs.bearing_positions),
+)
+FILLET_AND_CORE = (
+    dotted("countershaft", CountershaftInputs.fillet_radius),
+    dotted("countershaft", CountershaftInputs.core_radius),
+)
+LARGER_CORE = Text("A larger core where the moment is largest, or a shorter span.")
+LARGER_FILLET = Text("A larger fillet. {advice}", advice=LARGER_CORE)
+
+SLOPE_FRONT = CheckRule(
+    "countershaft.slope_front",
+    "caution",
+    "The journal stands on the edge of its seat; a target of one maker: the film at the edge is what judges it.",
+    Text("Slope of the front journal"),
+    "<=",
+    "mrad",
+    Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker"),
+    Text("A stiffer shaft between its bearings: a larger core, or a shorter span."),
+    demand=True,
+    value_id=dotted("countershaft", CountershaftResult.slope_front),
+    moved_by=STIFFNESS,
+    short=Text("slope"),
+    decides=True,
+)
+SLOPE_REAR = CheckRule(
+    "countershaft.slope_rear",
+    "caution",
+    SLOPE_FRONT.why,
+    Text("Slope of the rear journal"),
+    "<=",
+    "mrad",
+    SLOPE_FRONT.source,
+    SLOPE_FRONT.advice,
+    demand=True,
+    cause=SLOPE_FRONT.id,
+    value_id=dotted("countershaft", CountershaftResult.slope_rear),
+    moved_by=STIFFNESS,
+    short=Text("slope"),
+    decides=True,
+)
+FIRST_CRITICAL_SPEED = CheckRule(
+    "countershaft.first_critical_speed",
+    "limit",
+    "A shaft that turns near its critical speed bends out.",
+    Text("First natural frequency of bending, as a speed"),
+    unit="rpm",
+    source=Text(
+        "dynamics: at 1/1.2 of its critical speed a shaft bends out 1/(1 − 1/1.44) = 3.3 times as far; highest speed "
+        "of the engine"
+    ),
+    advice=Text("A stiffer or lighter shaft: larger core, shorter span."),
+    role="physics",
+    value_id=dotted("countershaft", CountershaftResult.first_critical_speed),
+    moved_by=STIFFNESS,
+    short=Text("critical speed"),
+)
+RIGID = CheckRule(
+    "countershaft.rigid",
+    "caution",
+    "Nearer to its critical speed a shaft is not balanced as the rigid one that is computed.",
+    Text("First natural frequency of bending, for a rigid shaft"),
+    unit="rpm",
+    source=Text(
+        "rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"
+    ),
+    advice=FIRST_CRITICAL_SPEED.advice,
+    cause=FIRST_CRITICAL_SPEED.id,
+    value_id=FIRST_CRITICAL_SPEED.value_id,
+    moved_by=STIFFNESS,
+)
+BENDING_STRESS = CheckRule(
+    "countershaft.bending_stress",
+    "limit",
+    "The shaft yields.",
+    Text("Largest bending stress, nominal"),
+    "<=",
+    "MPa",
+    advice=LARGER_CORE,
+    role="physics",
+    demand=True,
+    value_id=dotted("countershaft", Bending.bending_stress),
+    moved_by=STIFFNESS,
+    short=Text("stress"),
+    proven=(),
+)
+NOTCH_STRESS = CheckRule(
+    "countershaft.notch_stress",
+    "caution",
+    "The fillet yields locally where the section as a whole holds.",
+    Text("Bending stress at the fillet of a shoulder"),
+    "<=",
+    "MPa",
+    advice=LARGER_FILLET,
+    demand=True,
+    cause=BENDING_STRESS.id,
+    value_id=dotted("countershaft", Bending.notch_stress),
+    moved_by=FILLET_AND_CORE,
+    proven=(),
+)
+FATIGUE = CheckRule(
+    "countershaft.fatigue",
+    "limit",
+    "A crack at the fillet ends the shaft's life.",
+    Text("Safety of the fillet against fatigue"),
+    source=Text(
+        "{fkm}: endless life, every run-up a cycle; weight and tooth force, which alternate, are left out",
+        fkm=fatigue.FKM,
+    ),
+    advice=LARGER_FILLET,
+    role="physics",
+    demand=True,
+    cause=BENDING_STRESS.id,
+    value_id=dotted("countershaft", Bending.fatigue_safety),
+    moved_by=FILLET_AND_CORE,
+    proven=(),
+)
+FATIGUE_RESERVE = CheckRule(
+    "countershaft.fatigue_reserve",
+    "caution",
+    "The fillet, the notch and the constants are estimates, and strengths scatter.",
+    Text("Safety of the fillet against fatigue, with a reserve"),
+    source=Text("{fkm}: safety of 1.5 for what is estimated", fkm=fatigue.FKM),
+    advice=LARGER_FILLET,
+    demand=True,
+    cause=BENDING_STRESS.id,
+    value_id=FATIGUE.value_id,
+    moved_by=FILLET_AND_CORE,
+)
+FILLET = CheckRule(
+    "countershaft.fillet",
+    "method",
+    "Outside its range the notch factor is an extrapolation.",
+    Text("Height of the governing shoulder over its fillet radius"),
+    "in",
+    source=Text("range of the notch factor ({peterson})", peterson=fatigue.PETERSON),
+    advice=Text("Outside it the notch stress is an extrapolation."),
+    moved_by=FILLET_AND_CORE[:1],
+    weakens=((FATIGUE, 1.5), (FATIGUE_RESERVE, 1.5)),
+)
+FILLET_ROOM = CheckRule(
+    "countershaft.fillet_room",
+    "caution",
+    "The fillet as given can not be cut there, and a smaller one has more stress.",
+    Text("Fillet radius in the gap between two shoulders"),
+    "<=",
+    "mm",
+    Text("geometry: a fillet takes its radius of the length of the thinner piece"),
+    Text("Or set the shoulders further apart."),
+    moved_by=FILLET_AND_CORE[:1],
+)
+BENDS_OUT, RIGID_FROM = 1.2, 1.5  # first critical speed over the highest of the shaft
+ENDLESS, RESERVE = 1.0, 1.5  # safety against fatigue
+
+# --- whether it fits
+
+ENVELOPE = CheckRule(
+    "countershaft.envelope",
+    "limit",
+    "The shaft can not be threaded through its seats.",
+    Text("Room around the sectors in the largest seat"),
+    unit="mm",
+    source=Text("Finotti 2013, 4.1: the shaft is threaded in through its seat"),
+    advice=Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well."),
+    role="chosen",
+    exact=True,
+    zero="outer radius",
+    moved_by=(
+        dotted("countershaft", CountershaftInputs.outer_radius),
+        dotted("countershaft", CountershaftInputs.radial_clearance),
+        *SEAT_DIAMETERS,
+    ),
+    short=Text("radius"),
+)
+GEAR_SEAT = CheckRule(
+    "countershaft.gear_seat",
+    "caution",
+    "The gear does not pass the seat; it may be fixed after the shaft is inserted.",
+    Text("Room around the gear's tip in the front seat"),
+    ">",
+    "mm",
+    Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft"),
+    Text("A larger front journal, fewer teeth or a smaller module."),
+    zero="1 mm",
+    cause="gears.train.assembly",
+    moved_by=(SEAT_DIAMETERS[0], dotted("gears", GearsInputs.normal_module)),
+)
+ENVELOPE_LENGTH = CheckRule(
+    "countershaft.envelope_length",
+    "limit",
+    "The sectors run into the journals.",
+    Text("Room between the sectors and the nearest journal"),
+    unit="mm",
+    source=Text("geometry: the sectors end where the journals begin"),
+    advice=Text("Or set the bearings further apart."),
+    role="chosen",
+    exact=True,
+    zero="length of the nearest bearing",
+    moved_by=(
+        dotted("countershaft", CountershaftInputs.half_length),
+        dotted("countershaft", CountershaftInputs.bearing_positions),
+    ),
+    short=Text("length"),
+)
+SUPPORT_SPECIFIC_LOAD = CheckRule(
+    "countershaft.support.N.specific_load",
+    "caution",
+    "A screening of journals that are not part of [bearings], whose film is not known.",
+    sense="<=",
+    unit="MPa",
+    source=Text("Finotti 2013, 3.2.3.1: the most that is accepted, with forced oil and cooling"),
+    advice=Text("A longer journal, or a larger one."),
+    demand=True,
+    value_id=dotted("countershaft", "support", "N", SupportResult.specific_load),
+    moved_by=(dotted("countershaft", CountershaftInputs.journals),),
+)
+SUPPORT_HEAT_INDEX = CheckRule(
+    "countershaft.support.N.heat_index",
+    "caution",
+    SUPPORT_SPECIFIC_LOAD.why,
+    sense="<=",
+    unit="N·rpm/mm",
+    source=SUPPORT_SPECIFIC_LOAD.source,
+    advice=SUPPORT_SPECIFIC_LOAD.advice,
+    demand=True,
+    cause=SUPPORT_SPECIFIC_LOAD.id,
+    value_id=dotted("countershaft", "support", "N", SupportResult.heat_index),
+    moved_by=SUPPORT_SPECIFIC_LOAD.moved_by,
+)
+
+# --- whether its sections are the shaft of its masses
+
+SECTIONS = (dotted("countershaft", CountershaftInputs.sections),)
+OUTLINE = CheckRule(
+    "countershaft.outline",
+    "limit",
+    "Sections and masses describe two shafts: the one that is drawn does not give the couple.",
+    Text("Couple of the given sections, off that of the masses"),
+    "<=",
+    "N·m",
+    Text("rule of this program: within 5 %, else masses and sections are not of one shaft"),
+    Text("Look at radii, half-angles, angles and places of the sections: the bending is that of the outline."),
+    role="self",
+    moved_by=SECTIONS,
+)
+OUTLINE_FORCE = CheckRule(
+    "countershaft.outline_force",
+    "limit",
+    "Sections and masses describe two shafts: the one that is drawn does not give the force.",
+    Text("Force of the given sections, off that of the masses"),
+    "<=",
+    "N",
+    OUTLINE.source,
+    OUTLINE.advice,
+    role="self",
+    cause=OUTLINE.id,
+    moved_by=SECTIONS,
+)
 
 
 def checks(
@@ -29,12 +350,9 @@ def checks(
 ) -> Iterator[Check]:
     """All checks of the step but those of its bending and its making."""
     yield from _residual_checks(shaft, todo, shaft_result)
-    for place, slope in (("front", shaft_result.slope_front), ("rear", shaft_result.slope_rear)):
+    for rule, slope in ((SLOPE_FRONT, shaft_result.slope_front), (SLOPE_REAR, shaft_result.slope_rear)):
         if slope is not None:
-            name = Text("Slope of the {place} journal", place=Text(place))
-            source = Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker")
-            advice = Text("A stiffer shaft between its bearings: a larger core, or a shorter span.")
-            yield check(f"countershaft.slope_{place}", name, slope, "<=", SLOPE, "mrad", source, advice)
+            yield rule(slope, SLOPE)
     if journals:
         yield from _envelope_checks(shaft, shaft_result, journals, gear)
     yield from _support_checks(shaft_result)
@@ -58,44 +376,31 @@ def _residual_checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: C
     )
     alike = Text("Balance the masses against each other (mass times radius), so that only a couple remains.")
     force = todo.force_may_be_left
-    for key, word, limit, before, unit, source, advice in (
+    for word, whole, share, limit, before, advice in (
+        (Text("couple"), RESIDUAL, RESIDUAL_SHARE, todo.may_leave, abs(todo.C) + abs(todo.C_against), aim_couple),
         (
-            "residual",
-            Text("couple"),
-            todo.may_leave,
-            abs(todo.C) + abs(todo.C_against),
-            "N·m",
-            Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none"),
-            aim_couple,
-        ),
-        (
-            "residual_force",
             Text("force"),
+            RESIDUAL_FORCE,
+            RESIDUAL_FORCE_SHARE,
             force,
             abs(todo.F) + abs(todo.F_against),
-            "N",
-            Text("rule of this program: 5 % of m·r·ω² of one cylinder"),
             aim_force if abs(todo.F) > force else alike,
         ),
     ):
-        left = getattr(shaft_result, f"residual_order_{todo.order}_{word}") or 0.0
+        value = f"residual_order_{todo.order}_{word}"
+        left = getattr(shaft_result, value) or 0.0
         if shaft.pair != "yes" and str(word) in todo.out_of_reach:
-            against = abs(todo.C_against if key == "residual" else todo.F_against)
-            beyond = _beyond(shaft, Amount(against, unit, form=".4g"))
+            against = abs(todo.C_against if whole is RESIDUAL else todo.F_against)
+            beyond = _beyond(shaft, Amount(against, whole.unit, form=".4g"))
             advice = advice + SPACE + beyond if left - against > limit else beyond
         # shafts at twice crank speed are for comfort and often take a part only; they fail where they make it worse
-        kind = "limit" if todo.order == 1 or left > max(before, limit) else "advice"
-        yield check(
-            f"countershaft.{key}",
-            Text("{words}-order {word} left over", words=WORDS[todo.order], word=word),
+        rule = whole if todo.order == 1 or left > max(before, limit) else share
+        yield rule(
             left,
-            "<=",
             limit,
-            unit,
-            source,
-            advice,
-            kind=kind,
-            value_id=f"countershaft.residual_order_{todo.order}_{word}",
+            name=Text("{words}-order {word} left over", words=WORDS[todo.order], word=word),
+            advice=advice,
+            value_id=dotted("countershaft", getattr(CountershaftResult, value)),
         )
 
 
@@ -132,21 +437,13 @@ def _envelope_checks(
     if clearance is not None and R is not None:
         room = max(d for d, _ in journals) / 2 - R
         smaller = _no_longer(CountershaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None
-        name, room = Text("Room around the sectors in the largest seat"), round(room, 9)
-        source = Text("Finotti 2013, 4.1: the shaft is threaded in through its seat")
-        advice = Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well.")
-        yield check("countershaft.envelope", name, room, ">=", clearance, "mm", source, advice, remedies=smaller)
+        yield ENVELOPE(round(room, 9), clearance, scale=R, remedies=smaller)
     if clearance is not None and gear is not None:
-        name, room = Text("Room around the gear's tip in the front seat"), (journals[0][0] - gear.tip_diameter) / 2
-        source = Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft")
-        advice = Text("A larger front journal, fewer teeth or a smaller module.")
-        yield check("countershaft.gear_seat", name, round(room, 9), ">", 0.0, "mm", source, advice)
+        yield GEAR_SEAT(round((journals[0][0] - gear.tip_diameter) / 2, 9), 0.0, scale=1e-3)
     if shaft.mode == "size" and shaft.half_length is not None:
-        face = min(abs(z) - l / 2 for z, (_, l) in zip(seats, journals))
-        name, room = Text("Room between the sectors and the nearest journal"), round(face - shaft.half_length, 9)
-        source = Text("geometry: the sectors end where the journals begin")
-        advice, shorter = Text("Or set the bearings further apart."), _no_longer(CountershaftInputs.half_length, face)
-        yield check("countershaft.envelope_length", name, room, ">=", 0.0, "mm", source, advice, remedies=shorter)
+        face, length = min((abs(z) - l / 2, l) for z, (_, l) in zip(seats, journals))
+        shorter = _no_longer(CountershaftInputs.half_length, face)
+        yield ENVELOPE_LENGTH(round(face - shaft.half_length, 9), 0.0, scale=length, remedies=shorter)
 
 
 def _no_longer(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:
@@ -157,15 +454,12 @@ def _no_longer(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]
 def _support_checks(shaft_result: CountershaftResult) -> Iterator[Check]:
     """Specific load and heat index of journals that are not part of [bearings]: a screening, without their film."""
     for name, support in shaft_result.support.items():
-        for what, label, number, limit, unit in (
-            ("specific_load", Text("Specific load"), support.specific_load, SPECIFIC_LOAD, "MPa"),
-            ("heat_index", Text("Heat index"), support.heat_index, HEAT_INDEX, "N·rpm/mm"),
+        for rule, label, number, limit in (
+            (SUPPORT_SPECIFIC_LOAD, Text("Specific load"), support.specific_load, SPECIFIC_LOAD),
+            (SUPPORT_HEAT_INDEX, Text("Heat index"), support.heat_index, HEAT_INDEX),
         ):
             if number is not None:
-                label = Text("{label}, support {name}", label=label, name=name)
-                source = Text("Finotti 2013, 3.2.3.1: the most that is accepted, with forced oil and cooling")
-                advice = Text("A longer journal, or a larger one.")
-                yield check(f"countershaft.support.{name}.{what}", label, number, "<=", limit, unit, source, advice)
+                yield rule(number, limit, at=name, name=Text("{label}, support {name}", label=label, name=name))
 
 
 def _outline_checks(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
@@ -173,65 +467,51 @@ def _outline_checks(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterat
     couple, force = shaft_result.outline_couple_deviation, shaft_result.outline_force_deviation
     if couple is None or force is None:
         return
-    source = Text("rule of this program: within 5 %, else masses and sections are not of one shaft")
-    advice = Text("Look at radii, half-angles, angles and places of the sections: the bending is that of the outline.")
-    name, most = Text("Couple of the given sections, off that of the masses"), max(shaft_result.couple, todo.may_leave)
-    yield check("countershaft.outline", name, couple, "<=", LEFT_OVER * most, "N·m", source, advice)
-    name, most = Text("Force of the given sections, off that of the masses"), max(shaft_result.force, todo.one_force)
-    yield check("countershaft.outline_force", name, force, "<=", LEFT_OVER * most, "N", source, advice)
+    yield OUTLINE(couple, LEFT_OVER * max(shaft_result.couple, todo.may_leave))
+    yield OUTLINE_FORCE(force, LEFT_OVER * max(shaft_result.force, todo.one_force))
 
 
-def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
-    """Stress and speed of the shaft; the slopes are judged with the journals."""
-    name, rigid = Text("First natural frequency of bending, as a speed"), RIGID * bent.speed
-    source = Text(
-        "rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"
-    )
-    advice = Text("A stiffer or lighter shaft: larger core, shorter span.")
-    yield check("countershaft.first_critical_speed", name, bent.natural_frequency, ">=", rigid, "rpm", source, advice)
+def bending_checks(bent: Bending, material: Material, fastest: Number = 1.0) -> Iterator[Check]:
+    """Stress and speed of the shaft; the slopes are judged with the journals.
+
+    `fastest`: the highest speed of the engine over that at which the shaft is bent."""
+    highest = fastest * bent.speed
+    yield FIRST_CRITICAL_SPEED(bent.natural_frequency, BENDS_OUT * highest)
+    yield RIGID(bent.natural_frequency, RIGID_FROM * highest)
     # the stresses are nominal: of the full sections, whatever their share in the stiffness
-    proof, strength = material.proof_stress, Text("elasticity, proof stress of {name}", name=material.name)
-    advice = Text("A larger core where the moment is largest, or a shorter span.")
-    name, stress = Text("Largest bending stress, nominal"), bent.bending_stress
-    if proof is not None:
+    proof, unknown = proof_of(material, bent.bending_stress)
+    strength = Text("elasticity, proof stress of {name}", name=material.name)
+    if unknown is None:
         source = Text("{source}; the stress stands still in the turning shaft", source=strength)
-        yield check("countershaft.bending_stress", name, stress, "<=", proof, "MPa", source, advice)
-    elif material.kind == "steel":  # below the weakest any steel bears it, above it depends
-        yield check(
-            "countershaft.bending_stress",
-            name,
-            stress,
-            "<=",
-            WEAKEST,
-            "MPa",
-            Text(
-                "rule of this program: as the weakest structural steels; the strength of {name} is not known",
-                name=material.name,
-            ),
-            Text("Give the strength of {name} as a [[material]] of the design.", name=material.name),
-            kind="caution",
-            missing=() if stress <= WEAKEST else (dotted("material", Material.proof_stress),),
-        )
-    larger = Text("A larger fillet. {advice}", advice=advice)
-    if proof is not None and bent.notch_stress is not None:
-        name = Text("Bending stress at the fillet of a shoulder")
-        source = Text("{source}: above it the fillet yields locally", source=strength)
-        yield check("countershaft.notch_stress", name, bent.notch_stress, "<=", proof, "MPa", source, larger)
-    if bent.fatigue_safety is not None and (bears := fatigue.strength(material)) is not None:
-        name = Text("Safety of the fillet against fatigue")
+        yield BENDING_STRESS(bent.bending_stress, proof, source=source)
+    else:
         source = Text(
-            "{fkm}: endless life, every run-up a cycle; weight and tooth force, which alternate, are left out",
-            fkm=fatigue.FKM,
+            "rule of this program: as the weakest structural steels; the strength of {name} is not known",
+            name=material.name,
         )
-        yield check("countershaft.fatigue", name, bent.fatigue_safety, ">=", bears.safety, "", source, larger)
+        advice = Text("Give the strength of {name} as a [[material]] of the design.", name=material.name)
+        yield BENDING_STRESS(bent.bending_stress, proof, source=source, advice=advice, missing=unknown)
+    if unknown is None and bent.notch_stress is not None:
+        source = Text("{source}: above it the fillet yields locally", source=strength)
+        yield NOTCH_STRESS(bent.notch_stress, proof, source=source)
+    if bent.bending_stress:
+        yield from _fatigue_checks(bent, material)
     if bent.step_over_fillet is not None:
-        name = Text("Height of the governing shoulder over its fillet radius")
-        source = Text("range of the notch factor ({peterson})", peterson=fatigue.PETERSON)
-        advice = Text("Outside it the notch stress is an extrapolation.")
-        yield check("countershaft.fillet", name, bent.step_over_fillet, "in", fatigue.FIT, "", source, advice)
+        yield FILLET(bent.step_over_fillet, fatigue.FIT)
     if bent.fillet is not None and bent.fillet_room is not None:
-        name, room = Text("Fillet radius in the gap between two shoulders"), round(bent.fillet_room, 9)
-        source = Text("geometry: a fillet takes its radius of the length of the thinner piece")
-        advice = Text("Or set the shoulders further apart.")
         smaller = _no_longer(CountershaftInputs.fillet_radius, bent.fillet_room)
-        yield check("countershaft.fillet_room", name, bent.fillet, "<=", room, "mm", source, advice, remedies=smaller)
+        yield FILLET_ROOM(bent.fillet, round(bent.fillet_room, 9), scale=bent.fillet, remedies=smaller)
+
+
+def _fatigue_checks(bent: Bending, material: Material) -> Iterator[Check]:
+    """Of a shaft that bends at all: not verified where strength, kind of metal or fillet are not given."""
+    if bent.fatigue_safety is not None:
+        yield FATIGUE(bent.fatigue_safety, ENDLESS)
+        yield FATIGUE_RESERVE(bent.fatigue_safety, RESERVE)
+        return
+    lacking = {
+        dotted("material", Material.tensile_strength): material.tensile_strength is None,
+        dotted("material", Material.kind): str(material.kind) not in fatigue.KINDS,
+    }
+    keys = [key for key, lacks in lacking.items() if lacks] or [FILLET_AND_CORE[0]]
+    yield FATIGUE(None, ENDLESS, missing=Missing(tuple(keys), (Text("none"),) * len(keys), "none", "none"))

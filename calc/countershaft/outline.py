@@ -10,13 +10,12 @@ import numpy as np
 
 from ..draw.drawing import TOUCH
 from ..sheet.arrays import Array, ComplexArray
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.formula import formula
 from ..sheet.functions import cis, cos, pi, resultant, sin
 from ..sheet.linked_array import column, gathered, where
 from ..sheet.quantity import dotted
 from ..sheet.record import record
-from ..sheet.shim_check import check
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
     CubicMetre,
@@ -179,6 +178,52 @@ class Outline:
         return self.pieces[-1].end
 
 
+CORE = CheckRule(
+    "countershaft.core",
+    "limit",
+    "Nothing joins the parts of the shaft.",
+    unit="mm",
+    source=Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts"),
+    advice=Text("A larger core."),
+    role="physics",
+    moved_by=(dotted("countershaft", CountershaftInputs.core_radius),),
+)
+MASS_SHAPE = CheckRule(
+    "countershaft.mass_shape",
+    "limit",
+    "Without a shape nothing of the bending, a limit, can be judged.",
+    sense="<",
+    unit="mm",
+    source=SECTOR,
+    advice=Text(
+        "Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is judged."
+    ),
+    role="self",
+    zero="outer radius",
+    moved_by=(
+        dotted("countershaft", CountershaftInputs.sections),
+        dotted("countershaft", CountershaftInputs.outer_radius),
+    ),
+)
+CROSSING = CheckRule(
+    "countershaft.crossing",
+    "limit",
+    "Two pieces of one shaft can not be in one place.",
+    sense="<=",
+    unit="mm",
+    source=Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius"),
+    advice=Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]]."),
+    role="chosen",
+    exact=True,
+    zero="length of the shorter piece",
+    moved_by=(
+        dotted("countershaft", CountershaftInputs.masses),
+        dotted("countershaft", CountershaftInputs.outer_radius),
+        dotted("countershaft", CountershaftInputs.journals),
+    ),
+)
+
+
 class NoOutline(Exception):
     """Why the shaft can not be drawn from what is known; `broken`: the check that fails where it is no shaft at all."""
 
@@ -312,12 +357,7 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
             outer_radius=Amount(thinnest.outer_radius * 1000.0, form=".3g"),
         )
         name = Text("Radius of {said}", said=_stretch(thinnest))
-        source = Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts")
-        advice = Text("A larger core.")
-        broken = check(
-            "countershaft.core", name, thinnest.outer_radius, ">=", THIN * largest.outer_radius, "mm", source, advice
-        )
-        raise NoOutline(reason, broken)
+        raise NoOutline(reason, CORE(thinnest.outer_radius, THIN * largest.outer_radius, name=name))
     sectors = np.array([p.half_angle is not None for p in pieces])
     R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
     moment = np.zeros(len(pieces), dtype=complex)
@@ -377,21 +417,9 @@ def _no_sector(mass: EccentricMass, R: Metre, r_0: Metre, t: Number) -> NoOutlin
         radius=Amount(mass.radius * 1000.0, form="g"),
         within=within,
     )
-    broken = check(
-        "countershaft.mass_shape",
-        Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name),
-        mass.radius,
-        "<",
-        most,
-        "mm",
-        SECTOR,
-        Text(
-            "Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is "
-            "judged."
-        ),
-        missing=(dotted("countershaft", CountershaftInputs.sections),),
-    )
-    return NoOutline(reason, broken)
+    name = Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name)
+    shape = Missing((dotted("countershaft", CountershaftInputs.sections),), (SECTOR,), "holds", "none")
+    return NoOutline(reason, MASS_SHAPE(mass.radius, most, name=name, scale=R, missing=shape))
 
 
 def assembled(
@@ -456,11 +484,8 @@ def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: Text) -> Piece:
 
 def _crossing(first: Piece, second: Piece) -> NoOutline:
     name = Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second))
-    source = Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius")
-    advice = Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]].")
-    overlap = check(
-        "countershaft.crossing", name, min(first.end, second.end) - second.start, "<=", 0.0, "mm", source, advice
-    )
+    shorter = min(first.length, second.length)
+    overlap = CROSSING(min(first.end, second.end) - second.start, 0.0, name=name, scale=shorter)
     return NoOutline(Text("{said} crosses {said2}", said=_stretch(second), said2=_stretch(first)), overlap)
 
 

@@ -3,7 +3,7 @@
 
 At the end whether the oil of its bearings drains off."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -12,14 +12,12 @@ from ..imbalance.remedies import roll_torque
 from ..imbalance.result import ImbalanceResult
 from ..library.catalogue import Material
 from ..library.journal_rules import heat_index, specific_load
-from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import pi, power, sin, smallest
 from ..sheet.linked_array import column, elements, item
 from ..sheet.quantity import Described, Stated
-from ..sheet.shim_check import check
 from ..sheet.step import Outcome
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import (
@@ -36,10 +34,10 @@ from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from . import outline as s
 from .bending.shaft import bending
-from .checks import bending_checks, checks
+from .checks import FILLET_ROOM, bending_checks, checks
 from .curves import curves
 from .inputs import CountershaftInputs, EccentricMass
-from .making.drain import DrainResult, named_check
+from .making.drain import DrainResult, run_off_check
 from .making.parts import ShaftStep, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
 from .outline import Journals, NoOutline, Outline
@@ -61,11 +59,13 @@ def solve(
     journals: Journals,
     gear: Gear | None,
     slopes: tuple[float, ...] | None = None,
+    fastest: Number = 1.0,
 ) -> Outcome[CountershaftResult]:
     """Check a shaft against what the engine asks for, or size it first.
 
     `omega` is the crank's rated angular speed; `journals` are those of [bearings] or of the shaft itself, empty where
-    they are not known; `slopes` are those of the journals where they are given, for a shaft whose outline is not known.
+    they are not known; `slopes` are those of the journals where they are given, for a shaft whose outline is not known;
+    `fastest`: the highest speed of the crank over the rated one.
     """
     todo = task(shaft, imbalance)
     with trace() as lines:
@@ -89,7 +89,7 @@ def solve(
         outline = _outline(step, masses, sized, R, gear)
         if outline is not None:
             certain = sized is not None or not outline.derived
-            result = _with_outline(step, masses, result, outline, certain)
+            result = _with_outline(step, masses, result, outline, certain, fastest)
         elif slopes:
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
             step.notes.append(SLOPES_GIVEN)
@@ -161,7 +161,12 @@ def _outline(
 
 
 def _with_outline(
-    step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult, outline: Outline, certain: bool
+    step: ShaftStep,
+    masses: tuple[EccentricMass, ...],
+    result: CountershaftResult,
+    outline: Outline,
+    certain: bool,
+    fastest: Number,
 ) -> CountershaftResult:
     """The same result with the mass of the shaft, the slopes of its outer journals and its first critical speed; and
     with how far given sections are from the given masses, since both must be one shaft.
@@ -184,7 +189,7 @@ def _with_outline(
             )
     positions = shaft.bearing_positions
     bent = bending(outline, steel, omega, positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
-    step.checks += [c for c in bending_checks(bent, steel) if certain or c.id != "countershaft.fillet_room"]
+    step.checks += [c for c in bending_checks(bent, steel, fastest) if certain or c.rule is not FILLET_ROOM]
     step.notes += bending_notes(bent, steel)
     return replace(
         result,
@@ -349,7 +354,7 @@ def with_oil(outcome: Outcome[CountershaftResult], bearings: "BearingsResult | N
     drains |= shaft.further_drains or {}
     with trace() as lines:
         drains = {name: _with_oil(drain, bearings) for name, drain in drains.items()}
-    run_off_checks = tuple(_run_off_checks(drains))
+    run_off_checks = tuple(filter(None, map(run_off_check, drains.values())))
     if not run_off_checks:
         return outcome
     result = replace(shaft, drain=drains.pop("", None), further_drains=drains or None)
@@ -366,15 +371,3 @@ def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
         v_l, v_t = laminar_speed(theta=slope, d=drain.bore, nu=nu), turbulent_speed(theta=slope, d=drain.bore, nu=nu)
         flow = oil_taken(x_f=drain.oil_share[0], Q_f=front.oil_flow, x_r=drain.oil_share[1], Q_r=rear.oil_flow)
         return replace(result, drain_flow=flow, drain_run_off=run_off(d=drain.bore, v_l=v_l, v_t=v_t))
-
-
-def _run_off_checks(drains: Mapping[str, DrainResult]) -> Iterator[Check]:
-    """Of each drain, by its name, that takes the bearings' oil."""
-    name = Text("Oil of the bearings that the drain takes")
-    source = Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves")
-    advice = Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower.")
-    for drain, result in drains.items():
-        flow, runs_off = result.drain_flow, result.drain_run_off
-        if flow is not None and runs_off is not None:
-            oil_check = check(f"{result.drain.id}.run_off", name, flow, "<=", runs_off, "L/min", source, advice)
-            yield named_check(oil_check, drain)

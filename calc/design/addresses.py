@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dotted keys of a design: where one stands in the tables of a file, what is known of it, and how a value is put
-there."""
+"""Dotted keys of a design: where one stands in the tables of a file, what is known of it, what it is called, and how a
+value is put there."""
 
 import re
 import tomllib
 from collections.abc import Iterator
 
+from ..bearings.inputs import BearingsInputs
+from ..countershaft.inputs import CountershaftInputs
+from ..gears.inputs import GearsInputs
+from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
-from ..sheet.quantity import Quantity, keys, unknown
-from ..sheet.text import Text
+from ..sheet.quantity import Quantity, dotted, keys, unknown
+from ..sheet.text import Small, Text
 from .model import STEPS, Design
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
@@ -184,3 +188,45 @@ def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quan
         else:
             for i, item in enumerate(map(as_table, as_list(data.get(key)))):
                 yield from _quantities(inner, item, f"{here}.{item.get('name', i)}")
+
+
+# --- what a key is called
+
+# the arrays that are not named where their elements are
+ARRAYS = (
+    dotted(GearsInputs.wheels),
+    dotted(GearsInputs.meshes),
+    dotted(CountershaftInputs.masses),
+    dotted(CountershaftInputs.extras),
+    dotted(CountershaftInputs.sections),
+    dotted(CountershaftInputs.journals),
+    dotted(ImbalanceInputs.unbalances),
+    dotted(ImbalanceInputs.crank_bodies),
+)
+NUMBERED = {
+    dotted(GearsInputs.meshes): Text("mesh"),
+    dotted(CountershaftInputs.sections): Text("section"),
+    dotted(CountershaftInputs.journals): Text("journal"),
+}
+# tables whose names are the program's
+PLACES = {dotted(BearingsInputs.front): Text("front"), dotted(BearingsInputs.rear): Text("rear")}
+
+
+def called(key: str, about: Quantity) -> Text:
+    """A key as the user knows it: the label of its field, and where it stands."""
+    label, place = about.brief or Small(about.label), place_words(key)
+    if not place:
+        return label
+    if key.split(".")[1] in ARRAYS:
+        return Text("{label} of {place}", label=label, place=place)
+    return Text("{place} {change}", place=PLACES.get(place, place), change=label)
+
+
+def place_words(key: str) -> str:
+    """The element or the table that a key stands in, without the step: `central`, `front`; a mesh by its number from
+    1."""
+    inner = [part for part in key.split(".")[1:-1] if part not in ARRAYS]
+    if inner and inner[0].isdigit():
+        array = key.split(".")[1]
+        return Text("{array} {n}", array=NUMBERED.get(array, array), n=int(inner[0]) + 1)
+    return " ".join(inner)

@@ -8,15 +8,13 @@ from functools import cache
 from types import UnionType
 from typing import TYPE_CHECKING, Any, get_args, get_origin
 
-from ..bearings.inputs import BearingsInputs
 from ..countershaft.inputs import CountershaftInputs
 from ..engine.inputs import EngineInputs
-from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
-from ..sheet.quantity import Published, Quantity, dotted
+from ..sheet.quantity import Published, dotted
 from ..sheet.remedy import Changes
 from ..sheet.text import COMMA, Amount, Name, Small, Text
-from .addresses import quantity_of, value_at
+from .addresses import ARRAYS, PLACES, called, place_words, quantity_of, value_at
 from .model import STEP_KEYS, Design
 from .toml_file import Document
 
@@ -24,30 +22,12 @@ if TYPE_CHECKING:
     from ..solve import Results
 
 
-# the arrays that are not named where their elements are
-ARRAYS = (
-    dotted(GearsInputs.wheels),
-    dotted(GearsInputs.meshes),
-    dotted(CountershaftInputs.masses),
-    dotted(CountershaftInputs.extras),
-    dotted(CountershaftInputs.sections),
-    dotted(CountershaftInputs.journals),
-    dotted(ImbalanceInputs.unbalances),
-    dotted(ImbalanceInputs.crank_bodies),
-)
-NUMBERED = {
-    dotted(GearsInputs.meshes): Text("mesh"),
-    dotted(CountershaftInputs.sections): Text("section"),
-    dotted(CountershaftInputs.journals): Text("journal"),
-}
-# tables whose names are the program's
-PLACES = {dotted(BearingsInputs.front): Text("front"), dotted(BearingsInputs.rear): Text("rear")}
 DIGITS = 6
 
 
 def words(document: Document, results: "Results", changes: Changes) -> Text:
     """`document` and `results` are those before the changes.  A key that only makes room for another is not named."""
-    places = {key: _place(key) for key in changes}
+    places = {key: place_words(key) for key in changes}
     kept = [
         key
         for key, new in changes.items()
@@ -66,7 +46,7 @@ def _change(document: Document, results: "Results", key: str, new: object) -> Te
     if isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
         changed = [(a, b) for a, b in zip(old, new) if a != b]
         old, new = changed[0] if len(changed) == 1 else (old, new)  # the one number of a list that changes
-    label, place = about.brief or Small(about.label), _place(key)
+    label, place = about.brief or Small(about.label), place_words(key)
     parts = dict(label=label, now=written(old), new=written(new, about.unit))
     if place and key.split(".")[1] in ARRAYS:
         return Text("{label} of {place} {now} → {new}", place=place, **parts)
@@ -79,16 +59,6 @@ def named(document: Document, key: str) -> Text:
     return called(key, quantity_of(document.data, key))
 
 
-def called(key: str, about: Quantity) -> Text:
-    """The same of a key whose quantity is known."""
-    label, place = about.brief or Small(about.label), _place(key)
-    if not place:
-        return label
-    if key.split(".")[1] in ARRAYS:
-        return Text("{label} of {place}", label=label, place=place)
-    return Text("{place} {change}", place=PLACES.get(place, place), change=label)
-
-
 def published(results: "Results", key: str) -> Published | None:
     """The result that says what the program chose for a key that is left out: `gears.central.profile_shift`,
     `bearings.front.clearance`."""
@@ -96,16 +66,6 @@ def published(results: "Results", key: str) -> Published | None:
     outcome = results.outcomes.get(key.partition(".")[0])
     known = {value.id: value for value in outcome.values()} if outcome is not None else {}
     return known.get(id) or known.get(id.rpartition("_")[0])
-
-
-def _place(key: str) -> str:
-    """The element or the table that a key stands in, without the step: `central`, `front`; a mesh by its number from
-    1."""
-    inner = [part for part in key.split(".")[1:-1] if part not in ARRAYS]
-    if inner and inner[0].isdigit():
-        array = key.split(".")[1]
-        return Text("{array} {n}", array=NUMBERED.get(array, array), n=int(inner[0]) + 1)
-    return " ".join(inner)
 
 
 def written(value: object, unit: str = "") -> Text | Amount:

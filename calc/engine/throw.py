@@ -12,14 +12,14 @@ from typing import Any, Protocol, overload
 
 import numpy as np
 
-from ..library.catalogue import Material
+from ..library.catalogue import WEAKEST_STEEL, Material
 from ..sheet.arrays import Array, BoolArray, Num
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.linked_array import item
-from ..sheet.shim_check import check
+from ..sheet.quantity import dotted
 from ..sheet.step import Table
-from ..sheet.text import Name, Text
-from ..sheet.units import UNITS, Metre, Newton, NewtonMetre
+from ..sheet.text import Amount, Name, Text
+from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Pascal
 from ..sheet.value import about, based_on, untraced
 from . import cycle as c
 from . import formulas as f
@@ -29,13 +29,12 @@ from .cycle import TURN, Cycle
 from .gas import GasInputs
 from .inputs import EngineInputs, ThrowInputs
 from .result import CrankSection, EngineResult, Position, Rod, ThrowResult
-from .throw_strength import Forces, Notch, ThrowFatigue, fatigue_check, judged
+from .throw_strength import FATIGUE, PLACES, Forces, Notch, ThrowFatigue, fatigue_check, judged
 from .torque import prepare
 
 # --- the throws
 
 POSITIONS = {"largest_tangential": Text("largest tangential force"), "top_dead_centre": Text("top dead centre")}
-PLACES = {"pin": Text("pin"), "journal": Text("journal")}
 SPAN = (0.8, 1.1)
 FIT = (0.01, 0.3)  # of the notch factors, ρ/d
 SAME_STRESS = 1e-9
@@ -252,7 +251,86 @@ def _position(crank: _Throw, k: int, epsilon: float, words: str) -> Position:
     return Position(**vars(on_pin), reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal)
 
 
-# --- what is said about it
+# --- what is judged
+
+DIAMETERS = {
+    "pin": dotted("engine", EngineInputs.throw, ThrowInputs.pin_diameter),
+    "journal": dotted("engine", EngineInputs.throw, ThrowInputs.journal_diameter),
+}
+FILLET_RADIUS = dotted("engine", EngineInputs.throw, ThrowInputs.fillet_radius)
+SPAN_OF_THROW = CheckRule(
+    dotted("engine", EngineInputs.throw, ThrowResult.span),
+    "method",
+    "A throw that is not as long as the cylinder pitch is not the one between two main journals that is computed.",
+    Text("Distance of the main journals over the cylinder pitch"),
+    "in",
+    source=Text("rule of this program: a main journal between any two throws"),
+    advice=Text("Journal length, both webs and pin length make the span; the stresses are proportional to it."),
+    moved_by=(
+        dotted("engine", EngineInputs.throw, ThrowInputs.journal_length),
+        dotted("engine", EngineInputs.throw, ThrowInputs.web_thickness),
+        dotted("engine", EngineInputs.throw, ThrowInputs.pin_length),
+    ),
+)
+STRESS = {
+    "pin": CheckRule(
+        "engine.throw.stress_pin",
+        "limit",
+        "The pin of the crank yields.",
+        Text("Von Mises stress of the pin, nominal"),
+        "<=",
+        "MPa",
+        advice=Text("A larger diameter: the stress falls with its cube."),
+        role="physics",
+        demand=True,
+        moved_by=(DIAMETERS["pin"], DIAMETERS["journal"]),
+        short=Text("pin"),
+        proven=(),
+    ),
+    "journal": CheckRule(
+        "engine.throw.stress_journal",
+        "limit",
+        "The journal of the crank yields.",
+        Text("Von Mises stress of the journal, nominal"),
+        "<=",
+        "MPa",
+        advice=Text("A larger diameter: the stress falls with its cube."),
+        role="physics",
+        demand=True,
+        moved_by=(DIAMETERS["journal"], DIAMETERS["pin"]),
+        short=Text("journal"),
+    ),
+}
+NOTCH_STRESS = {
+    place: CheckRule(
+        f"engine.throw.notch_stress_{place}",
+        "caution",
+        "The fillet yields locally where the section as a whole holds.",
+        Text("Von Mises stress at the fillet of the {part}", part=part),
+        "<=",
+        "MPa",
+        advice=Text("A larger fillet, or a larger diameter."),
+        demand=True,
+        cause=STRESS[place].id,
+        moved_by=(FILLET_RADIUS, DIAMETERS[place]),
+    )
+    for place, part in PLACES.items()
+}
+FILLET = {
+    place: CheckRule(
+        f"engine.throw.fillet_{place}",
+        "method",
+        "Outside its range the notch factor is an extrapolation.",
+        Text("Fillet radius over diameter of the {part}", part=part),
+        "in",
+        source=Text("range of the notch factors ({notch})", notch=t.NOTCH),
+        advice=Text("Outside it the notch stress is an extrapolation."),
+        cause="engine.throw.fillet",
+        moved_by=(FILLET_RADIUS, DIAMETERS[place]),
+        weakens=((FATIGUE, 1.5),),
+    )
+    for place, part in PLACES.items()
+}
 
 
 def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: ThrowFatigue | None) -> Iterator[Check]:
@@ -261,55 +339,36 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
     largest = worst.max((0, 1))
     throw, pitch = crank.throw, crank.engine.cylinder_pitch
     if crank.engine.cylinders > 1:
-        yield check(
-            "engine.throw.span",
-            Text("Distance of the main journals over the cylinder pitch"),
-            crank.span / pitch,
-            "in",
-            SPAN,
-            "",
-            Text("rule of this program: a main journal between any two throws"),
-            Text("Journal length, both webs and pin length make the span; the stresses are proportional to it."),
-        )
-    limit = material.proof_stress if material else None
-    proof = Text("elasticity, proof stress of {material}", material=throw.material)
-    for i, (place, part) in enumerate(PLACES.items()):
+        yield SPAN_OF_THROW(crank.span / pitch, SPAN)
+    proof = material.proof_stress if material else None
+    source = Text("elasticity, proof stress of {material}", material=throw.material)
+    for i, place in enumerate(PLACES):
         nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
-        if limit is not None:
-            yield check(
-                f"engine.throw.stress_{place}",
-                Text("Von Mises stress of the {part}, nominal", part=part),
-                nominal,
-                "<=",
-                limit,
-                "MPa",
-                proof,
-                Text("A larger diameter: the stress falls with its cube."),
-            )
-        if limit is not None and place in crank.notch:
-            yield check(
-                f"engine.throw.notch_stress_{place}",
-                Text("Von Mises stress at the fillet of the {part}", part=part),
-                notch,
-                "<=",
-                limit,
-                "MPa",
-                Text("{proof}: above it the fillet yields locally", proof=proof),
-                Text("A larger fillet, or a larger diameter."),
-            )
+        if proof is None:
+            yield _assumed_stress_check(place, nominal, throw)
+        else:
+            yield STRESS[place](nominal, proof, source=source)
+        if proof is not None and place in crank.notch:
+            local = Text("{proof}: above it the fillet yields locally", proof=source)
+            yield NOTCH_STRESS[place](notch, proof, source=local)
         if place in crank.notch:
-            yield check(
-                f"engine.throw.fillet_{place}",
-                Text("Fillet radius over diameter of the {part}", part=part),
-                crank.notch[place][0],
-                "in",
-                FIT,
-                "",
-                Text("range of the notch factors ({notch})", notch=t.NOTCH),
-                Text("Outside it the notch stress is an extrapolation."),
-            )
-    if fatigue is not None:
-        yield fatigue_check(fatigue, PLACES[fatigue.place])
+            yield FILLET[place](crank.notch[place][0], FIT)
+    if crank.notch:
+        yield fatigue_check(fatigue, material)
+
+
+def _assumed_stress_check(place: str, nominal: Pascal, throw: ThrowInputs) -> Check:
+    """Against the weakest structural steel, where the proof stress is not known: below it any steel bears it."""
+    source = Text(
+        "rule of this program: as the weakest structural steels; the strength of {name} is not known",
+        name=throw.material,
+    )
+    taken = Text("{stress}: the weakest structural steel", stress=Amount(UNITS["MPa"].shown(WEAKEST_STEEL), "MPa"))
+    lack = Missing((dotted("material", Material.proof_stress),), (taken,), "holds", nominal)
+    return STRESS[place](nominal, WEAKEST_STEEL, source=source, missing=lack)
+
+
+# --- what is said about it
 
 
 def _notes(crank: _Throw, result: ThrowResult, material: Material | None) -> Iterator[Text]:
@@ -327,9 +386,9 @@ def _notes(crank: _Throw, result: ThrowResult, material: Material | None) -> Ite
         yield Text(
             "Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."
         )
-    if material is None or material.proof_stress is None:
+    if crank.notch and (material is None or material.proof_stress is None):
         yield Text(
-            "Throw: the proof stress of {material} is not known, so its stresses are not judged.",
+            "Throw: the proof stress of {material} is not known, so the stress at its fillets is not judged.",
             material=crank.throw.material,
         )
     yield Text(
@@ -340,8 +399,8 @@ def _notes(crank: _Throw, result: ThrowResult, material: Material | None) -> Ite
         "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' "
         "stiffness are left out."
     )
-    if result.fatigue is None:
-        yield Text("Throw: fatigue is not judged: it takes a fillet, and the material's kind and tensile strength.")
+    if not crank.notch:
+        yield Text("Throw: fatigue is not judged: it takes the radius of the fillets.")
     if crank.notch:
         yield Text(
             "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a "

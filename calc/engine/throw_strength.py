@@ -9,18 +9,18 @@ import numpy as np
 from ..library import fatigue
 from ..library.catalogue import Material
 from ..sheet.arrays import Array
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, power, sqrt, tan, total
-from ..sheet.quantity import result, value
-from ..sheet.shim_check import check
+from ..sheet.quantity import dotted, result, value
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Newtons, Number, Pascal, Radian, RadPerSecond
 from ..sheet.value import about, based_on, untraced
-from .inputs import ThrowInputs
+from .inputs import EngineInputs, ThrowInputs
 
 ROD = Text("statics of the slider-crank (Finotti 2013, 2.2.1)")
 BEAM = Text("statics, simply supported throw, pin loaded at its middle (mechanics textbook, 48.7)")
+PLACES = {"pin": Text("pin"), "journal": Text("journal")}
 NOTCH = Text("Norton, app. of stress-concentration factors, after Peterson: shouldered round shaft, D/d = 2")
 
 
@@ -245,15 +245,34 @@ def _worst(
     return float(equal.max()), place, int(k), (float(at[0]), float(at[1]), float(at[2]), float(at[3]))
 
 
-def fatigue_check(result: ThrowFatigue, part: Text) -> Check:
-    """The safety of the worst fillet, `part` its place in words."""
-    return check(
-        "engine.throw.fatigue",
-        Text("Safety of the throws against fatigue, fillet of the {part}", part=part),
-        result.fatigue_safety,
-        ">=",
-        result.wanted,
-        "",
-        Text("{fkm}: endless life at rated speed", fkm=fatigue.FKM),
-        Text("A larger fillet, a larger diameter; rolling or hardening the fillets, which is not counted here."),
-    )
+FATIGUE = CheckRule(
+    "engine.throw.fatigue",
+    "caution",
+    "A crack at a fillet breaks the crank; the notch is that of a round shaft, and rolled or hardened fillets bear "
+    "more.",
+    Text("Safety of the throws against fatigue"),
+    source=Text("{fkm}: endless life at rated speed", fkm=fatigue.FKM),
+    advice=Text("A larger fillet, a larger diameter; rolling or hardening the fillets, which is not counted here."),
+    demand=True,
+    cause="engine.throw.stress_pin",
+    value_id=dotted("engine", EngineInputs.throw, ThrowFatigue.fatigue_safety),
+    moved_by=(
+        dotted("engine", EngineInputs.throw, ThrowInputs.fillet_radius),
+        dotted("engine", EngineInputs.throw, ThrowInputs.pin_diameter),
+        dotted("engine", EngineInputs.throw, ThrowInputs.journal_diameter),
+    ),
+    proven=(),
+)
+
+
+def fatigue_check(worst: ThrowFatigue | None, material: Material | None) -> Check:
+    """The safety of the worst fillet; None where the strength of the material is not known."""
+    if worst is not None:
+        place = PLACES[worst.place]
+        name = Text("Safety of the throws against fatigue, fillet of the {part}", part=place)
+        return FATIGUE(worst.fatigue_safety, worst.wanted, name=name)
+    kind = fatigue.KINDS.get(str(material.kind)) if material else None
+    wanted = kind.safety if kind else max(other.safety for other in fatigue.KINDS.values())
+    keys = (Material.tensile_strength,) if kind else (Material.kind, Material.tensile_strength)
+    unknown = tuple(dotted("material", key) for key in keys)
+    return FATIGUE(None, wanted, missing=Missing(unknown, (Text("nothing"),) * len(unknown), "none", "none"))

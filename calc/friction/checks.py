@@ -7,13 +7,14 @@ from functools import partial
 
 import numpy as np
 
+from ..bearings.inputs import BearingsInputs
+from ..gears.inputs import GearsInputs
 from ..library import oils
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
-from ..sheet.shim_check import check
 from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ..sheet.units import Watt
@@ -53,21 +54,168 @@ def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome
 
 # --- checks
 
+TEMPERATURES = (
+    dotted("friction", FrictionInputs.oil_temperature),
+    dotted("bearings", BearingsInputs.supply_temperature),
+)
+BALANCE = CheckRule(
+    "friction.train.balance",
+    "limit",
+    "Energy is conserved: else the program is wrong, and nothing that it says of the train holds.",
+    Text("Power balance of the train: what is left over"),
+    "<=",
+    "W",
+    CONSERVATION,
+    Text("A fault of the program, not of the design: please report it."),
+    role="self",
+)
+DELIVERED = CheckRule(
+    "friction.train.delivered",
+    "limit",
+    "Nothing comes out of the train.",
+    Text("Power that the last wheel delivers: more than nothing"),
+    ">",
+    "W",
+    CONSERVATION,
+    Text(
+        "Windage, other losses and the meshes eat all of the power: give more power, or less speed, mist or face width."
+    ),
+    role="physics",
+    zero="power of the first driver",
+    value_id=dotted("friction", FrictionResult.delivered_power),
+    moved_by=(
+        dotted("gears", GearsInputs.power),
+        dotted("friction", FrictionInputs.mist_density),
+        dotted("gears", GearsInputs.face_width),
+    ),
+)
+TRAIN_MODELS = CheckRule(
+    "friction.train.models",
+    "method",
+    "Published regressions outside their range judge nothing.",
+    Text("Published regressions inside their range at every mesh"),
+    source=Text("ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005, Benedict and Kelley 1961"),
+)
+VISCOSITY_RANGE = CheckRule(
+    "friction.train.viscosity_range",
+    "method",
+    "Outside it the viscosity is an extrapolation.",
+    Text("Oil viscosity"),
+    "in",
+    "mm²/s",
+    oils.LAW_RANGE,
+    oils.OTHER_OIL,
+    moved_by=TEMPERATURES,
+)
+OIL_ROWS = CheckRule(
+    "friction.train.oil_rows",
+    "method",
+    "Beyond the rows of the oil its viscosity is an extrapolation.",
+    Text("Oil temperature within the rows of the oil"),
+    "in",
+    "°C",
+    oils.BEYOND_ROWS,
+    oils.MORE_ROWS,
+    moved_by=TEMPERATURES,
+)
+POWER_OUT = CheckRule(
+    dotted("friction", "M", MeshResult.power_out),
+    "limit",
+    "Nothing comes out of the mesh.",
+    sense=">",
+    unit="W",
+    source=CONSERVATION,
+    advice=Text(
+        "The loss, whose rolling part is an upper bound, comes up to the power: "
+        "give more power, less speed, a narrower face, or a thinner oil."
+    ),
+    role="physics",
+    zero="power that the mesh takes in",
+    value_id=dotted("friction", "M", MeshResult.power_out),
+    moved_by=(dotted("gears", GearsInputs.power), dotted("gears", GearsInputs.face_width)),
+)
+REGIME = CheckRule(
+    "friction.M.regime",
+    "method",
+    "The EHL film is used outside its validity.",
+    source=Text("Johnson 1970, regimes of fluid-film lubrication"),
+    cause="gears.line_load",
+    moved_by=(dotted("friction", FrictionInputs.film),),
+)
+LAMBDA = CheckRule(
+    "friction.M.lambda",
+    "advice",
+    "Mixed friction is usual between the teeth of such trains; it costs loss and wear, not the part.",
+    source=Text("AGMA 925-A03: mixed friction below about 1"),
+    advice=Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
+    cause="gears.thin_film",
+    value_id=dotted("friction", "M", MeshLoss.lambda_min),
+    moved_by=(dotted("friction", FrictionInputs.flank_roughness), *TEMPERATURES),
+)
+MESH_MODELS = CheckRule(
+    "friction.M.models",
+    "caution",
+    "The loss is known no better than the models agree; the teeth hold.",
+    sense="<=",
+    source=Text("rule of this program; published models of tooth friction differ by as much among themselves"),
+    value_id=dotted("friction", "M", MeshLoss.sliding_loss),
+    moved_by=(
+        dotted("friction", FrictionInputs.load_share),
+        dotted("friction", FrictionInputs.solid_friction),
+        dotted("friction", FrictionInputs.flank_roughness),
+    ),
+)
+DEBORAH = CheckRule(
+    "friction.M.deborah",
+    "method",
+    "Outside it the law of the oil overestimates its friction.",
+    sense="<=",
+    source=Text("{thesis}, 4.4: range of Eyring's law", thesis=THESIS),
+    advice=Text("The oil answers as a solid: its friction is overestimated."),
+    value_id=dotted("friction", "M", MeshLoss.deborah_max),
+)
+INLET_HEATING = CheckRule(
+    "friction.M.inlet_heating",
+    "method",
+    "The formula of the film is held at its lower end.",
+    sense=">",
+    source=OWN,
+    advice=Text(
+        "The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil."
+    ),
+)
+BULK = CheckRule(
+    "friction.M.bulk",
+    "method",
+    "The oil between the flanks is taken at a temperature that the teeth do not have.",
+    sense="<=",
+    unit="K",
+    source=OWN,
+    advice=Text("The teeth run hotter than the oil: estimate their temperature, or give it."),
+    value_id=dotted("friction", "M", MeshResult.bulk_rise),
+    moved_by=(dotted("friction", FrictionInputs.bulk_temperature),),
+)
+BULK_TEMPERATURE = CheckRule(
+    dotted("friction", "M", MeshLoss.bulk_temperature),
+    "caution",
+    "The teeth lose their hardness; the temperature is an estimate.",
+    sense="<=",
+    unit="°C",
+    source=Text("rule of this program: case-hardened steel loses hardness from about 150 to 180 °C on, from memory"),
+    advice=Text("The teeth run hot: less power or loss, a wider face, more oil on them."),
+    demand=True,
+    value_id=dotted("friction", "M", MeshLoss.bulk_temperature),
+    moved_by=(dotted("gears", GearsInputs.power), dotted("gears", GearsInputs.face_width)),
+)
+
 
 def checks(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> Iterator[Check]:
-    label = Text("Power balance of the train: what is left over")
-    advice = Text("A fault of the program, not of the design: please report it.")
-    yield check("friction.train.balance", label, abs(result.residual), "<=", BALANCE_LIMIT, "W", CONSERVATION, advice)
-    if (power := result.delivered_power) is not None:
-        label = Text("Power that the last wheel delivers: more than nothing")
-        advice = Text(
-            "Windage, other losses and the meshes eat all of the power: give more power, or less speed, mist or face "
-            "width."
-        )
-        yield check("friction.train.delivered", label, power, ">", 0.0, "W", CONSERVATION, advice)
+    yield BALANCE(abs(result.residual), BALANCE_LIMIT)
+    if result.delivered_power is not None:
+        yield DELIVERED(result.delivered_power, 0.0, scale=result.crank_power)
     yield _models_check(result)
     for name, mesh in result.meshes.items():
-        yield from _mesh_checks(f"friction.{name}", friction, mesh)
+        yield from _mesh_checks(name, friction, mesh)
     yield from _oil_checks(oil)
 
 
@@ -79,15 +227,12 @@ def _models_check(result: FrictionResult) -> Check:
         for name in MODELS
         if any(regression is None or regression.outside for regression in (m.published_models[name] for m in meshes))
     ]
-    label = Text("Published regressions inside their range at every mesh")
-    source = Text("ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005, Benedict and Kelley 1961")
     advice = Text(
         "Outside: {authors}. The tables of the models say by what. Their losses are extrapolations; nothing is "
         "judged by them.",
         authors=SEMICOLON.join(MODELS[name].authors for name in outside) if outside else Text("none"),
     )
-    inside, count = float(len(MODELS) - len(outside)), float(len(MODELS))
-    return check("friction.train.models", label, inside, ">=", count, "", source, advice)
+    return TRAIN_MODELS(float(len(MODELS) - len(outside)), float(len(MODELS)), advice=advice)
 
 
 def _oil_checks(oil: Oil) -> Iterator[Check]:
@@ -95,53 +240,41 @@ def _oil_checks(oil: Oil) -> Iterator[Check]:
     does."""
     nu, usual = oil.lubricant.nu(oil.T_m), oils.VISCOSITIES
     if not (oil.lubricant.constant or usual[0] <= nu <= usual[1]):
-        label, source, advice = Text("Oil viscosity"), oils.LAW_RANGE, oils.OTHER_OIL
-        yield check("friction.train.viscosity_range", label, nu, "in", usual, "mm²/s", source, advice)
+        yield VISCOSITY_RANGE(nu, usual)
     if (reach := oil.lubricant.reach) is not None:
-        label, source, advice = Text("Oil temperature within the rows of the oil"), oils.BEYOND_ROWS, oils.MORE_ROWS
-        yield check("friction.train.oil_rows", label, oil.T_m, "in", reach, "°C", source, advice)
+        yield OIL_ROWS(oil.T_m, reach)
 
 
-def _published_check(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
+def _published_check(mesh_name: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
     """How far the sliding loss that is judged lies from that of the published model that is farthest from it."""
     P_s = mesh.judged.sliding_loss
     factors = {name: factor_apart(P_1=P_s, P_2=P) for name, P in inside.items()}
-    worst = max(factors, key=lambda name: factors[name])
     each = Text("; ").join(
         Text("{authors} {P_of} W", authors=MODELS[name].authors, P_of=Amount(P)) for name, P in inside.items()
     )
     title = mesh.case.mesh.title
     label = Text("Sliding loss as judged against published models inside their range, {title}", title=title)
-    source = Text("rule of this program; published models of tooth friction differ by as much among themselves")
     known = Text(
         "Factor of the farthest. Judged: {P_s} W; {each}. Take the loss as known to this factor.",
         P_s=Amount(P_s),
         each=each,
     )
-    return check(f"{id}.models", label, factors[worst], "<=", APART, "", source, known)
+    return MESH_MODELS(max(factors.values()), APART, at=mesh_name, name=label, advice=known)
 
 
-def _mesh_checks(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
-    """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would
-    like."""
+def _mesh_checks(mesh_name: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
+    """One limit, that power comes out at all; else where the model leaves its range, and what the flanks would like."""
     judged, title, by_film = mesh.judged, mesh.case.mesh.title, friction.film == "judged"
     label = Text("Mesh {title} passes on more than nothing", title=title)
-    advice = Text(
-        "The loss, whose rolling part is an upper bound, comes up to the power: "
-        "give more power, less speed, a narrower face, or a thinner oil."
-    )
-    yield check(f"{id}.power_out", label, mesh.power_out, ">", 0.0, "W", CONSERVATION, advice)
+    yield POWER_OUT(mesh.power_out, 0.0, at=mesh_name, name=label, scale=mesh.power_in)
     lead = by_regime(mesh).lead_at_pitch
     label = Text("EHL film over rigid isoviscous film at the pitch point, {title}", title=title)
-    source = Text("Johnson 1970, regimes of fluid-film lubrication")
     advice = Text("EHL formula outside its validity: the load is so light that the rigid isoviscous film governs. ")
     advice += Text("The rolling loss is an upper bound.") if by_film else EMPTY
     ways = None if by_film else by_key(FrictionInputs, dotted("friction", FrictionInputs.film), "judged")
-    yield check(f"{id}.regime", label, lead, ">=", 1.0, "", source, advice, remedies=ways)
+    yield REGIME(lead, 1.0, at=mesh_name, name=label, advice=advice, remedies=ways)
     label = Text("Smallest film over roughness, {title}", title=title)
-    source = Text("AGMA 925-A03: mixed friction below about 1")
-    advice = Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed.")
-    yield check(f"{id}.lambda", label, judged.lambda_min, ">=", 1.0, "", source, advice)
+    yield LAMBDA(judged.lambda_min, 1.0, at=mesh_name, name=label)
     inside = {
         name: regression.loss
         for name, regression in mesh.published_models.items()
@@ -149,28 +282,18 @@ def _mesh_checks(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterato
     }
     # all of them come from loaded teeth and discs, whose films are EHL
     if inside and lead >= 1 and judged.sliding_loss > 0:
-        yield _published_check(id, mesh, inside)
+        yield _published_check(mesh_name, mesh, inside)
     label = Text("Largest Deborah number, {title}", title=title)
-    source = Text("{thesis}, 4.4: range of Eyring's law", thesis=THESIS)
-    advice = Text("The oil answers as a solid: its friction is overestimated.")
-    yield check(f"{id}.deborah", label, judged.deborah_max, "<=", 1.0, "", source, advice)
+    yield DEBORAH(judged.deborah_max, 1.0, at=mesh_name, name=label)
     label = Text("Smallest thermal reduction of the film, {title}", title=title)
-    advice = Text(
-        "The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil."
-    )
-    yield check(f"{id}.inlet_heating", label, judged.thermal_reduction_min, ">", LEAST_FACTOR, "", OWN, advice)
+    yield INLET_HEATING(judged.thermal_reduction_min, LEAST_FACTOR, at=mesh_name, name=label)
     if friction.bulk_temperature is None and friction.bulk == "oil":
         label = Text("Estimated warming of the teeth above the oil, {title}", title=title)
-        advice = Text("The teeth run hotter than the oil: estimate their temperature, or give it.")
         ways = by_key(FrictionInputs, dotted("friction", FrictionInputs.bulk), "estimated")
-        yield check(f"{id}.bulk", label, mesh.bulk_rise, "<=", BULK_LIMIT, "K", OWN, advice, remedies=ways)
+        yield BULK(mesh.bulk_rise, BULK_LIMIT, at=mesh_name, name=label, remedies=ways)
     if judged.bulk_temperature is not None:
         label = Text("Estimated temperature of the teeth, {title}", title=title)
-        source = Text(
-            "rule of this program: case-hardened steel loses hardness from about 150 to 180 °C on, from memory"
-        )
-        advice = Text("The teeth run hot: less power or loss, a wider face, more oil on them.")
-        yield check(f"{id}.bulk_temperature", label, judged.bulk_temperature, "<=", HOT_TEETH, "°C", source, advice)
+        yield BULK_TEMPERATURE(judged.bulk_temperature, HOT_TEETH, at=mesh_name, name=label)
 
 
 # --- where the source is wrong

@@ -5,15 +5,13 @@ import math
 from collections.abc import Iterator, Mapping
 from functools import partial
 
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Change, Remedy, by_key, change, remedy
-from ..sheet.shim_check import check
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
 from . import limits as p
 from .backlash.case import way_to
-from .backlash.checks import freed
 from .formulas import ISO
 from .inputs import GearsInputs, Mesh, wheel_key
 from .measures.solve import contact_checks
@@ -25,13 +23,167 @@ DUST = 1e-12
 AT_THE_END = Text("{iso}: at the end of the tolerances", iso=ISO)
 
 
+def _modules(limit: Number) -> Text:
+    return Text("{practice}: {limit} m_n", practice=p.PRACTICE, limit=Amount(limit, form="g"))
+
+
+# --- what is known of each check
+
+# the inputs that move a mesh and a wheel
+DRIVER_CUT = dotted("gears", GearsInputs.wheels, "DRIVER", Wheel.tip_shortening)
+DRIVEN_CUT = dotted("gears", GearsInputs.wheels, "DRIVEN", Wheel.tip_shortening)
+DRIVER_SHIFT = dotted("gears", GearsInputs.wheels, "DRIVER", Wheel.profile_shift)
+DRIVEN_SHIFT = dotted("gears", GearsInputs.wheels, "DRIVEN", Wheel.profile_shift)
+DRIVER_TIP = dotted("gears", GearsInputs.wheels, "DRIVER", Wheel.tip_diameter_tolerance)
+DRIVEN_TIP = dotted("gears", GearsInputs.wheels, "DRIVEN", Wheel.tip_diameter_tolerance)
+TOLERANCE = dotted("gears", GearsInputs.meshes, "#", Mesh.tolerance)
+TOOL = dotted("gears", GearsInputs.tool_addendum)
+CUT = dotted("gears", GearsInputs.wheels, "W", Wheel.tip_shortening)
+SHIFT = dotted("gears", GearsInputs.wheels, "W", Wheel.profile_shift)
+
+LONGER_CONTACT = Text(
+    "Cut less off the tips, bring the wheels closer together, or take more teeth of a smaller module."
+)
+LARGER_TOOL = Text("A tool with a larger addendum helps as well.")
+SPEED_RATIO = CheckRule(
+    "gears.train.speed_ratio",
+    "limit",
+    "The shaft does not turn as it must to balance the engine.",
+    sense="<=",
+    role="self",
+)
+CONTACT_RATIO = CheckRule(
+    "gears.M.contact_ratio",
+    "limit",
+    "Below 1 a pair leaves before the next one carries.",
+    source=Text(
+        "{practice}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not "
+        "counted",
+        practice=p.PRACTICE,
+    ),
+    advice=LONGER_CONTACT,
+    role="physics",
+    value_id=dotted("gears", "M", MeshResult.transverse_contact_ratio),
+    moved_by=(DRIVER_CUT, DRIVEN_CUT, DRIVER_SHIFT, DRIVEN_SHIFT),
+    short=Text("contact"),
+)
+CONTACT_RATIO_USUAL = CheckRule(
+    "gears.M.contact_ratio_usual",
+    "advice",
+    "The usual range.",
+    source=p.PRACTICE,
+    advice=LONGER_CONTACT,
+    cause=CONTACT_RATIO.id,
+    value_id=CONTACT_RATIO.value_id,
+    moved_by=CONTACT_RATIO.moved_by,
+)
+CONTACT_RATIO_LEAST = CheckRule(
+    "gears.M.contact_ratio_least",
+    "caution",
+    "The ends of the tolerances hand over late, the wheels of the drawing do not.",
+    source=AT_THE_END,
+    advice=LONGER_CONTACT,
+    cause=CONTACT_RATIO.id,
+    value_id=dotted("gears", "M", MeshResult.transverse_contact_ratio_min),
+    moved_by=(DRIVER_CUT, DRIVEN_CUT, DRIVER_TIP, DRIVEN_TIP, TOLERANCE),
+)
+TIP_CLEARANCE = CheckRule(
+    "gears.M.tip_clearance",
+    "advice",
+    "The usual clearance; whether tip and root touch is judged by itself.",
+    unit="mm",
+    source=_modules(p.TIP_CLEARANCE),
+    advice=LARGER_TOOL,
+    moved_by=(DRIVER_CUT, DRIVEN_CUT, TOOL),
+)
+TIP_CLEARANCE_LEAST = CheckRule(
+    "gears.M.tip_clearance_least",
+    "limit",
+    "At the ends of its tolerances, where the smallest backlash is judged as well, the tip jams in the root.",
+    unit="mm",
+    source=AT_THE_END,
+    advice=LARGER_TOOL,
+    role="physics",
+    zero=p.QUARTER_MODULE,
+    cause=TIP_CLEARANCE.id,
+    value_id=dotted("gears", "M", MeshResult.tip_clearance_min),
+    moved_by=(DRIVER_CUT, DRIVEN_CUT, TOOL, DRIVER_TIP, DRIVEN_TIP),
+    short=Text("tip gap"),
+)
+INTERFERENCE = CheckRule(
+    "gears.M.interference",
+    "limit",
+    "The tip works in the fillet of its mate: it jams or cuts.",
+    unit="mm",
+    source=Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO),
+    role="physics",
+    zero=p.QUARTER_MODULE,
+    moved_by=(DRIVEN_CUT, DRIVER_CUT, TOOL, dotted("gears", GearsInputs.tool_tip_radius)),
+)
+INTERFERENCE_USUAL = CheckRule(
+    "gears.M.interference_usual",
+    "advice",
+    "The usual distance above the fillet.",
+    unit="mm",
+    source=_modules(p.USUAL_ABOVE_FILLET),
+    zero=p.QUARTER_MODULE,
+    cause=INTERFERENCE.id,
+    moved_by=(DRIVEN_CUT, DRIVER_CUT, TOOL),
+)
+INTERFERENCE_LEAST = CheckRule(
+    "gears.M.interference_least",
+    "limit",
+    "At the ends of its tolerances, where the smallest backlash is judged as well, the tip works in the fillet.",
+    unit="mm",
+    source=AT_THE_END,
+    role="physics",
+    zero=p.QUARTER_MODULE,
+    cause=INTERFERENCE.id,
+    value_id=dotted("gears", "M", MeshResult.form_margin_min),
+    moved_by=(DRIVEN_CUT, DRIVER_CUT, TOOL, TOLERANCE),
+)
+UNDERCUT = CheckRule(
+    "gears.W.undercut",
+    "limit",
+    "The tool cuts the root of the teeth away.",
+    source=ISO,
+    advice=Text("More teeth, or a tool with a smaller addendum, help as well."),
+    role="physics",
+    zero="a shift of 0.25",
+    value_id=dotted("gears", "W", WheelResult.profile_shift),
+    limit_id=dotted("gears", "W", WheelResult.undercut_limit),
+    moved_by=(SHIFT, dotted("gears", GearsInputs.wheels, "W", Wheel.teeth), TOOL),
+)
+TIP_THICKNESS = CheckRule(
+    "gears.W.tip_thickness",
+    "limit",
+    "The tip breaks off.",
+    unit="mm",
+    source=_modules(p.TIP_THICKNESS),
+    advice=Text("Cut the tip, or give a smaller profile shift."),
+    role="physics",
+    value_id=dotted("gears", "W", WheelResult.tip_thickness_normal_min),
+    moved_by=(CUT, SHIFT),
+)
+TIP_THICKNESS_HARDENED = CheckRule(
+    "gears.W.tip_thickness_hardened",
+    "advice",
+    "It holds for case-hardened teeth only, and the program does not know whether the tip is.",
+    unit="mm",
+    source=Text("{modules} if case-hardened", modules=_modules(p.TIP_THICKNESS_HARDENED)),
+    advice=Text("A thin tip hardens through: cut it, or give less shift."),
+    cause=TIP_THICKNESS.id,
+    value_id=TIP_THICKNESS.value_id,
+    moved_by=TIP_THICKNESS.moved_by,
+)
+
+
 def checks(gears: GearsInputs, train: TrainResult) -> Iterator[Check]:
     cuts = {wheel.name: wheel.tip_shortening for wheel in gears.wheels}
     for i, (given, mesh) in enumerate(zip(gears.meshes, train.meshes.values())):
         pair = train.wheels[mesh.driver], train.wheels[mesh.driven]
-        yield _backlash_check(train.system, given, i, mesh, *pair)
-        yield from _contact_checks(f"gears.{given.key}", i, mesh)
-        yield from _clearance_checks(train.system, f"gears.{given.key}", i, mesh, cuts, *pair)
+        yield from _contact_checks(given.key, i, mesh)
+        yield from _clearance_checks(train.system, given.key, i, mesh, cuts, *pair)
     for wheel in train.wheels.values():
         yield from _tooth_checks(train.system, wheel)
         assert wheel.measures is not None  # of every wheel, once the geometry is solved
@@ -80,53 +232,26 @@ def speed_ratio_check(train: TrainResult, wanted: Number, crank: float | None = 
         parity=parity,
         name2=first.name,
     )
-    return check(
-        "gears.train.speed_ratio", name, off if off > DUST else 0.0, "<=", SAME_RATIO, "", source, advice, moved_by=keys
-    )
+    off = off if off > DUST else 0.0
+    return SPEED_RATIO(off, SAME_RATIO, name=name, source=source, advice=advice, moved_by=keys)
 
 
 # --- meshes
 
 
-def _backlash_check(
-    system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, driver: WheelResult, driven: WheelResult
-) -> Check:
-    closest = mesh.centre_distance - mesh.centre_tolerance  # where the slope is least: what it asks for is enough
-    touching = (driver.base_diameter + driven.base_diameter) / 2
-    slope = 2 * math.sqrt(1 - (touching / closest) ** 2) * math.cos(system.base_helix_angle)
-    return check(
-        f"gears.{given.key}.backlash",
-        Text("Smallest backlash {pair} by its tolerances", pair=mesh.title),
-        mesh.backlash_min,
-        ">=",
-        0.0,
-        "µm",
-        Text("geometry: teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
-        Text("Thinner teeth or a smaller centre tolerance give more."),
-        index=index,
-        remedies=lambda: freed((driver, driven), given, index, mesh.centre_tolerance, -mesh.backlash_min, slope),
-    )
-
-
-def _contact_checks(id: str, index: int, mesh: MeshResult) -> Iterator[Check]:
+def _contact_checks(key: str, index: int, mesh: MeshResult) -> Iterator[Check]:
     name, eps_alpha = Text("Transverse contact ratio {pair}", pair=mesh.title), mesh.transverse_contact_ratio
     usual = Text("{name}, usual", name=name)
-    advice = Text("Cut less off the tips, bring the wheels closer together, or take more teeth of a smaller module.")
-    source = Text(
-        "{practice}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not "
-        "counted",
-        practice=p.PRACTICE,
-    )
-    yield check(f"{id}.contact_ratio", name, eps_alpha, ">=", p.CONTACT_RATIO, "", source, advice)
-    yield check(f"{id}.contact_ratio_usual", usual, eps_alpha, ">=", p.USUAL_CONTACT_RATIO, "", p.PRACTICE, advice)
+    yield CONTACT_RATIO(eps_alpha, p.CONTACT_RATIO, at=key, name=name)
+    yield CONTACT_RATIO_USUAL(eps_alpha, p.USUAL_CONTACT_RATIO, at=key, name=usual)
     if (eps_min := mesh.transverse_contact_ratio_min) is not None:
         least = Text("{name}, shortest tips, widest centres", name=name)
-        yield check(f"{id}.contact_ratio_least", least, eps_min, ">=", 1.0, "", AT_THE_END, advice, index=index)
+        yield CONTACT_RATIO_LEAST(eps_min, 1.0, at=key, name=least, index=index)
 
 
 def _clearance_checks(
     system: ToothSystem,
-    id: str,
+    key: str,
     index: int,
     mesh: MeshResult,
     cuts: Mapping[str, Metre],
@@ -140,6 +265,7 @@ def _clearance_checks(
     low, tight = min(at_root, key=at_root.__getitem__), min(above, key=above.__getitem__)
     wheel, mate = (driver, driven) if tight == "driver" else (driven, driver)
     usual, needed, enough = (share * system.m_n for share in (p.TIP_CLEARANCE, p.ABOVE_FILLET, p.USUAL_ABOVE_FILLET))
+    quarter = p.QUARTER * system.m_n
     missing = math.ceil(max(0.0, usual - at_root[low]) * 1e6 - 1e-6) / 1e3
     tips = [mesh.driven if side == "driver" else mesh.driver for side, c in at_root.items() if c - at_root[low] < 1e-6]
 
@@ -148,64 +274,41 @@ def _clearance_checks(
 
     clearance = Text("Tip clearance {pair}", pair=mesh.title)
     start = Text("Start of contact above the fillet {pair}", pair=mesh.title)
-    tool = Text("A tool with a larger addendum helps as well.")
     works_low = Text(
         "The tip of {mate} works low on {wheel}: cut it as far as the contact ratio allows; a tool with a larger "
         "addendum or more teeth help as well.",
         mate=mate.name,
         wheel=wheel.name,
     )
-    yield check(
-        f"{id}.tip_clearance",
-        clearance,
-        at_root[low],
-        ">=",
-        usual,
-        "mm",
-        _modules(p.TIP_CLEARANCE),
-        tool,
-        value_id=f"{id}.tip_clearance_{low}",
-        remedies=shorter,
-    )
-    for suffix, label, limit, source in (
-        ("", start, needed, Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO)),
-        ("_usual", Text("{start}, usual", start=start), enough, _modules(p.USUAL_ABOVE_FILLET)),
+    gap_id, form_id = f"gears.{key}.tip_clearance_{low}", f"gears.{key}.form_margin_{tight}"
+    yield TIP_CLEARANCE(at_root[low], usual, at=key, name=clearance, value_id=gap_id, remedies=shorter)
+    for rule, name, limit in (
+        (INTERFERENCE, start, needed),
+        (INTERFERENCE_USUAL, Text("{start}, usual", start=start), enough),
     ):
-        yield check(
-            f"{id}.interference{suffix}",
-            label,
+        yield rule(
             above[tight],
-            ">=",
             limit,
-            "mm",
-            source,
-            works_low,
-            value_id=f"{id}.form_margin_{tight}",
+            at=key,
+            name=name,
+            advice=works_low,
+            scale=quarter,
+            value_id=form_id,
             remedies=partial(_eased, mesh, wheel, mate, cuts, limit),
         )
     if mesh.tip_clearance_min is not None:
-        yield check(
-            f"{id}.tip_clearance_least",
-            Text("{clearance}, longest tips and closest centres", clearance=clearance),
-            mesh.tip_clearance_min,
-            ">=",
-            0.0,
-            "mm",
-            AT_THE_END,
-            tool,
-            index=index,
-            remedies=shorter,
+        name = Text("{clearance}, longest tips and closest centres", clearance=clearance)
+        yield TIP_CLEARANCE_LEAST(
+            mesh.tip_clearance_min, 0.0, at=key, name=name, scale=quarter, index=index, remedies=shorter
         )
     if mesh.form_margin_min is not None:
-        yield check(
-            f"{id}.interference_least",
-            Text("{start}, longest tips and closest centres", start=start),
+        yield INTERFERENCE_LEAST(
             mesh.form_margin_min,
-            ">=",
             needed,
-            "mm",
-            AT_THE_END,
-            works_low,
+            at=key,
+            name=Text("{start}, longest tips and closest centres", start=start),
+            advice=works_low,
+            scale=quarter,
             index=index,
             remedies=partial(_eased, mesh, wheel, mate, cuts, needed),
         )
@@ -228,10 +331,6 @@ def _cut(wheel: str, cuts: Mapping[str, Metre], more: float) -> Change:
     return change(Wheel, key, deeper, place=wheel, bound=">=")
 
 
-def _modules(limit: Number) -> Text:
-    return Text("{practice}: {limit} m_n", practice=p.PRACTICE, limit=Amount(limit, form="g"))
-
-
 # --- wheels
 
 
@@ -241,24 +340,15 @@ def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
     if wheel.tip_thickness_normal_min is not None:
         s_an, value_id = wheel.tip_thickness_normal_min, f"{value_id}_min"
     enough = math.ceil(wheel.undercut_limit * 1e4 - 1e-9) / 1e4
-    yield check(
-        f"gears.{name}.undercut",
-        Text("Profile shift of {name} against undercut", name=name),
+    yield UNDERCUT(
         wheel.profile_shift,
-        ">=",
         wheel.undercut_limit,
-        "",
-        ISO,
-        Text("More teeth, or a tool with a smaller addendum, help as well."),
+        at=name,
+        name=Text("Profile shift of {name} against undercut", name=name),
+        scale=p.QUARTER,
         remedies=by_key(Wheel, wheel_key(name, Wheel.profile_shift), enough, place=name, bound=">="),
     )
-    label, least = Text("Normal tip thickness of {name}", name=name), p.TIP_THICKNESS
-    source, limit = _modules(least), least * system.m_n
-    advice = Text("Cut the tip, or give a smaller profile shift.")
-    yield check(f"gears.{name}.tip_thickness", label, s_an, ">=", limit, "mm", source, advice, value_id=value_id)
-    label, least = Text("Tip thickness of {name}, if case-hardened", name=name), p.TIP_THICKNESS_HARDENED
-    source, limit = Text("{modules} if case-hardened", modules=_modules(least)), least * system.m_n
-    advice = Text("A thin tip hardens through: cut it, or give less shift.")
-    yield check(
-        f"gears.{name}.tip_thickness_hardened", label, s_an, ">=", limit, "mm", source, advice, value_id=value_id
-    )
+    label = Text("Normal tip thickness of {name}", name=name)
+    yield TIP_THICKNESS(s_an, p.TIP_THICKNESS * system.m_n, at=name, name=label, value_id=value_id)
+    label, limit = Text("Tip thickness of {name}, if case-hardened", name=name), p.TIP_THICKNESS_HARDENED * system.m_n
+    yield TIP_THICKNESS_HARDENED(s_an, limit, at=name, name=label, value_id=value_id)

@@ -10,11 +10,13 @@ from typing import ClassVar
 
 from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
+from ..sheet.units import Kelvin
 from .wheel_inputs import INTERNAL, REFUSED, Wheel
 
 # the folds of the form
 WHEELS = Text("More of the wheels")
 MESHES = Text("More of the meshes")
+ASSUMED_WARMER: Kelvin = 20.0  # of the wheels: how much it is while the engine warms up is not published
 
 
 # --- a mesh: its two wheels, their centre distance, and the parts that make its tolerance
@@ -403,14 +405,14 @@ class GearsInputs:
         help="At which the warm backlash is taken.",
         repair="asked",
     )
-    wheels_warmer: float = quantity(
+    wheels_warmer: float | None = quantity(
         "Wheels warmer than the housing",
         "K",
-        default=20.0,
+        default=None,
         within=(0, 150),
         symbol="Delta_T",
         rule_of_thumb=(0, 40),
-        help="They then take backlash away.",
+        help="They then take backlash away. Left out: 20 K are assumed.",
     )
     speed: float | None = quantity(
         "Speed of the first driver",
@@ -481,6 +483,11 @@ class GearsInputs:
         if self.normal_module is not None:
             return self.normal_module
         return (self.transverse_module or math.nan) * math.cos(self.helix_angle)
+
+    @property
+    def warmer(self) -> Kelvin:
+        """How much warmer than the housing the wheels are, given or assumed."""
+        return ASSUMED_WARMER if self.wheels_warmer is None else self.wheels_warmer
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.normal_module is None and self.transverse_module is None:

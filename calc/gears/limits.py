@@ -18,6 +18,7 @@ TIP_THICKNESS_HARDENED = 0.4  # of case-hardened teeth
 CONTACT_RATIO, USUAL_CONTACT_RATIO = 1.1, 1.25
 ABOVE_FILLET, USUAL_ABOVE_FILLET = 0.0, 0.1
 TIP_CLEARANCE, USUAL_TIP_CLEARANCE = 0.15, 0.2  # the second: what the search for shifts keeps
+QUARTER, QUARTER_MODULE = 0.25, "0.25 m_n"  # what a margin is a share of where the limit is 0
 
 
 @formula(

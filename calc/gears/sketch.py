@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 FINE = 1e-2  # chord error of the teeth in modules, rule of this program: a dot is larger
 GAP: Number = 0.3  # modules: the largest backlash is drawn no wider
-JAMS = ("backlash", "backlash_cold", "backlash_warm", "penetration")  # checks by which a mesh has no room for its teeth
+# checks by which a mesh has no room for its teeth
+JAMS = ("backlash", "backlash_cold", "backlash_warm", "backlash_warming", "penetration")
 FAULTS = "clearance", "position", "undercut", "tip_thickness"  # of a wheel
 BELOW = 0.25  # of the tip radius: where the number of teeth stands below the name
 ABOVE = 0.1  # of the largest tip diameter: how far above the wheels the distances stand
@@ -142,7 +143,8 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[draw.
     mesh, system = train.meshes[key], train.system
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
     state = draw.judged(checks, *(f"gears.{key}.{id}" for id in JAMS))
-    gap = mesh.backlash_min if state else mesh.backlash_nominal
+    smallest = mesh.backlash_min if train.play is None else train.play[key].backlash_min_runout
+    gap = smallest if state else mesh.backlash_nominal
     factor = min(draw.rounded(GAP * system.m_n / abs(gap)), MOST) if gap else 1.0
     drawn = factor * gap
     shift = generating_shift(driver.profile_shift, -drawn, system.m_n, system.alpha_n)

@@ -9,11 +9,10 @@ from dataclasses import replace
 
 from ..engine.inputs import EngineInputs
 from ..library.catalogue import Material
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.deferred import Later
 from ..sheet.quantity import dotted
 from ..sheet.record import record
-from ..sheet.shim_check import check
 from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text
 from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
@@ -47,15 +46,44 @@ __all__ = ["geometry", "merge", "not_rated", "rating", "residual_couple", "with_
 
 @record
 class TrainPart:
-    """A part of the step that may have no solution while the rest stands: its id and its title."""
+    """A part of the step that may have no solution while the rest stands: its title, and what is then judged."""
 
-    id: str
     title: Text
+    rule: CheckRule
 
 
-BACKLASH = TrainPart("backlash", Text("backlash over parts and temperature"))
-LAYOUT = TrainPart("layout", Text("layout of the train"))
-RATING = TrainPart("rating", Text("rating of the teeth"))
+NO_NUMBER = "1, no number"
+NO_VALUES = Text("the part has no values")
+POWER = dotted("gears", GearsInputs.power)
+BACKLASH = TrainPart(
+    Text("backlash over parts and temperature"),
+    CheckRule(
+        "gears.train.backlash",
+        "limit",
+        "The backlash over parts and temperature, a limit, has no values.",
+        source=NO_VALUES,
+        role="self",
+        zero=NO_NUMBER,
+    ),
+)
+LAYOUT = TrainPart(
+    Text("layout of the train"),
+    CheckRule(
+        "gears.train.layout", "limit", "The wheels have no place.", source=NO_VALUES, role="self", zero=NO_NUMBER
+    ),
+)
+RATING = TrainPart(
+    Text("rating of the teeth"),
+    CheckRule(
+        "gears.train.rating",
+        "limit",
+        "The safeties, limits, have no values.",
+        source=NO_VALUES,
+        role="self",
+        zero=NO_NUMBER,
+        moved_by=(POWER,),
+    ),
+)
 NOT_RATED = Text(
     "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given here; "
     "stresses, safeties and forces on the axes have no values."
@@ -177,15 +205,16 @@ def with_forces(outcome: Outcome[TrainResult], gears: GearsInputs) -> Outcome[Tr
 def without(outcome: Outcome[TrainResult], part: TrainPart, reason: Text) -> Outcome[TrainResult]:
     """The same outcome, with a failing check for a part of it that has no solution."""
     name, advice = Text("No solution: {part}", part=part.title), Text("{reason}.", reason=reason)
-    failed = check(f"gears.train.{part.id}", name, math.nan, ">=", 0.0, "", Text("the part has no values"), advice)
+    failed = part.rule(math.nan, 0.0, name=name, advice=advice, scale=1.0)
     return replace(outcome, checks=(*outcome.checks, failed))
 
 
 def not_rated(outcome: Outcome[TrainResult], why: Text) -> Outcome[TrainResult]:
     """The same outcome without its safeties, which no power is known for."""
-    name, source = Text("Safeties of the teeth"), Text("rule of this program: without a torque no tooth is rated")
-    power = dotted("gears", GearsInputs.power)
-    open_ = check("gears.train.rating", name, math.nan, ">=", 0.0, "", source, why, missing=(power,))
+    source = Text("rule of this program: without a torque no tooth is rated")
+    lack = Missing((POWER,), (Text("none"),), "none", "none")
+    name = Text("Safeties of the teeth")
+    open_ = RATING.rule(math.nan, 0.0, name=name, source=source, advice=why, scale=1.0, missing=lack)
     return replace(outcome, checks=(*outcome.checks, open_), notes=(*outcome.notes, why))
 
 

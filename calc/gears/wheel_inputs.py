@@ -127,7 +127,7 @@ class Wheel:
         within=(0, 2000),
         symbol="F_r",
         rule_of_thumb=(5, 80),
-        help="Over a turn; half of it to each side of the centre.",
+        help="Over a turn; half of it to each side of the centre. Left out: by the accuracy grade.",
         change=("less runout", "more runout"),
     )
     measured_span: float | None = quantity(

@@ -4,19 +4,162 @@
 import math
 from collections.abc import Iterator
 
-from ..sheet.check import Check
+from ..engine.inputs import EngineInputs
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.functions import argument, degrees
-from ..sheet.shim_check import check
+from ..sheet.quantity import dotted
 from ..sheet.text import EMPTY, Amount, Text, listed, plural
 from ..sheet.units import Newton, NewtonMetre, Number
+from .inputs import ImbalanceInputs
+from .orders import Order
 from .remedies import BalanceShaft
 from .result import ImbalanceResult
 from .shaft_pair import roll_check
+from .webs import WebsResult
 
 FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
 TURNED = math.radians(0.01)
 OWN = Text(
     "rule of this program: 5 % (order 1) or 50 % of λ (order 2) of m·r·ω² of one cylinder, couples over one pitch"
+)
+
+PINS = math.radians(2)  # a pin of the crank's bodies may stand so far from its throw
+
+FRACTION = dotted("imbalance", ImbalanceInputs.crank_balance_fraction)
+TAKEN_BY_A_SHAFT = "What a shaft could take is a possible improvement as long as no shaft is asked for."
+TAKEN_BY_THE_CRANK = "The crank's own counterweights could take it and do not; a backward shaft can not."
+COMFORT = "Second order is a matter of comfort and takes other shafts than this one."
+BACKWARD_COUPLE = CheckRule(
+    "imbalance.order_1.backward",
+    "advice",
+    TAKEN_BY_A_SHAFT,
+    Text("First-order couple turning backward"),
+    "<=",
+    "N·m",
+    OWN,
+    value_id=dotted("imbalance", "order_1", Order.couple_backward),
+    moved_by=(FRACTION,),
+)
+BACKWARD_FORCE = CheckRule(
+    "imbalance.order_1.backward_force",
+    "advice",
+    TAKEN_BY_A_SHAFT,
+    Text("First-order force turning backward"),
+    "<=",
+    "N",
+    OWN,
+    Text(
+        "A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well."
+    ),
+    cause="imbalance.order_1.backward",
+    value_id=dotted("imbalance", "order_1", Order.force_backward),
+    moved_by=(FRACTION,),
+)
+FORWARD_COUPLE = CheckRule(
+    "imbalance.order_1.forward",
+    "caution",
+    TAKEN_BY_THE_CRANK,
+    Text("First-order couple turning forward"),
+    "<=",
+    "N·m",
+    OWN,
+    value_id=dotted("imbalance", "order_1", Order.couple_forward),
+    moved_by=(FRACTION,),
+)
+FORWARD_FORCE = CheckRule(
+    "imbalance.order_1.forward_force",
+    "caution",
+    TAKEN_BY_THE_CRANK,
+    Text("First-order force turning forward"),
+    "<=",
+    "N",
+    OWN,
+    cause="imbalance.order_1.forward",
+    value_id=dotted("imbalance", "order_1", Order.force_forward),
+    moved_by=(FRACTION,),
+)
+SECOND_COUPLE = CheckRule(
+    "imbalance.order_2.couple",
+    "advice",
+    COMFORT,
+    Text("Second-order couple left"),
+    "<=",
+    "N·m",
+    OWN,
+    value_id=dotted("imbalance", "order_2", Order.couple_peak),
+    moved_by=(dotted("engine", EngineInputs.rod_length),),
+)
+SECOND_FORCE = CheckRule(
+    "imbalance.order_2.force",
+    "advice",
+    COMFORT,
+    Text("Second-order force left"),
+    "<=",
+    "N",
+    OWN,
+    cause="imbalance.order_2.couple",
+    value_id=dotted("imbalance", "order_2", Order.force_peak),
+    moved_by=(dotted("engine", EngineInputs.rod_length),),
+)
+CRANK_FORCE = CheckRule(
+    "imbalance.crank.force",
+    "caution",
+    "The crank turns on its balancing machine, but leaves a force in the engine.",
+    sense="<=",
+    unit="N",
+    source=OWN,
+    advice=Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing."),
+    moved_by=(dotted("imbalance", ImbalanceInputs.bob_mass),),
+)
+CRANK_COUPLE = CheckRule(
+    "imbalance.crank.couple",
+    "caution",
+    "The crank turns on its balancing machine, but leaves a couple in the engine.",
+    sense="<=",
+    unit="N·m",
+    source=OWN,
+    advice=Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing."),
+    cause="imbalance.crank.force",
+    moved_by=(dotted("imbalance", ImbalanceInputs.bob_mass),),
+)
+CRANK_RESIDUAL = CheckRule(
+    "imbalance.crank.residual",
+    "advice",
+    "A crank that is drilled on the balancing machine may come to it with more.",
+    sense="<=",
+    unit="kg·mm",
+    source=Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
+    advice=Text("The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are found."),
+    cause="imbalance.crank.force",
+    limit_id=dotted("imbalance", WebsResult.permitted_unbalance),
+    moved_by=(
+        dotted("imbalance", ImbalanceInputs.drill_radius),
+        dotted("imbalance", ImbalanceInputs.crank_balance_grade),
+    ),
+)
+COUPLE_LEFT = CheckRule(
+    "imbalance.unbalances.couple_left",
+    "caution",
+    "Pulley and flywheel leave more of the couple that they are there for than a cylinder would.",
+    Text("Wanted couple that pulley and flywheel leave"),
+    "<=",
+    "N·m",
+    OWN,
+    Text("Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase."),
+    value_id=dotted("imbalance", WebsResult.unbalances_couple_left),
+    moved_by=(dotted("imbalance", ImbalanceInputs.unbalances),),
+)
+THROWS = CheckRule(
+    "imbalance.crank.throws",
+    "caution",
+    "Bodies whose pins do not lie at the throws are those of another crank.",
+    Text("Pins of the crank's bodies against the throws"),
+    "<=",
+    "°",
+    Text("rule of this program: within 2°"),
+    Text("Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins."),
+    value_id=dotted("imbalance", WebsResult.pin_deviation),
+    moved_by=(dotted("imbalance", ImbalanceInputs.crank_bodies_throw_at_tdc),),
 )
 
 
@@ -45,9 +188,6 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
         required_couple=Amount(result.required_couple),
         phase=phase,
     ) + (Text("; add [countershaft].") if not shaft else ".")
-    backward = Text(
-        "A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well."
-    )
     shafts = result.remedy.get("second_order_shafts")
     two = (
         Text(
@@ -58,87 +198,40 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
         else EMPTY
     )
 
+    force, couple = FIRST * result.one_force, FIRST * result.one_couple
     if not shaft:
-        yield _couple_check(
-            result, "order_1.backward", Text("First-order couple turning backward"), first.couple_backward, counter
-        )
-        yield _force_check(
-            result, "order_1.backward_force", Text("First-order force turning backward"), first.force_backward, backward
-        )
-    yield _couple_check(
-        result, "order_1.forward", Text("First-order couple turning forward"), first.couple_forward, forward
-    )
-    yield _force_check(
-        result, "order_1.forward_force", Text("First-order force turning forward"), first.force_forward, forward
-    )
-    share = SECOND * lam
-    yield _couple_check(result, "order_2.couple", Text("Second-order couple left"), second.couple_peak, two, share)
-    yield _force_check(result, "order_2.force", Text("Second-order force left"), second.force_peak, two, share)
+        yield BACKWARD_COUPLE(first.couple_backward, couple, advice=counter)
+        yield BACKWARD_FORCE(first.force_backward, force)
+    yield FORWARD_COUPLE(first.couple_forward, couple, advice=forward)
+    yield FORWARD_FORCE(first.force_forward, force, advice=forward)
+    yield SECOND_COUPLE(second.couple_peak, SECOND * lam * result.one_couple, advice=two)
+    yield SECOND_FORCE(second.force_peak, SECOND * lam * result.one_force, advice=two)
     if result.shaft_pair is not None:
         yield roll_check(result.shaft_pair)
-    yield from _crank_checks(result)
+    if result.webs is not None:
+        yield from _crank_checks(result.webs, force, couple)
 
 
-def _force_check(
-    result: ImbalanceResult, name: str, label: Text, force: Newton, advice: Text, share: Number = FIRST
-) -> Check:
-    """Whether no more is left than a share of the force of one cylinder."""
-    return check(f"imbalance.{name}", label, force, "<=", share * result.one_force, "N", OWN, advice)
-
-
-def _couple_check(
-    result: ImbalanceResult, name: str, label: Text, couple: NewtonMetre, advice: Text, share: Number = FIRST
-) -> Check:
-    """The same of a couple, and of that force over one pitch."""
-    return check(f"imbalance.{name}", label, couple, "<=", share * result.one_couple, "N·m", OWN, advice)
-
-
-def _crank_checks(result: ImbalanceResult) -> Iterator[Check]:
-    """The crank on the balancing machine, and what pulley and flywheel supply, by the same measure."""
-    webs = result.webs
-    if webs is None:
-        return
+def _crank_checks(webs: WebsResult, force: Newton, couple: NewtonMetre) -> Iterator[Check]:
+    """The crank on the balancing machine, and what pulley and flywheel supply: no more than `force` and `couple` may be
+    left."""
     if webs.crank is not None:
         name = "stated" if "stated" in webs.crank else "balanced"
         state = webs.crank[name]
         bobs = Text("with the bobs as stated") if name == "stated" else Text("with the bobs found")
-        advice = Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing.")
-        label = Text("Force of the crank {bobs}", bobs=bobs)
-        yield _force_check(result, "crank.force", label, state.force, advice)
-        label = Text("Couple of the crank {bobs}", bobs=bobs)
-        yield _couple_check(result, "crank.couple", label, state.couple, advice)
+        yield CRANK_FORCE(state.force, force, name=Text("Force of the crank {bobs}", bobs=bobs))
+        yield CRANK_COUPLE(state.couple, couple, name=Text("Couple of the crank {bobs}", bobs=bobs))
         if webs.permitted_unbalance is not None and webs.drilled_mass is None:
-            yield check(
-                "imbalance.crank.residual",
-                Text("Static unbalance of the crank {bobs}", bobs=bobs),
-                state.unbalance,
-                "<=",
-                webs.permitted_unbalance,
-                "kg·mm",
-                Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
-                Text(
-                    "The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are found."
-                ),
-            )
+            label = Text("Static unbalance of the crank {bobs}", bobs=bobs)
+            yield CRANK_RESIDUAL(state.unbalance, webs.permitted_unbalance, name=label)
     if webs.unbalances_couple_left is not None:
-        yield _couple_check(
-            result,
-            "unbalances.couple_left",
-            Text("Wanted couple that pulley and flywheel leave"),
-            webs.unbalances_couple_left,
-            Text("Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase."),
-        )
+        yield COUPLE_LEFT(webs.unbalances_couple_left, couple)
+    elif (wanted := webs.missing_forward_couple) is not None:
+        keys, taken = (dotted("imbalance", ImbalanceInputs.unbalances),), (Text("unbalances that leave nothing"),)
+        lack = Missing(keys, taken, 0.0, wanted)
+        yield COUPLE_LEFT(0.0, couple, value_id="", missing=lack)
     if webs.pin_deviation is not None:
-        yield check(
-            "imbalance.crank.throws",
-            Text("Pins of the crank's bodies against the throws"),
-            webs.pin_deviation,
-            "<=",
-            math.radians(2),
-            "°",
-            Text("rule of this program: within 2°"),
-            Text("Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins."),
-        )
+        yield THROWS(webs.pin_deviation, PINS)
 
 
 def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Text, ...]:

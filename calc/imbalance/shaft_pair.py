@@ -10,11 +10,10 @@ import math
 from collections.abc import Iterator
 
 from ..engine.result import EngineResult
-from ..sheet.check import Check
+from ..sheet.check import Check, CheckRule
 from ..sheet.formula import formula
 from ..sheet.functions import argument, conj, imag, joined, modulus
-from ..sheet.quantity import result, value
-from ..sheet.shim_check import check
+from ..sheet.quantity import dotted, result, value
 from ..sheet.step import Table
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, NewtonMetre, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
@@ -139,23 +138,31 @@ def _force(shaft: BalanceShaft | None, omega: RadPerSecond) -> PhasorNewton:
     return supplied_force(i=shaft.speed_ratio, omega=omega, U=shaft.unbalance, gamma=shaft.unbalance_phase)
 
 
+ROLL = CheckRule(
+    "imbalance.shaft_pair.roll",
+    "advice",
+    "Roll is a matter of comfort; the places of the shafts can take of it, or add to it.",
+    Text("Roll with the pair of shafts"),
+    "<=",
+    "N·m",
+    Text("rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces"),
+    Text(
+        "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs higher "
+        "than the other where the height difference of the least roll is positive."
+    ),
+    zero="roll torque of both shafts",
+    value_id=dotted("imbalance", "shaft_pair", ShaftPair.roll_left),
+    limit_id=dotted("imbalance", "shaft_pair", ShaftPair.reaction),
+    moved_by=(
+        dotted("imbalance", ImbalanceInputs.forward_shaft_axis),
+        dotted("imbalance", ImbalanceInputs.backward_shaft_axis),
+    ),
+)
+
+
 def roll_check(pair: ShaftPair) -> Check:
     """Whether the places of the shafts make the roll worse than it is without them."""
-    return check(
-        "imbalance.shaft_pair.roll",
-        Text("Roll with the pair of shafts"),
-        pair.roll_left,
-        "<=",
-        pair.reaction,
-        "N·m",
-        Text(
-            "rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces"
-        ),
-        Text(
-            "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs higher "
-            "than the other where the height difference of the least roll is positive."
-        ),
-    )
+    return ROLL(pair.roll_left, pair.reaction, scale=pair.roll_torque)
 
 
 def roll_notes(imbalance: ImbalanceInputs) -> Iterator[Text]:

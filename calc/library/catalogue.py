@@ -8,9 +8,11 @@ from dataclasses import MISSING, replace
 from functools import cache, lru_cache
 from typing import Any, TypeVar
 
+from ..sheet.check import End, Missing
 from ..sheet.quantity import choice, dotted, inputs, keys, quantity, tables, text, unknown
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
+from ..sheet.units import Pascal
 from ..sheet.value import Link, linked
 from .table_file import Mistake, bad_table, parsed, text_of_table
 
@@ -196,11 +198,19 @@ class Material:
     E: float = quantity("Young's modulus", "GPa", within=(1, 1000))
     poisson: float = quantity("Poisson's ratio", default=0.3, within=(0.0, 0.49), symbol="nu")
     density: float = quantity("Density", "kg/m³", within=(500, 25000), symbol="rho")
-    expansion: float = quantity("Thermal expansion", "10⁻⁶/K", within=(0, 100), symbol="alpha")
+    expansion: float = quantity("Thermal expansion", "10⁻⁶/K", within=(0, 100), symbol="alpha", rule_of_thumb=(5, 30))
     proof_stress: float | None = quantity(
-        "Proof stress", "MPa", default=None, up_to=10000, symbol="R_p", help="Rp0.2, tension."
+        "Proof stress",
+        "MPa",
+        default=None,
+        up_to=10000,
+        symbol="R_p",
+        rule_of_thumb=(80, 1500),
+        help="Rp0.2, tension.",
     )
-    tensile_strength: float | None = quantity("Tensile strength", "MPa", default=None, up_to=10000, symbol="R_m")
+    tensile_strength: float | None = quantity(
+        "Tensile strength", "MPa", default=None, up_to=10000, symbol="R_m", rule_of_thumb=(120, 2200)
+    )
     kind: str = choice(
         "Kind",
         "steel",
@@ -220,6 +230,20 @@ class Material:
         help="Of a smooth, polished specimen, endless life. Left out: by its kind from the tensile strength.",
     )
     source: str = text("Source", default="the user")
+
+
+WEAKEST_STEEL: Pascal = 235e6  # proof stress of the weakest structural steels
+
+
+def proof_of(material: Material, stress: Pascal) -> tuple[Pascal, Missing | None]:
+    """The proof stress that a stress is held against; where it is not given that of the weakest structural steels.
+
+    Below it any steel bears the stress; how far another metal does, nobody knows."""
+    if material.proof_stress is not None:
+        return material.proof_stress, None
+    taken = Text("{stress}, as the weakest structural steels", stress=Amount(WEAKEST_STEEL * 1e-6, "MPa"))
+    worst: End = stress if material.kind == "steel" else "none"
+    return WEAKEST_STEEL, Missing((dotted("material", Material.proof_stress),), (taken,), "holds", worst)
 
 
 CLAIM = ("is", "confidence", "source")  # the keys of a value that stands with where it comes from

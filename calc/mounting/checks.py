@@ -9,41 +9,120 @@ from itertools import product
 
 import numpy as np
 
+from ..countershaft.inputs import CountershaftInputs
 from ..engine.inputs import EngineInputs
-from ..sheet.check import Check
-from ..sheet.shim_check import check
+from ..sheet.check import Check, CheckRule, Missing
+from ..sheet.quantity import dotted
 from ..sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ..sheet.value import based_on
-from .body import DOFS
+from .body import BOX, DOFS
 from .inputs import DOF_WORDS, MountingInputs
 from .levels import peaks
 from .operations import existing
-from .result import MountingResult
+from .result import Mode, MountingResult, RollAxis, StaticMount
 from .standards import scope, table, zone_limit
+from .statics import GRAVITY
 from .wrenches import operating
+
+MOUNTS = dotted("mounting", MountingInputs.mounts)
+OPERATION = dotted("mounting", MountingInputs.operation)
+
+# --- what is not given
+
+
+def _not_given(engine: EngineInputs, levels: Sequence[float]) -> Missing | None:
+    """Without gas the masses alone shake, and nobody knows by how much more the gas does.
+
+    `levels`: what is judged, of the design, and where its inertia is an estimate at the far ends of that."""
+    keys, taken = [], []
+    if engine.gas is None:
+        keys.append(dotted("engine", EngineInputs.gas))
+        taken.append(Text("the masses alone"))
+    if len(levels) > 1:
+        keys.append(dotted("mounting", MountingInputs.inertia))
+        taken.append(Text("{share} of a full box", share=Amount(BOX)))
+    if not keys:
+        return None
+    rising = sorted(map(float, levels), key=_resonance_last)
+    return Missing(tuple(keys), tuple(taken), rising[0], rising[-1] if engine.gas is not None else "none")
+
+
+def _resonance_last(level: float) -> tuple[bool, float]:
+    return math.isnan(level), level
+
 
 # --- what is felt: the day of a driver, comfort at the seat, severity at the machine
 
 DIRECTIVE = Text("Directive 2002/44/EC; the engine's share only, travel over ground comes on top")
-COMFORT = Text("ISO 2631-1, annex C: not uncomfortable")
+EXPOSED = {"whole_body": Text("Daily exposure of the whole body"), "hand_arm": Text("Daily exposure of hand and arm")}
+ROLES = {"whole_body": "seat", "hand_arm": "hand"}
+EXPOSURE = {
+    part: CheckRule(
+        f"mounting.exposure.{part}",
+        "limit",
+        "The law forbids it: more than the limit may nobody have in a day.",
+        label,
+        "<=",
+        "m/s²",
+        DIRECTIVE,
+        role="physics",
+        demand=True,
+        moved_by=(MOUNTS, OPERATION),
+    )
+    for part, label in EXPOSED.items()
+}
+ACTION = {
+    part: CheckRule(
+        f"mounting.exposure.{part}_action",
+        "advice",
+        "From the action value on the employer has to act.",
+        Text("{words}, action value", words=label),
+        "<=",
+        "m/s²",
+        DIRECTIVE,
+        cause=EXPOSURE[part].id,
+        moved_by=(MOUNTS, OPERATION),
+    )
+    for part, label in EXPOSED.items()
+}
+SEVERITY = CheckRule(
+    "mounting.N.W.severity",
+    "advice",
+    "The rigid body is a lower bound, and the classes are from memory.",
+    sense="<=",
+    cause="mounting.severity",
+    moved_by=(MOUNTS,),
+)
+COMFORT = CheckRule(
+    "mounting.N.comfort",
+    "advice",
+    "Comfort is no matter of strength.",
+    sense="<=",
+    unit="m/s²",
+    source=Text("ISO 2631-1, annex C: not uncomfortable"),
+    cause="mounting.comfort",
+    moved_by=(MOUNTS, dotted("mounting", MountingInputs.seat_transmissibility)),
+)
 
 
-def exposure_checks(result: MountingResult) -> Iterator[Check]:
+def exposure_checks(engine: EngineInputs, cases: Sequence[MountingResult]) -> Iterator[Check]:
+    result = cases[0]
     if result.exposure is None:
         return
-    day, limits = result.exposure.get(result.own, {}), table()["exposure"]
+    limits = table()["exposure"]
     roles = {point.role for point in result.system.mounting.points}
-    for id, role, label in (
-        ("whole_body", "seat", Text("Daily exposure of the whole body")),
-        ("hand_arm", "hand", Text("Daily exposure of hand and arm")),
-    ):
-        if id not in day and role not in roles:
+    for part, role in ROLES.items():
+        if role not in roles:
             continue
-        a, value_id = day[id].number if id in day else math.nan, f"mounting.exposure.{result.own}.{id}"
-        limit, action = limits[f"{id}_limit"], limits[f"{id}_action"]
-        yield check(f"mounting.exposure.{id}", label, a, "<=", limit, "m/s²", DIRECTIVE, value_id=value_id)
-        label = Text("{words}, action value", words=label)
-        yield check(f"mounting.exposure.{id}_action", label, a, "<=", action, "m/s²", DIRECTIVE, value_id=value_id)
+        levels = [_exposure(case, part) for case in cases]
+        value_id, lack = f"mounting.exposure.{result.own}.{part}", _not_given(engine, levels)
+        yield EXPOSURE[part](levels[0], limits[f"{part}_limit"], value_id=value_id, missing=lack)
+        yield ACTION[part](levels[0], limits[f"{part}_action"], value_id=value_id)
+
+
+def _exposure(result: MountingResult, part: str) -> float:
+    day = (result.exposure or {}).get(result.own, {})
+    return day[part].number if part in day else math.nan
 
 
 def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:
@@ -68,9 +147,8 @@ def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
         else:
             return
         label = Text("Severity at {point}, {name}", point=Name(point), name=Name(name))
-        yield check(
-            f"mounting.{name}.{point}.severity", label, _or_nan(value), "<=", limit, "", source, value_id=value_id
-        )
+        level = _or_nan(value)
+        yield SEVERITY(level, limit, at=(name, point), name=label, source=source, value_id=value_id)
 
 
 def _or_nan(level: float | None) -> float:
@@ -83,25 +161,75 @@ def comfort_checks(mounting: MountingInputs, result: MountingResult) -> Iterator
     limit = next(row["above_m_s2"] for row in table()["comfort"] if row["above_m_s2"])
     for name in result.speeds if seats else ():
         levels = [(_or_nan(result.leaf(f"{name}.{result.own}.{seat}.weighted")), seat) for seat in seats]
-        a, seat = max(levels, key=lambda row: (math.isnan(row[0]), row[0]))
+        a, seat = max(levels, key=lambda row: _resonance_last(row[0]))
         label = Text("Weighted acceleration at {seat}, {name}", seat=Name(seat), name=Name(name))
         value_id = f"mounting.{name}.{result.own}.{seat}.weighted"
-        yield check(f"mounting.{name}.comfort", label, a, "<=", limit, "m/s²", COMFORT, value_id=value_id)
+        yield COMFORT(a, limit, at=name, name=label, value_id=value_id)
 
 
 # --- the modes: below what drives the engine, above the road, apart from each other and from operations
 
 RULE = Text("rule of this program: mounts of a multi-cylinder engine in practice")
-ISOLATION = Text("dynamics of vibration isolation: it begins √2 above a mode")
-ROAD = Text("rule of this program: what the ground excites stays below the modes of the engine")
 KEPT, APART = 0.85, 0.10
+FREQUENCY_OF_MODE = "mounting.frequency.N"
+SEPARATION = CheckRule(
+    "mounting.separation.N",
+    "advice",
+    "A mode near what drives it at idle is felt, and harms nothing.",
+    sense="<=",
+    unit="Hz",
+    source=Text("dynamics of vibration isolation: it begins √2 above a mode"),
+    cause="mounting.separation",
+    value_id=FREQUENCY_OF_MODE,
+    moved_by=(MOUNTS, dotted("mounting", MountingInputs.idle_speed)),
+)
+ROAD = CheckRule(
+    "mounting.road.N",
+    "advice",
+    "The ground shakes an engine whose modes are as slow.",
+    unit="Hz",
+    source=Text("rule of this program: what the ground excites stays below the modes of the engine"),
+    cause="mounting.road",
+    zero="1 Hz",
+    value_id=FREQUENCY_OF_MODE,
+    moved_by=(MOUNTS, dotted("mounting", MountingInputs.road_frequency)),
+)
+DECOUPLING = CheckRule(
+    "mounting.decoupling.N",
+    "advice",
+    "Coupled modes spread what drives one of them over all.",
+    unit="%",
+    source=RULE,
+    cause="mounting.decoupling",
+    value_id="mounting.energy.N",
+    moved_by=(MOUNTS, dotted("mounting", MountingInputs.centre_of_gravity)),
+)
+ROLL_AXIS = CheckRule(
+    dotted("mounting", "roll_axis", RollAxis.decoupling),
+    "advice",
+    "The firing torque turns the engine about this axis: one mode should take it.",
+    Text("Largest share of a mode in the torque roll axis"),
+    unit="%",
+    source=RULE,
+    cause="mounting.decoupling",
+    value_id=dotted("mounting", "roll_axis", RollAxis.decoupling),
+    moved_by=(MOUNTS, dotted("mounting", MountingInputs.inertia_coupling)),
+)
+CRITICAL = CheckRule(
+    "mounting.critical.N",
+    "advice",
+    "A speed at which one works should stand apart from the critical ones.",
+    unit="%",
+    source=RULE,
+    moved_by=(MOUNTS, OPERATION),
+)
 
 
 def mode_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
     ceiling = result.window.shaft if result.has_shaft else result.window.half
     advice = window_advice(result)
     for dof in DOFS:
-        f, value_id = result.frequency[dof].number, f"mounting.frequency.{dof}"
+        f = result.frequency[dof].number
         if ceiling is not None:
             limit = based_on(
                 ceiling.lowest_order * float(mounting.idle_speed) / math.sqrt(2.0),
@@ -109,16 +237,14 @@ def mode_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Ch
                 mounting.idle_speed,
             )
             label = Text("Mode {dof} below what drives it at idle", dof=DOF_WORDS[dof])
-            yield check(f"mounting.separation.{dof}", label, f, "<=", limit, "Hz", ISOLATION, advice, value_id=value_id)
-        label, limit = Text("Mode {dof} above the road's", dof=DOF_WORDS[dof]), mounting.road_frequency
-        yield check(f"mounting.road.{dof}", label, f, ">=", limit, "Hz", ROAD, value_id=value_id)
+            yield SEPARATION(f, limit, at=dof, name=label, advice=advice)
+        label = Text("Mode {dof} above the road's", dof=DOF_WORDS[dof])
+        yield ROAD(f, mounting.road_frequency, at=dof, name=label, scale=1.0)
     advice = focal_advice(result)
     for dof in ("roll", "bounce"):
-        label, energy = Text("Energy of the mode {dof} in it", dof=DOF_WORDS[dof]), result.energy[dof].number
-        value_id = f"mounting.energy.{dof}"
-        yield check(f"mounting.decoupling.{dof}", label, energy, ">=", KEPT, "%", RULE, advice, value_id=value_id)
-    label, share = Text("Largest share of a mode in the torque roll axis"), result.roll_axis.decoupling
-    yield check("mounting.roll_axis.decoupling", label, share, ">=", KEPT, "%", RULE)
+        label = Text("Energy of the mode {dof} in it", dof=DOF_WORDS[dof])
+        yield DECOUPLING(result.energy[dof].number, KEPT, at=dof, name=label, advice=advice)
+    yield ROLL_AXIS(result.roll_axis.decoupling, KEPT)
 
 
 def window_advice(result: MountingResult) -> Text:
@@ -166,44 +292,117 @@ def critical_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
         label = Text("Nearest critical speed at {name}: {dof}, order {order}", name=at, dof=mode, order=Amount(order))
         apart = based_on(abs(n / float(speed) - 1), result.frequency[dof].number, speed)
         advice = Text("It stands at {n}.", n=Amount(n * 60, "rpm", digits=4))
-        yield check(f"mounting.critical.{name}", label, apart, ">=", APART, "%", RULE, advice, value_id="")
+        yield CRITICAL(apart, APART, at=name, name=label, advice=advice)
 
 
-# --- all of the step
+# --- the mounts, and the model
+
+SUPPORTED = CheckRule(
+    "mounting.supported",
+    "limit",
+    "An engine with a motion that no spring holds falls.",
+    Text("Slowest mode: the mounts hold the engine"),
+    ">",
+    "Hz",
+    Text("statics: six motions, six springs"),
+    role="physics",
+    zero="1 Hz",
+    value_id=dotted("mounting", "mode_1", Mode.frequency),
+    moved_by=(MOUNTS,),
+)
+DEFLECTION = CheckRule(
+    "mounting.N.deflection",
+    "limit",
+    "The mount strikes its stop, or tears.",
+    sense="<=",
+    unit="mm",
+    source=Text("given in the design: room of the mount"),
+    advice=Text("Stiffen the mount, or give it more room."),
+    role="chosen",
+    demand=True,
+    exact=True,
+    moved_by=(MOUNTS, dotted("mounting", MountingInputs.mass)),
+)
+LIFTED = CheckRule(
+    "mounting.lifted.N",
+    "advice",
+    "A mount that is pulled at rest lasts less.",
+    unit="N",
+    source=Text("statics: rubber should not be pulled at rest"),
+    advice=Text("Move it towards the centre of gravity, or turn it."),
+    zero="weight over the number of mounts",
+    value_id=dotted("mounting", "static", "N", StaticMount.load),
+    moved_by=(MOUNTS, dotted("mounting", MountingInputs.centre_of_gravity)),
+)
+RIGID_RANGE = CheckRule(
+    "mounting.rigid_range",
+    "method",
+    "Above it the model leaves out how engine and frame bend.",
+    Text("Frequency of the strongest order at the seat"),
+    "<=",
+    "Hz",
+    Text("rule of this program: validity of the model, engine and frame bend above it"),
+    moved_by=(dotted("mounting", MountingInputs.rigid_up_to),),
+)
+SHAFT_HELPS = CheckRule(
+    "mounting.shaft_helps",
+    "advice",
+    "A shaft that makes it worse somewhere is to be known, and may be right elsewhere.",
+    Text("Smallest of all felt ratios, half over shaft"),
+    source=Text("rule of this program: a shaft that is late or too heavy makes it worse"),
+    moved_by=(dotted("countershaft", CountershaftInputs.masses), MOUNTS),
+)
+INERTIA_RANGE = CheckRule(
+    "mounting.inertia_range",
+    "method",
+    "Verdicts that hang on an estimate are not known.",
+    Text("Verdicts that turn between half and nine tenths of a full box"),
+    "<=",
+    source=Text("assumed: the inertia is estimated from the overall dimensions"),
+    exact=True,
+    zero="1",
+    moved_by=(dotted("mounting", MountingInputs.inertia), dotted("mounting", MountingInputs.dimensions)),
+)
 
 
-def checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:
-    """All of them but that of the estimated inertia."""
-    lowest = result.modes["mode_1"].frequency
-    label, source = Text("Slowest mode: the mounts hold the engine"), Text("statics: six motions, six springs")
-    yield check("mounting.supported", label, lowest, ">", 0.0, "Hz", source)
-    yield from _deflection_checks(mounting, result)
-    yield from exposure_checks(result)
+def checks(
+    mounting: MountingInputs, engine: EngineInputs, result: MountingResult, at_ends: Sequence[MountingResult] = ()
+) -> Iterator[Check]:
+    """All of them but that of the estimated inertia.  `at_ends`: the same engine at the far ends of that estimate."""
+    cases = (result, *at_ends)
+    yield SUPPORTED(result.modes["mode_1"].frequency, 0.0, scale=1.0)
+    yield from _deflection_checks(mounting, engine, cases)
+    yield from exposure_checks(engine, cases)
     yield from mode_checks(mounting, result)
     yield from critical_checks(mounting, engine, result)
     yield from severity_checks(mounting, engine, result)
     yield from comfort_checks(mounting, result)
-    source = Text("statics: rubber should not be pulled at rest")
-    advice = Text("Move it towards the centre of gravity, or turn it.")
+    fair_share = mounting.mass * GRAVITY / len(mounting.mounts)
     for mount in mounting.mounts:
         label, load = Text("Weight on the mount {name}", name=Name(mount.name)), result.static[mount.name].load
-        yield check(f"mounting.lifted.{mount.name}", label, load, ">=", 0.0, "N", source, advice)
+        yield LIFTED(load, 0.0, at=mount.name, name=label, scale=fair_share)
     yield from _range_checks(mounting, result)
     yield from _shaft_checks(result)
 
 
-def _deflection_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
-    """At rest, under the mean torque and vibrating, along each own axis: the largest of all operations."""
-    v = result.drive.variants.index(result.own)
-    source, advice = Text("given in the design: room of the mount"), Text("Stiffen the mount, or give it more room.")
+def _deflection_checks(
+    mounting: MountingInputs, engine: EngineInputs, cases: Sequence[MountingResult]
+) -> Iterator[Check]:
     for j, mount in enumerate(mounting.mounts):
         if mount.deflection_limit is None:
             continue
-        swing = peaks(result.levels.deflection[:, v, j])  # (operations, axes)
-        standing = np.abs(result.rest.deflection[j]) + np.abs(np.outer(result.output, result.rest.by_torque[j]))
-        most = based_on(float((swing + standing).max()), result.levels.source, mount.stiffness)
-        label, limit = Text("Largest deflection of the mount {name}", name=Name(mount.name)), mount.deflection_limit
-        yield check(f"mounting.{mount.name}.deflection", label, most, "<=", limit, "mm", source, advice)
+        levels = [_largest_deflection(case, j) for case in cases]
+        most = based_on(levels[0], cases[0].levels.source, mount.stiffness)
+        label, lack = Text("Largest deflection of the mount {name}", name=Name(mount.name)), _not_given(engine, levels)
+        yield DEFLECTION(most, mount.deflection_limit, at=mount.name, name=label, missing=lack)
+
+
+def _largest_deflection(result: MountingResult, j: int) -> float:
+    """Of mount j, at rest, under the mean torque and vibrating, along each own axis: the largest of all operations."""
+    v = result.drive.variants.index(result.own)
+    swing = peaks(result.levels.deflection[:, v, j])  # (operations, axes)
+    standing = np.abs(result.rest.deflection[j]) + np.abs(np.outer(result.output, result.rest.by_torque[j]))
+    return float((swing + standing).max())
 
 
 def _range_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
@@ -217,9 +416,7 @@ def _range_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[
     if not np.isfinite(sizes).all():
         return
     f = max(float(result.levels.frequency[i, sizes[i].argmax()]) for i in range(len(sizes)))
-    label, value = Text("Frequency of the strongest order at the seat"), based_on(f, result.levels.source)
-    source = Text("rule of this program: validity of the model, engine and frame bend above it")
-    yield check("mounting.rigid_range", label, value, "<=", mounting.rigid_up_to, "Hz", source)
+    yield RIGID_RANGE(based_on(f, result.levels.source), mounting.rigid_up_to)
 
 
 def _shaft_checks(result: MountingResult) -> Iterator[Check]:
@@ -232,13 +429,9 @@ def _shaft_checks(result: MountingResult) -> Iterator[Check]:
     if not result.has_shaft or not ratios:
         return
     ratio, value_id = min(ratios)
-    label = Text("Smallest of all felt ratios, half over shaft")
-    source = Text("rule of this program: a shaft that is late or too heavy makes it worse")
-    yield check("mounting.shaft_helps", label, ratio, ">=", 1.0, "", source, value_id=value_id)
+    yield SHAFT_HELPS(ratio, 1.0, value_id=value_id)
 
 
 def inertia_check(flips: Sequence[Text]) -> Check:
     advice = Text("These hang on it: {named}. Give inertia_kgm2.", named=COMMA.join(flips)) if flips else EMPTY
-    label = Text("Verdicts that turn between half and nine tenths of a full box")
-    source = Text("assumed: the inertia is estimated from the overall dimensions")
-    return check("mounting.inertia_range", label, float(len(flips)), "<=", 0.0, "", source, advice)
+    return INERTIA_RANGE(float(len(flips)), 0.0, advice=advice, scale=1.0)

@@ -40,9 +40,10 @@ def solve(
     with trace() as lines:
         driven = drive(mounting, engine, e, imbalance, shaft)
         result = values(mounting, driven, body.inertia(mounting))
-        all_checks = tuple(checks(mounting, engine, result))
-        if mounting.inertia is None:
-            result, box_check = _over_boxes(mounting, engine, driven, result, all_checks)
+        at_ends = _at_ends(mounting, driven) if mounting.inertia is None else ()
+        all_checks = tuple(checks(mounting, engine, result, at_ends))
+        if at_ends:
+            result, box_check = _over_boxes(mounting, engine, result, at_ends, all_checks)
             all_checks = (*all_checks, box_check)
     return Outcome(
         "mounting",
@@ -98,23 +99,28 @@ def values(mounting: MountingInputs, driven: EngineWrenches, J: Array) -> Mounti
     return replace(result, exposure=exposure(mounting, result))
 
 
+def _at_ends(mounting: MountingInputs, driven: EngineWrenches) -> tuple[MountingResult, ...]:
+    """The engine as light and as heavy to turn as its box may make it."""
+    with untraced():
+        return tuple(values(mounting, driven, body.inertia(mounting, share)) for share in (body.LEAST, body.MOST))
+
+
 def _over_boxes(
     mounting: MountingInputs,
     engine: EngineInputs,
-    driven: EngineWrenches,
     result: MountingResult,
+    at_ends: tuple[MountingResult, ...],
     all_checks: tuple[Check, ...],
 ) -> tuple[MountingResult, Check]:
     """The result with the range of every frequency, and the check of the verdicts that hang on the estimate of the
     inertia."""
     with untraced():
-        others = [values(mounting, driven, body.inertia(mounting, share)) for share in (body.LEAST, body.MOST)]
-        verdicts = [{c.id: c.holds for c in checks(mounting, engine, other)} for other in others]
+        kept = [{c.id: c.holds for c in checks(mounting, engine, case)} for case in at_ends]
     lowest = described(Text("Lowest frequency over the range of the inertia"), "Hz")
     highest = described(Text("Highest frequency over the range of the inertia"), "Hz")
     span: Tree = {}
     for dof in body.DOFS:
-        ends = [case.frequency[dof].number for case in (result, *others)]
+        ends = [case.frequency[dof].number for case in (result, *at_ends)]
         span[dof] = {"lowest": Stated(lowest, min(ends)), "highest": Stated(highest, max(ends))}
-    flips = [c.name for c in all_checks if any(verdict.get(c.id, c.holds) != c.holds for verdict in verdicts)]
+    flips = [c.name for c in all_checks if any(end.get(c.id, c.holds) != c.holds for end in kept)]
     return replace(result, frequency_range=span), inertia_check(flips)

@@ -83,7 +83,8 @@ class CheckRule:
     order in which a designer uses them; the key of a table stands for the numbers in it. `short`: in a word. `decides`:
     it stands for its step where no limit is open. `proven`: a report proves it whatever its margin, with these symbols
     however far back they stand; `proven_where`: only where this result is not 0. `weakens`: where this check of the
-    method is passed over, the margins of these checks are known by these factors less."""
+    method is passed over, the margins of these checks are known by these factors less. `of_input`: it doubts a number
+    that is given, and stands before all that follows from it."""
 
     id: str
     kind: Kind
@@ -106,6 +107,7 @@ class CheckRule:
     proven: tuple[str, ...] | None = None
     proven_where: object = None
     weakens: tuple[tuple["CheckRule", float], ...] = ()
+    of_input: bool = False
 
     def __post_init__(self) -> None:
         if self.id in RULES:
@@ -132,6 +134,7 @@ class CheckRule:
         source: Text | None = None,
         advice: Text | None = None,
         sense: str | None = None,
+        unit: str | None = None,
         scale: float | None = None,
         index: int | None = None,
         value_id: str | None = None,
@@ -145,15 +148,16 @@ class CheckRule:
         `at`: the elements that the letters of the id stand for; `index`: of the mesh in its array.  `value`: None, or
         no number, keeps no limit. `scale`: what the margin is a share of where the limit is 0. `advice`: what could be
         done beside the remedies, which are made only where it does not hold. `base`: what the value would be without
-        what a stretched formula adds to it.  `value_id`, `moved_by`: where the site knows them better.
+        what a stretched formula adds to it.  `unit`, `value_id`, `moved_by`: where the site knows them better.
 
         A function that gives several is a generator, called `checks` or `…_checks`, and becomes a tuple where the
         Outcome is made; one that gives one, or perhaps none, is called `…_check`."""
-        names, shown = self.names(at, index), UNITS[self.unit].shown
+        names, unit = self.names(at, index), self.unit if unit is None else unit
+        shown = UNITS[unit].shown
         value = math.nan if value is None else value
         if isinstance(limit, tuple):
             bound: float | tuple[float, float] = (shown(limit[0]), shown(limit[1]))
-        elif limit == 0 and scale is None and self.unit != "°C":
+        elif limit == 0 and scale is None and unit != "°C":
             raise ValueError(f"{self.id}: a limit of 0 has no margin without a scale")
         else:
             bound = linked(shown(limit), link_of(limit))
@@ -169,6 +173,7 @@ class CheckRule:
             linked(shown(value) if math.isfinite(value) else value, link_of(value)),
             bound,
             self.sense if sense is None else sense,
+            unit,
             self.source if source is None else source,
             self.advice if advice is None else advice,
             cause=_filled(self.cause, names),
@@ -236,6 +241,7 @@ class Check:
     value: float
     limit: float | tuple[float, float]
     sense: str
+    unit: str = ""
     source: Text = EMPTY
     advice: Text = EMPTY
     cause: str = ""
@@ -263,10 +269,6 @@ class Check:
     @property
     def role(self) -> Role:
         return self.rule.role
-
-    @property
-    def unit(self) -> str:
-        return self.rule.unit
 
     @property
     def exact(self) -> bool:
@@ -381,7 +383,8 @@ class Check:
         if math.isnan(gap):
             return Text("no number")
         if self.limit == 0 or self.unit == "°C":
-            return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form="+.3g"))
+            form = "+.3g" if abs(gap) < 1000 else "+.0f"
+            return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form=form))
         if abs(self.margin) > 1000:  # of a limit that is all but zero
             return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, self.margin), "%", form="+.0f"))
         percent = self.margin * 100
@@ -423,22 +426,27 @@ def stretched(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def _stretched(check: Check, missed: Sequence[Check]) -> Check:
-    factor, outside = 1.0, list[str]()
-    for method in missed:
-        for rule, weaker in method.rule.weakens:
-            if rule is check.rule and _one_part(method.id, check.id):
-                factor, outside = factor * weaker, [*outside, method.id]
-    if not outside:
+    factors = {
+        method: factor
+        for method in missed
+        for rule, factor in method.rule.weakens
+        if rule is check.rule and _one_part(method, check.id)
+    }
+    if not factors:
         return check
+    # of several meshes of one wheel the formula is stretched once
+    factor = math.prod({method.rule.id: factor for method, factor in factors.items()}.values())
     worst: End = check.value if check.at_worst is None else check.at_worst
     if isinstance(worst, (int, float)):
         over = worst - check.base
         worst = check.base + (over / factor if check.sense in (">=", ">") else over * factor)
     best = check.value if check.at_best is None else check.at_best
-    return check.but(outside=tuple(outside), at_best=best, at_worst=worst)
+    return check.but(outside=tuple([method.id for method in factors]), at_best=best, at_worst=worst)
 
 
-def _one_part(method: str, check: str) -> bool:
+def _one_part(method: Check, check: str) -> bool:
     """Whether both are of one bearing, mesh or wheel, or one is of all; a wheel is part of its meshes."""
-    of, part = method.split(".")[1:-1], check.split(".")[1:-1]
+    of, part = method.id.split(".")[1:-1], check.split(".")[1:-1]
+    if method.rule.id.endswith("_W"):  # of one wheel of a mesh
+        return method.id.endswith(f"_{part[0]}")
     return not of or not part or "train" in of or of[0] == part[0] or part[0] in of[0].split("_")

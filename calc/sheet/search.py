@@ -86,8 +86,7 @@ def judged(
     """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit."""
     if isinstance(limit, tuple):
         low, high = limit
-        to_low, to_high = value - low, high - value
-        margin = np.where(to_low <= to_high, to_low / (abs(low) or 1.0), to_high / (abs(high) or 1.0))
+        margin = np.minimum(value - low, high - value) / ((high - low) or 1.0)
     else:
         gap = value - limit if sense in (">=", ">") else limit - value
         margin = gap / np.where(limit == 0, 1.0, np.abs(limit))

@@ -136,7 +136,8 @@ def closest(checks: Iterable[Check]) -> Check | None:
 
 
 def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
-    """Checks under their causes, the worst kind and verdict first; within a group the worst first.
+    """Checks under their causes, doubts of the input before all, then the worst kind and verdict first; within a group
+    the worst first.
 
     A group stands where its worst check does.  Checks of one kind and verdict keep their order, the limit that is
     missed furthest first."""
@@ -144,7 +145,7 @@ def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
     for check in checks:
         groups.setdefault(check.cause or check.id, []).append(check)
     ordered = (tuple(sorted(group, key=severity)) for group in groups.values())
-    return sorted(ordered, key=lambda group: severity(group[0])[:3])
+    return sorted(ordered, key=lambda group: severity(group[0])[:4])
 
 
 def with_it(checks: Sequence[Check], most: int = 3) -> Text:
@@ -158,11 +159,11 @@ def named(checks: Sequence[Check], most: int = 3) -> Text:
     return first if len(checks) <= most else Text("{names}; {more} more", names=first, more=len(checks) - most)
 
 
-def severity(check: Check) -> tuple[bool, int, int, float]:
-    """What sorts checks: open ones before those that hold or are accepted, then by kind, then the worst verdict
-    first."""
+def severity(check: Check) -> tuple[bool, bool, int, int, float]:
+    """What sorts checks: open ones before those that hold or are accepted, doubts of the input before what follows from
+    it, then by kind, then the worst verdict first."""
     margin = -math.inf if math.isnan(check.margin) else check.margin
-    return not check.open, KINDS.index(check.kind), -ORDER.index(check.verdict), margin
+    return not check.open, not check.rule.of_input, KINDS.index(check.kind), -ORDER.index(check.verdict), margin
 
 
 def findings_of(groups: Sequence[Sequence[Check]]) -> Text:

@@ -322,7 +322,7 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
         tuple(_checks(results_a, results_b, same)),
         tuple(_values(results_a, results_b, same)),
         tuple(_key_results(results_a, results_b)),
-        (told(unusual(results_a.design)), told(unusual(results_b.design))),
+        (_unusual(results_a), _unusual(results_b)),
         (results_a.verdict, results_b.verdict),
         (_unaccepted(results_a), _unaccepted(results_b)),
         (results_a.words(), results_b.words()),
@@ -330,6 +330,10 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
 
 
 # --- results
+
+
+def _unusual(results: "Results") -> Text:
+    return told(unusual(results.design, checks=results.checks()))
 
 
 def _unaccepted(results: "Results") -> str:

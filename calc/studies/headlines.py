@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What stands for a step, and for a whole drive: the check that decides, in a word with its limit, or what it gives."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from ..bearings.result import BearingResult
 from ..countershaft.result import CountershaftResult
@@ -10,12 +10,15 @@ from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
 from ..gears.rating.result import MeshStrength
 from ..gears.result import MeshResult
+from ..imbalance.orders import Order
 from ..imbalance.result import ImbalanceResult
+from ..imbalance.webs import WebsResult
 from ..mounting.result import PointLevel
 from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
-from ..sheet.text import Amount, Text
+from ..sheet.text import Amount, Name, Text
+from ..sheet.verdict import closest
 from ..solve import Results
 
 
@@ -182,3 +185,47 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
         for word, value in numbers
         if value is not None
     )
+
+
+def closest_limit(results: Results) -> Text:
+    """The limit of physics that is nearest, by name and margin; a dash where none was judged."""
+    check = closest(results.checks())
+    return Text("{name}, {margin}", name=check.name, margin=check.margin_text()) if check is not None else Name("–")
+
+
+# what the shaft leaves of an order's couple and force, and what there is before
+_LEFT = (
+    (1, CountershaftResult.residual_order_1_couple, Order.couple_peak),
+    (1, CountershaftResult.residual_order_1_force, Order.force_peak),
+    (2, CountershaftResult.residual_order_2_couple, Order.couple_peak),
+    (2, CountershaftResult.residual_order_2_force, Order.force_peak),
+)
+_SUPPLIED_ELSEWHERE = (
+    (WebsResult.missing_forward_couple, WebsResult.unbalances_couple_left),
+    (WebsResult.missing_forward_force, None),
+)
+
+
+def remaining(results: Results) -> Iterator[tuple[str, Text]]:
+    """What the design leaves to shake, in numbers, each with the step that has it: of order 1 and 2, and what pulley
+    and flywheel must supply."""
+    values = results.values()
+    for n, field, peak in _LEFT:
+        before, left = values.get(dotted(Design.imbalance, f"order_{n}", peak)), results.value(field)
+        if left is not None and left.shown:
+            of_shaft = Text("of order {n} the shaft leaves {value}", n=n, value=_three(left))
+            yield dotted(Design.countershaft), of_shaft
+        elif left is None and before is not None and before.shown:
+            yield dotted(Design.imbalance), Text("of order {n} stay {value}", n=n, value=_three(before))
+    for field, left_field in _SUPPLIED_ELSEWHERE:
+        wanted, left = results.value(field), results.value(left_field) if left_field is not None else None
+        if wanted is None or not wanted.shown:
+            continue
+        words = Text("{what}: {value}", what=wanted.label, value=_three(wanted))
+        if left is not None:
+            words = Text("{words}; what is given leaves {left}", words=words, left=_three(left))
+        yield dotted(Design.imbalance), words
+
+
+def _three(value: Published) -> Amount:
+    return Amount(value.shown, value.unit, digits=3)

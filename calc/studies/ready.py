@@ -1,41 +1,40 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far a design is: the state of each step, whether the whole is ready, and what is open."""
+"""How far a design is: the state of each step, whether the whole is ready, and what was left out by whom."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ..design.addresses import Table, as_table
 from ..design.model import STEPS
-from ..sheet.check import Check
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
-from ..sheet.text import COMMA, Small, Text, plural
+from ..sheet.text import COMMA, SEMICOLON, Small, Text, plural
 
 if TYPE_CHECKING:
     from ..solve import Results
 
-# --- the state of each step, and whether the design is ready
+# --- the state of each step
 
-DONE = ("ready", "not_asked")
-OPEN = ("fail", "not_verified", "warn")
+SOLVED = ("fail", "not_verified", "not_judged", "computed", "warn", "pass")
+DONE = ("pass", "computed", "not_judged", "not_asked")  # by their colours
+LEFT = ("todo", "needs", "waits", "blocked", "no_solution", "fail", "not_verified")  # while one is, nothing is ready
 
 
 @record
 class StepState:
-    """`state`: todo, needs (inputs), waits (for another step, or for the solver), fail, not_verified, warn, ready,
-    not_asked.
+    """`state`: todo, needs (inputs), waits (for the solver), or a state of calc/sheet/verdict.py, whose words it has.
 
-    `count`: the inputs that are needed, or the findings that are open, those of one cause counted once.
-    """
+    `colour`: the state whose colour it has."""
 
     key: str
     state: str
-    count: int
     words: Text
+    colour: str
 
     @property
     def done(self) -> bool:
-        return self.state in DONE
+        """Whether nothing is open in it."""
+        return self.colour in DONE
 
 
 def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ()) -> tuple[StepState, ...]:
@@ -46,93 +45,90 @@ def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ())
     """
     owners = [key.partition(".")[0] for key in wrong]
     owners = [key if any(key == step.key for step in STEPS) else STEPS[0].key for key in owners]
-    left_out = as_table(data.get("without"))
     outcomes: Mapping[str, Outcome[object]] = results.outcomes if results is not None else {}
-    return tuple(_state(step, data, left_out, owners.count(step.key), outcomes.get(step.key)) for step in STEPS)
+    return tuple(_state(step, data, owners.count(step.key), outcomes.get(step.key)) for step in STEPS)
 
 
-def ready(states: Iterable[StepState]) -> bool:
-    """Nothing is left to do: every step is ready, or is not asked for."""
-    return all(state.done for state in states)
+def _state(step: Step, data: Table, wrong: int, outcome: Outcome[object] | None) -> StepState:
+    def state(name: str, words: Text) -> StepState:
+        return StepState(step.key, name, words, name)
 
-
-def _state(step: Step, data: Table, left_out: Table, wrong: int, outcome: Outcome[object] | None) -> StepState:
-    key = step.key
+    without = as_table(data.get("without"))
     if wrong:
-        return StepState(key, "needs", wrong, plural("needs {n} input", "needs {n} inputs", n=wrong))
-    if key in left_out:
-        return StepState(key, "not_asked", 0, Text("left out: {reason}", reason=str(left_out[key])))
-    if key not in data and "engine" in data and not step.optional:
-        return StepState(key, "todo", 0, Text("to do"))
-    if key not in data:
-        return StepState(key, "not_asked", 0, Text("not used"))
+        return state("needs", plural("needs {n} input", "needs {n} inputs", n=wrong))
+    if step.key in without:
+        reason = str(without[step.key])
+        by_program = Text("left out by the program: {reason}", reason=reason)
+        return state("not_asked", by_program if reason in OF_PROGRAM else Text("left out: {reason}", reason=reason))
+    if step.key not in data:
+        todo = "engine" in data and not step.optional
+        return state("todo", Text("to do")) if todo else state("not_asked", Text("not used"))
     if outcome is None or outcome.state == "not_asked":
-        return StepState(key, "waits", 0, Text("solving …"))
-    if outcome.state == "no_solution":
-        return StepState(key, "fail", 1, Text("no solution"))
+        return state("waits", Text("solving …"))
     if outcome.state == "blocked":
-        return StepState(key, "waits", 0, outcome.reason)
-    counts = open_causes(outcome.causes)
-    for state, words in KINDS:
-        if count := counts[state]:
-            return StepState(key, state, count, plural(words.one, words.template, n=count))
-    return StepState(key, "ready", 0, Text("ready"))
+        return state("blocked", outcome.reason)
+    return StepState(step.key, outcome.verdict, outcome.words(), outcome.colour)
 
 
-KINDS = (
-    ("fail", plural("{n} limit fails", "{n} limits fail", n=0)),
-    ("not_verified", plural("{n} not verified", "{n} not verified", n=0)),
-    ("warn", plural("{n} caution", "{n} cautions", n=0)),
-)
-
-
-def open_causes(causes: Iterable[Sequence[Check]]) -> dict[str, int]:
-    """How many causes have a limit that fails, one that can not be judged, or a caution that is open; each counts as
-    its worst."""
-    counts = dict.fromkeys(OPEN, 0)
-    for worst, *_ in causes:
-        if worst.verdict in counts:
-            counts["warn" if worst.verdict == "not_verified" and worst.kind != "limit" else worst.verdict] += 1
-    return counts
+# --- whether the whole is ready
 
 
 @record
-class Tally:
-    """The states of all steps counted: `of` steps are asked for, `ready` of them are ready."""
+class Readiness:
+    """`state`: the sign and colour that it has; `words`: what is left, or what was judged and what was not used."""
 
-    fail: int
-    not_verified: int
-    warn: int
-    ready: int
-    of: int
-
-    @property
-    def words(self) -> tuple[tuple[str, Text], ...]:
-        """`1 limit fails`, `2 cautions`, each with its state; then how many steps are ready."""
-        counts = [(state, plural(text.one, text.template, n=n)) for state, text in KINDS if (n := getattr(self, state))]
-        if self.ready == self.of:
-            return (*counts, ("ready", Text("ready")))
-        return (*counts, ("todo", Text("ready {n} of {count}", n=self.ready, count=self.of)))
+    ready: bool
+    state: str
+    words: Text
 
 
-def tally(states: Sequence[StepState], results: "Results | None") -> Tally:
-    """What is open in the whole design.  A step without a solution counts as a limit that fails."""
-    checks = results.outcomes.values() if results is not None else ()
-    open_ = [open_causes(outcome.causes) for outcome in checks if outcome.state == "solved"]
-    lost = sum(outcome.state == "no_solution" for outcome in checks)
-    asked = [state for state in states if state.state != "not_asked"]
-    return Tally(
-        sum(n["fail"] for n in open_) + lost,
-        sum(n["not_verified"] for n in open_),
-        sum(n["warn"] for n in open_),
-        sum(state.state == "ready" for state in asked),
-        len(asked),
-    )
+def whole(states: Sequence[StepState], results: "Results | None") -> Readiness:
+    """A design is ready where its limits were judged and hold, nothing is to do, and nothing is left out that no person
+    has left out.  `states`: of its steps, with these results."""
+    if left := sum(state.state in LEFT for state in states) or results is None:
+        return Readiness(False, "todo", plural("{n} step left", "{n} steps left", n=left))
+    if steps := _titles(step for step, reason in results.design.without if reason in OF_PROGRAM):
+        return Readiness(False, "todo", Text("left out by the program: {steps}", steps=steps))
+    state, counts = results.verdict, results.counts
+    if state not in ("pass", "warn"):
+        return Readiness(False, state, results.words())
+    held = limits_hold(results)
+    return Readiness(True, state, SEMICOLON.join((results.words(), held)) if counts.words else held)
 
 
 def limits_hold(results: "Results") -> Text:
-    """`31 limits hold; bearings not used`: how many were judged and hold, and the steps that were not asked."""
-    held = plural("{n} limit holds", "{n} limits hold", n=results.counts.held)
-    outcomes = results.outcomes
-    unused = [Small(step.title) for step in STEPS if not step.optional and outcomes[step.key].state == "not_asked"]
-    return Text("{held}; {steps} not used", held=held, steps=COMMA.join(unused)) if unused else held
+    """`31 limits hold; left out by you: bearings; not used: friction`: how many were judged and hold, and the steps in
+    which nothing was."""
+    design = results.design
+    reasons = dict(design.without)
+    by_you = _titles(step for step, reason in reasons.items() if reason not in OF_PROGRAM)
+    by_program = _titles(step for step, reason in reasons.items() if reason in OF_PROGRAM)
+    unused = _titles(s.key for s in STEPS if s not in design.asked() and s.key not in reasons)
+    parts = [plural("{n} limit holds", "{n} limits hold", n=results.counts.held)]
+    parts += [Text("left out by you: {steps}", steps=by_you)] if by_you else []
+    parts += [Text("left out by the program: {steps}", steps=by_program)] if by_program else []
+    parts += [Text("not used: {steps}", steps=unused)] if unused else []
+    return SEMICOLON.join(parts)
+
+
+def _titles(keys: Iterable[str]) -> Text:
+    wanted = set(keys)
+    return COMMA.join(Small(step.title) for step in STEPS if step.key in wanted)
+
+
+# --- what the rules behind `new` leave out, and why
+# Known by their words, which stand in the design file as a person's would.
+
+ROLLING = (
+    "rolling bearings carry the shaft: a plain journal of usual length would run too hot at this load and speed "
+    "(heat index)"
+)
+NO_PLAIN = (
+    "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their "
+    "tolerances"
+)
+APART = "not designed here for shafts that do not turn at -1 times crank speed"
+NONE = "no shaft: what shakes is left to the mounts"
+NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
+CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
+OF_PROGRAM = (ROLLING, NO_PLAIN, APART, NONE, NOTHING, CRANK_ALONE)

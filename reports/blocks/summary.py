@@ -13,7 +13,7 @@ from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
 from calc.sheet.check import SIGNS, THIN_MARGIN, URGENT
 from calc.sheet.text import Amount, Text
 from calc.sheet.verdict import closest, findings_of, grouped
-from calc.studies.described import described
+from calc.studies.described import described, not_counted
 from calc.studies.drawings import shaft, train
 from calc.studies.repair.nearest import nearest
 
@@ -142,6 +142,8 @@ def summary_blocks(context: Context) -> list[Block]:
         findings = findings_of([group for group in urgent if group])
         blocks += heading(context.text("counted_attention", findings=findings), SECTION, gap=9.0, after=0.0)
         blocks += attention
+    if uncounted := [context.say(text) for text in not_counted(context.design)]:
+        blocks += paragraph(context.text("not_counted", what=", ".join(uncounted)), NOTE, gap=3.0)
     return blocks
 
 
@@ -243,7 +245,7 @@ def _verdict(context: Context) -> list[Block]:
             limit=context.say(worst.limit_text()),
         )
         words = ". ".join([words, ", ".join(filter(None, (at, used(context, worst).words)))])
-    if odd := told(unusual(context.design)):
+    if odd := told(unusual(context.design, checks=context.results.checks())):
         words = ". ".join([words, context.say(odd)])
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
     sign = one_line(f"{SIGNS[state]}  {verdict_words}", big, 0.4 * WIDTH)

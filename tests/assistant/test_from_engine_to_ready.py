@@ -16,7 +16,7 @@ from assistant.session.session import Session
 from assistant.widgets.field import Field, StrokeField
 from assistant.widgets.steps import states_of
 from calc.design.model import STEPS
-from calc.sheet.check import grouped
+from calc.sheet.verdict import grouped
 from calc.studies.ready import ready
 from calc.studies.repair.options import ranked, search
 from calc.studies.shipped import DESIGNS

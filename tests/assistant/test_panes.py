@@ -20,7 +20,7 @@ from assistant.widgets.field import Cells
 from assistant.widgets.form import Form
 from assistant.widgets.headings import ArrayHeading
 from calc.design.model import STEPS
-from calc.sheet.check import grouped
+from calc.sheet.verdict import grouped
 from calc.studies.repair.nearest import NearestRemedy, remedy
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import CHARACTERS, go_to, rows, screen_rows, settled, strike, told, type_in, until, work

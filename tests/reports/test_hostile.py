@@ -8,11 +8,12 @@ from dataclasses import replace
 import numpy as np
 from pypdf import PdfReader
 
-from calc.sheet.check import Check
 from calc.sheet.step import Curve, Erratum, Series
+from calc.sheet.text import Text
 from calc.solve import Results
 from reports.typesetting.fonts import BOTTOM, LEFT, PAGE, RIGHT, TOP
 from reports.typesetting.prose import NOTE
+from tests.made_checks import made_check
 from tests.reports.reading import EXAMPLE, V12, Solved, solved, spans, squeezed, text_of
 
 # The source's design without what only makes it long here.
@@ -77,7 +78,7 @@ def with_engine(**changed: object) -> Solved:
 def test_long_lists_of_checks_break_under_a_repeated_header() -> None:
     pdf = with_engine(
         checks=tuple(
-            Check(f"engine.part-{n}.check", f"Check number {n}", 1.0, 2.0, "<=", "mm", "rule of this test")
+            made_check(1.0, "<=", 2.0, unit="mm", id=f"engine.part-{n}.check", name=Text(f"Check number {n}"))
             for n in range(200)
         )
     ).report()
@@ -116,8 +117,8 @@ def test_values_that_are_no_numbers() -> None:
         ),
     )
     checks = (
-        Check("engine.a.b", "No number", nan, 1.0, "<=", "mm", "rule of this test", "Look."),
-        Check("engine.a.c", "Two", inf, (0.0, 1.0), "in", "", "rule of this test"),
+        made_check(nan, "<=", 1.0, unit="mm", id="engine.a.b", name=Text("No number"), advice=Text("Look.")),
+        made_check(inf, "in", (0.0, 1.0), id="engine.a.c", name=Text("Two")),
     )
     errata = (Erratum("engine.no.such.value", "Of nothing", nan, "", "Somebody 1999, 3.2", "It is said so."),)
     pdf = with_engine(curves=curves, checks=checks, errata=errata).report("audit")

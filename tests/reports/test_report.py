@@ -7,19 +7,21 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from pypdf import PdfReader
 
 from calc.library.publications import cited, register
 from calc.locale import language
-from calc.sheet.check import URGENT, Check, grouped
+from calc.sheet.check import URGENT, Check
 from calc.sheet.expression import plain
 from calc.sheet.formula import formula
 from calc.sheet.step import Outcome
 from calc.sheet.text import Amount, Text
 from calc.sheet.units import Newton
 from calc.sheet.value import Line
+from calc.sheet.verdict import grouped
 from calc.sheet.version import VERSION
 from calc.solve import Results
 from calc.studies.explain import Chains
@@ -32,6 +34,7 @@ from reports.typesetting.fonts import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP
 from reports.typesetting.pagination import paginate
 from reports.typesetting.prose import NOTE
 from tests.conftest import DESIGNS
+from tests.made_checks import made_check
 from tests.reports.reading import V12, Solved, pages_of, solved, spans, spoken, squeezed, text_of, with_outcome
 
 
@@ -50,9 +53,7 @@ def test_the_summary_proposes_remedies_where_there_is_room() -> None:
 
     def summary(count: int, depth: str = "summary") -> str:
         proposals = tuple(f"Remedy number {n}, because something of order {n} is left over." for n in range(count))
-        checks = (
-            Check("engine.fail.x", "a check that fails", 11.0, 10.0, "<=", "mm", "rule of this test", "Do something."),
-        )
+        checks = (made_check(11.0, "<=", 10.0, unit="mm", id="engine.fail.x", advice=Text("Do something.")),)
         told = with_outcome(made, "imbalance", proposals=proposals, checks=checks)
         pages = pages_of(told.report(depth))
         assert depth != "summary" or len(pages) == 1
@@ -71,25 +72,17 @@ def test_the_summary_proposes_remedies_where_there_is_room() -> None:
 def test_every_state_and_verdict_has_its_sign_and_word() -> None:
     example = solved(V12)
 
-    def check(verdict: str, value: float) -> Check:
-        return Check(
-            f"engine.{verdict}.x",
-            f"a check that should {verdict}",
-            value,
-            10.0,
-            "<=",
-            "mm",
-            "rule of this test",
-            "Do something.",
-        )
+    def check(verdict: str, value: float, kind: str = "limit", **more: Any) -> Check:
+        name = Text(f"a check that should {verdict}")
+        return made_check(value, "<=", 10.0, kind, "mm", id=f"engine.{verdict}.x", name=name, **more)
 
     checks = (
         check("pass", 1.0),
         check("warn", 9.9),
         check("fail", float("nan")),
-        replace(check("note", 11.0), kind="advice"),
-        replace(check("unknown", 1.0), missing=("gears.power_kW",)),
-        replace(check("open", 11.0), kind="caution", accepted="seen on the bench"),
+        check("note", 11.0, "advice"),
+        check("unknown", 1.0, missing=("gears.power_kW",), at_best="none", at_worst="none"),
+        check("open", 11.0, "caution", accepted="seen on the bench"),
     )
     outcomes = dict(example.results.outcomes)
     outcomes["engine"] = replace(outcomes["engine"], checks=checks)
@@ -109,7 +102,7 @@ def test_every_state_and_verdict_has_its_sign_and_word() -> None:
         "• note",
         "? not verified",
         "✓ accepted",
-        "Not known: gears.power_kW.",
+        "Not given: gears.power_kW.",
         "Accepted: seen on the bench",
     ):
         assert words in read

@@ -175,7 +175,6 @@ def resultants(
 
 # --- the bending
 
-RIGID = 1.5  # first critical speed over the shaft's, from which it counts as rigid
 LEAST_SHARE = 0.05  # the share of stiffness below which none is looked for
 FINE = 15e-3  # m: elements; the frequency of a stout shaft is then right to 2·10⁻⁵
 LONG = 40e-3  # m: elements where only slopes are wanted
@@ -294,7 +293,8 @@ def bending(
         M_max = f.largest_moment(EI=EI_s, **given, u=bent)
         frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
         stressed, notes = stresses(outline, bent, M_max, fillet_radius)
-        stressed |= _fatigue(stressed.get("notch_stress"), material)
+        if fillet_radius is not None:  # a shaft without a shoulder is judged by its sections
+            stressed |= _fatigue(stressed.get("notch_stress") or stressed["bending_stress"], material)
         at_limit = _share_at_limit(
             shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max()))
         )
@@ -325,12 +325,12 @@ def bending(
     )
 
 
-def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, float]:
+def _fatigue(stress: Pascal, material: Material) -> dict[str, float]:
     """The fillet that governs, from standstill to full speed and back; the stress stands still in the turning shaft."""
-    bears = fatigue.strength(material) if notch_stress is not None else None
-    if bears is None or not notch_stress:
+    bears = fatigue.strength(material)
+    if bears is None or not stress:
         return {}
-    half = fatigue.run_up_amplitude(sigma_k=notch_stress)
+    half = fatigue.run_up_amplitude(sigma_k=stress)
     equal = fatigue.equivalent_amplitude(sigma_a=half, sigma_m=half, M=bears.sensitivity)
     return {
         "fatigue_amplitude": equal,

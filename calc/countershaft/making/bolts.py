@@ -9,11 +9,10 @@ alone; locating pins, where there are any, are left out."""
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ...sheet.check import Check
+from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
-from ...sheet.quantity import result, value
-from ...sheet.shim_check import check
+from ...sheet.quantity import dotted, result, value
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Metre,
@@ -27,11 +26,11 @@ from ...sheet.units import (
     SquareMetre,
 )
 from ...sheet.value import about
-from .inputs import STRENGTH, nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
+from ..inputs import CountershaftInputs
+from .inputs import STRENGTH, Bolts, nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
 
 if TYPE_CHECKING:
     from ...library.catalogue import Material
-    from .inputs import Bolts
 
 # VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the
 # wrench, so the unfavourable end is taken.
@@ -262,7 +261,7 @@ class BoltsResult:
 
 
 def solve(
-    bolts: "Bolts",
+    bolts: Bolts,
     F_S: PhasorNewton,
     C_S: PhasorNewtonMetre,
     bearing_positions: tuple[Metre, ...],
@@ -328,23 +327,75 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
     return (support.proof_stress, Text("proof stress")) if support.proof_stress is not None else None
 
 
+BOLT_KEYS = "countershaft", CountershaftInputs.bolts
+TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
+JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
+SLIP = CheckRule(
+    "countershaft.bolts.slip",
+    "limit",
+    "The support slides on its block and works the bolts loose.",
+    Text("Safety against slip of the support while the load turns"),
+    source=Text("rule of this program: the least preload must still hold the joint"),
+    advice=Text("More or larger bolts, a larger torque, or rows of bolts further apart."),
+    role="physics",
+    demand=True,
+    value_id=dotted("countershaft", BoltsResult.bolt_slip_safety),
+    moved_by=JOINT,
+)
+SEPARATION = CheckRule(
+    "countershaft.bolts.separation",
+    "limit",
+    "The support lifts off its block.",
+    Text("Safety against separation of the support"),
+    source=SLIP.source,
+    advice=SLIP.advice,
+    role="physics",
+    demand=True,
+    value_id=dotted("countershaft", BoltsResult.bolt_separation_safety),
+    moved_by=JOINT,
+)
+BOLT_STRENGTH = CheckRule(
+    "countershaft.bolts.strength",
+    "limit",
+    "The bolt yields while it is tightened.",
+    sense="<=",
+    unit="MPa",
+    source=Text("VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)"),
+    advice=Text("A smaller torque, a larger thread, or a higher property class."),
+    role="physics",
+    demand=True,
+    value_id=dotted("countershaft", BoltsResult.bolt_tightening_stress),
+    moved_by=(TORQUE,),
+    proven=(),
+)
+HEAD_PRESSURE = CheckRule(
+    "countershaft.bolts.pressure",
+    "caution",
+    "The seat yields and preload is lost; the joint is judged by itself, and limiting pressures scatter by two.",
+    Text("Pressure under a bolt's head"),
+    "<=",
+    "MPa",
+    advice=Text("A hardened washer or a flanged head: the seat yields and the preload falls with it."),
+    demand=True,
+    value_id=dotted("countershaft", BoltsResult.bolt_head_pressure),
+    moved_by=(
+        dotted(*BOLT_KEYS, Bolts.head_diameter),
+        TORQUE,
+        dotted(*BOLT_KEYS, Bolts.hole_diameter),
+    ),
+    proven=(),
+)
+
+
 def checks(joint: BoltsResult) -> Iterator[Check]:
     """Slip and separation at the least preload, pressure at the largest."""
-    for key, name, safety in (
-        ("slip", Text("Safety against slip of the support while the load turns"), joint.bolt_slip_safety),
-        ("separation", Text("Safety against separation of the support"), joint.bolt_separation_safety),
-    ):
+    for rule, safety in ((SLIP, joint.bolt_slip_safety), (SEPARATION, joint.bolt_separation_safety)):
         if safety is not None:
-            source = Text("rule of this program: the least preload must still hold the joint")
-            advice = Text("More or larger bolts, a larger torque, or rows of bolts further apart.")
-            yield check(f"countershaft.bolts.{key}", name, safety, ">=", 1.0, "", source, advice)
+            yield rule(safety, 1.0)
     name = Text("Stress of a bolt of class {property_class} while it is tightened", property_class=joint.property_class)
     limit = STRENGTH[joint.property_class] * 1e6
-    source = Text("VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)")
-    advice = Text("A smaller torque, a larger thread, or a higher property class.")
-    yield check("countershaft.bolts.strength", name, joint.bolt_tightening_stress, "<=", limit, "MPa", source, advice)
+    yield BOLT_STRENGTH(joint.bolt_tightening_stress, limit, name=name)
     if joint.support is not None and (known := _strength(joint.support)) is not None:
-        name, pressure = Text("Pressure under a bolt's head"), joint.bolt_head_pressure
         limit, strength = known
         source = Text(
             "rule of this program: {known} of {name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 times "
@@ -352,11 +403,10 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
             known=strength,
             name=joint.support.name,
         )
-        advice = Text("A hardened washer or a flanged head: the seat yields and the preload falls with it.")
-        yield check("countershaft.bolts.pressure", name, pressure, "<=", limit, "MPa", source, advice)
+        yield HEAD_PRESSURE(joint.bolt_head_pressure, limit, source=source)
 
 
-def notes(bolts: "Bolts", joint: BoltsResult) -> Iterator[Text]:
+def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
     """What was assumed."""
     yield Text(
         "Bolts: slip and separation are judged at the least preload, F_V/{alpha_a}: a torque wrench with an estimated "

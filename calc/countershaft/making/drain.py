@@ -6,19 +6,19 @@ A clamp must be closed when it sits on the smaller end, so its nominal diameter 
 open far enough to go over the larger one.  A clamp of the next size up would open far enough where this one does not,
 but it would not grip."""
 
+import math
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import cache
 
 from ...library.table_file import house_table
-from ...sheet.check import Check
+from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
-from ...sheet.quantity import result, value
-from ...sheet.shim_check import check
+from ...sheet.quantity import dotted, result, value
 from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.units import CubicMetrePerSecond, Metre, MetreTuple, Radian
 from ...sheet.value import about, based_on
-from .inputs import Clamp, OilDrain, Sleeve, Union, thread
+from ..inputs import CountershaftInputs
+from .inputs import Clamp, FurtherDrain, OilDrain, Sleeve, Union, thread
 
 # m: by which the ring of a sleeve may be wider than the thread that goes through it; so the source's table has them
 RING = 0.1e-3
@@ -221,48 +221,129 @@ def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple
     return why
 
 
+DRAIN = "countershaft", CountershaftInputs.oil_drain
+HOSE = (dotted(*DRAIN, OilDrain.hose_min), dotted(*DRAIN, OilDrain.hose_max))
+THREAD, PASSAGE = dotted(*DRAIN, OilDrain.thread), dotted(*DRAIN, OilDrain.slope)
+CLAMP = CheckRule(
+    "countershaft.D.clamp",
+    "caution",
+    "No clamp at hand holds the hose: it leaks; another one can be bought.",
+    unit="mm",
+    source=RULE,
+    zero="hose_max_mm",
+    moved_by=HOSE,
+)
+CLAMP_DIN3021 = CheckRule(
+    "countershaft.D.clamp_din3021",
+    "advice",
+    "The standard asks for less opening than the clamps of the source have.",
+    Text("Opening of the clamp by DIN 3021 beyond the larger hose end"),
+    unit="mm",
+    advice=Text(
+        "The clamp of the source opens further than the standard asks for: make sure that the one bought does too."
+    ),
+    zero="hose_max_mm",
+    moved_by=HOSE,
+)
+UNION = CheckRule(
+    "countershaft.D.union",
+    "caution",
+    "No union at hand fits the thread; another one can be bought.",
+    sense=">",
+    source=Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block"),
+    advice=Text("Another thread in the block, or a union of the design."),
+    zero="1 (count)",
+    moved_by=(THREAD,),
+)
+SLEEVE = CheckRule(
+    "countershaft.D.sleeve",
+    "advice",
+    "A sleeve that is not at hand can be made.",
+    sense=">",
+    source=Text("Finotti 2013, 4.4: the union goes through the ring of the sleeve"),
+    advice=Text("A sleeve of the design."),
+    zero="1 (count)",
+    moved_by=(THREAD,),
+)
+PASSAGE_SLOPE = CheckRule(
+    "countershaft.D.slope",
+    "limit",
+    "The oil does not leave the support.",
+    Text("Slope of the passage to the drain, machine tilted"),
+    ">",
+    "°",
+    Text("Finotti 2013, 3.2.2: the oil must leave while the machine works on a slope"),
+    Text("A steeper passage: it must slope by more than the machine tilts."),
+    role="physics",
+    zero="5°",
+    value_id=dotted("countershaft", DrainResult.drain_slope),
+    moved_by=(PASSAGE,),
+)
+RUN_OFF = CheckRule(
+    "countershaft.D.run_off",
+    "caution",
+    "Oil stands in the support and the shaft churns in it; the true passage is no pipe of one bore.",
+    Text("Oil of the bearings that the drain takes"),
+    "<=",
+    "L/min",
+    Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
+    Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."),
+    demand=True,
+    value_id=dotted("countershaft", DrainResult.drain_flow),
+    limit_id=dotted("countershaft", DrainResult.drain_run_off),
+    moved_by=(dotted(*DRAIN, OilDrain.bore), PASSAGE),
+)
+TILTED = math.radians(5.0)  # of which the margin of a slope is a share
+
+
 def checks(choice: DrainResult) -> Iterator[Check]:
     """Whether a clamp goes over both ends, whether union and sleeve fit, and whether the oil finds a slope while the
     machine is tilted."""
-    id, advice = choice.drain.id, EMPTY
+    drain, advice = choice.drain, EMPTY
+    at = drain.element
     if choice.reason:
         advice = Text(
             "Hose ends closer to each other in diameter, or a clamp for each end: {reason}.", reason=choice.reason
         )
     if choice.tried is None:
         label = Text("Smallest clamp at hand on the smaller hose end")
-        yield check(f"{id}.clamp", label, choice.smallest, "<=", choice.drain.hose_min, "mm", RULE, advice)
+        clamp = CLAMP(choice.smallest, drain.hose_min, at=at, name=label, sense="<=", advice=advice)
     else:
         label = Text("Opening of the clamp beyond the larger hose end")
-        yield check(f"{id}.clamp", label, choice.tried, ">=", 0.0, "mm", RULE, advice)
+        clamp = CLAMP(choice.tried, 0.0, at=at, name=label, advice=advice, scale=drain.hose_max)
+    yield of_drain(clamp, drain)
     if choice.tried_din3021 is not None:
-        name = Text("Opening of the clamp by DIN 3021 beyond the larger hose end")
         source = Text(house_table("clamps.toml")["din3021"]["source"])
-        advice = Text(
-            "The clamp of the source opens further than the standard asks for: make sure that the one bought does too."
-        )
-        yield check(f"{id}.clamp_din3021", name, choice.tried_din3021, ">=", 0.0, "mm", source, advice)
-    name = Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread)
-    source = Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block")
-    advice = Text("Another thread in the block, or a union of the design.")
-    yield check(f"{id}.union", name, float(len(choice.unions)), ">", 0.0, "", source, advice)
+        standard = CLAMP_DIN3021(choice.tried_din3021, 0.0, at=at, source=source, scale=drain.hose_max)
+        yield of_drain(standard, drain)
+    name = Text("Pipe unions at hand with thread {thread}", thread=drain.thread)
+    yield of_drain(UNION(float(len(choice.unions)), 0.0, at=at, name=name, scale=1.0), drain)
     if choice.sleeve_bore is None:
-        name = Text("Sleeves at hand for a union with thread {thread}", thread=choice.drain.thread)
-        source = Text("Finotti 2013, 4.4: the union goes through the ring of the sleeve")
-        advice = Text("A sleeve of the design.")
-        yield check(f"{id}.sleeve", name, 0.0, ">", 0.0, "", source, advice)
-    if choice.drain_slope is not None and choice.drain.tilt is not None:
-        name = Text("Slope of the passage to the drain, machine tilted")
-        source = Text("Finotti 2013, 3.2.2: the oil must leave while the machine works on a slope")
-        advice = Text("A steeper passage: it must slope by more than the machine tilts.")
-        yield check(f"{id}.slope", name, choice.drain_slope, ">", 0.0, "°", source, advice)
+        name = Text("Sleeves at hand for a union with thread {thread}", thread=drain.thread)
+        yield of_drain(SLEEVE(0.0, 0.0, at=at, name=name, scale=1.0), drain)
+    if choice.drain_slope is not None and drain.tilt is not None:
+        yield of_drain(PASSAGE_SLOPE(choice.drain_slope, 0.0, at=at, scale=TILTED), drain)
 
 
-def named_check(drain_check: Check, drain: str) -> Check:
-    """The check with the name of its drain, which the first has not."""
-    if not drain:
+def run_off_check(result: DrainResult) -> Check | None:
+    """Of a drain that takes the bearings' oil."""
+    if result.drain_flow is None or result.drain_run_off is None:
+        return None
+    return of_drain(RUN_OFF(result.drain_flow, result.drain_run_off, at=result.drain.element), result.drain)
+
+
+def of_drain(drain_check: Check, drain: OilDrain) -> Check:
+    """The check with the name of its drain, its values and its keys; as it is declared it is that of the first, which
+    has no name."""
+    if not isinstance(drain, FurtherDrain):
         return drain_check
-    return replace(drain_check, name=Text("{what}, {drain}", what=drain_check.name, drain=Name(drain)))
+    own = dotted("countershaft", CountershaftInputs.further_drains, drain.name)
+    return drain_check.but(
+        name=Text("{what}, {drain}", what=drain_check.name, drain=Name(drain.name)),
+        value_id=drain_check.value_id.replace("countershaft", own),
+        limit_id=drain_check.limit_id.replace("countershaft", own),
+        moved_by=tuple([key.replace(dotted(*DRAIN), own) for key in drain_check.moved_by]),
+    )
 
 
 def notes(choice: DrainResult) -> Iterator[Text]:

@@ -356,9 +356,9 @@ class OilDrain:
     )
 
     @property
-    def id(self) -> str:
-        """What the ids of its checks begin with."""
-        return "countershaft.drain"
+    def element(self) -> str:
+        """What it is called in the ids of its checks."""
+        return "drain"
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.slope is None and (self.tilt is not None or self.bore is not None):
@@ -376,8 +376,8 @@ class FurtherDrain(OilDrain):
     name: str = text("Name")
 
     @property
-    def id(self) -> str:
-        return f"countershaft.further_drains.{self.name}"
+    def element(self) -> str:
+        return f"further_drains.{self.name}"
 
 
 @inputs

@@ -9,12 +9,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from ...library.catalogue import Material
-from ...sheet.check import Check
+from ...library.catalogue import Material, proof_of
+from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted
-from ...sheet.shim_check import check
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, RadPerSecond
@@ -152,7 +151,7 @@ def _permitted(step: ShaftStep, result: CountershaftResult) -> ToleranceResult |
     step.tables += Later(lambda: [balance.table(shaft.balance_grade, *asked)])
     step.notes += balance.notes(result.centre_of_gravity, z_f, z_r)
     if couple:
-        step.checks.append(balance.grade_check(permitted, LEFT_OVER * couple))
+        step.checks.append(balance.BALANCE_GRADE(permitted.permitted_couple_error, LEFT_OVER * couple))
     return permitted
 
 
@@ -222,8 +221,8 @@ def _drains(step: ShaftStep) -> "dict[str, DrainResult]":
     asked = [("", step.shaft.oil_drain)] if step.shaft.oil_drain is not None else []
     asked += [(inputs.name, inputs) for inputs in step.shaft.further_drains]
     chosen = {name: drain.solve(inputs) for name, inputs in asked}
-    for name, result in chosen.items():
-        step.checks += (drain.named_check(drain_check, name) for drain_check in drain.checks(result))
+    for result in chosen.values():
+        step.checks += drain.checks(result)
     step.notes += dict.fromkeys(note for result in chosen.values() for note in drain.notes(result))
     return chosen
 
@@ -238,32 +237,67 @@ def _with_wall(shaft: CountershaftInputs, journals: Journals) -> CountershaftInp
     return replace(shaft, support=replace(support, wall=w))
 
 
+SEAT_DIAMETERS = "bearings.front.diameter_mm", "bearings.rear.diameter_mm"
+SUPPORT_WALL = CheckRule(
+    "countershaft.support.wall",
+    "caution",
+    "A thinner wall can not be cast, by the rule of one foundry.",
+    Text("Wall of the support beside the largest seat"),
+    unit="mm",
+    source=Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat"),
+    advice=Text("A smaller seat, or a larger casting."),
+    moved_by=(dotted("countershaft", CountershaftInputs.support, Support.wall), *SEAT_DIAMETERS),
+)
+SUPPORT_BOLT_STRESS = CheckRule(
+    "countershaft.support.bolt_stress",
+    "limit",
+    "The support yields under its bolts.",
+    Text("Stress of the support under the bolts' preload"),
+    "<",
+    "MPa",
+    advice=Text("More metal under the bolt heads."),
+    role="physics",
+    demand=True,
+    moved_by=(dotted("countershaft", CountershaftInputs.support, Support.bolt_stress),),
+)
+SUPPORT_LOAD_STRESS = CheckRule(
+    "countershaft.support.load_stress",
+    "limit",
+    "The support breaks by fatigue.",
+    Text("Stress of the support from the bearing loads"),
+    "<=",
+    "MPa",
+    Text("given in the design: what the casting endures without end under the turning load"),
+    Text(
+        "Give what the casting endures under a turning load, or add ribs between seat and flange. The finite "
+        "elements of Finotti 2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."
+    ),
+    role="physics",
+    demand=True,
+    moved_by=(dotted("countershaft", CountershaftInputs.support, Support.load_stress),),
+)
+
+
 def support_checks(support: Support, material: Material) -> Iterator[Check]:
     """The casting's wall, and its stresses as they were found elsewhere."""
     if support.wall is not None:
-        name = Text("Wall of the support beside the largest seat")
-        source = Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat")
-        advice = Text("A smaller seat, or a larger casting.")
-        yield check("countershaft.support.wall", name, support.wall, ">=", support.least_wall, "mm", source, advice)
-    if support.bolt_stress is not None and material.proof_stress is not None:
-        name, stress = Text("Stress of the support under the bolts' preload"), support.bolt_stress
+        yield SUPPORT_WALL(support.wall, support.least_wall)
+    if support.bolt_stress is not None:
+        proof, unknown = proof_of(material, support.bolt_stress)
         source = Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name)
-        advice = Text("More metal under the bolt heads.")
-        yield check("countershaft.support.bolt_stress", name, stress, "<", material.proof_stress, "MPa", source, advice)
+        yield SUPPORT_BOLT_STRESS(support.bolt_stress, proof, source=source, missing=unknown)
     if support.load_stress is None:
         return
-    # what the casting endures; where that is not given its strength, which does not judge fatigue
-    limit = support.load_stress_limit
-    missing: tuple[str, ...] = ()
-    source = Text("given in the design: what the casting endures without end under the turning load")
-    if limit is None:
-        limit = material.proof_stress or material.tensile_strength or math.nan
-        source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
-        if not support.load_stress >= limit:
-            missing = (dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit),)
-    name, stress = Text("Stress of the support from the bearing loads"), support.load_stress
-    advice = Text(
-        "Give what the casting endures under a turning load, or add ribs between seat and flange. The finite "
-        "elements of Finotti 2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."
-    )
-    yield check("countershaft.support.load_stress", name, stress, "<=", limit, "MPa", source, advice, missing=missing)
+    if support.load_stress_limit is not None:
+        yield SUPPORT_LOAD_STRESS(support.load_stress, support.load_stress_limit)
+        return
+    # what the casting endures is not given: its strength stands for it, which does not judge fatigue
+    strength, unknown = proof_of(material, support.load_stress)
+    if unknown is not None and material.tensile_strength is not None:
+        strength, unknown = material.tensile_strength, None
+    source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
+    key = dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit)
+    missing = Missing((key,), (source,), support.load_stress, "none")
+    if unknown is not None:
+        missing = Missing((key, *unknown.keys), (source, *unknown.taken), unknown.best, "none")
+    yield SUPPORT_LOAD_STRESS(support.load_stress, strength, source=source, missing=missing)

@@ -15,13 +15,12 @@ from random import Random
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
-from ...sheet.check import Check
+from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
 from ...sheet.linked_array import column
-from ...sheet.quantity import result, value
+from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record
-from ...sheet.shim_check import check
 from ...sheet.step import Curve, Series, Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -38,7 +37,7 @@ from ...sheet.units import (
 )
 from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
-from ..inputs import EccentricMass, Extra, Scatter
+from ..inputs import CountershaftInputs, EccentricMass, Extra, Holes, Scatter
 from .unbalance import HolesResult
 
 BLOCK = 10_000  # shafts at once: enough that numpy's calls cost little, few enough for the processor's cache
@@ -323,14 +322,27 @@ def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -
     return couples
 
 
+SCATTER_RESIDUAL = CheckRule(
+    "countershaft.scatter.residual",
+    "caution",
+    "The shaft of the drawing holds, some of those that are made do not.",
+    Text("Couple that 95 % of the shafts stay below"),
+    "<=",
+    "N·m",
+    Text("rule of this program: 95 % of the shafts within the limit of the drawing"),
+    Text("The table of the couple's error says which deviation counts most."),
+    moved_by=(
+        dotted("countershaft", CountershaftInputs.scatter),
+        dotted("countershaft", CountershaftInputs.holes, Holes.depth),
+    ),
+)
+
+
 def residual_check(spread: ScatterResult, limit: NewtonMetre) -> Check:
     """`limit`: what a shaft of the drawing may leave over."""
     # what leaves the factory
     couple = spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95
-    name = Text("Couple that 95 % of the shafts stay below")
-    source = Text("rule of this program: 95 % of the shafts within the limit of the drawing")
-    advice = Text("The table of the couple's error says which deviation counts most.")
-    return check("countershaft.scatter.residual", name, couple, "<=", limit, "N·m", source, advice)
+    return SCATTER_RESIDUAL(couple, limit)
 
 
 def curves(spread: ScatterResult, limit: NewtonMetre) -> tuple[Curve, ...]:

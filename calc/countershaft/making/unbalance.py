@@ -13,12 +13,11 @@ from itertools import pairwise
 from ...draw.drawing import TOUCH
 from ...library.tolerances import ISO, grade_number
 from ...sheet.arrays import Array
-from ...sheet.check import Check
+from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
 from ...sheet.quantity import dotted, result, value
 from ...sheet.remedy import Remedy, by_key, down
-from ...sheet.shim_check import check
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -143,6 +142,65 @@ def calibration(
         )
 
 
+DEPTH = dotted("countershaft", CountershaftInputs.holes, Holes.depth)
+DIAMETER = dotted("countershaft", CountershaftInputs.holes, Holes.diameter)
+HOLES_DEPTH = CheckRule(
+    "countershaft.holes.depth",
+    "limit",
+    "The holes run into the core.",
+    Text("Depth of the calibration holes"),
+    "<=",
+    "mm",
+    Text("geometry: height of the sectors over the core"),
+    Text("More or wider holes take the rest."),
+    role="physics",
+    zero="outer radius",
+    moved_by=(DEPTH, dotted("countershaft", CountershaftInputs.core_radius)),
+)
+HOLES_ROW = CheckRule(
+    "countershaft.holes.row",
+    "limit",
+    "The holes do not fit beside each other.",
+    Text("Length of the holes of a mass, side by side"),
+    "<=",
+    "mm",
+    Text("rule of this program: holes stand in one row along the sector"),
+    Text("Fewer or narrower holes."),
+    role="physics",
+    moved_by=(dotted("countershaft", CountershaftInputs.holes, Holes.count), DIAMETER),
+)
+HOLES_WIDTH = CheckRule(
+    "countershaft.holes.width",
+    "limit",
+    "The hole breaks out of the side of its sector.",
+    Text("Diameter of a hole in the width of its sector"),
+    "<=",
+    "mm",
+    Text("geometry: width of the sector at the bottom of the hole"),
+    Text("Shorter holes have more room as well."),
+    role="physics",
+    zero="diameter of the hole",
+    moved_by=(DIAMETER, DEPTH),
+)
+HOLES_RANGE = CheckRule(
+    "countershaft.holes.range",
+    "caution",
+    "A shaft that lies exactly, but outside what drilling reaches, can not be corrected when it is made.",
+    Text("Couple beyond the required one, for drilling to take away"),
+    "in",
+    "N·m",
+    Text(
+        "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no "
+        "more than the holes take"
+    ),
+    moved_by=(
+        dotted("countershaft", CountershaftInputs.overdesign),
+        dotted("countershaft", CountershaftInputs.masses),
+        DEPTH,
+    ),
+)
+
+
 def hole_checks(
     holes: Holes,
     R: Metre,
@@ -159,34 +217,18 @@ def hole_checks(
         return by_key(Holes, dotted("countershaft", CountershaftInputs.holes, field), down(length), bound="<=")
 
     if core_radius is not None:  # a deeper hole weakens the core, which alone carries the shaft between the sectors
-        name, height = Text("Depth of the calibration holes"), R - core_radius
-        source = Text("geometry: height of the sectors over the core")
-        advice, less = Text("More or wider holes take the rest."), no_larger(Holes.depth, height)
-        yield check("countershaft.holes.depth", name, holes.depth, "<=", height, "mm", source, advice, remedies=less)
+        height = R - core_radius
+        yield HOLES_DEPTH(holes.depth, height, scale=R, remedies=no_larger(Holes.depth, height))
     if sectors and masses:
-        name, row = (
-            Text("Length of the holes of a mass, side by side"),
-            math.ceil(holes.count / masses) * holes.diameter,
-        )
-        source = Text("rule of this program: holes stand in one row along the sector")
-        advice = Text("Fewer or narrower holes.")
-        yield check("countershaft.holes.row", name, row, "<=", _shortest(sectors), "mm", source, advice)
+        yield HOLES_ROW(math.ceil(holes.count / masses) * holes.diameter, _shortest(sectors))
         half_angle = min(sector.half_angle or 0.0 for sector in sectors)
         chord = 2 * max(R - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
-        name = Text("Diameter of a hole in the width of its sector")
-        source = Text("geometry: width of the sector at the bottom of the hole")
-        advice, less = Text("Shorter holes have more room as well."), no_larger(Holes.diameter, chord)
-        yield check("countershaft.holes.width", name, holes.diameter, "<=", chord, "mm", source, advice, remedies=less)
+        less = no_larger(Holes.diameter, chord)
+        yield HOLES_WIDTH(holes.diameter, chord, scale=holes.diameter, remedies=less)
     if over is not None:
-        name, beyond = Text("Couple beyond the required one, for drilling to take away"), based_on(round(over, 9), over)
-        source = Text(
-            "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no "
-            "more than the holes take"
-        )
         aim = Amount(drilled.hole_range / 2, form=".1f")
         advice = Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=aim)
-        limits = 0.0, drilled.hole_range
-        yield check("countershaft.holes.range", name, beyond, "in", limits, "N·m", source, advice)
+        yield HOLES_RANGE(based_on(round(over, 9), over), (0.0, drilled.hole_range), advice=advice)
 
 
 def _shortest(sectors: list[Piece]) -> Metre:
@@ -227,14 +269,21 @@ class ToleranceResult:
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
 
 
-def grade_check(permitted: ToleranceResult, limit: NewtonMetre) -> Check:
-    """`limit`: the couple that may be left over."""
-    name = Text("Couple that the balance quality grade permits")
-    source = Text("rule of this program: 5 % of the couple to be balanced")
-    advice = Text("A finer grade (a smaller number), or a lighter shaft.")
-    return check(
-        "countershaft.balance_grade", name, permitted.permitted_couple_error, "<=", limit, "N·m", source, advice
-    )
+# held against the couple that may be left over
+BALANCE_GRADE = CheckRule(
+    "countershaft.balance_grade",
+    "caution",
+    "A shaft at the end of its balance quality leaves more couple than the drawing may.",
+    Text("Couple that the balance quality grade permits"),
+    "<=",
+    "N·m",
+    Text("rule of this program: 5 % of the couple to be balanced"),
+    Text("A finer grade (a smaller number), or a lighter shaft."),
+    demand=True,
+    value_id=dotted("countershaft", ToleranceResult.permitted_couple_error),
+    moved_by=(dotted("countershaft", CountershaftInputs.balance_grade),),
+    proven=(),
+)
 
 
 @formula(

@@ -26,6 +26,7 @@ from ..inputs import GearsInputs, Mesh
 from ..limits import mm
 from ..measures.formulas import generating_shift
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
+from ..wheel_inputs import Wheel
 from . import formulas as b
 
 # standard deviation over the largest shift
@@ -86,9 +87,10 @@ class BacklashCase:
     driver: WheelResult
     driven: WheelResult
     teeth: tuple[Teeth, Teeth]
-    runouts: tuple[Metre, Metre] | None  # None: not given for either wheel
+    runouts: tuple[Metre, Metre]  # given, else of the accuracy grade
+    given_runouts: tuple[Metre | None, Metre | None]
     stack: Stack | None
-    closest: Metre  # the smallest centre distance within the tolerance and, where it is given, the runout
+    closest: Metre  # the smallest centre distance within the tolerance and the runout
 
     @property
     def place(self) -> str:
@@ -101,7 +103,12 @@ class BacklashCase:
 
     @property
     def eccentricity(self) -> Metre:
-        return sum(self.runouts) / 2 if self.runouts else 0.0
+        return sum(self.runouts) / 2
+
+    @property
+    def least_eccentricity(self) -> Metre:
+        """By the runouts that are given alone."""
+        return sum(F_r or 0.0 for F_r in self.given_runouts) / 2
 
     def must_mesh(self, a: Metre, by: str) -> None:
         """Nothing can be said of wheels whose base circles overlap."""
@@ -126,19 +133,35 @@ def cases(gears: GearsInputs, train: TrainResult) -> list[BacklashCase]:
     """Every mesh of the train, in the order of the inputs."""
     wanted = {w.name: w for w in gears.wheels}
     teeth = {name: _teeth(train.system, wheel) for name, wheel in train.wheels.items()}
+    runout = {w.name: _runout(gears, train, w) for w in gears.wheels}
     cases = []
     for i, (inputs, (key, mesh)) in enumerate(zip(gears.meshes, train.meshes.items())):
         driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
-        F_r1, F_r2 = wanted[mesh.driver].runout, wanted[mesh.driven].runout
-        runouts = None if F_r1 is None and F_r2 is None else (F_r1 or 0.0, F_r2 or 0.0)
+        runouts = runout[mesh.driver], runout[mesh.driven]
+        given = wanted[mesh.driver].runout, wanted[mesh.driven].runout
         with about(Text("mesh {name}, centres at their closest", name=mesh.title)):
-            closest = b.narrowest(mesh.centre_distance, mesh.centre_tolerance)
-            if runouts is not None:
-                closest = b.narrowest_with_runout(closest, *runouts)
+            closest = b.narrowest_with_runout(b.narrowest(mesh.centre_distance, mesh.centre_tolerance), *runouts)
         both, stack, name = (teeth[mesh.driver], teeth[mesh.driven]), stack_of(inputs), mesh.title
-        m = BacklashCase(key, name, i, train.system, inputs, mesh, driver, driven, both, runouts, stack, closest)
+        m = BacklashCase(key, name, i, train.system, inputs, mesh, driver, driven, both, runouts, given, stack, closest)
         cases.append(m)
     return cases
+
+
+def _runout(gears: GearsInputs, train: TrainResult, given: Wheel) -> Metre:
+    """Given, else of the accuracy grade."""
+    if given.runout is not None:
+        return given.runout
+    with about(Text("wheel {name}", name=given.name)):
+        d = train.wheels[given.name].reference_diameter
+        return b.runout_of_grade(m_n=train.system.m_n, d=d, A=gears.accuracy_grade)
+
+
+def smallest_at(m: BacklashCase, a: Metre) -> Metre:
+    """The smallest normal backlash at a centre distance, at 20 °C."""
+    d_b1, d_b2 = m.driver.base_diameter, m.driven.base_diameter
+    alpha_wt = f.working_pressure_angle(d_b1, d_b2, a)
+    s_b1, s_b2 = (teeth.thickest for teeth in m.teeth)
+    return b.backlash_of_bases(m.system.base_pitch, s_b1, s_b2, d_b1, d_b2, alpha_wt, m.system.base_helix_angle)
 
 
 def _teeth(system: ToothSystem, wheel: WheelResult) -> Teeth:

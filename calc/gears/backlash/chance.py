@@ -24,6 +24,7 @@ from .case import EVEN, BacklashCase
 from .formulas import DUST
 
 TRAINS = 4096
+KEPT: Number = 0.99  # share of the trains that must turn freely
 BY_CHANCE = Text("mathematics, {trains} trains by chance", trains=TRAINS)
 
 
@@ -60,6 +61,7 @@ class Chance:
     """What the trains by chance have; arrays in rising order."""
 
     smallest: dict[str, Array]  # backlash by mesh, the smallest over a turn; only where something varies
+    best: dict[str, Metre]  # that 99 % keep, by the runouts that are given alone
     tightest: Array  # of each train, its smallest backlash
     phase: Array  # free turn of the last wheel
 
@@ -103,6 +105,7 @@ def by_chance(
                 half = (t.thickest - t.thinnest) / 2
                 teeth[wheel.name] = t.middle + half * luck() if half else t.middle
     smallest: dict[str, Array] = {}
+    best: dict[str, Metre] = {}
     turn: Array | float = 0.0
     every = []
     for m in cases:
@@ -113,9 +116,7 @@ def by_chance(
         elif m.mesh.centre_tolerance:
             a = a + m.mesh.centre_tolerance * luck()
         both = teeth[m.driver.name] + teeth[m.driven.name]
-        loose = least = _backlash(m, a, both)
-        if m.runouts:
-            least = _backlash(m, a - m.eccentricity, both)
+        loose, least = _backlash(m, a, both), _backlash(m, a - m.eccentricity, both)
         if m.key in way:
             ratio = wheels[m.driven.name].teeth / wheels[last].teeth
             per_backlash = ratio / np.cos(m.system.base_helix_angle) / (m.driven.base_diameter / 2)
@@ -123,12 +124,13 @@ def by_chance(
         if isinstance(least, np.ndarray):
             every.append(least)
             smallest[m.key] = based_on(np.sort(least), *_of(m))
+            best[m.key] = kept.function(np.sort(_backlash(m, a - m.least_eccentricity, both)), KEPT)
     if not every:
         return None
     tightest = based_on(np.sort(np.min(every, axis=0)), *(_of(m) for m in cases))
     on_the_way = ((*_of(m), m.driven.teeth) for m in cases if m.key in way)
     phase = based_on(np.sort(np.broadcast_to(turn, TRAINS)), *on_the_way, wheels[last].teeth)
-    return Chance(smallest, tightest, phase)
+    return Chance(smallest, best, tightest, phase)
 
 
 def _of(m: BacklashCase) -> tuple[object, ...]:
@@ -152,7 +154,7 @@ def of_mesh(m: BacklashCase, chance: Chance | None) -> dict[str, float]:
         return {}
     j = chance.smallest[m.key]
     with about(Text("mesh {name}, by chance", name=m.name)):
-        return dict(backlash_median=kept(j=j, p=0.5), backlash_99=kept(j=j, p=0.99), share_jammed=share_below_zero(j=j))
+        return dict(backlash_median=kept(j=j, p=0.5), backlash_99=kept(j=j, p=KEPT), share_jammed=share_below_zero(j=j))
 
 
 def of_train(last: str, chance: Chance | None) -> dict[str, float]:

@@ -39,10 +39,8 @@ def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
     drawn = []
     with untraced():
         for m, alpha in sorted(known, key=lambda pair: pair[0].mesh.backlash_min):
-            warmer = Text(
-                "smallest, wheels {wheels_warmer} K warmer", wheels_warmer=Amount(gears.wheels_warmer, form="g")
-            )
-            lines = [(LIMITS["nominal"], T, "nominal"), (warmer, T + gears.wheels_warmer, "smallest")]
+            warmer = Text("smallest, wheels {wheels_warmer} K warmer", wheels_warmer=Amount(gears.warmer, form="g"))
+            lines = [(LIMITS["nominal"], T, "nominal"), (warmer, T + gears.warmer, "smallest")]
             lines += [(LIMITS[limit], T, limit) for limit in ("smallest", "largest")]  # the band
             series = tuple(Series(label, T, _at(m, alpha, T, wheels, limit) * UM) for label, wheels, limit in lines)
             _, warmest, smallest, _ = (line.y for line in series)
@@ -125,7 +123,7 @@ def _states(gears: GearsInputs, known: Known) -> Table:
     reference = t.ThermalState(Text("reference"), b.REFERENCE, b.REFERENCE)
     rows: list[Row] = []
     for m, alpha in known:
-        for state in (reference, *t.states(gears)):
+        for state in (reference, *t.states(gears, gears.warmer)):
             change = t.change(m, t.grown(m, alpha, state.housing, state.wheels))
             numbers = (float(_at(m, alpha, state.housing, state.wheels, limit)) * UM for limit in LIMITS)
             rows.append((m.name, state.name, state.housing, state.wheels, change * UM, *numbers))
@@ -137,9 +135,7 @@ def _states(gears: GearsInputs, known: Known) -> Table:
         (Text("Δa_eff"), "µm"),
         *((label, "µm") for label in LIMITS.values()),
     )
-    note = Text(
-        "Normal backlash over tolerances and allowances; the smallest with the runout of the teeth where it is given."
-    )
+    note = Text("Normal backlash over tolerances and allowances; the smallest with the runout of the teeth.")
     return Table("backlash_states", Text("Backlash over temperature"), columns, tuple(rows), note)
 
 

@@ -5,6 +5,7 @@ a train.
 Backlash is exact at the very centre distance.  For small changes it is −(E_W1 + E_W2) + 2·Δa·sin α_wt·cos β_b: an
 allowance of the span acts on it micrometre for micrometre."""
 
+from ...library.table_file import house_table
 from ...sheet.formula import formula
 from ...sheet.functions import cos, inv, joined, pi, rss, sin, smallest, tan, total
 from ...sheet.quantity import result, value
@@ -93,6 +94,21 @@ def radial_backlash(j_wt: Metre, alpha_wt: Radian) -> Metre:
 @formula("a_min", "geometry: eccentricity of both wheels, half of each runout, towards each other", unit="mm")
 def narrowest_with_runout(a_min: Metre, F_r1: Metre, F_r2: Metre) -> Metre:
     return a_min - (F_r1 + F_r2) / 2
+
+
+@formula(
+    "F_r",
+    Text("ISO 1328-2:1997, from memory: runout of the teeth by their accuracy grade"),
+    unit="µm",
+    shows="(0.24·m_n + √d + 5.6)·2^((A − 5)/2), m_n and d in mm",
+)
+def runout_of_grade(m_n: Metre, d: Metre, A: Number) -> Metre:
+    """>>> runout_of_grade(m_n=2.25e-3, d=0.072, A=7)
+    2.9250562...e-05
+    """
+    row = house_table("iso_1328.toml")["runout"]
+    at_grade: float = row["per_module"] * m_n * 1e3 + row["per_root"] * (d * 1e3) ** 0.5 + row["constant"]
+    return at_grade * 2 ** ((A - row["grade"]) / 2) * 1e-6
 
 
 @formula(
@@ -241,8 +257,8 @@ def phase_error_rss(Delta_phi: Radian, delta: Radians) -> Radian:
 
 @result
 class PlayResult:
-    """One mesh.  Backlashes are normal to the flanks; those of the temperatures are the smallest, with the runout where
-    it is given."""
+    """One mesh.  Backlashes are normal to the flanks.  The smallest ones are with the runout, but for `backlash_min` of
+    the mesh itself."""
 
     backlash_circumferential: Metre = value(
         "Circumferential backlash at the working circle, mid-tolerance", "µm", "j_wt"
@@ -262,7 +278,7 @@ class PlayResult:
     backlash_min_worst: Metre | None = value(
         "Smallest backlash, all parts at their worst, normal", "µm", "j_bn,wc", default=None
     )
-    backlash_min_runout: Metre | None = value("Smallest backlash with runout, normal", "µm", "j_bn,r", default=None)
+    backlash_min_runout: Metre = value("Smallest backlash with runout, normal", "µm", "j_bn,r")
     centre_change_cold: Metre = value("Change of the centre distance against the wheels, cold", "µm", "Δa_eff")
     centre_change_running: Metre = value("Change of the centre distance against the wheels, running", "µm", "Δa_eff")
     centre_change_warmer: Metre = value(

@@ -11,16 +11,15 @@ from ...sheet.linked_array import gathered
 from ...sheet.record import record
 from ...sheet.step import Curve, Table
 from ...sheet.text import Text
-from ...sheet.units import Metre, NewtonMetre
+from ...sheet.units import NewtonMetre
 from ...sheet.value import about
-from .. import formulas as f
 from ..inputs import GearsInputs
 from ..result import TrainResult
 from . import chance as c
 from . import formulas as b
 from . import temperature as t
-from .case import BacklashCase, cases, free_turn, way_to
-from .checks import checks, notes
+from .case import BacklashCase, cases, free_turn, smallest_at, way_to
+from .checks import JudgedMesh, checks, notes
 from .curves import curves, tables
 from .formulas import PlayResult, TrainPlay
 
@@ -62,7 +61,7 @@ def play(
     known = tuple((m, t.expansions(m, gears, materials, housing)) for m in meshes_of)
     last = gears.meshes[-1].driven
     with about(Text("train, running")):
-        states = t.states(gears)
+        states = t.states(gears, gears.warmer)
     way = way_to(last, train.meshes)
     values: dict[str, dict[str, float]] = {}
     smallest: dict[str, tuple[t.AtState, ...]] = {}
@@ -73,9 +72,12 @@ def play(
     chance = c.by_chance(meshes_of, train.wheels, way, last)
     meshes = {m.key: PlayResult(**values[m.key], **c.of_mesh(m, chance)) for m in meshes_of}
     whole = _train(train, meshes, way, last, chance)
-    all_checks = tuple(check for m in meshes_of for check in checks(gears, m, meshes[m.key], smallest[m.key]))
+    all_checks: list[Check] = []
+    for m, alpha in known:
+        of = JudgedMesh(m, meshes[m.key], smallest[m.key], t.housings(gears, m, alpha, materials))
+        all_checks += checks(gears, of, housing, chance)
     texts = tuple(notes(gears, known, housing, chance is not None))
-    return Played(meshes, whole, all_checks, texts, known, gears)
+    return Played(meshes, whole, tuple(all_checks), texts, known, gears)
 
 
 def with_couple(play: TrainPlay, couple: NewtonMetre) -> TrainPlay:
@@ -104,14 +106,6 @@ def _kinds(m: BacklashCase) -> dict[str, float]:
         )
 
 
-def _at(m: BacklashCase, a: Metre) -> Metre:
-    """The smallest normal backlash at a centre distance, at 20 °C."""
-    d_b1, d_b2 = m.driver.base_diameter, m.driven.base_diameter
-    alpha_wt = f.working_pressure_angle(d_b1, d_b2, a)
-    s_b1, s_b2 = (teeth.thickest for teeth in m.teeth)
-    return b.backlash_of_bases(m.system.base_pitch, s_b1, s_b2, d_b1, d_b2, alpha_wt, m.system.base_helix_angle)
-
-
 def _stacked(m: BacklashCase) -> dict[str, float]:
     """What the parts between the centres add up to, and what runout takes."""
     values: dict[str, float] = {}
@@ -130,11 +124,10 @@ def _stacked(m: BacklashCase) -> dict[str, float]:
             m.must_mesh(
                 a_w - reach - m.eccentricity, Text("the worst case of the parts between the centres, with the runout,")
             )
-            values["backlash_min_worst"] = _at(m, b.narrowest(a_w, T_wc))
-    if m.runouts:
-        with about(Text("mesh {name}, smallest backlash with runout", name=m.name)):
-            m.must_mesh(a_w - reach - m.eccentricity, Text("the tolerance of the centre distance with the runout"))
-            values["backlash_min_runout"] = _at(m, m.closest)
+            values["backlash_min_worst"] = smallest_at(m, b.narrowest_with_runout(b.narrowest(a_w, T_wc), *m.runouts))
+    with about(Text("mesh {name}, smallest backlash with runout", name=m.name)):
+        m.must_mesh(a_w - reach - m.eccentricity, Text("the tolerance of the centre distance with the runout"))
+        values["backlash_min_runout"] = smallest_at(m, m.closest)
     return values
 
 

@@ -1,19 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """Backlash over temperature: housing and support carry the centres apart, each wheel grows by itself."""
 
+import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Generic
 
 from ...library.catalogue import Material
 from ...sheet.arrays import Value
+from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Celsius, Metre, Number, PerKelvin, Radian
+from ...sheet.units import Celsius, Kelvin, Metre, Number, PerKelvin, Radian
 from ...sheet.value import about
 from .. import formulas as f
 from ..inputs import GearsInputs
 from . import formulas as b
 from .case import BacklashCase
+
+ALUMINIUM = "EN AC-43100"  # of what housings are cast of, what grows the most
 
 
 @record
@@ -52,10 +57,10 @@ class AtState:
     wheel_growth: Number  # the smaller one
 
 
-def states(gears: GearsInputs) -> tuple[ThermalState, ThermalState, ThermalState, ThermalState]:
+def states(gears: GearsInputs, warmer: Kelvin) -> tuple[ThermalState, ThermalState, ThermalState, ThermalState]:
     """Cold start; all warm; the wheels warmer than the housing; and so in a housing that is still cold."""
     cold, warm = gears.lowest_temperature, gears.running_temperature
-    first, then = (b.wheel_temperature(T_H=T, Delta_T=gears.wheels_warmer) for T in (cold, warm))
+    first, then = (b.wheel_temperature(T_H=T, Delta_T=warmer) for T in (cold, warm))
     return (
         ThermalState(Text("cold"), cold, cold),
         ThermalState(Text("running"), warm, warm),
@@ -79,6 +84,20 @@ def expansions(
     return Expansions(alpha_a, alpha_1, alpha_2)
 
 
+def housing_open(gears: GearsInputs, m: BacklashCase) -> bool:
+    """Whether nobody says what is between the centres."""
+    return gears.housing_material is None and not m.inputs.support_share
+
+
+def housings(
+    gears: GearsInputs, m: BacklashCase, alpha: Expansions, materials: Mapping[str, Material]
+) -> tuple[Expansions, ...]:
+    """The one that is given; one that nobody names grows as the driver at one end, as aluminium at the other."""
+    if not housing_open(gears, m):
+        return (alpha,)
+    return replace(alpha, centres=alpha.driver), replace(alpha, centres=materials[ALUMINIUM].expansion)
+
+
 def grown(m: BacklashCase, alpha: Expansions, T_housing: Value, T_wheels: Value) -> Grown[Value]:
     """At the temperatures of housing and wheels [°C]."""
     eps_a = b.expansion(alpha=alpha.centres, T=T_housing)
@@ -97,6 +116,16 @@ def at_state(m: BacklashCase, by: Grown[float], a: Metre, s_b1: Metre, s_b2: Met
     m.must_mesh(a_eff, Text("temperature, with the tolerance and runout,"))
     alpha_wt = f.working_pressure_angle(m.driver.base_diameter, m.driven.base_diameter, a_eff)
     return AtState(warm(m, by, alpha_wt, s_b1, s_b2), alpha_wt, 1 + by.centres, 1 + min(by.driver, by.driven))
+
+
+def smallest(m: BacklashCase, alpha: Expansions, state: ThermalState, a: Metre) -> Metre:
+    """Backlash of the thickest teeth at a centre distance at 20 °C; −∞ where the base circles overlap."""
+    try:
+        return at_state(
+            m, grown(m, alpha, state.housing, state.wheels), a, *(tooth.thickest for tooth in m.teeth)
+        ).backlash
+    except NoSolution:
+        return -math.inf
 
 
 def warm(m: BacklashCase, by: Grown[Value], alpha_wt: Value, s_b1: Metre, s_b2: Metre) -> Value:

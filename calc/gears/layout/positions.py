@@ -156,8 +156,8 @@ def _sides(idler: Between, placing: Placing) -> tuple[float, ...]:
     names = {"wheel": idler.wheel, "first": idler.first, "second": idler.second}
     c, tolerance = abs(placing.p[idler.second] - placing.p[idler.first]), idler.tolerance
     low, high = abs(idler.a_12 - idler.a_23), idler.a_12 + idler.a_23
-    id, first, second = f"gears.{idler.wheel}.position", idler.first, idler.second
-    placing.checks.append(reach_check(id, Name(idler.wheel), first, second, c, low, high, tolerance))
+    wheel, first, second = idler.wheel, idler.first, idler.second
+    placing.checks.append(reach_check(wheel, Name(wheel), first, second, c, low, high, tolerance))
     if c < SAME:
         placing.notes.append(
             Text("{first} and {second} have one axis: {wheel} can stand in any direction from it.", **names)
@@ -259,9 +259,7 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
     a_1, a_2, a_3 = m_1.centre_distance, m_2.centre_distance, m_3.centre_distance
     c, high = abs(placing.p[last] - placing.p[first]), a_1 + a_2 + a_3
     low = max(2 * max(a_1, a_2, a_3) - high, 0.0)
-    placing.checks.append(
-        reach_check(f"gears.{one}.position", Text("{one} and {two}", one=one, two=two), first, last, c, low, high, 0.0)
-    )
+    placing.checks.append(reach_check(one, Text("{one} and {two}", one=one, two=two), first, last, c, low, high, 0.0))
     if not low <= c <= high:
         return False
     with untraced():

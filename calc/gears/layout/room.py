@@ -10,10 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
-from ...sheet.check import Check
+from ...sheet.check import Check, CheckRule
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import by_key
-from ...sheet.shim_check import check
 from ...sheet.text import Amount, Text, alternatives
 from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import about, based_on
@@ -22,6 +22,7 @@ from ..limits import mm
 from ..result import MeshResult, TrainResult
 from ..wheel_inputs import Wheel
 from . import formulas as f
+from .result import MeshLayout
 
 FREE = math.inf  # the clearance of a wheel that has nothing near it
 COARSE, FINE, ROUNDS = 180, 65, 1  # directions of the first scan, of a refinement, and how many of those
@@ -166,14 +167,93 @@ def _clearances(
 # --- whether the wheels reach each other in their places, have room there, and can be put together
 
 USUAL_CLEARANCE: Metre = 1e-3  # rule of this program
-SWEPT = Text(
-    "geometry: tip circle with its upper deviation, half the runout and the tolerance of the axis, at rest and cold"
+HERE = dotted("gears", GearsInputs.wheels, "W", Wheel.position)
+TEETH = dotted("gears", GearsInputs.wheels, "W", Wheel.teeth)
+
+REACH = CheckRule(
+    "gears.W.position",
+    "limit",
+    "The wheel between two axes does not reach both.",
+    sense="in",
+    unit="mm",
+    source=Text("geometry: two circles about the fixed axes, with the working centre distances"),
+    role="self",
+    moved_by=(TEETH,),
 )
-TWO_CIRCLES = Text("geometry: two circles about the fixed axes, with the working centre distances")
+AXIS = CheckRule(
+    "gears.W.axis",
+    "limit",
+    "The last wheel does not stand on the shaft that it turns.",
+    sense="<=",
+    unit="µm",
+    source=Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
+    role="self",
+    moved_by=(HERE, "countershaft.axis_mm"),
+)
+DISTANCE = CheckRule(
+    "gears.M.position",
+    "limit",
+    "Wheels that do not stand at their centre distance do not mesh as computed.",
+    sense="<=",
+    unit="µm",
+    source=Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n"),
+    role="self",
+    moved_by=(
+        dotted("gears", GearsInputs.meshes, "#", Mesh.centre_distance),
+        dotted("gears", GearsInputs.wheels, "DRIVER", Wheel.position),
+        dotted("gears", GearsInputs.wheels, "DRIVEN", Wheel.position),
+    ),
+)
+CLEARANCE = CheckRule(
+    "gears.W.clearance",
+    "limit",
+    "The wheel runs into what stands beside it.",
+    unit="mm",
+    source=Text(
+        "geometry: tip circle with its upper deviation, half the runout and the tolerance of the axis, at rest and cold"
+    ),
+    role="physics",
+    zero="1 mm, its usual limit",
+    moved_by=(HERE, TEETH),
+    short=Text("wall"),
+)
+CLEARANCE_USUAL = CheckRule(
+    "gears.W.clearance_usual",
+    "advice",
+    "The usual room.",
+    unit="mm",
+    source=Text("rule of this program: 1 mm"),
+    cause=CLEARANCE.id,
+    moved_by=(HERE, TEETH),
+)
+HUNTING = CheckRule(
+    "gears.M.hunting",
+    "advice",
+    "Good practice that spreads the wear.",
+    sense="<=",
+    source=Text("mathematics, hunting tooth: every tooth meets every tooth where the numbers have no common factor"),
+    value_id=dotted("gears", "M", MeshLayout.common_factor),
+    moved_by=(
+        dotted("gears", GearsInputs.wheels, "DRIVER", Wheel.teeth),
+        dotted("gears", GearsInputs.wheels, "DRIVEN", Wheel.teeth),
+    ),
+)
+ASSEMBLY = CheckRule(
+    "gears.train.assembly",
+    "caution",
+    "The wheel does not pass the seat; it may be fixed after the shaft is inserted.",
+    unit="mm",
+    source=Text(
+        "geometry: the wheel passes through the seat of the journal where the shaft is inserted along its axis; "
+        "diametral"
+    ),
+    zero="1 mm",
+    moved_by=("bearings.front.diameter_mm", dotted("gears", GearsInputs.normal_module)),
+)
 
 
 def reach_check(
-    id: str, what: Text, first: str, second: str, c: Metre, low: Metre, high: Metre, tolerance: Metre
+    wheel: str, what: Text, first: str, second: str, c: Metre, low: Metre, high: Metre, tolerance: Metre
 ) -> Check:
     """Of two placed axes `c` apart, which `what` can span from `low` to `high`."""
     limits = max(low - tolerance, 0.0), high + tolerance
@@ -196,16 +276,15 @@ def reach_check(
         do=do,
     )
     name = Text("Distance {first} to {second} that {what} spans", first=first, second=second, what=what)
-    return check(id, name, c, "in", limits, "mm", TWO_CIRCLES, advice)
+    return REACH(c, limits, at=wheel, name=name, advice=advice)
 
 
 def axis_check(last: str, off: Metre, limit: Metre) -> Check:
     """`off`: between the given position of the last wheel and the axis of the counter-shaft."""
     name = Text("Position of {last} from the axis of the counter-shaft", last=last)
-    source = Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n")
     effect = Text("the axis of the counter-shaft gives it")
     left_out = by_key(Wheel, wheel_key(last, Wheel.position), None, place=last, effect=effect)
-    return check(f"gears.{last}.axis", name, off, "<=", limit, "µm", source, remedies=left_out)
+    return AXIS(off, limit, at=last, name=name, remedies=left_out)
 
 
 def distance_check(
@@ -220,10 +299,8 @@ def distance_check(
     if given:
         advice += Text(" Or move {wrong}.", wrong=alternatives(given))
     name = Text("Axes of {driver} and {driven} off their centre distance", driver=mesh.driver, driven=mesh.driven)
-    source = Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n")
     as_placed = by_key(Mesh, mesh_key(index, Mesh.centre_distance), round(c * 1e3, 4), place=mesh.title)
-    id = f"gears.{key}.position"
-    return check(id, name, error, "<=", limit, "µm", source, advice, index=index, remedies=as_placed)
+    return DISTANCE(error, limit, at=key, name=name, advice=advice, index=index, remedies=as_placed)
 
 
 def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], chosen: bool) -> Iterator[Check]:
@@ -236,7 +313,7 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
     what = tight.to
     if tight.kind != "neighbour":
         what = Text("wall {to}", to=tight.to) if tight.kind == "wall" else Text("wheel {to}", to=tight.to)
-    name, id = Text("Clearance of {wheel} to {what}", wheel=wheel, what=what), f"gears.{wheel}.clearance"
+    name = Text("Clearance of {wheel} to {what}", wheel=wheel, what=what)
     move = Text("move {wheel} or {what} apart", wheel=wheel, what=what)
     if chosen:
         move = Text("give {wheel} another place", wheel=wheel)
@@ -248,9 +325,9 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
     )
     if chosen and tight.kind != "wheel":
         advice += Text(" `choose FILE gears` tries its teeth.")
-    yield check(id, name, tight.g, ">=", 0.0, "mm", SWEPT, advice)
-    usual, source = Text("{name}, usual", name=name), Text("rule of this program: 1 mm")
-    yield check(f"{id}_usual", usual, tight.g, ">=", USUAL_CLEARANCE, "mm", source, advice)
+    yield CLEARANCE(tight.g, 0.0, at=wheel, name=name, advice=advice, scale=USUAL_CLEARANCE)
+    usual = Text("{name}, usual", name=name)
+    yield CLEARANCE_USUAL(tight.g, USUAL_CLEARANCE, at=wheel, name=usual, advice=advice)
 
 
 def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number, turns: Number) -> Check:
@@ -269,17 +346,12 @@ def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number
         )
     wheels = {"driver": mesh.driver, "z_1": z_1, "driven": mesh.driven, "z_2": z_2}
     name = Text("Common factor of the teeth {driver} {z_1}, {driven} {z_2}", **wheels)
-    source = Text("mathematics, hunting tooth: every tooth meets every tooth where the numbers have no common factor")
-    return check(f"gears.{key}.hunting", name, factor, "<=", 1.0, "", source, advice)
+    return HUNTING(factor, 1.0, at=key, name=name, advice=advice)
 
 
 def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
     more = Text(", give that journal {gap} mm more", gap=mm(-gap, ".4g")) if gap < 0 else ""
     name = Text("Gap between {wheel} and the seat of the {seat} journal", wheel=wheel, seat=seat)
-    source = Text(
-        "geometry: the wheel passes through the seat of the journal where the shaft is inserted along its axis; "
-        "diametral"
-    )
     advice = Text(
         "Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the "
         "shaft is inserted, or split the support.",
@@ -287,4 +359,4 @@ def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
         seat=seat,
         more=more,
     )
-    return check("gears.train.assembly", name, gap, ">=", 0.0, "mm", source, advice)
+    return ASSEMBLY(gap, 0.0, name=name, advice=advice, scale=USUAL_CLEARANCE)

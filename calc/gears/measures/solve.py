@@ -7,12 +7,11 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
-from ...sheet.check import Check
+from ...sheet.check import Check, CheckRule
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import Described, Stated, dotted
 from ...sheet.record import record
 from ...sheet.remedy import Remedy, change, remedy
-from ...sheet.shim_check import check
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ...sheet.units import Metre, Number, Radian
@@ -189,56 +188,164 @@ def spans_table(wheel: WheelResult, spans: tuple[Span, ...], chosen: Number, bes
 
 # --- whether span, balls, pins and chord touch the flank, and whether what was measured is inside the allowance
 
-BETWEEN_MEASURED = Text(
-    "rule of this program: routes that differ by more than the whole field of the allowance contradict each other"
+SPAN_TEETH = dotted("gears", GearsInputs.wheels, "W", Wheel.span_teeth)
+SPAN_ALLOWANCE = dotted("gears", GearsInputs.wheels, "W", Wheel.span_allowance)
+FACE_WIDTH = dotted("gears", GearsInputs.wheels, "W", Wheel.face_width)
+BALL_DIAMETER = dotted("gears", GearsInputs.ball_diameter)
+ONE_OF_SEVERAL = "One of several ways to measure the teeth."
+OUTSIDE = "The wheel as made lies outside its drawing."
+MEASURED_CAUSE = "gears.W.measured"
+MODULE = "the normal module"
+
+SPAN_CONTACT = CheckRule(
+    "gears.W.span_contact",
+    "advice",
+    ONE_OF_SEVERAL,
+    sense="in",
+    unit="mm",
+    source=Text("{iso}: the anvils must touch the involute", iso=ISO),
+    advice=Text("Span another number of teeth."),
+    value_id=dotted("gears", "W", MeasuresResult.span_contact_diameter),
+    moved_by=(SPAN_TEETH,),
+)
+SPAN_WIDTH = CheckRule(
+    "gears.W.span_width",
+    "advice",
+    ONE_OF_SEVERAL,
+    unit="mm",
+    source=Text("{iso}: W·sin β_b, the width of the anvils apart", iso=ISO),
+    advice=Text("Span fewer teeth, or measure over balls."),
+    cause=SPAN_CONTACT.id,
+    limit_id=dotted("gears", "W", MeasuresResult.span_width),
+    moved_by=(SPAN_TEETH, FACE_WIDTH),
+)
+BALL = CheckRule(
+    "gears.W.ball",
+    "caution",
+    "The size over balls of the drawing can not be measured with the ball that is given; nothing breaks.",
+    sense="in",
+    unit="mm",
+    source=Text("geometry: the ball must touch between form and tip circle"),
+    value_id=dotted("gears", "W", WheelResult.ball_diameter),
+    moved_by=(BALL_DIAMETER,),
+)
+BALL_PROUD = CheckRule(
+    "gears.W.ball_proud",
+    "caution",
+    "As with the ball itself.",
+    sense=">",
+    unit="mm",
+    source=Text("geometry: the balls must stand proud of the tip circle"),
+    zero="the diameter of the ball",
+    cause=BALL.id,
+    moved_by=(BALL_DIAMETER,),
+)
+BALL_ROOT = CheckRule(
+    "gears.W.ball_root",
+    "caution",
+    "As with the ball itself.",
+    unit="mm",
+    source=Text("geometry: the ball must not lie on the root"),
+    zero="the diameter of the ball",
+    cause=BALL.id,
+    moved_by=(BALL_DIAMETER,),
+)
+CONSTANT_CHORD = CheckRule(
+    "gears.W.constant_chord",
+    "advice",
+    ONE_OF_SEVERAL,
+    sense="in",
+    unit="mm",
+    source=Text("{iso}: the calliper must touch the involute", iso=ISO),
+    advice=Text("Measure the chord at the reference circle, or the span."),
+    cause=SPAN_CONTACT.id,
+    value_id=dotted("gears", "W", MeasuresResult.constant_chord_diameter),
+    moved_by=(dotted("gears", GearsInputs.wheels, "W", Wheel.tip_shortening),),
+)
+PINS_WIDTH = CheckRule(
+    "gears.W.pins_width",
+    "advice",
+    ONE_OF_SEVERAL,
+    unit="mm",
+    source=Text("{skew}: half an axial pitch between the pins", skew=m.SKEW),
+    advice=Text("Measure over balls, or the span."),
+    cause=SPAN_CONTACT.id,
+    limit_id=dotted("gears", "W", MeasuresResult.pins_width),
+    moved_by=(FACE_WIDTH,),
+)
+MEASURED_SPREAD = CheckRule(
+    "gears.W.measured_spread",
+    "method",
+    "Measurements that contradict each other say nothing of the part.",
+    sense="<=",
+    unit="µm",
+    source=Text(
+        "rule of this program: routes that differ by more than the whole field of the allowance contradict each other"
+    ),
+    advice=Text(
+        "Measure again; runout changes sizes over balls and pins, and the real tip a chordal thickness, but not a span."
+    ),
+    zero=MODULE,
+    cause=MEASURED_CAUSE,
 )
 
 
+def _measured_rule(id: str, size: str) -> CheckRule:
+    moved_by = (size, SPAN_ALLOWANCE)
+    return CheckRule(
+        id, "caution", OUTSIDE, sense="in", unit="µm", zero=MODULE, cause=MEASURED_CAUSE, moved_by=moved_by
+    )
+
+
+MEASURED = {
+    "measured_span": _measured_rule(
+        "gears.W.measured_span", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_span)
+    ),
+    "measured_over_balls": _measured_rule(
+        "gears.W.measured_over_balls", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_over_balls)
+    ),
+    "measured_over_pins": _measured_rule(
+        "gears.W.measured_over_pins", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_over_pins)
+    ),
+    "measured_chordal_thickness": _measured_rule(
+        "gears.W.measured_chordal_thickness", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_chordal_thickness)
+    ),
+}
+
+
 def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> Iterator[Check]:
-    """Whether span and balls touch where they should.  A ball that is given must fit; a chosen one is only advised."""
-    id, name, D_M = f"gears.{wheel.name}", wheel.name, wheel.ball_diameter
+    """Whether span and balls touch where they should.  A ball that is chosen is not judged."""
+    name = wheel.name
+    yield SPAN_CONTACT(
+        sizes.span_contact_diameter,
+        (wheel.form_diameter, wheel.tip_diameter),
+        at=name,
+        name=Text("Circle on which the span of {name} touches", name=name),
+    )
+    if wheel.ball_given:
+        yield from _ball_checks(system, wheel, sizes)
+    if system.beta:
+        label = Text("Face width of {name} for its span", name=name)
+        yield SPAN_WIDTH(wheel.face_width, sizes.span_width, at=name, name=label)
+
+
+def _ball_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> Iterator[Check]:
+    name, D_M = wheel.name, wheel.ball_diameter
     balls = _touching_ball(system, wheel, wheel.form_diameter), _touching_ball(system, wheel, wheel.tip_diameter)
-    kind = "limit" if wheel.ball_given else "advice"
 
     def other_ball() -> tuple[Remedy, ...]:
-        key = dotted("gears", GearsInputs.ball_diameter)
         fits = wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball
-        per_wheel = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
-        return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), per_wheel
+        per_wheel = remedy(change(GearsInputs, BALL_DIAMETER, None), effect=Text("each wheel then has its own"))
+        return remedy(change(GearsInputs, BALL_DIAMETER, float(f"{fits * 1e3:.4g}"))), per_wheel
 
-    yield check(
-        f"{id}.span_contact",
-        Text("Circle on which the span of {name} touches", name=name),
-        sizes.span_contact_diameter,
-        "in",
-        (wheel.form_diameter, wheel.tip_diameter),
-        "mm",
-        Text("{iso}: the anvils must touch the involute", iso=ISO),
-        Text("Span another number of teeth."),
-    )
-    label = Text("Measuring ball of {name}", name=name)
-    source = Text("geometry: the ball must touch between form and tip circle")
-    yield check(f"{id}.ball", label, D_M, "in", balls, "mm", source, kind=kind, remedies=other_ball)
+    yield BALL(D_M, balls, at=name, name=Text("Measuring ball of {name}", name=name), remedies=other_ball)
     if wheel.over_balls is not None:
         label, proud = Text("Balls of {name} above its tip", name=name), (wheel.over_balls - wheel.tip_diameter) / 2
-        source = Text("geometry: the balls must stand proud of the tip circle")
-        yield check(f"{id}.ball_proud", label, proud, ">", 0.0, "mm", source, kind=kind, remedies=other_ball)
+        yield BALL_PROUD(proud, 0.0, at=name, name=label, scale=D_M, remedies=other_ball)
     if sizes.over_one_ball is not None:
         label = Text("Ball of {name} above the root", name=name)
-        source = Text("geometry: the ball must not lie on the root")
         above = sizes.over_one_ball - D_M - wheel.root_diameter / 2
-        yield check(f"{id}.ball_root", label, above, ">=", 0.0, "mm", source, kind=kind, remedies=other_ball)
-    if system.beta:
-        yield check(
-            f"{id}.span_width",
-            Text("Face width of {name} for its span", name=name),
-            wheel.face_width,
-            ">=",
-            sizes.span_width,
-            "mm",
-            Text("{iso}: W·sin β_b, the width of the anvils apart", iso=ISO),
-            Text("Span fewer teeth, or measure over balls."),
-        )
+        yield BALL_ROOT(above, 0.0, at=name, name=label, scale=D_M, remedies=other_ball)
 
 
 def _touching_ball(system: ToothSystem, wheel: WheelResult, d_y: Metre) -> Metre:
@@ -256,56 +363,37 @@ def ball_at(system: ToothSystem, wheel: WheelResult, alpha_yt: Radian) -> Metre:
 def checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> Iterator[Check]:
     """The constant chord, the pins of an odd helical wheel, and what was measured against the allowance, if there is
     one."""
-    id, name = f"gears.{wheel.name}", wheel.name
-    yield check(
-        f"{id}.constant_chord",
-        Text("Circle of the ends of the constant chord of {name}", name=name),
+    name = wheel.name
+    yield CONSTANT_CHORD(
         sizes.constant_chord_diameter,
-        "in",
         (wheel.form_diameter, wheel.tip_diameter),
-        "mm",
-        Text("{iso}: the calliper must touch the involute", iso=ISO),
-        Text("Measure the chord at the reference circle, or the span."),
+        at=name,
+        name=Text("Circle of the ends of the constant chord of {name}", name=name),
     )
     if sizes.pins_width is not None:
-        yield check(
-            f"{id}.pins_width",
-            Text("Face width of {name} for two opposite pins", name=name),
-            wheel.face_width,
-            ">=",
-            sizes.pins_width,
-            "mm",
-            Text("{skew}: half an axial pitch between the pins", skew=m.SKEW),
-            Text("Measure over balls, or the span."),
-        )
+        label = Text("Face width of {name} for two opposite pins", name=name)
+        yield PINS_WIDTH(wheel.face_width, sizes.pins_width, at=name, name=label)
     if wheel.allowance is None:
         return
     upper, lower = wheel.allowance
     teeth: dict[str, Measured] = {key: tooth for key in NAMES if (tooth := getattr(sizes, key)) is not None}
     for key, tooth in teeth.items():
-        yield check(
-            f"{id}.{key}",
-            Text("Change of the span of {name} by its measured {names}", name=name, names=NAMES[key]),
+        yield MEASURED[key](
             tooth.span_change,
-            "in",
             (lower, upper),
-            "µm",
-            Name(dotted("gears", GearsInputs.wheels, name, Wheel.span_allowance)),
-            _advice(system, wheel, key, sizes),
+            at=name,
+            name=Text("Change of the span of {name} by its measured {names}", name=name, names=NAMES[key]),
+            source=Name(dotted("gears", GearsInputs.wheels, name, Wheel.span_allowance)),
+            advice=_advice(system, wheel, key, sizes),
+            scale=system.m_n,
         )
     if len(thicknesses := [tooth.normal_thickness for tooth in teeth.values()]) > 1:
-        yield check(
-            f"{id}.measured_spread",
-            Text("Tooth thickness of {name}, difference between the measured routes", name=name),
+        yield MEASURED_SPREAD(
             max(thicknesses) - min(thicknesses),
-            "<=",
             (upper - lower) / math.cos(system.alpha_n),
-            "µm",
-            BETWEEN_MEASURED,
-            Text(
-                "Measure again; runout changes sizes over balls and pins, and the real tip a chordal thickness, "
-                "but not a span."
-            ),
+            at=name,
+            name=Text("Tooth thickness of {name}, difference between the measured routes", name=name),
+            scale=system.m_n,
         )
 
 

@@ -15,18 +15,18 @@ from functools import cached_property
 import numpy as np
 
 from ...sheet.arrays import Array
-from ...sheet.check import Check
+from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
 from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import by_key
-from ...sheet.shim_check import check
 from ...sheet.text import Text
 from ...sheet.units import Metre, Number
 from ...sheet.value import about, based_on, untraced
 from ..backlash.formulas import circumferential_backlash
 from ..inputs import GearsInputs
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
+from ..wheel_inputs import Wheel
 from .cut import ROOT, Cut, finishing_step, protuberance_note
 from .outline import CHORD_ERROR
 
@@ -177,31 +177,65 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
 # --- what is judged on the outlines, and what has to be said of the tool that cuts them
 
 
+PENETRATION = CheckRule(
+    "gears.M.penetration",
+    "limit",
+    "The outlines as they are cut run into each other: it jams.",
+    sense="<=",
+    unit="µm",
+    source=Text("rule of this program: no deeper than the outlines are exact"),
+    advice=Text(
+        "Cut the tips, or take a tool with a larger addendum, a smaller tip radius, or a protuberance that covers the "
+        "stock."
+    ),
+    role="physics",
+    value_id=dotted("gears", "M", MeshResult.penetration),
+    moved_by=(
+        dotted("gears", GearsInputs.wheels, "DRIVER", Wheel.tip_shortening),
+        dotted("gears", GearsInputs.wheels, "DRIVEN", Wheel.tip_shortening),
+        dotted("gears", GearsInputs.tool_addendum),
+        dotted("gears", GearsInputs.tool_tip_radius),
+        dotted("gears", GearsInputs.protuberance),
+    ),
+)
+FINISHING_STEP = CheckRule(
+    "gears.train.finishing_step",
+    "caution",
+    "A notch beside the root, which the safety against breakage does not count.",
+    Text("Step that finishing leaves above the fillet"),
+    "<=",
+    "µm",
+    Text(
+        "rule of this program after the practice of gear handbooks, from memory: the protuberance at least as "
+        "large as the stock"
+    ),
+    Text("A step is a notch beside the root."),
+    zero="largest of protuberance, stock, 10 µm",
+    moved_by=(dotted("gears", GearsInputs.protuberance), dotted("gears", GearsInputs.stock)),
+)
+LEAST_STEP: Metre = 10e-6  # no protuberance is ground finer
+
+
 def checks(train: TrainResult, depths: Mapping[str, Metre]) -> Iterator[Check]:
     """`depths`: how deep the outlines of each mesh enter each other, by `meshing.penetrations`."""
     for key, mesh in train.meshes.items():
         yield penetration_check(key, mesh, depths[key])
-    if (stock := train.system.stock) > 0:  # whether finishing runs out into the fillet without a step
-        name, step = Text("Step that finishing leaves above the fillet"), finishing_step(train.system)
-        source = Text(
-            "rule of this program after the practice of gear handbooks, from memory: the protuberance at least as "
-            "large as the stock"
+    system = train.system
+    if system.stock > 0:  # whether finishing runs out into the fillet without a step
+        key, covering = dotted("gears", GearsInputs.protuberance), float(f"{system.stock * 1e3:.4g}")
+        yield FINISHING_STEP(
+            finishing_step(system),
+            0.0,
+            scale=max(system.stock + system.s_pr, system.stock, LEAST_STEP),
+            remedies=by_key(GearsInputs, key, covering, bound=">="),
         )
-        advice, key = Text("A step is a notch beside the root."), dotted("gears", GearsInputs.protuberance)
-        covering = by_key(GearsInputs, key, float(f"{stock * 1e3:.4g}"), bound=">=")
-        yield check("gears.train.finishing_step", name, step, "<=", 0.0, "µm", source, advice, remedies=covering)
 
 
 def penetration_check(key: str, mesh: MeshResult, depth: Metre) -> Check:
     """Whether a tip runs into a fillet or a root, whatever the formulas of form diameter and clearance say."""
     pair = {"driver": mesh.driver, "driven": mesh.driven}
     name = Text("Outlines of {driver} and {driven} inside each other, without backlash", **pair)
-    source = Text("rule of this program: no deeper than the outlines are exact")
-    advice = Text(
-        "Cut the tips, or take a tool with a larger addendum, a smaller tip radius, or a protuberance that covers the "
-        "stock."
-    )
-    return check(f"gears.{key}.penetration", name, depth, "<=", CHORD_ERROR, "µm", source, advice)
+    return PENETRATION(depth, CHORD_ERROR, at=key, name=name)
 
 
 def notes(train: TrainResult) -> tuple[Text, ...]:

@@ -37,6 +37,7 @@ from .influence import inner_diameter
 from .screening.load import OilBath, oil_bath, structural_factor
 
 USUAL = 1.25
+UNEVEN = 5.0  # rule of this program: K_A of an engine whose irregularity is not known, at its worst
 
 
 @record
@@ -80,6 +81,7 @@ class RatingLoad:
     rated: NewtonMetre  # that of F_t
     K_A: Number
     of_peak: bool = False  # rated with the peak of mean and dynamic torque, not with K_A times the mean
+    assumed: bool = False  # K_A is the usual one: neither it nor the irregularity is known
 
 
 @formula(
@@ -215,7 +217,7 @@ def loads(
             if gears.application_factor is not None:
                 rated[key] = RatingLoad(T_m, T_dyn, T_min, T_m, gears.application_factor)
             elif T_dyn is None:
-                rated[key] = RatingLoad(T_m, None, None, T_m, usual_application_factor())
+                rated[key] = RatingLoad(T_m, None, None, T_m, usual_application_factor(), assumed=True)
             else:
                 peak = peak_torque(T_m=T_m, T_dyn=T_dyn)
                 rated[key] = RatingLoad(T_m, T_dyn, T_min, peak, factor_of_peak(), of_peak=True)

@@ -8,7 +8,7 @@ from ...sheet.text import COMMA, Amount, Text, plural
 from ...sheet.units import NewtonPerMetre, Number
 from ..result import ToothSystem
 from .classes import classes_of
-from .load import RatingContext, RatingLoad
+from .load import UNEVEN, RatingContext, RatingLoad
 from .result import Influence, MeshRating, MeshStrength
 from .screening.load import Screening
 from .screening.scuffing import LOAD_STAGE, PERMISSIBLE_FILM
@@ -75,9 +75,10 @@ def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
     else:
         yield Text(
             "Application factor: not given; chosen: {k_a} on the mean torque. The torque by the crank's irregularity "
-            "is the larger load of such a train: give gears.speed_irregularity, or engine.gas and "
-            "engine.flywheel_inertia_kgm2.",
+            "is the larger load of such a train: a safety is verified where {worst} in its place leaves enough. Give "
+            "gears.speed_irregularity, or engine.gas and engine.flywheel_inertia_kgm2.",
             k_a=K_A,
+            worst=Amount(UNEVEN),
         )
     if gears.flank_rz is None:
         yield Text(

@@ -13,7 +13,7 @@ from ...sheet.quantity import Described, Stated
 from ...sheet.step import Outcome, Table, finite
 from ...sheet.text import Text
 from ...sheet.units import NewtonMetre, Number
-from ...sheet.value import about, trace
+from ...sheet.value import about, recorded, trace
 from ..inputs import GearsInputs
 from ..limits import EXTREME
 from ..result import MeshResult, TrainResult
@@ -22,10 +22,20 @@ from . import mesh_strength as nominal
 from . import stress as s
 from .checks import checks
 from .influence import influence
-from .load import REFERENCE_NU, Power, RatingContext, RatingLoad, Surroundings, loads, mean_torques, rating_context
+from .load import (
+    REFERENCE_NU,
+    UNEVEN,
+    Power,
+    RatingContext,
+    RatingLoad,
+    Surroundings,
+    loads,
+    mean_torques,
+    rating_context,
+)
 from .mesh_strength import MeshLoad, mesh_strength
 from .notes import notes
-from .result import MeshRating, RatingResult, WheelStrength
+from .result import Influence, MeshRating, MeshStrength, RatingResult, WheelStrength
 from .screening.scuffing import screening
 from .strength import contacts_per_turn, load_cycles, loading_of, rim_of
 
@@ -61,6 +71,7 @@ def rating(
     result = RatingResult(meshes=rated)
     finite(result, "gears", EXTREME)
     strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
+    uneven = _if_uneven(context, rated, load)
     influences = {key: mesh_rating.influence for key, mesh_rating in rated.items() if mesh_rating.influence is not None}
 
     def tables() -> Iterator[Table]:
@@ -73,13 +84,25 @@ def rating(
     return Outcome(
         "gears",
         result=result,
-        checks=tuple(checks(context, rated, load)),
+        checks=tuple(checks(context, rated, load, uneven)),
         lines=tuple(lines),
         curves=Later(lambda: curves.curves(rated)),
         tables=Later(tables),
         errata=Later(lambda: source_sheet.errata(train, rated)),
         notes=Later(lambda: notes(context, rated, load)),
     )
+
+
+def _if_uneven(
+    context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping[str, RatingLoad]
+) -> dict[str, MeshStrength]:
+    """The strengths at the application factor of the worst irregularity; none where it is not assumed."""
+    with recorded(False):
+        return {
+            key: _strength(context, context.train.meshes[key], UNEVEN, rating, rating.strength.sides)[3]
+            for key, rating in rated.items()
+            if load[key].assumed and rating.strength is not None
+        }
 
 
 # --- one mesh
@@ -141,50 +164,14 @@ def _loaded(
 ) -> MeshRating:
     """The same with load factors, strength and screening: of a mesh that carries something, whose wheels have a
     strength class."""
-    gears, train, system = context.gears, context.train, context.train.system
-    driver, driven = mesh.driver, mesh.driven
-    given = next(m for m in gears.meshes if (m.driver, m.driven) == (driver, driven))
-    K = influence(
-        system,
-        mesh,
-        context.bodies[driver],
-        context.bodies[driven],
-        F_t=rating.tangential_force,
-        K_A=load.K_A,
-        grade=gears.accuracy_grade,
-        f_sh=given.shaft_deflection or 0.0,
-        f_ma=given.mesh_misalignment,
-        C_a=gears.tip_relief,
-        Z_eps=rating.contact_ratio_factor,
-    )
-    with about(Text("mesh {pair}", pair=mesh.title)):
-        K_H = contact_load_factor(load.K_A, K.dynamic_factor, K.face_load_factor_flank, K.transverse_load_factor_flank)
-        K_F = root_load_factor(load.K_A, K.dynamic_factor, K.face_load_factor_root, K.transverse_load_factor_root)
-        eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
-    strength = mesh_strength(
-        _side(context, driver, roots[driver], load),
-        _side(context, driven, roots[driven], load),
-        MeshLoad(
-            rating.contact_stress,
-            K_H,
-            K_F,
-            mesh.working_pressure_angle,
-            mesh.transverse_contact_ratio,
-            eps_alphan,
-            mesh.overlap_ratio,
-            system.m_n,
-            K.pitch_line_velocity,
-            REFERENCE_NU if context.nu_40 is None else context.nu_40,
-            context.flank_rz,
-            gears.root_rz,
-            gears.accuracy_grade,
-        ),
-    )
+    gears, train, driver, driven = context.gears, context.train, mesh.driver, mesh.driven
+    sides = _side(context, driver, roots[driver], load), _side(context, driven, roots[driven], load)
+    K, K_H, K_F, strength = _strength(context, mesh, load.K_A, rating, sides)
     screened = None
     if context.oil is not None:
         mates = max(sum(name in (m.driver, m.driven) for m in gears.meshes) for name in (driver, driven))
         screened = screening(
-            system,
+            train.system,
             mesh,
             train.wheels[driver],
             train.wheels[driven],
@@ -204,6 +191,51 @@ def _loaded(
     return replace(
         rating, influence=K, contact_load_factor=K_H, root_load_factor=K_F, strength=strength, screening=screened
     )
+
+
+def _strength(
+    context: RatingContext,
+    mesh: MeshResult,
+    K_A: Number,
+    rating: MeshRating,
+    sides: tuple[WheelStrength, WheelStrength],
+) -> tuple[Influence, Number, Number, MeshStrength]:
+    """Influence factors, K_H, K_F and strength of a mesh by its nominal stresses and an application factor."""
+    gears, system = context.gears, context.train.system
+    given = next(m for m in gears.meshes if (m.driver, m.driven) == (mesh.driver, mesh.driven))
+    K = influence(
+        system,
+        mesh,
+        context.bodies[mesh.driver],
+        context.bodies[mesh.driven],
+        F_t=rating.tangential_force,
+        K_A=K_A,
+        grade=gears.accuracy_grade,
+        f_sh=given.shaft_deflection or 0.0,
+        f_ma=given.mesh_misalignment,
+        C_a=gears.tip_relief,
+        Z_eps=rating.contact_ratio_factor,
+    )
+    with about(Text("mesh {pair}", pair=mesh.title)):
+        K_H = contact_load_factor(K_A, K.dynamic_factor, K.face_load_factor_flank, K.transverse_load_factor_flank)
+        K_F = root_load_factor(K_A, K.dynamic_factor, K.face_load_factor_root, K.transverse_load_factor_root)
+        eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
+    load = MeshLoad(
+        rating.contact_stress,
+        K_H,
+        K_F,
+        mesh.working_pressure_angle,
+        mesh.transverse_contact_ratio,
+        eps_alphan,
+        mesh.overlap_ratio,
+        system.m_n,
+        K.pitch_line_velocity,
+        REFERENCE_NU if context.nu_40 is None else context.nu_40,
+        context.flank_rz,
+        gears.root_rz,
+        gears.accuracy_grade,
+    )
+    return K, K_H, K_F, mesh_strength(*sides, load)
 
 
 def _side(context: RatingContext, name: str, root: nominal.Root, load: RatingLoad) -> WheelStrength:

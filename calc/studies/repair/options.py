@@ -14,6 +14,8 @@ from itertools import islice
 from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingResult
 from ...bearings.selection.variants import closer_fits, variants
+from ...countershaft.checks import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
+from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.result import CountershaftResult
 from ...design.addresses import quantity_of, value_at
 from ...design.locks import USUAL, locked
@@ -233,7 +235,7 @@ def _filled(state: RepairState, keys: list[str], tried: list[Changes]) -> LeverP
     return LeverPlan(tuple(keys), tuple(moved), tuple(sets[:SETS])) if moved or sets else None
 
 
-UNBALANCED = ("countershaft.residual", "countershaft.residual_force", "countershaft.holes.range")
+UNBALANCED = (RESIDUAL, RESIDUAL_FORCE, RESIDUAL_SHARE, RESIDUAL_FORCE_SHARE, HOLES_RANGE)
 
 
 def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
@@ -241,7 +243,7 @@ def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     weak = tuple(c for c in group if ".safety_contact" in c.id or ".safety_bending" in c.id)
     sets = list(sizing.stronger(state, sizing.wheels(state, weak))) if weak else []
     shaft = state.design.countershaft
-    if shaft is not None and shaft.mode == "given" and any(c.id in UNBALANCED for c in group):
+    if shaft is not None and shaft.mode == "given" and any(c.rule in UNBALANCED for c in group):
         try:
             sets += sizing.balanced(state, shaft)
         except NoSolution:
@@ -412,6 +414,9 @@ def search(
         yield from _given(state, group)
         if group[0].holds:  # by what is taken: no other number makes it known
             return
+    if group and group[0].rule.of_input:
+        yield from _meant(state, group)
+        return
     every = plans(state, step, group) if group else []
     yield from (_locked(state, plan, group) for plan in every if plan.reason)
     free = [plan for plan in every if not plan.reason]
@@ -468,6 +473,19 @@ def _as_given(
         except BadInput:
             continue
         yield repair_option(state, after, changes, group, kind)
+
+
+def _meant(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOption]:
+    """Of an input that is doubted: what was probably meant, and nothing that only just gets by."""
+    for way in group[0].remedies:
+        changes = dict(way.changes)
+        if any(locked(state.document.data, key) for key in changes):
+            continue
+        try:
+            after = state.with_changes(changes)
+        except BadInput:
+            continue
+        yield repair_option(state, after, changes, group, Text("what was probably meant"))
 
 
 def _usual(state: RepairState, key: str, about: Quantity) -> tuple[float | int | str, ...]:

@@ -11,12 +11,14 @@ from dataclasses import replace
 
 from ...bearings.inputs import BearingInputs, BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
+from ...countershaft.checks import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.inputs import CountershaftInputs, EccentricMass
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
+from ...design.addresses import PLACES
 from ...design.locks import locked
 from ...design.model import Design
-from ...design.names import PLACES, named
+from ...design.names import named
 from ...design.step_inputs import bearings_case
 from ...engine.result import EngineResult
 from ...gears.inputs import GearsInputs, wheel_key
@@ -110,7 +112,7 @@ def balance(state: RepairState, failing: tuple[Check, ...], progress: Progress |
 
 
 def _out_of_reach(failing: tuple[Check, ...], todo: ShaftTask) -> bool:
-    words = {"countershaft.residual": "couple", "countershaft.residual_force": "force"}
+    words = {RESIDUAL.id: "couple", RESIDUAL_FORCE.id: "force"}
     return any(words.get(c.id) in todo.out_of_reach for c in failing)
 
 

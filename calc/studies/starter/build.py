@@ -22,6 +22,7 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre
 from ...sheet.value import recorded
 from ...solve import Results, solve
+from ..ready import APART, CRANK_ALONE, NO_PLAIN, NONE, NOTHING, ROLLING
 from . import balancing as which
 from . import shaft, train
 from .writing import Rows, Section, head, mm, table, up, written
@@ -100,20 +101,8 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
 
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
-ROLLING = (
-    "rolling bearings carry the shaft: a plain journal of usual length would run too hot at this load and speed "
-    "(heat index)"
-)
-NO_PLAIN = (
-    "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their "
-    "tolerances"
-)
-APART = "not designed here for shafts that do not turn at -1 times crank speed"
-NONE = "no shaft: what shakes is left to the mounts"
-NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
 LEFT = "left to the mounts by the balancing that was chosen"
 TAKEN = "the pair of shafts at crank speed takes it"
-CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
 
 
 def built(document: Document, step: str, balancing: str = "") -> Document:

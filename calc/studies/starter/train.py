@@ -16,9 +16,12 @@ from ...friction.inputs import FrictionInputs, RollingBearing
 from ...friction.result import FrictionResult
 from ...gears import formulas as g
 from ...gears.inputs import GearsInputs, Mesh
+from ...gears.rating.load import usual_application_factor
+from ...gears.result import TrainResult
 from ...gears.wheel_inputs import Wheel
-from ...sheet.check import URGENT
+from ...sheet.check import THIN_MARGIN, URGENT
 from ...sheet.errors import BadInput, NoSolution
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Radian
@@ -35,9 +38,12 @@ WHEELS = ((25, 36, 39), (25, 31, 33), (21, 31, 34), (21, 26, 29), (20, 23, 27))
 FACES = (7.5, 6.0)  # modules
 FLANKS = (0.8, 0.4, 0.3, 0.2)  # Ra in µm: ground, finely ground, and then polished
 BORE = 0.6  # of the reference diameter
-ALLOWANCE = [-30, -40]  # µm
+ALLOWANCE = (-30, -40)  # µm: at least
+THINNER = 5  # µm: the steps in which teeth get thinner
+GRADE = 7
 TOLERANCE = 40  # µm
 HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
+APPLICATION_FACTOR = dotted("gears", GearsInputs.application_factor)
 MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
 OF_FLANKS = (".scuffing", ".micropitting", ".models", ".lambda")  # checks that finer flanks help
 TRAIN = Text("a train to begin with")
@@ -95,6 +101,7 @@ def gears_and_friction(document: Document, results: Results) -> list[Section]:
 
 def _passing(document: Document, results: Results) -> tuple[list[Section], list[Section]]:
     why: list[Text] = []
+    evenly: tuple[Train, list[Section]] | None = None  # the first that passes with an engine that turns evenly
     power = None if "bearings" in document.data else MUCH
     known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
     for train in _trains(results.design):
@@ -110,30 +117,56 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
             if not stopping and all(outcome.state == "solved" for outcome in outcomes if outcome.state != "not_asked"):
                 return wheels, losses
             why += [Text("{check}", check=c.name) for c in stopping[:1]]
+            if evenly is None and all(APPLICATION_FACTOR in c.missing and c.holds for c in stopping):
+                evenly = train, losses
             if not all(c.id.endswith(OF_FLANKS) for c in stopping):
                 break  # finer flanks do not help
+    if evenly is not None:
+        train, losses = evenly
+        return _loaded(document, results, train, losses, power, evenly=True)[0], losses
     raise NoSolution(
         TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]")
     )
 
 
 def _loaded(
-    document: Document, results: Results, train: Train, losses: list[Section], power: float | None
+    document: Document,
+    results: Results,
+    train: Train,
+    losses: list[Section],
+    power: float | None,
+    evenly: bool = False,
 ) -> tuple[list[Section], float | None, Results]:
     """The tables of a train, its power in kW, and the whole with it.
 
     `power`: None where plain bearings close the balance; else what is tried first, and then changed to what is lost.
-    """
-    solved_design = results.design
-    for _ in range(1 if power is None else 3):
-        wheels = _gears(solved_design, train, power)
+    `evenly`: whether a flywheel is assumed that lets the engine turn evenly."""
+    solved_design, allowance = results.design, ALLOWANCE
+    for _ in range(3):
+        wheels = _gears(solved_design, train, power, allowance, evenly)
         results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
         balance = results.result(FrictionResult)
         delivered = balance.delivered_power if balance is not None else None
-        if power is None or delivered is None or 0 < delivered < 2 * LEFT:
+        less = _too_tight(results)
+        allowance = (allowance[0] - less, allowance[1] - less)
+        if power is not None and delivered is not None and not 0 < delivered < 2 * LEFT:
+            power = round(up(power - delivered / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
+        elif less == 0:
             break
-        power = round(up(power - delivered / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
     return wheels, power, results
+
+
+def _too_tight(results: Results) -> int:
+    """What has to come off the span of every wheel, in µm, so that no mesh is narrow at any state that is judged."""
+    train = results.result(TrainResult)
+    if train is None or train.play is None:
+        return 0
+    missing = 0.0
+    for play in train.play.values():
+        still_and_cold = play.backlash_min_runout, play.backlash_cold, play.backlash_warming
+        least = min(*still_and_cold, play.backlash_running, play.backlash_warmer)
+        missing = max(missing, THIN_MARGIN * play.backlash_recommended - least)
+    return round(up(missing * 1e6 / 2, THINNER))
 
 
 def _trains(design: Design) -> Iterator[Train]:
@@ -164,7 +197,9 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
     return crank, central, idler
 
 
-def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
+def _gears(
+    design: Design, train: Train, power: float | None, allowance: tuple[int, int], evenly: bool
+) -> list[Section]:
     crank, central, idler = train.teeth
     usual, module = (
         "assumed: fewer, below the main resonance of the teeth",
@@ -180,8 +215,13 @@ def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
         GearsInputs.face_width: (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
         GearsInputs.tool_addendum: (1.41, "assumed: the tool of the R753IE4"),
         GearsInputs.tool_tip_radius: (0.2, "assumed"),
+        GearsInputs.accuracy_grade: (GRADE, "assumed: shaved or ground; the runout of the teeth goes with it"),
         GearsInputs.housing_material: (housing, "assumed: the block, as of the bearings"),
     }
+    if evenly:
+        with untraced():
+            K_A = usual_application_factor()
+        rows[GearsInputs.application_factor] = (K_A, "assumed: a flywheel that lets the engine turn evenly")
     if power is not None:
         assumed = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
         rows[GearsInputs.power] = (power, assumed)
@@ -193,8 +233,8 @@ def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
         ("shaft", crank, "as many as on the crank: ratio −1 by three meshes", ""),
     )
     for name, teeth, why, bored in wheels:
-        free = "assumed: teeth shaved or ground, and free when the wheels are warmer"
-        wheel: Rows = {Wheel.name: (name, ""), Wheel.teeth: (teeth, why), Wheel.span_allowance: (ALLOWANCE, free)}
+        free = "assumed: free with the runout, cold, warm, and when the wheels are warmer"
+        wheel: Rows = {Wheel.name: (name, ""), Wheel.teeth: (teeth, why), Wheel.span_allowance: (allowance, free)}
         if bored:
             diameter = float(round(BORE * teeth * train.module * 1e3 / math.cos(HELIX)))
             wheel[Wheel.bore_diameter] = (diameter, bored)

@@ -53,9 +53,9 @@ def test_both_faults_of_a_shaft_are_told():
 
 
 def test_of_a_shaft_at_twice_crank_speed_a_second_one_takes_the_rest():
-    check = found(outcome("r754ie4_balance_shafts", pair="no"), "residual_force")
+    check = found(outcome("r754ie4_balance_shafts", pair="no"), "residual_force_share")
     assert "turn against the shaft" in check.advice and "pair" in check.advice
-    assert "turn against" not in found(outcome("r754ie4_balance_shafts"), "residual_force").advice
+    assert "turn against" not in found(outcome("r754ie4_balance_shafts"), "residual_force_share").advice
 
 
 def test_a_shaft_where_nothing_is_to_be_balanced_is_judged_by_one_cylinder():
@@ -66,8 +66,11 @@ def test_a_shaft_where_nothing_is_to_be_balanced_is_judged_by_one_cylinder():
 
 def test_second_order_is_a_matter_of_comfort():
     made = outcome("r754ie4_balance_shafts")
-    assert found(made, "residual").kind == found(made, "residual_force").kind == "advice"
-    assert found(made, "residual_force").verdict == "note" and found(made, "residual").verdict != "fail"
+    couple, force = found(made, "residual_share"), found(made, "residual_force_share")
+    assert (couple.kind, couple.verdict, force.kind, force.verdict) == ("advice", "pass", "advice", "note")
+    assert force.value_id == "countershaft.residual_order_2_force"
+    assert not {"residual", "residual_force"} & verdicts(made).keys()
+    assert made.verdict == "not_judged" and str(made.words()) == "NOT JUDGED: 2 cautions"
 
 
 def test_a_shaft_that_makes_the_second_order_worse_fails():
@@ -78,6 +81,7 @@ def test_a_shaft_that_makes_the_second_order_worse_fails():
     assert (
         check.kind == "limit"
         and check.verdict == "fail"
+        and check.value_id == "countershaft.residual_order_2_force"
         and check.value == pytest.approx(10617.73 + 4 * 2134.0647, abs=0.05)
     )
 
@@ -92,7 +96,7 @@ def test_a_force_is_judged_by_one_cylinder():
 # --- slopes
 @pytest.mark.parametrize(
     "slopes, front, rear",
-    [([0.25], "warn", "warn"), ([0.2, 0.26], "pass", "fail"), ([0.26, 0.23], "fail", "pass"), ([0.24], "warn", "warn")],
+    [([0.25], "pass", "pass"), ([0.2, 0.26], "pass", "warn"), ([0.26, 0.23], "warn", "pass"), ([0.24], "pass", "pass")],
 )
 def test_given_slopes_against_a_quarter_of_a_milliradian(gamma, slopes, front, rear):
     document = gamma.with_value("countershaft.core_radius_mm", None).with_value("bearings.slope_mrad", slopes)
@@ -107,7 +111,7 @@ def test_a_thin_core_bends_too_far():
     )
     assert (
         verdicts(thick)["slope_rear"] == "pass"
-        and verdicts(thin)["slope_rear"] == verdicts(thin)["slope_front"] == "fail"
+        and verdicts(thin)["slope_rear"] == verdicts(thin)["slope_front"] == "warn"
     )
     assert verdicts(thin)["first_critical_speed"] == "pass"
     assert found(thin, "slope_rear").value == pytest.approx(thin.result.slope_rear * 1e3)
@@ -126,7 +130,7 @@ def test_what_must_go_through_the_seat(R, verdict):
 
 def test_the_clearance_is_the_designers():
     """Without one the sectors must just go through."""
-    for R, verdict in ((43.0, "pass"), (43.2, "warn"), (43.21, "fail")):
+    for R, verdict in ((43.0, "pass"), (43.2, "pass"), (43.21, "fail")):
         assert verdicts(outcome(**{**SIZE, "outer_radius_mm": R}, journals=SEATS))["envelope"] == verdict
     assert verdicts(outcome(**SIZE, journals=SEATS, radial_clearance_mm=0.1))["envelope"] == "pass"
     assert verdicts(outcome(**SIZE, journals=SEATS, radial_clearance_mm=0.3))["envelope"] == "fail"
@@ -162,7 +166,7 @@ def test_the_widest_sector_must_go_through(front, rear, room):
     assert found(made, "envelope").value == pytest.approx(room)
 
 
-@pytest.mark.parametrize("half_length, verdict", [(150.0, "pass"), (153.0, "warn"), (153.5, "fail"), (160.0, "fail")])
+@pytest.mark.parametrize("half_length, verdict", [(150.0, "pass"), (153.0, "pass"), (153.5, "fail"), (160.0, "fail")])
 def test_the_sectors_end_where_the_journals_begin(half_length, verdict):
     """The nearer face is that of the rear journal: 167.5 − 29/2 = 153 mm.  Beyond it nothing is drawn, and it is judged
     all the same."""

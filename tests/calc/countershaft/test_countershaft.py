@@ -72,7 +72,7 @@ def test_the_slopes_that_are_given_are_judged_where_the_outline_is_not_known(gam
     assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_front"] == "pass"
     assert outcome.result.mass is None and any("core_radius_mm" in note for note in outcome.notes)
     outcome = shaft(bare.with_value("bearings.slope_mrad", 0.3))
-    assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_rear"] == "fail"
+    assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_rear"] == "warn"
 
 
 def test_the_figure_of_the_loaded_shaft_says_what_the_tables_say(gamma):

@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from calc.design.toml_file import load
+from calc.design.toml_file import design, load
 from calc.draw.drawing import Arc, Polyline
 from calc.gears.sketch import sketch
 from calc.solve import solve
@@ -41,15 +41,18 @@ def test_a_mesh_without_room_is_marked_at_its_place(gamma, gamma_results):
     assert any(str(note) == "wheels in a row" for note in train.notes)
 
 
-def test_teeth_that_fail_are_drawn_with_the_least_backlash(gamma_results):
-    """Below zero: drawn as teeth that run into each other, exaggerated by as much as makes 15 µm nearly 0.3 modules of
+def test_teeth_that_fail_are_drawn_with_the_least_backlash(gamma):
+    """Below zero: drawn as teeth that run into each other, exaggerated by as much as makes 28 µm nearly 0.3 modules of
     2 mm."""
-    mesh = gamma_results.outcomes["gears"].result.meshes["central_idler"]
-    assert mesh.backlash_min == pytest.approx(-14.65e-6, abs=1e-7) and mesh.backlash_nominal == pytest.approx(
-        36e-6, abs=1e-7
-    )
-    notes = [str(note) for note in sketch(gamma_results.design, gamma_results).notes]
-    assert "gap × 30" in notes  # with the 36 µm in the middle of the tolerances it would be 15
+    for wheel in ("central", "idler"):
+        gamma = gamma.with_value(f"gears.wheels.{wheel}.runout_um", 20.0)
+    results = solve(design(gamma))
+    train = results.outcomes["gears"].result
+    assert train.meshes["central_idler"].backlash_min == pytest.approx(-14.65e-6, abs=1e-7)
+    assert train.meshes["central_idler"].backlash_nominal == pytest.approx(36e-6, abs=1e-7)
+    assert train.play["central_idler"].backlash_min_runout == pytest.approx(-27.94e-6, abs=1e-8)
+    notes = [str(note) for note in sketch(results.design, results).notes]
+    assert "gap × 20" in notes  # without the runout it would be 30, in the middle of the tolerances 15
 
 
 def test_wheels_with_places_stand_within_their_walls():

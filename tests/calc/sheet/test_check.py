@@ -47,6 +47,7 @@ def test_a_margin_is_the_gap_over_its_scale(value, sense, limit, unit, scale, ma
         (20.8, ">=", 0.0, "µm", 100.0, "+20.8 µm"),
         (-8.7, ">=", 0.0, "µm", 100.0, "−8.7 µm"),
         (116.5, "<=", 135.0, "°C", None, "+18.5 K"),
+        (2871.4, ">", 0.0, "W", 3000.0, "+2871 W"),
         (0.5, "in", (0.0, 1.0), "", None, "+50 %"),
         (math.nan, ">=", 1.0, "", None, "no number"),
     ],

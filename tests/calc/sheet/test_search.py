@@ -6,7 +6,6 @@ import math
 import numpy as np
 import pytest
 
-from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, inputs, quantity, table, text
 from calc.sheet.remedy import applied, assignments, digits, whole
 from calc.sheet.search import (
@@ -26,7 +25,8 @@ from calc.sheet.search import (
     rounded,
     stretch,
 )
-from calc.sheet.text import EMPTY, Small, Text
+from calc.sheet.text import Small, Text
+from tests.made_checks import made_check
 
 
 # --- candidates
@@ -64,7 +64,7 @@ def test_a_limit_on_an_array_is_a_check_on_each(sense, limit):
     values = np.array([-1.0, 0.0, 1.0, 1.9, 2.0, 2.5, 4.0])
     margins = judged("rule", values, limit, sense).margin
     for value, margin in zip(values, margins):
-        one = Check("gears.x", Text("x"), float(value), limit, sense, "", EMPTY)
+        one = made_check(float(value), sense, limit, zero_scale=1.0)
         assert margin == pytest.approx(one.margin)
     assert judged("rule", np.array([math.nan]), limit, sense).margin[0] == -math.inf
     assert judged("rule", np.array([2.0 - 1e-12]), 2.0).margin[0] == 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far a design is: the state of its steps, what decides them, and whether it is ready."""
+"""How far a design is: the state of its steps, what decides them, whether it is ready, and what it leaves to shake."""
 
 from dataclasses import replace
 
@@ -7,10 +7,18 @@ import pytest
 
 from calc.design.addresses import Table
 from calc.design.toml_file import Document, design, read
+from calc.sheet.check import Check
 from calc.solve import Results, solve
-from calc.studies.headlines import headline, main_numbers
-from calc.studies.ready import readiness, ready, tally
+from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
+from calc.studies.ready import NO_PLAIN, OF_PROGRAM, Readiness, limits_hold, readiness, whole
 from calc.studies.shipped import DESIGNS, EXAMPLE
+from calc.studies.starter import build
+from tests.made_checks import made_check
+
+HOLDS, FAILS, NARROW = (made_check(value, id="gears.a") for value in (2.0, 0.5, 1.01))
+UNKNOWN = made_check(2.0, id="gears.b", missing=("gears.x",), at_best=2.0, at_worst="none")
+CAUTION = made_check(0.5, id="gears.c", kind="caution")
+SELF = made_check(2.0, id="gears.d", rule_of={"role": "self"})
 
 
 @pytest.fixture(scope="module")
@@ -19,86 +27,132 @@ def gamma() -> tuple[Document, Results]:
     return document, solve(design(document))
 
 
+@pytest.fixture(scope="module")
+def pair() -> Results:
+    """A pair of gears on its own."""
+    return solve(design(read(DESIGNS / "timing_pair.toml").with_value("friction", None)))
+
+
 def words(data: Table, results: Results | None, wrong: tuple[str, ...] = ()) -> dict[str, tuple[str, str]]:
     return {one.key: (one.state, str(one.words)) for one in readiness(data, results, wrong)}
 
 
-def test_each_step_says_how_far_it_is(gamma: tuple[Document, Results]) -> None:
-    """A finding of one cause counts once, as its worst; an input that is not understood goes before all."""
+def of(results: Results, *checks: Check, wrong: tuple[str, ...] = ()) -> Readiness:
+    """How ready a pair of gears with these checks is."""
+    made = replace(results, outcomes={**results.outcomes, "gears": replace(results.outcomes["gears"], checks=checks)})
+    return whole(readiness({"schema": 1, "gears": {}}, made, wrong), made)
+
+
+def test_each_step_says_its_state_in_the_words_of_its_verdict(gamma: tuple[Document, Results]) -> None:
+    """An input that is not understood goes before all."""
     document, results = gamma
-    found = words(document.data, results, ("engine.bore_mm", "engine.stroke_mm"))
-    assert found == {
-        "engine": ("needs", "needs 2 inputs"),
-        "imbalance": ("ready", "ready"),
-        "countershaft": ("warn", "2 cautions"),
-        "bearings": ("fail", "3 limits fail"),
-        "gears": ("fail", "2 limits fail"),
-        "friction": ("ready", "ready"),
-        "mounting": ("not_asked", "not used"),
-    }
-    assert [str(text) for _, text in tally(readiness(document.data, results), results).words] == [
-        "5 limits fail",
-        "3 cautions",
-        "ready 3 of 6",
-    ]
+    told = words(document.data, results, ("engine.bore_mm", "engine.stroke_mm"))
+    assert told.pop("engine") == ("needs", "needs 2 inputs") and told.pop("mounting") == ("not_asked", "not used")
+    assert told == {key: (results.outcomes[key].verdict, results.outcomes[key].words()) for key in told}
+    assert words(document.data, results)["engine"] == ("computed", "COMPUTED")
+    assert told["bearings"][1].startswith("FAIL: ") and told["gears"][0] == "fail"
+    assert str(whole(readiness(document.data, results), results).words) == "2 steps left"
 
 
 def test_what_is_missing_is_to_do_unless_it_is_left_out_or_never_wanted() -> None:
-    engine_only = {"engine": {}, "without": {"gears": "the pump's idler drives it"}}
-    found = words(engine_only, None)
-    assert found["engine"] == ("waits", "solving …") and found["bearings"] == ("todo", "to do")
-    assert found["gears"] == ("not_asked", "left out: the pump's idler drives it")
+    engine_only = {"engine": {}, "without": {"gears": "the pump's idler drives it", "bearings": NO_PLAIN}}
+    told = words(engine_only, None)
+    assert told["engine"] == ("waits", "solving …") and told["friction"] == ("todo", "to do")
+    assert told["gears"] == ("not_asked", "left out: the pump's idler drives it")
+    assert told["bearings"] == ("not_asked", f"left out by the program: {NO_PLAIN}")
     assert words({"gears": {}}, None)["bearings"] == ("not_asked", "not used")  # a pair of gears on its own
 
 
-def test_a_design_is_ready_when_nothing_is_open(gamma: tuple[Document, Results]) -> None:
-    """A pair of gears whose findings hold, or are accepted, wants no other step."""
-    _, results = gamma
-    data = {"schema": 1, "gears": {}}
-    holds = tuple(check for check in results.outcomes["gears"].checks if check.verdict == "pass")
-    fails = next(check for check in results.outcomes["gears"].checks if check.verdict == "fail")
-    caution = replace(fails, kind="caution")
-    for checks, expected in (
-        (holds, True),
-        ((*holds, caution), False),
-        ((*holds, replace(caution, accepted="agreed")), True),
-        ((fails,), False),
-    ):
-        of_pair = Results(results.design, {"gears": replace(results.outcomes["gears"], checks=checks)})
-        assert ready(readiness(data, of_pair)) is expected
+@pytest.mark.parametrize(
+    ("checks", "ready", "state", "told"),
+    [
+        ((HOLDS,), True, "pass", "1 limit holds"),
+        ((HOLDS, replace(CAUTION, accepted="agreed")), True, "pass", "PASS: 1 accepted; 1 limit holds"),
+        ((HOLDS, CAUTION), True, "warn", "WARN: 1 caution; 1 limit holds"),
+        ((NARROW, HOLDS), True, "warn", "WARN: 1 narrow; 2 limits hold"),
+        ((HOLDS, UNKNOWN), False, "todo", "1 step left"),
+        ((HOLDS, FAILS), False, "todo", "1 step left"),
+        ((CAUTION,), False, "not_judged", "NOT JUDGED: 1 caution"),
+        ((SELF,), False, "not_judged", "NOT JUDGED"),
+        ((), False, "not_judged", "NOT JUDGED"),
+    ],
+)
+def test_a_design_is_ready_where_its_limits_were_judged_and_hold(
+    pair: Results, checks: tuple[Check, ...], ready: bool, state: str, told: str
+) -> None:
+    """A pair of gears wants no other step, and says which were not used."""
+    answer = of(pair, *checks)
+    unused = "; not used: engine, imbalance, counter-shaft, bearings, friction, mounting" if ready else ""
+    assert (answer.ready, answer.state, str(answer.words)) == (ready, state, told + unused)
 
 
-def test_a_caution_that_can_not_be_judged_is_a_caution_and_decides_nothing(gamma: tuple[Document, Results]) -> None:
+def test_a_mistake_outside_the_steps_keeps_a_design_from_being_ready(pair: Results) -> None:
+    assert of(pair, HOLDS).ready and not of(pair, HOLDS, wrong=("measured.0.value",)).ready
+    assert words({"gears": {}}, pair, ("measured.0.value", "name"))["engine"] == ("needs", "needs 2 inputs")
+
+
+@pytest.mark.parametrize("step", ["engine", "gears", "friction"])
+def test_nothing_is_ready_while_a_step_is_to_do_or_waits(gamma: tuple[Document, Results], step: str) -> None:
+    """Whatever the others say."""
+    document, results = gamma
+    passing = {key: replace(o, checks=(HOLDS,)) for key, o in results.outcomes.items()}
+    holds = replace(results, outcomes=passing)
+    assert whole(readiness(document.data, holds), holds).ready
+    gone = {key: table for key, table in document.data.items() if key != step}
+    blocked = replace(results, outcomes={**passing, step: replace(passing[step], state="blocked", result=None)})
+    for data, outcome in ((gone, holds), (document.data, blocked)):
+        if "engine" in data:
+            assert str(whole(readiness(data, outcome), outcome).words) == "1 step left"
+
+
+def test_what_the_program_left_out_is_not_ready_until_a_person_leaves_it_out(gamma: tuple[Document, Results]) -> None:
+    document, results = gamma
+    data = {key: table for key, table in document.data.items() if key != "friction"}
+    passing = {key: replace(o, checks=(HOLDS,)) for key, o in results.outcomes.items() if key != "friction"}
+    for reason, told in ((NO_PLAIN, "left out by the program: friction"), ("the pump's", "6 limits hold")):
+        left = replace(results.design, friction=None, without=(("friction", reason),))
+        answer = Results(left, passing)
+        ready = whole(readiness({**data, "without": {"friction": reason}}, answer), answer)
+        assert ready.ready is (reason != NO_PLAIN) and ready.words.startswith(told)
+    assert str(limits_hold(answer)) == "6 limits hold; left out by you: friction; not used: mounting"
+    constants = [value for name, value in vars(build).items() if name.isupper() and value in OF_PROGRAM]
+    assert sorted(constants) == sorted(OF_PROGRAM)
+
+
+def test_a_caution_that_can_not_be_judged_decides_nothing(gamma: tuple[Document, Results]) -> None:
     _, results = gamma
-    fails = next(check for check in results.outcomes["bearings"].checks if check.verdict == "fail")
-    limit = replace(fails, missing=("bearings.housing_material",))
-    caution = replace(limit, kind="caution")
-    for check, state in ((limit, "not_verified"), (caution, "warn")):
-        alone = Results(
-            results.design, {**results.outcomes, "bearings": replace(results.outcomes["bearings"], checks=(check,))}
-        )
-        assert words({"schema": 1, "bearings": {}}, alone)["bearings"][0] == state
-    wide = replace(fails, value=10 * fails.nearest[1], id="bearings.front.film_edge")
-    both = replace(results.outcomes["bearings"], checks=(replace(caution, cause="a", id="bearings.front.heat"), wide))
-    told = headline(Results(results.design, {**results.outcomes, "bearings": both}), "bearings")
+    wide = made_check(9.0, id="bearings.front.film", rule_of={"decides": True})
+    caution = made_check(0.5, id="bearings.front.heat", kind="caution", missing=("a",), at_best=2.0, at_worst=0.1)
+    both = replace(results.outcomes["bearings"], checks=(caution, wide))
+    told = headline(replace(results, outcomes={**results.outcomes, "bearings": both}), "bearings")
     assert told is not None and told.check is wide
 
 
-def test_a_mistake_outside_the_steps_keeps_a_design_from_being_ready(gamma: tuple[Document, Results]) -> None:
-    _, results = gamma
-    data = {"schema": 1, "gears": {}}
-    pair = Results(results.design, {"gears": replace(results.outcomes["gears"], checks=())})
-    assert ready(readiness(data, pair)) and not ready(readiness(data, pair, ("measured.0.value",)))
-    assert words(data, pair, ("measured.0.value", "name"))["engine"] == ("needs", "needs 2 inputs")
-
-
-def test_a_step_without_a_solution_fails_in_the_count_of_the_whole(gamma: tuple[Document, Results]) -> None:
+def test_a_step_without_a_solution_is_left(gamma: tuple[Document, Results]) -> None:
     document, results = gamma
     lost = replace(results.outcomes["bearings"], state="no_solution", result=None, checks=())
-    without = Results(results.design, {**results.outcomes, "bearings": lost})
-    states = readiness(document.data, without)
-    assert tally(states, without).fail == 3 and words(document.data, without)["bearings"] == ("fail", "no solution")
-    assert headline(without, "bearings") is None
+    without = replace(results, outcomes={**results.outcomes, "bearings": lost})
+    assert words(document.data, without)["bearings"] == ("no_solution", "NO SOLUTION")
+    assert not whole(readiness(document.data, without), without).ready and headline(without, "bearings") is None
+
+
+def test_what_stays_to_shake_is_told_in_numbers(gamma: tuple[Document, Results], pair: Results) -> None:
+    _, results = gamma
+    told = [(step, str(text)) for step, text in remaining(results)]
+    assert ("imbalance", "of order 2 stay 387 N·m") in told
+    assert ("imbalance", "Couple that pulley and flywheel must supply: 828 N·m") in told
+    assert [text for step, text in told if step == "countershaft" and text.endswith("N·m")] == [
+        "of order 1 the shaft leaves 0.0105 N·m"
+    ]
+    assert not any("of order 1 stay" in text for _, text in told) and not list(remaining(pair))
+
+
+def test_the_closest_limit_is_one_of_physics_or_a_dash(pair: Results) -> None:
+    def told(*checks: Check) -> str:
+        outcomes = {**pair.outcomes, "gears": replace(pair.outcomes["gears"], checks=checks)}
+        return str(closest_limit(replace(pair, outcomes=outcomes)))
+
+    assert told(HOLDS, SELF, CAUTION) == "A check, +100 %" and told(SELF, CAUTION, UNKNOWN) == "–"
 
 
 def test_the_value_that_decides_is_said_with_its_limit(gamma: tuple[Document, Results]) -> None:

@@ -89,7 +89,7 @@ def test_the_next_size_up_is_not_taken():
     """A clamp of 23 mm would open over 24.6 mm, but it is not closed on 22.5 mm."""
     r = drain.solve(asked(22.5, 24.6))
     assert r.clamp_nominal is r.clamp_opening is r.clamp_margin is r.clamp_opening_din3021 is None
-    assert verdicts(r) == {"clamp": "fail", "union": "pass"}
+    assert verdicts(r) == {"clamp": "warn", "union": "pass"}
     assert "would not grip" in r.reason and any("would not grip" in note for note in drain.notes(r))
     assert next(drain.checks(r)).value == pytest.approx(-0.1)
 
@@ -97,7 +97,7 @@ def test_the_next_size_up_is_not_taken():
 def test_bounds_belong_to_the_clamp():
     r = drain.solve(asked(22.0, 24.5))
     assert (r.clamp_nominal, r.clamp_margin) == (0.022, 0.0)
-    assert verdicts(r)["clamp"] == "warn", "it fits without any spare"
+    assert verdicts(r)["clamp"] == "pass", "it fits, without any spare"
     assert drain.solve(asked(21.99, 22.6)).clamp_nominal is None
 
 
@@ -110,7 +110,7 @@ def test_the_opening_of_the_standard_may_be_too_small():
 def test_a_hose_smaller_than_every_clamp():
     r = drain.solve(asked(12.0, 12.5))
     assert r.clamp_nominal is None and "none grips" in r.reason
-    assert verdicts(r)["clamp"] == "fail"
+    assert verdicts(r)["clamp"] == "warn"
 
 
 def test_the_standard_is_named_where_the_source_has_no_clamp():
@@ -135,11 +135,11 @@ def test_a_clamp_that_is_taken_fits_both_ends_and_none_at_hand_grips_closer(low,
     r = drain.solve(hose)
     closest = max((c.nominal for c in at_hand if c.nominal <= hose.hose_min), default=None)
     if r.clamp_nominal is None:
-        assert r.reason and verdicts(r)["clamp"] == "fail"
+        assert r.reason and verdicts(r)["clamp"] == "warn"
         assert closest is None or all(c.opening < hose.hose_max for c in at_hand if c.nominal == closest)
     else:
         assert r.clamp_nominal == closest and r.clamp_opening >= hose.hose_max and not r.reason
-        assert verdicts(r)["clamp"] in ("pass", "warn")
+        assert verdicts(r)["clamp"] == "pass"
 
 
 # --- unions
@@ -167,7 +167,7 @@ def test_unions_of_the_source(name, bore):
 @pytest.mark.parametrize("name", ["M18", "M20x1.5", "M12"])
 def test_no_union_fits(name):
     r = drain.solve(asked(22.5, 24.0, name))
-    assert r.union_bore is None and verdicts(r)["union"] == "fail"
+    assert r.union_bore is None and verdicts(r)["union"] == "warn"
     assert not any("sealed" in note for note in drain.notes(r))
 
 
@@ -264,7 +264,7 @@ def test_two_circuits():
         "drain.clamp": "pass",
         "drain.clamp_din3021": "pass",
         "drain.union": "pass",
-        "further_drains.middle.clamp": "fail",
+        "further_drains.middle.clamp": "warn",
         "further_drains.middle.union": "pass",
     }
     assert sum("clamps by" in note for note in found.notes) == 1

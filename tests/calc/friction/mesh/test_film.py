@@ -3,6 +3,7 @@
 equation."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -26,6 +27,16 @@ def test_dowson_toyoda():
     assert ehl() * 1e6 == pytest.approx(1.9611, abs=5e-5)
 
 
+def test_the_exponents_of_dowson_toyoda_by_ratios():
+    """3.06·G^0.56·U^0.69·W^−0.10, at 1 and at powers of ten."""
+
+    def H(G=1.0, U=1.0, W=1.0):
+        return f.film_elastic_piezoviscous(G=G, e=f.EXPONENT, U=U, W=W)
+
+    assert H() == 3.06
+    assert [math.log10(H(**{x: 10.0}) / H()) for x in "GUW"] == pytest.approx([0.56, 0.69, -0.10])
+
+
 def test_the_printed_exponent_thins_the_film():
     assert ehl(f.ELLIPTICAL) / ehl() == pytest.approx((ALPHA * E_R) ** -0.03)
 
@@ -35,9 +46,31 @@ def test_thermal_reduction():
     assert f.thermal_reduction(p_H=1.0, E_r=230.0, L=1.0, S=0.2) == pytest.approx(0.70455, abs=5e-6)
 
 
+def test_thermal_reduction_by_ratios():
+    """(1 − 13.2·p/E·L^0.42)/(1 + 0.213·(1 + 2.23·S^0.83)·L^0.64): a factor at a time."""
+
+    def top(p, L):
+        return 1 - f.thermal_reduction(p_H=p, E_r=1.0, L=L, S=0.0) / f.thermal_reduction(p_H=0.0, E_r=1.0, L=L, S=0.0)
+
+    def below(L, S):
+        return 1 / f.thermal_reduction(p_H=0.0, E_r=1.0, L=L, S=S) - 1
+
+    assert top(1e-3, 1.0) == pytest.approx(13.2e-3) and top(1e-3, 10.0) == pytest.approx(13.2e-3 * 10**0.42)
+    assert f.thermal_reduction(p_H=2.0, E_r=500.0, L=1e-9, S=0.0) < 1
+    assert below(1.0, 0.0) == pytest.approx(0.213) and below(10.0, 0.0) == pytest.approx(0.213 * 10**0.64)
+    assert below(1.0, 1.0) == pytest.approx(0.213 * 3.23) and below(1.0, 10.0) == pytest.approx(
+        0.213 * (1 + 2.23 * 10**0.83)
+    )
+
+
+def test_thermal_loading():
+    """0.04 Pa·s, 0.05 1/K, 10 m/s, 0.16 W/(m·K)."""
+    assert f.thermal_loading(eta_0=0.04, beta=0.05, u_e=10.0, k_f=0.16) == pytest.approx(1.25)
+
+
 def test_the_thermal_reduction_is_held_at_5_percent():
-    assert f.bounded_reduction(Phi_T=-2.0) == f.LEAST_FACTOR
-    assert f.bounded_reduction(Phi_T=0.7) == 0.7
+    assert f.bounded_reduction(Phi_T=-2.0) == 0.05 and f.bounded_reduction(Phi_T=0.049) == 0.05
+    assert f.bounded_reduction(Phi_T=0.051) == 0.051 and f.bounded_reduction(Phi_T=0.7) == 0.7
 
 
 def test_thermal_reduction_of_a_slow_contact_is_none():
@@ -87,6 +120,60 @@ def test_ehl_rolling_grows_with_speed():
 
 
 # --- regimes
+GROUPS = dict(U=1e-11, W=1e-5)
+
+
+def test_the_groups_of_johnson():
+    """g_V = W^1.5·G/√U, g_E = W/√U."""
+    assert f.viscosity_group(G=4560.0, **GROUPS) == pytest.approx(45.6)
+    assert f.elasticity_group(**GROUPS) == pytest.approx(math.sqrt(10.0))
+
+
+def test_the_four_films():
+    """4.896·U/W, 1.66·g_V^(2/3)·U/W with g_V 27, 3.10·g_E^0.8·U/W with g_E √10."""
+    assert f.film_rigid_isoviscous(**GROUPS) == pytest.approx(4.896e-6)
+    assert f.film_rigid_piezoviscous(g_V=27.0, **GROUPS) == pytest.approx(1.66e-6 * 9)
+    assert f.film_elastic_isoviscous(g_E=math.sqrt(10.0), **GROUPS) == pytest.approx(3.10e-6 * 10**0.4)
+
+
+def test_the_parameters():
+    assert f.speed_parameter(eta_0=0.04, u_e=10.0, E_r=2e11, R=0.02) == pytest.approx(1e-10)
+    assert f.materials_parameter(alpha=2e-8, E_r=2e11) == pytest.approx(4000.0)
+    assert f.load_parameter(w=4e5, E_r=2e11, R=0.02) == pytest.approx(1e-4)
+
+
+# U, W and G that make each of the regimes govern, in the order IR, VR, IE, VE
+@pytest.mark.parametrize(
+    "U, W, G, governs",
+    [(1e-10, 1e-7, 10.0, 0), (1e-9, 1e-4, 1e5, 1), (1e-12, 1e-4, 10.0, 2), (1e-11, 1e-4, 5000.0, 3)],
+    ids=["IR", "VR", "IE", "VE"],
+)
+def test_the_film_of_a_mesh_is_that_of_its_regime(U, W, G, governs):
+    """With the heat of the inlet taken from it; the friction source has VE everywhere."""
+    E_r, R, eta, beta, k_f = 2e11, np.array([0.01, 0.02]), 0.02, 0.04, 0.16
+    state = SimpleNamespace(eta_0=eta, alpha=G / E_r, beta=beta, k_f=k_f)
+    motion = SimpleNamespace(u_e=U * E_r * R / eta, E_r=E_r, R=R, S=np.array([0.1, 0.4]))
+    w, p_H = W * E_r * R, np.array([4e8, 6e8])
+    cells = SimpleNamespace(below_zero=lambda x: np.where(x < 0, 1.0, 0.0))
+    judged, source = (f.film(by_regime, state, motion, w, p_H, cells) for by_regime in (True, False))
+    H = [
+        4.896 * U / W,
+        1.66 * (W**1.5 * G / math.sqrt(U)) ** (2 / 3) * U / W,
+        3.10 * (W / math.sqrt(U)) ** 0.8 * U / W,
+        3.06 * G**0.56 * U**0.69 * W**-0.1,
+    ]
+    assert max(range(4), key=H.__getitem__) == governs
+    L = eta * beta * motion.u_e**2 / k_f
+    Phi = (1 - 13.2 * p_H / E_r * L**0.42) / (1 + 0.213 * (1 + 2.23 * motion.S**0.83) * L**0.64)
+    Phi = np.maximum(Phi, 0.05)
+    assert judged.Phi == pytest.approx(Phi) and judged.h == pytest.approx(Phi * H[governs] * R)
+    assert source.h == pytest.approx(Phi * H[3] * R) and not source.rigid.any() and not source.lead.any()
+    assert judged.h_0 == pytest.approx(H[0] * R) and not source.h_0.any()
+    assert judged.lead == pytest.approx(max(H[1:]) / H[0] * np.ones(2))
+    assert list(judged.rigid) == [float(governs == 0)] * 2
+    assert (judged.U, judged.W) == (pytest.approx(U), pytest.approx(W)) and judged.G == pytest.approx(G)
+
+
 def test_the_thickest_regime_governs():
     assert f.governing_film(H_IR=1.0, H_VR=4.0, H_IE=2.0, H_VE=3.0) == 4.0
 
@@ -113,6 +200,17 @@ def test_by_regime_the_film_is_never_thinner_than_the_source_has_it():
 @pytest.mark.parametrize(("T", "eta"), [(40.0, 80.965), (60.0, 36.228), (100.0, 11.375), (120.0, 7.413)])
 def test_dynamic_viscosity_of_the_engine_oil(T, eta):
     assert lubricant().at(T).mu * 1e3 == pytest.approx(eta, abs=5e-4)
+
+
+def test_an_oil_that_is_thickened():
+    """By a factor on α, at the teeth and elsewhere; the same oil at another temperature keeps it."""
+    plain, thick = oil("10W-40 Q8 T905", 60.0), f.oil_at(lubricant(), 60.0, 0.05, 1.5)
+    assert thick.alpha == pytest.approx(1.5 * plain.alpha) and thick.alpha_at(0.02) == pytest.approx(
+        1.5 * plain.alpha_at(0.02)
+    )
+    assert thick.Lambda == 0.05 and plain.Lambda == lubricant().limiting_shear
+    warm = thick.at(90.0)
+    assert (warm.T_m, warm.thickening, warm.Lambda) == (90.0, 1.5, 0.05) and warm.eta_0 < thick.eta_0
 
 
 def test_pressure_viscosity_and_its_temperature_coefficient():

@@ -42,8 +42,13 @@ def changed(gears, mesh=0, wheels=None, **said):
     return replace(gears, meshes=tuple(meshes), wheels=new)
 
 
+def true(gears):
+    """The same train of wheels without runout."""
+    return replace(gears, wheels=tuple(replace(wheel, runout=0.0) for wheel in gears.wheels))
+
+
 def alone(allowances=SHAVED, **said):
-    """The play of the source's first pair alone, and its mesh."""
+    """The play of the source's first pair alone, of wheels without runout, and its mesh."""
     housing = said.pop("housing", None)
-    found = played(replace(pair_1(allowances=allowances), **said), housing)
+    found = played(replace(true(pair_1(allowances=allowances)), **said), housing)
     return found, found.meshes["central_idler"]

@@ -11,7 +11,7 @@ import pytest
 from calc.gears.backlash.case import SPREAD, cases, way_to
 from calc.gears.backlash.chance import TRAINS, by_chance, deviate
 from calc.gears.backlash.solve import with_couple
-from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
+from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played, true
 from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 MANY = 400_000
@@ -63,12 +63,12 @@ def brute_force(gears, seed=1):
 
 def stacked():
     gears = changed(
-        r753(), 1, stack=parts("position", CENTRAL) + parts("fit", IDLER), wheels={"idler": {"runout": 25e-6}}
+        true(r753()), 1, stack=parts("position", CENTRAL) + parts("fit", IDLER), wheels={"idler": {"runout": 25e-6}}
     )
     return changed(gears, 2, stack=parts("runout", {"a": 0.03, "b": 0.02}) + parts("radial", {"c": 0.06}))
 
 
-@pytest.mark.parametrize("gears", [r753(), pair_1(), stacked()], ids=["tolerances", "pair", "kinds"])
+@pytest.mark.parametrize("gears", [true(r753()), true(pair_1()), stacked()], ids=["tolerances", "pair", "kinds"])
 def test_against_brute_force(gears):
     """Within three standard errors of 4096 trains drawn freely: of the spread 0.06 at the median, 0.10 at 5 %, 0.17 at
     1 % (normal)."""
@@ -88,7 +88,7 @@ def test_against_brute_force(gears):
 def test_the_first_pair_can_jam_as_printed():
     """Three even deviations, each ±w: the share beyond c is Σ ±(±w_1 ± w_2 ± w_3 − c)³ over the signs, where positive,
     over 6·8·w_1·w_2·w_3."""
-    gears = pair_1(allowances=((-2, -20), (-20, -30)))
+    gears = true(pair_1(allowances=((-2, -20), (-20, -30))))
     t = solved(gears)
     m = t.meshes["central_idler"]
     slope = 2 * math.sin(m.working_pressure_angle) * math.cos(t.system.base_helix_angle)
@@ -104,7 +104,7 @@ def test_the_first_pair_can_jam_as_printed():
 
 def test_the_share_of_jams_of_one_even_deviation():
     """Only the centre deviates, evenly: the share below zero is a ratio of lengths."""
-    gears = pair_1(allowances=((-10, -10), (-5, -5)))
+    gears = true(pair_1(allowances=((-10, -10), (-5, -5))))
     t = solved(gears)
     m = t.meshes["central_idler"]
     slope = 2 * math.sin(m.working_pressure_angle) * math.cos(t.system.base_helix_angle)
@@ -133,7 +133,7 @@ def test_the_same_numbers_in_every_run():
 
 
 def test_all_lies_within_the_worst_case():
-    gears = r753()
+    gears = true(r753())
     t, met = solved(gears), cases(gears, solved(gears))
     way = way_to("shaft", t.meshes)
     assert way == ["crank_central", "central_idler", "idler_shaft"]

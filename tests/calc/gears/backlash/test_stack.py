@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 from calc.gears.backlash.case import cases, centre_tolerance
-from calc.gears.backlash.formulas import backlash_of_bases, recommended_backlash
+from calc.gears.backlash.formulas import backlash_of_bases, recommended_backlash, runout_of_grade
 from calc.gears.formulas import working_pressure_angle
-from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
+from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played, true
 from tests.calc.gears.trains import pair_1, solved
 
 
@@ -43,7 +43,7 @@ def test_one_part_of_each_kind(kind, share):
 
 
 def test_worst_case_is_the_plain_sum():
-    gears = changed(pair_1(allowances=SHAVED), stack=parts("position", CENTRAL, IDLER))
+    gears = changed(true(pair_1(allowances=SHAVED)), stack=parts("position", CENTRAL, IDLER))
     play = played(gears)
     mesh = play.meshes["central_idler"]
     assert mesh.centre_tolerance_worst == pytest.approx((sum(CENTRAL.values()) + sum(IDLER.values())) / 2e3)
@@ -64,15 +64,32 @@ def test_runout_takes_half_of_each_wheel_s():
         solved(gears).meshes["central_idler"].backlash_min
         == solved(pair_1(allowances=SHAVED)).meshes["central_idler"].backlash_min
     )
-    assert alone()[1].backlash_min_runout is None
-    one = changed(pair_1(allowances=SHAVED), wheels={"idler": {"runout": 30e-6}})
-    assert mesh.backlash_min_runout < played(one).meshes["central_idler"].backlash_min_runout
+    plain = alone()[0].meshes["central_idler"]
+    without = solved(pair_1(allowances=SHAVED)).meshes["central_idler"].backlash_min
+    assert plain.backlash_min_runout == pytest.approx(without, abs=1e-15)
+    parted = changed(gears, stack=parts("position", CENTRAL, IDLER))
+    apart = played(changed(true(gears), stack=parts("position", CENTRAL, IDLER))).meshes["central_idler"]
+    both = played(parted).meshes["central_idler"]
+    slope = 2 * math.sin(solved(gears).meshes["central_idler"].working_pressure_angle)
+    assert apart.backlash_min_worst - both.backlash_min_worst == pytest.approx(slope * 25e-6, rel=0.1)
 
 
-def test_runout_fails_as_a_limit():
+def test_the_runout_of_the_grade():
+    """(0.24 m_n + √d + 5.6)·2^((A − 5)/2) µm, m_n and d in mm."""
+    assert runout_of_grade(m_n=2.25e-3, d=72e-3, A=7) == pytest.approx(29.250562748e-6, rel=1e-9)
+    assert runout_of_grade(m_n=2e-3, d=89.4e-3, A=6) == pytest.approx(21.97003018e-6, rel=1e-9)
+
+
+def test_a_runout_that_is_not_given_is_that_of_the_grade():
+    """Of each wheel by itself; the finer grade leaves more backlash."""
     gears = changed(pair_1(allowances=SHAVED), wheels={"idler": {"runout": 30e-6}})
-    check = next(c for c in played(gears).checks if c.id == "gears.central_idler.backlash_runout")
-    assert (check.kind, check.verdict) == ("limit", "fail")
+    (m,) = cases(gears, solved(gears))
+    d = m.driver.reference_diameter
+    assert m.runouts == (runout_of_grade(m_n=2e-3, d=d, A=7), 30e-6) and m.given_runouts == (None, 30e-6)
+    assert m.least_eccentricity == pytest.approx(15e-6)
+    coarse, fine = (played(replace(gears, accuracy_grade=grade)).meshes["central_idler"] for grade in (9, 5))
+    assert coarse.backlash_min_runout < fine.backlash_min_runout
+    assert any("Runout of the teeth: not given for central" in note for note in played(gears).notes)
 
 
 def test_a_tolerance_that_its_parts_exceed_is_warned_of():

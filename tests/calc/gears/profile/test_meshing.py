@@ -165,6 +165,34 @@ def test_a_step_that_finishing_leaves_is_entered_though_contact_starts_above_it(
     assert [found["gears.a_b.penetration"] for found in verdicts] == ["fail", "pass"]
 
 
+@pytest.mark.parametrize("share, verdict", [(0.999, "pass"), (1.001, "fail")])
+def test_the_outlines_are_exact_to_a_micrometre(share, verdict):
+    check = penetration_check("central_idler", solved(r753()).meshes["central_idler"], share * 1e-6)
+    assert check.verdict in (verdict, "warn") and check.holds is (verdict == "pass")
+    assert "no deeper than the outlines are exact" in check.source
+
+
+@pytest.mark.parametrize(
+    "stock, protuberance, verdict, scale",
+    [
+        (60e-6, 60e-6, "pass", 60.0),
+        (60e-6, 60.1e-6, "pass", 60.1),
+        (60e-6, 59.9e-6, "warn", 60.0),
+        (5e-6, 4e-6, "warn", 10.0),
+        (5e-6, 20e-6, "pass", 20.0),
+    ],
+)
+def test_a_step_is_a_share_of_the_larger_of_stock_and_protuberance(stock, protuberance, verdict, scale):
+    gears = train([wheel("a", 25, 0.1), wheel("b", 36, 0.0)], [mesh("a", "b")], beta=0.0, tool=(1.4, 0.3))
+    t = solved(dataclasses.replace(gears, stock=stock, protuberance=protuberance))
+    (check,) = [c for c in checks(t, penetrations(t)) if c.id == "gears.train.finishing_step"]
+    assert (check.verdict, check.kind) == (verdict, "caution") and "at least as large as the stock" in check.source
+    assert check.value == pytest.approx(max(stock - protuberance, 0.0) * 1e6)
+    assert check.scale == pytest.approx(scale)
+    covering = [(("gears.protuberance_mm", pytest.approx(stock * 1e3)),)] if verdict == "warn" else []
+    assert [way.changes for way in check.remedies] == covering
+
+
 def test_what_the_protuberance_must_be_like_is_said_of_each_wheel():
     gears = train([wheel("a", 25, 0.1), wheel("b", 36, 0.0)], [mesh("a", "b")], beta=0.0, tool=(1.4, 0.3))
     said = notes(solved(dataclasses.replace(gears, stock=5e-5, protuberance=7e-5)))

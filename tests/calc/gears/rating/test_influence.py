@@ -235,6 +235,95 @@ def test_dynamic_factor_over_the_four_ranges(eps_gamma):
     assert [dynamic.speed_range(N, 0.85)[:5] for N in (0.5, 1.0, 1.3, 2.0)] == ["below", "in th", "betwe", "above"]
 
 
+# B_p, B_f, B_k: each alone, and all
+EXCITED = [(0.5, 0.0, 0.0), (0.0, 0.4, 0.0), (0.0, 0.0, 0.7), (0.5, 0.4, 0.7)]
+
+
+@pytest.mark.parametrize("B", EXCITED)
+@pytest.mark.parametrize("eps_gamma", [1.4, 1.5, 1.9, 2.0, 2.2, 2.5, 2.6, 3.0])
+def test_the_coefficients_are_those_of_the_table_of_the_standard(B, eps_gamma):
+    """ISO 6336-1:2006, Table 4, at speeds on both sides of the ends of the ranges."""
+    high = eps_gamma > 2
+    C_v1, C_v5 = 0.32, 0.47
+    C_v2 = 0.57 / (eps_gamma - 0.3) if high else 0.34
+    C_v3 = 0.096 / (eps_gamma - 1.56) if high else 0.23
+    C_v4 = (0.57 - 0.05 * eps_gamma) / (eps_gamma - 1.44) if high else 0.90
+    C_v6 = 0.12 / (eps_gamma - 1.74) if high else 0.47
+    C_v7 = 0.75 if eps_gamma <= 1.5 else 1.0 if eps_gamma > 2.5 else 0.125 * math.sin(math.pi * (eps_gamma - 2)) + 0.875
+    B_p, B_f, B_k = B
+    resonant = C_v1 * B_p + C_v2 * B_f + C_v4 * B_k + 1
+    above = C_v5 * B_p + C_v6 * B_f + C_v7
+    between = {N: above + (resonant - above) / 0.35 * (1.5 - N) for N in (1.16, 1.3, 1.49)}
+    below = {N: N * (C_v1 * B_p + C_v2 * B_f + C_v3 * B_k) + 1 for N in (0.4, 0.84)}
+    for N, K in {**below, 0.86: resonant, 1.14: resonant, **between, 1.51: above, 4.0: above}.items():
+        assert dynamic.dynamic_factor(dynamic.Excitation(*B), eps_gamma, N, 0.85) == pytest.approx(K, rel=1e-12)
+
+
+def test_where_the_ranges_end():
+    words = [str(dynamic.speed_range(N, 0.7)) for N in (0.7, 0.701, 1.15, 1.151, 1.499, 1.5)]
+    assert [word[:5] for word in words] == ["below", "in th", "in th", "betwe", "betwe", "above"]
+    assert dynamic.lower_resonance(w=25e3) == pytest.approx(0.5 + 0.35 / 2)
+    assert dynamic.light_load_stiffness(c=14e9, w=100e3 / 16) == pytest.approx(7e9)
+
+
+def test_the_tool_makes_the_rack_stiffer_or_softer():
+    """(1 + 0.5·(1.2 − h_fP))·(1 − 0.02·(20° − α_n))."""
+    assert dynamic.basic_rack_factor(h_fP=1.4, alpha_n=math.radians(22.5)) == pytest.approx(0.9 * 1.05)
+    assert dynamic.basic_rack_factor(h_fP=1.0, alpha_n=math.radians(15.0)) == pytest.approx(1.1 * 0.9)
+
+
+def test_the_stiffness_of_a_tooth_term_by_term():
+    """q' = 0.04723 + 0.15551/z_1 + 0.25791/z_2 − 0.00635·x_1 − 0.11654·x_1/z_1 − 0.00193·x_2 − 0.24188·x_2/z_2 +
+    0.00529·x_1² + 0.00182·x_2², in mm·µm/N; c' = 0.8·C_B·cos β/q'."""
+
+    def q(z_1=1e12, z_2=1e12, x_1=0.0, x_2=0.0):
+        return dynamic.tooth_compliance(z_n1=z_1, z_n2=z_2, x_1=x_1, x_2=x_2) * 1e9
+
+    assert q() == pytest.approx(0.04723)
+    assert q(z_1=10.0) - q() == pytest.approx(0.015551) and q(z_2=10.0) - q() == pytest.approx(0.025791)
+    assert q(x_1=0.5) - q() == pytest.approx(-0.00635 / 2 + 0.00529 / 4)
+    assert q(x_1=-0.5) - q() == pytest.approx(0.00635 / 2 + 0.00529 / 4)
+    assert q(x_2=0.5) - q() == pytest.approx(-0.00193 / 2 + 0.00182 / 4)
+    assert q(x_2=-0.5) - q() == pytest.approx(0.00193 / 2 + 0.00182 / 4)
+    assert q(z_1=10.0, x_1=0.5) - q(x_1=0.5) == pytest.approx(0.015551 - 0.005827)
+    assert q(z_2=10.0, x_2=0.5) - q(x_2=0.5) == pytest.approx(0.025791 - 0.012094)
+    c = dynamic.single_stiffness(c_th=20e9, C_B=0.9, beta=math.radians(60.0), e=0.5)
+    assert c == pytest.approx(20e9 * 0.8 * 0.9 * 0.5 * 0.5)
+    assert dynamic.modulus_ratio(E_1=206e9, E_2=103e9) == pytest.approx(2 / 3)
+    assert dynamic.modulus_ratio(E_1=103e9, E_2=103e9) == pytest.approx(0.5)
+    assert dynamic.mesh_stiffness(c=10e9, eps_alpha=1.4) == pytest.approx(13e9)
+    assert dynamic.face_stiffness(c_gamma_alpha=10e9) == pytest.approx(8.5e9)
+
+
+def test_the_mass_of_a_ring_on_the_line_of_action():
+    """π/8·ρ·(d_m⁴ − d_i⁴)/d_b²; the resonance is √(c/m)/(2·π·z)."""
+    d_m, d_i, d_b = 0.06, 0.03, 0.05
+    assert dynamic.mean_diameter(d_a=0.065, d_f=0.055) == pytest.approx(d_m)
+    assert dynamic.inside_of_rim(d_f=0.055, s_R=0.005) == pytest.approx(0.045)
+    J = math.pi / 32 * 7830.0 * (d_m**4 - d_i**4)  # per face width, of a disc; reduced: J/r_b²
+    assert dynamic.wheel_mass(rho=7830.0, d_m=d_m, d_i=d_i, d_b=d_b) == pytest.approx(J / (d_b / 2) ** 2)
+    assert dynamic.reduced_mass(m_1=3.0, m_2=6.0) == pytest.approx(2.0)
+    assert dynamic.resonance_speed(z_1=25, c_gamma_alpha=1.8e9, m_red=2.0) == pytest.approx(3e4 / (50 * math.pi))
+    assert dynamic.resonance_ratio(n_1=-30.0, n_E1=40.0) == pytest.approx(0.75)
+
+
+def test_what_shakes_the_teeth():
+    """c'·(f − y)/w, and |1 − c'·C_a/w|; the relief that running in makes, in µm: (σ/97 − 18.45)²/18 + 1.5."""
+    assert dynamic.pitch_parameter(c=14e9, f_pb=12e-6, y_p=2e-6, w=100e3) == pytest.approx(1.4)
+    assert dynamic.profile_parameter(c=14e9, f_falpha=9e-6, y_f=2e-6, w=100e3) == pytest.approx(0.98)
+    assert dynamic.relief_parameter(c=14e9, C_a=5e-6, w=100e3) == pytest.approx(0.3)
+    assert dynamic.relief_parameter(c=14e9, C_a=10e-6, w=100e3) == pytest.approx(0.4)
+    assert dynamic.run_in_relief(sigma_Hlim=970e6) == pytest.approx((8.45**2 / 18 + 1.5) * 1e-6)
+    assert dynamic.mean_relief(C_a1=2e-6, C_a2=4e-6) == pytest.approx(3e-6)
+
+
+def test_tip_relief_counts_up_to_grade_five():
+    t = solved(r753())
+    for grade, counts in ((5, True), (6, False)):
+        bare, ground = (of(t, "crank_central", F_t=3000.0, grade=grade, C_a=C_a).dynamic_factor for C_a in (0.0, 15e-6))
+        assert (ground < bare) is counts
+
+
 def test_tip_relief_counts_for_fine_grades_only():
     t = solved(r753())
     fine = [of(t, "crank_central", F_t=3000.0, grade=5, C_a=C_a).dynamic_factor for C_a in (None, 0.0, 15e-6)]

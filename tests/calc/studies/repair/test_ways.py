@@ -10,7 +10,7 @@ from calc.solve import Results, solve
 from calc.studies.repair.options import NEAR, RepairOption, ranked, search
 from calc.studies.repair.state import broken, state_of
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, ROOT
 
 
 def finding(results: Results, id: str) -> Check:
@@ -96,7 +96,7 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
 @pytest.mark.parametrize("name", ["timing_pair", "thesis_oils"])
 def test_what_can_not_be_verified_asks_for_what_is_missing_first(name: str) -> None:
     """Other numbers are looked at only where it does not even hold by what is taken."""
-    document = read(DESIGNS / f"{name}.toml")
+    document = read(ROOT / "tests" / "reference" / "designs_0_1" / f"{name}.toml")
     results = solve(design(document))
     unknown = [c for c in results.checks() if c.finding == "not_verified"]
     assert unknown
@@ -107,3 +107,22 @@ def test_what_can_not_be_verified_asks_for_what_is_missing_first(name: str) -> N
         assert first and all(set(way.keys) <= group and way.kind.startswith("give ") for way in first)
         if check.holds:
             assert all(set(way.keys) <= group for way in ways)
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong", "id", "right"),
+    [
+        ("engine.bore_mm", 9.4, "engine.inputs.bore_mm", 94),
+        ("engine.rod_cg_to_big_end_mm", 113.0, "engine.inputs.rod_cg", 50),
+    ],
+)
+def test_of_an_input_that_is_doubted_what_was_meant_is_all_that_is_offered(
+    key: str, wrong: float, id: str, right: float
+) -> None:
+    """Not the smallest change that only just gets by."""
+    document = read(DESIGNS / "r753ie4_sized.toml").with_value(key, wrong)
+    results = solve(design(document))
+    doubt = next(check for check in results.checks() if check.id == id)
+    assert [way.changes for way in search(document, doubt, results)] == [(f"{key}={right}",)]
+    shut = document.with_value("locked", {key: "measured"})
+    assert list(search(shut, doubt)) == []

@@ -81,6 +81,8 @@ def test_an_own_engine_is_ready_step_by_step(engine: Table) -> None:
     results = solved(document)
     assert open_findings(results) == []
     assert {results.outcomes[step].verdict for step in STEPS} <= {"pass", "not_asked"}
+    backlashes = [c for c in results.outcomes["gears"].checks if ".backlash" in c.id and c.kind == "limit"]
+    assert all(c.verdict == "pass" and c.margin >= 0.05 for c in backlashes), "free with the runout of the grade"
     assert list(document.data)[3:] == ["imbalance", *(step for step in STEPS if step in document.data)]
     assert choice_made(document) == "shaft"
 

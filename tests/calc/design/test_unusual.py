@@ -1,0 +1,355 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Inputs that can not be meant: what is far from usual, or does not fit the other numbers, does not pass without a
+word; what is shipped has nothing of the kind."""
+
+from pathlib import Path
+
+import pytest
+
+from calc.design.model import STEP_KEYS, Design
+from calc.design.toml_file import Document, design, parse, read
+from calc.design.unusual import doubts, unusual
+from calc.sheet.check import Check
+from calc.sheet.errors import BadInput
+from calc.sheet.value import recorded
+from calc.sheet.verdict import grouped
+from calc.solve import Results, solve
+from calc.studies.shipped import DESIGNS, engine_design, engine_inputs, engines
+
+GAMMA, SIZED, TWIN, SET = "r753ie4_gamma", "r753ie4_sized", "twin_drive", "generating_set_mounting"
+BLOCK, MOUNTED = "r754ie4_balance_shafts", "twin_mounting"
+
+REFUSED = "refused"  # the file is not taken: an error at its line
+NOTHING = ""  # passes without a word
+
+# shipped design, changes, the check that says it, and what was meant
+WRONG: list[tuple[str, dict[str, object], str, dict[str, object]]] = [
+    # units of length
+    (SIZED, {"engine.bore_mm": 0.094}, "engine.inputs.bore_mm", {"engine.bore_mm": 94}),
+    (SIZED, {"engine.bore_mm": 9.4}, "engine.inputs.bore_mm", {"engine.bore_mm": 94}),
+    (SIZED, {"engine.bore_mm": 3.7}, "engine.inputs.bore_mm", {"engine.bore_mm": 93.98}),
+    (TWIN, {"engine.crank_radius_mm": 4.3}, "engine.inputs.crank_radius_mm", {"engine.crank_radius_mm": 43}),
+    (SIZED, {"engine.rod_length_mm": 0.163}, REFUSED, {}),
+    (SIZED, {"engine.cylinder_pitch_mm": 11.2}, "engine.inputs.cylinder_pitch_mm", {"engine.cylinder_pitch_mm": 112}),
+    (TWIN, {"countershaft.core_radius_mm": 0.0285}, "countershaft.inputs.core_radius_mm",
+     {"countershaft.core_radius_mm": 28.5}),
+    (TWIN, {"gears.normal_module_mm": 0.25}, "gears.inputs.normal_module_mm", {"gears.normal_module_mm": 2.5}),
+    (TWIN, {"gears.face_width_mm": 1.9}, "gears.inputs.face_width", {"gears.face_width_mm": 19}),
+    (SIZED, {"gears.face_width_mm": 1.5}, "gears.inputs.face_width_mm", {"gears.face_width_mm": 15}),
+    (TWIN, {"gears.meshes.0.tolerance_um": 0.04}, "gears.inputs.meshes.0.tolerance_um",
+     {"gears.meshes.0.tolerance_um": 40}),
+    (TWIN, {"gears.wheels.crank.span_allowance_um": [-0.03, -0.04]}, "gears.inputs.wheels.crank.span_allowance_um",
+     {"gears.wheels.crank.span_allowance_um": [-30, -40]}),
+    # roughness in mm
+    (SIZED, {"bearings.front.journal_roughness_um": 0.0002}, "bearings.inputs.front.journal_roughness_um",
+     {"bearings.front.journal_roughness_um": 0.2}),
+    (SIZED, {"bearings.rear.housing_roughness_um": 0.0004}, "bearings.inputs.rear.housing_roughness_um",
+     {"bearings.rear.housing_roughness_um": 0.4}),
+    (TWIN, {"friction.flank_roughness_um": 0.0008}, "friction.inputs.flank_roughness_um",
+     {"friction.flank_roughness_um": [0.8]}),
+    # a radius for a diameter, a stroke for its half
+    (SIZED, {"engine.bore_mm": 47.0}, "engine.inputs.stroke_ratio", {"engine.bore_mm": 94}),
+    (TWIN, {"engine.bore_mm": 40.25}, "engine.inputs.cylinder_pitch", {"engine.bore_mm": 80.5}),
+    (GAMMA, {"engine.crank_radius_mm": 107.0}, "engine.inputs.crank_ratio", {"engine.crank_radius_mm": 53.5}),
+    (SIZED, {"bearings.front.diameter_mm": 29.75}, "bearings.inputs.front.core", {"bearings.front.diameter_mm": 59.5}),
+    (TWIN, {"bearings.rear.diameter_mm": 44.25}, "bearings.inputs.rear.core", {"bearings.rear.diameter_mm": 88.5}),
+    # masses
+    (GAMMA, {"engine.piston_mass_g": 1015.0, "engine.rod_mass_g": 1178.0}, "engine.inputs.masses",
+     {"engine.piston_mass_g": 1178, "engine.rod_mass_g": 1015}),
+    (TWIN, {"engine.piston_mass_g": 540.0, "engine.rod_mass_g": 420.0}, "engine.inputs.masses",
+     {"engine.piston_mass_g": 420, "engine.rod_mass_g": 540}),
+    (SIZED, {"engine.piston_mass_g": 1.178}, "engine.inputs.piston_mass_g", {"engine.piston_mass_g": 1178}),
+    (SIZED, {"engine.crankpin_bearing_mass_g": 0.055}, "engine.inputs.crankpin_bearing_mass_g",
+     {"engine.crankpin_bearing_mass_g": 55}),
+    (MOUNTED, {"mounting.mass_kg": 0.1}, "mounting.inputs.mass", {"mounting.mass_kg": 100}),
+    # the rod from its other end
+    (GAMMA, {"engine.rod_cg_to_big_end_mm": 113.0}, "engine.inputs.rod_cg", {"engine.rod_cg_to_big_end_mm": 50}),
+    # speeds in radians or turns a second
+    (SIZED, {"engine.rated_speed_rpm": 272.3}, "engine.inputs.rated_speed_rpm", {"engine.rated_speed_rpm": 2600.27}),
+    (SIZED, {"engine.rated_speed_rpm": 43.33}, "engine.inputs.rated_speed_rpm", {"engine.rated_speed_rpm": 2599.8}),
+    (TWIN, {"engine.rated_speed_rpm": 576.0}, "engine.inputs.piston_speed", {"engine.rated_speed_rpm": 5500.39}),
+    (SET, {"mounting.idle_speed_rpm": 16.67}, "mounting.inputs.idle_speed_rpm", {"mounting.idle_speed_rpm": 1000.2}),
+    # power in PS and in W, consumption in kg
+    (SET, {"engine.rated_power_kW": 160.4}, "engine.rated_power", {}),  # above what its gas gives
+    (SIZED, {"engine.rated_power_kW": 68.0}, NOTHING, {}),  # without the gas a diesel with a turbocharger gives that
+    (SIZED, {"engine.rated_power_kW": 50000.0}, "engine.inputs.rated_power_kW", {"engine.rated_power_kW": 50}),
+    (SIZED, {"friction.specific_fuel_consumption_g_kWh": 0.22}, "friction.inputs.specific_fuel_consumption_g_kWh",
+     {"friction.specific_fuel_consumption_g_kWh": 220}),
+    # angles in radians
+    (SIZED, {"bearings.slope_mrad": [0.00015625, 0.000115]}, "bearings.inputs.slope_mrad",
+     {"bearings.slope_mrad": [0.15625, 0.115]}),
+    (BLOCK, {"engine.crank_angles_deg": [0.0, 3.14159, 3.14159, 0.0]}, "engine.inputs.crank_angles",
+     {"engine.crank_angles_deg": [0, 180, 180, 0]}),
+    (TWIN, {"gears.helix_angle_deg": 0.349066}, "gears.inputs.helix_angle_deg", {"gears.helix_angle_deg": 20}),
+    # pressures in MPa
+    (SIZED, {"bearings.supply_pressure_bar": 0.4}, "bearings.inputs.supply_pressure",
+     {"bearings.supply_pressure_bar": 4}),
+    (SET, {"engine.gas.intake_pressure_bar": 0.24}, "engine.inputs.gas", {"engine.gas.intake_pressure_bar": 2.4}),
+    # per cent as a share
+    (TWIN, {"countershaft.overdesign_percent": 0.015}, "countershaft.inputs.overdesign_percent",
+     {"countershaft.overdesign_percent": 1.5}),
+    # a load in kN, a viscosity in Pa·s, both given in place of what other steps give
+    (SIZED, {"bearings.front.load_N": 2.4}, "bearings.inputs.front.load", {"bearings.front.load_N": 2400}),
+    (SIZED, {"bearings.viscosity_mPas": 0.012}, "bearings.inputs.viscosity", {"bearings.viscosity_mPas": 12}),
+]  # fmt: skip
+
+
+def changed(name: str, changes: dict[str, object]) -> Document:
+    document = read(DESIGNS / f"{name}.toml")
+    for key, value in changes.items():
+        document = document.with_value(key, value)
+    return document
+
+
+def solved(name: str, changes: dict[str, object]) -> Results:
+    with recorded(False):
+        return solve(design(changed(name, changes)), compared=False)
+
+
+def words_of(row: tuple[str, dict[str, object], str, dict[str, object]]) -> str:
+    return f"{row[0]}-{next(iter(row[1]))}-{next(iter(row[1].values()))}"
+
+
+def test_there_are_forty_wrong_inputs_and_at_most_three_pass_without_a_word() -> None:
+    assert len(WRONG) >= 40
+    assert sum(row[2] == NOTHING for row in WRONG) <= 3
+
+
+@pytest.mark.parametrize("row", WRONG, ids=words_of)
+def test_a_wrong_input_does_not_pass_without_a_word(
+    row: tuple[str, dict[str, object], str, dict[str, object]],
+) -> None:
+    name, wrong, id, meant = row
+    if id == REFUSED:
+        with pytest.raises(BadInput, match=next(iter(wrong))):
+            design(changed(name, wrong))
+        return
+    results = solved(name, wrong)
+    found = {check.id: check for check in results.checks()}
+    if id == NOTHING:
+        assert not any(check.rule.of_input for check in found.values())
+        return
+    assert results.verdict not in ("pass", "computed")  # check --strict does not end in 0
+    check = found[id]
+    assert check.verdict in ("warn", "fail")
+    if not meant:
+        return
+    assert check.kind == "caution" and check.rule.of_input
+    first = check.remedies[0]
+    assert dict(first.changes) == {key: pytest.approx(value) for key, value in meant.items()}
+    assert str(check.advice).startswith("Did you mean ") and str(first.words) in check.advice
+    # what was meant makes it go
+    assert id not in {check.id for check in solved(name, dict(wrong) | dict(first.changes)).checks()}
+
+
+def all_doubts(asked: Design) -> list[Check]:
+    return [check for step in asked.asked() for check in doubts(asked, step.key)]
+
+
+@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+def test_nothing_that_is_shipped_is_doubted(path: Path) -> None:
+    assert all_doubts(design(read(path))) == []
+
+
+@pytest.mark.parametrize("name", engines())
+def test_no_engine_to_begin_with_is_doubted(name: str) -> None:
+    assert all_doubts(Design(schema=1, name=name, engine=engine_inputs(name))) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", engines())
+def test_no_design_that_is_begun_is_doubted(name: str) -> None:
+    assert all_doubts(design(parse(engine_design(name).encode(), name))) == []
+
+
+# Journals as their makers print them: diameter and length in mm (an unprinted length: 0.7 of the diameter), the least
+# and the greatest clearance in µm, rpm of the shaft.
+JOURNALS = [
+    ("GM LD9", 29.96, 20.0, 44, 111, 12000),
+    ("GM L61 front", 20.01, 18.0, 30, 63, 12000),
+    ("GM L61 rear", 36.733, 20.0, 33, 102, 12000),
+    ("Ford V10", 26.95, 18.9, 25, 76, 4250),
+    ("Mazda WL-C front", 41.952, 22.0, 50, 115, 7000),
+    ("Mitsubishi 4M41", 40.0, 28.0, 70, 136, 7600),
+    ("Suzuki J24B", 24.95, 18.0, 30, 72, 12000),
+    ("Kubota V3307", 48.942, 24.0, 50, 146, 5200),
+    ("Westerbeke 65A", 50.93, 35.7, 70, 159, 5600),
+    ("Caterpillar 3304", 52.895, 35.0, 50, 229, 4400),
+    ("AGCO 49", 36.008, 25.2, 34, 75, 4400),
+    ("Kawasaki ER-6n", 28.0, 18.0, 15, 50, 8500),
+    ("Yamaha R1", 24.0, 16.8, 12, 43, 12500),
+    ("Suzuki GSX-R1000", 23.0, 16.1, 15, 45, 24000),
+    ("John Deere STX38", 19.97, 20.0, 25, 63, 3400),
+]
+
+
+@pytest.mark.parametrize("journal", JOURNALS, ids=lambda journal: journal[0])
+@pytest.mark.parametrize("end", [3, 4])
+def test_no_journal_of_a_maker_is_doubted(journal: tuple[str, float, float, float, float, float], end: int) -> None:
+    text = f"""
+schema = 1
+name = "journal"
+[bearings]
+oil = "5W-30"
+supply_temperature_C = 100.0
+supply_pressure_bar = 3.5
+supply = "hole"
+hole_diameter_mm = 3.0
+housing_material = "EN AC-43100"
+journal_material = "42CrMo4"
+speed_rpm = {journal[5]}.0
+"""
+    for place in ("front", "rear"):
+        text += f"""
+[bearings.{place}]
+diameter_mm = {journal[1]}
+length_mm = {journal[2]}
+clearance_um = {journal[end]}.0
+load_N = 2500.0
+journal_roughness_um = 0.2
+housing_roughness_um = 0.4
+"""
+    assert all_doubts(design(parse(text.encode(), "journal"))) == []
+
+
+# --- what is far
+
+
+@pytest.mark.parametrize(
+    ("key", "near", "far"),
+    [
+        ("engine.bore_mm", 16.7, 16.6),  # a third of 50
+        ("engine.bore_mm", 449.0, 451.0),  # three times 150
+        ("engine.crankpin_bearing_mass_g", 1499.0, 1501.0),  # two widths beyond 500
+        ("engine.crankpin_bearing_mass_g", 0.51, 0.49),  # would be usual in kg
+        ("bearings.supply_temperature_C", 179.0, 181.0),  # 50 K beyond 130
+        ("bearings.supply_temperature_C", 21.0, 19.0),
+        ("gears.wheels.central.profile_shift", 0.0001, None),  # a number without a unit
+        ("engine.crankpin_bearing_mass_g", 0.0, None),
+        ("engine.rod_cg_to_big_end_mm", 0.0, None),
+    ],
+)
+def test_what_is_far(key: str, near: float, far: float | None) -> None:
+    step, _, rest = key.partition(".")
+    id = f"{step}.inputs.{rest}"
+
+    def ids(number: float) -> list[str]:
+        return [check.id for check in doubts(design(changed(GAMMA, {key: number})), step)]
+
+    assert id not in ids(near)
+    assert far is None or id in ids(far)
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "id", "good", "bad"),
+    [
+        # the same ratio just inside and just outside
+        (TWIN, "engine.rod_mass_g", "engine.inputs.masses", 420 * 0.81, 420 * 0.79),
+        (TWIN, "engine.rod_mass_g", "engine.inputs.masses", 420 * 1.59, 420 * 1.61),
+        (SIZED, "engine.rod_mass_g", "engine.inputs.masses", 1178 * 1.14, 1178 * 1.16),
+        (SIZED, "engine.rod_mass_g", "engine.inputs.masses", 1178 * 0.7, 1178 * 0.59),
+        (SIZED, "engine.rated_speed_rpm", "engine.inputs.piston_speed", 1130.0, 1110.0),
+        (SIZED, "engine.rated_speed_rpm", "engine.inputs.piston_speed", 8400.0, 8420.0),
+        (SIZED, "engine.rod_length_mm", "engine.inputs.crank_ratio", 53.5 / 0.41, 53.5 / 0.43),
+        (SIZED, "engine.rod_length_mm", "engine.inputs.crank_ratio", 53.5 / 0.151, 53.5 / 0.149),
+        (SIZED, "engine.bore_mm", "engine.inputs.stroke_ratio", 107 / 1.79, 107 / 1.81),
+        (SIZED, "engine.bore_mm", "engine.inputs.stroke_ratio", 107 / 0.41, 107 / 0.39),
+        (SIZED, "engine.cylinder_pitch_mm", "engine.inputs.cylinder_pitch", 94.5, 93.5),
+        (SIZED, "engine.cylinder_pitch_mm", "engine.inputs.cylinder_pitch", 94 * 1.89, 94 * 1.91),
+        (SIZED, "engine.rod_cg_to_big_end_mm", "engine.inputs.rod_cg", 163 * 0.49, 163 * 0.51),
+        (SIZED, "engine.rod_cg_to_big_end_mm", "engine.inputs.rod_cg", 163 * 0.11, 163 * 0.09),
+        (SIZED, "engine.rated_power_kW", "engine.inputs.rated_power", 154.0, 155.0),
+        (SIZED, "engine.rated_power_kW", "engine.inputs.rated_power", 7.3, 7.2),
+        (BLOCK, "engine.crank_angles_deg", "engine.inputs.crank_angles", [0.0, 6.3, 6.3, 0.0], [0.0, 6.2, -6.2, 0.0]),
+        (SET, "engine.gas.peak_pressure_bar", "engine.inputs.gas", 633.0, 636.0),
+        (SIZED, "bearings.supply_pressure_bar", "bearings.inputs.supply_pressure", 1.0, 0.99),
+        (SIZED, "bearings.supply_pressure_bar", "bearings.inputs.supply_pressure", 0.0, 0.34),
+        (SIZED, "bearings.viscosity_mPas", "bearings.inputs.viscosity", 0.51, 0.49),
+        (SIZED, "bearings.viscosity_mPas", "bearings.inputs.viscosity", 1990.0, 2010.0),
+        (SIZED, "bearings.front.diameter_mm", "bearings.inputs.front.core", 36.1, 35.9),
+        (TWIN, "bearings.front.diameter_mm", "bearings.inputs.front.core", 57.1, 56.9),
+        (TWIN, "bearings.front.length_mm", "bearings.inputs.front.length", 159.0, 161.0),
+        (TWIN, "bearings.front.length_mm", "bearings.inputs.front.length", 12.1, 11.9),
+        (TWIN, "bearings.front.clearance_um", "bearings.inputs.front.clearance", 790.0, 810.0),
+        (TWIN, "bearings.front.clearance_um", "bearings.inputs.front.clearance", 16.1, 15.9),
+        (TWIN, "bearings.front.load_N", "bearings.inputs.front.load", 45.0, 44.0),
+        (TWIN, "bearings.front.load_N", "bearings.inputs.front.load", 671e3, 673e3),
+        (TWIN, "gears.face_width_mm", "gears.inputs.face_width", 5.01, 4.99),
+        (TWIN, "gears.face_width_mm", "gears.inputs.face_width", 149.0, 151.0),
+        (TWIN, "gears.wheels.crank.face_width_mm", "gears.inputs.crank.face_width", 5.01, 4.99),
+        (SIZED, "gears.power_kW", "gears.inputs.power", 50.0, 50.1),
+        (SET, "mounting.mass_kg", "mounting.inputs.mass", 89.0, 88.0),
+        (SET, "mounting.mass_kg", "mounting.inputs.mass", 5890.0, 5910.0),
+    ],
+)  # fmt: skip
+def test_inputs_that_do_not_fit_each_other(name: str, key: str, id: str, good: object, bad: object) -> None:
+    step = id.partition(".")[0]
+
+    def ids(content: object) -> list[str]:
+        return [check.id for check in doubts(design(changed(name, {key: content})), step)]
+
+    assert id not in ids(good)
+    assert id in ids(bad)
+
+
+def test_mounts_in_another_unit_are_doubted() -> None:
+    per_metre = {f"mounting.mounts.{n}.stiffness_N_mm": [620e3, 260e3, 260e3] for n in range(6)}
+    (check,) = doubts(design(changed(SET, per_metre)), "mounting")
+    assert check.id == "mounting.inputs.stiffness" and check.value == pytest.approx(223.0, rel=0.01)
+
+
+@pytest.mark.parametrize(("good", "bad"), [(0.0168, 0.0165), (34.4, 34.6)])
+def test_an_inertia_that_does_not_fit_its_mass_is_doubted(good: float, bad: float) -> None:
+    def ids(share: float) -> list[str]:
+        inertia = [290.0 * share, 300.0 * share, 62.0 * share]
+        scaled = {"mounting.inertia_kgm2": inertia, "mounting.inertia_coupling_kgm2": [0.0, 0.0, 14.0 * share]}
+        return [check.id for check in doubts(design(changed(SET, scaled)), "mounting")]
+
+    assert ids(good) == [] and ids(bad) == ["mounting.inputs.inertia"]
+
+
+def test_a_material_of_the_design_is_doubted_where_it_is_used() -> None:
+    steel = changed(GAMMA, {"countershaft.material": "ADI", "material.0.expansion_1e6_K": 1.4e-5})
+    (check,) = doubts(design(steel), "countershaft")
+    assert check.id == "countershaft.inputs.material.ADI.expansion_1e6_K"
+    assert dict(check.remedies[0].changes) == {"material.ADI.expansion_1e6_K": pytest.approx(14.0)}
+    assert doubts(design(steel), "gears") == ()
+
+
+def test_what_is_far_outside_is_doubted_once() -> None:
+    """The other checks that it falls through as well would only say the same, and mean other things."""
+    found = doubts(design(changed(SIZED, {"engine.bore_mm": 0.094})), "engine")
+    assert [check.id for check in found] == ["engine.inputs.bore_mm"]
+
+
+# --- where it stands, and what it counts
+
+
+def test_it_stands_first_counts_and_can_be_accepted() -> None:
+    wrong: dict[str, object] = {"engine.bore_mm": 9.4}
+    results = solved(SIZED, wrong)
+    first = grouped(results.checks())[0]
+    assert first[0].id == "engine.inputs.bore_mm"
+    assert str(first[0]).startswith("▲ Far from usual: bore: 9.4 mm (50 to 150 mm")
+    engine = results.outcomes["engine"]
+    assert (engine.verdict, engine.counts.cautions) == ("warn", 1)
+    assert results.counts.cautions == solved(SIZED, {}).counts.cautions + 1
+    accepted = solved(SIZED, wrong | {"accepted": {first[0].id: "a model engine"}})
+    assert accepted.outcomes["engine"].verdict == "computed"
+    assert "no such check" not in " ".join(map(str, accepted.outcomes["engine"].notes))
+
+
+def test_it_stands_before_a_limit_that_fails() -> None:
+    gamma = solved(GAMMA, {"bearings.supply_pressure_bar": 0.4})
+    assert gamma.verdict == "fail"
+    assert grouped(gamma.checks())[0][0].id == "bearings.inputs.supply_pressure"
+    assert gamma.outcomes["bearings"].causes[0][0].id == "bearings.inputs.supply_pressure"
+
+
+def test_a_note_does_not_repeat_it_where_the_step_is_solved() -> None:
+    wrong = changed(SIZED, {"engine.bore_mm": 9.4, "engine.rated_speed_rpm": 900.0})
+    asked = design(wrong)
+    assert {"engine.bore_mm", "engine.rated_speed_rpm"} <= {odd.key for odd in unusual(asked)}
+    with recorded(False):
+        keys = [odd.key for odd in unusual(asked, STEP_KEYS, solve(asked).checks())]
+    assert "engine.bore_mm" not in keys and "engine.rated_speed_rpm" in keys

@@ -1,0 +1,217 @@
+"""Each check of the engine just inside and just outside its limit, and what is not known of the crank's material."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from calc.engine import throw
+from calc.engine.checks import checks
+from calc.engine.gas import GasInputs
+from calc.engine.inputs import EngineInputs
+from calc.engine.solve import solve
+from calc.engine.throw_strength import ThrowFatigue
+from calc.library.catalogue import materials
+from calc.sheet.check import stretched
+from tests.calc.engine.test_gas import DIESEL
+from tests.calc.engine.test_throw import SIZES
+from tests.calc.engine.test_throw import solved as solved_throw
+from tests.calc.imbalance.engines import R753
+
+ENGINE = EngineInputs(**R753, gas=GasInputs(**DIESEL), rated_power=50e3, flywheel_inertia=0.5)
+RESULT = solve(ENGINE).result
+TURNING = RESULT.torque
+
+
+def found(engine=ENGINE, turning=(), **changes):
+    """The checks by their ids, of the engine with some of its results replaced."""
+    made = checks(engine, replace(RESULT, **changes), replace(TURNING, **dict(turning)))
+    return {check.id: check for check in made}
+
+
+def turning(**changes):
+    return found(turning=changes)
+
+
+def table_with_a_gap(degrees):
+    """Pressures every 50°, and one gap."""
+    corners = np.radians([0.0, *np.arange(degrees, 720.0, 50.0)])
+    cycle = SimpleNamespace(corners=corners, length=math.radians(720.0))
+    engine = replace(ENGINE, gas=replace(ENGINE.gas, pressure=((0.0, 1e5),)))
+    return found(engine, turning=dict(cycle=cycle))
+
+
+def ratios(*lambdas):
+    return found(cylinder={str(i): SimpleNamespace(lambda_=lam) for i, lam in enumerate(lambdas)})
+
+
+def intervals(shortest, longest):
+    even = math.radians(240.0)
+    return found(
+        firing_interval=even,
+        firing_interval_shortest=even - math.radians(shortest),
+        firing_interval_longest=even + math.radians(longest),
+    )
+
+
+P_MI = TURNING.indicated_mean_pressure
+CASES = [
+    ("engine.speed_irregularity", turning(speed_irregularity=0.0499), turning(speed_irregularity=0.0501), "note"),
+    ("engine.gas.work", turning(indicated_work=1e-9), turning(indicated_work=0.0), "note"),
+    ("engine.rated_power", found(brake_mean_pressure=0.949 * P_MI), found(brake_mean_pressure=1.001 * P_MI), "fail"),
+    ("engine.rated_power", found(brake_mean_pressure=0.949 * P_MI), found(brake_mean_pressure=0.951 * P_MI), "warn"),
+    ("engine.gas.gap", table_with_a_gap(59.9), table_with_a_gap(60.1), "note"),
+    ("engine.crank.lambda_usual", ratios(0.2201, 0.26), ratios(0.26, 0.2199), "note"),
+    ("engine.crank.lambda_usual", ratios(0.26, 0.2999), ratios(0.3001, 0.23), "note"),
+    ("engine.crank.lambda_usual", found(lambda_=0.2999), found(lambda_=0.3001), "note"),
+    ("engine.firing.even", intervals(0.99, 0.5), intervals(1.01, 0.5), "note"),
+    ("engine.firing.even", intervals(0.5, 0.99), intervals(0.5, 1.01), "note"),
+]
+
+
+@pytest.mark.parametrize("id, inside, outside, verdict", CASES)
+def test_inside_and_outside(id, inside, outside, verdict):
+    assert (inside[id].verdict, outside[id].verdict) == ("pass", verdict)
+
+
+@pytest.mark.parametrize(
+    "id, quoted",
+    [
+        ("engine.speed_irregularity", "ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept well below 1/20"),
+        ("engine.gas.work", "energy: an engine gives work"),
+        ("engine.rated_power", "energy: a crank gives no more than its gas"),
+        ("engine.crank.lambda_usual", "Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30"),
+        ("engine.firing.even", "even firing within 1° (Finotti 2013, 2.4"),
+    ],
+)
+def test_sources(id, quoted):
+    assert quoted in str(found()[id].source)
+    assert "a straight line is taken across a gap" in str(table_with_a_gap(60)["engine.gas.gap"].source)
+
+
+def test_the_work_is_measured_against_a_tenth_of_a_megapascal():
+    one_cylinder = math.pi / 4 * 0.094**2 * 0.107
+    assert turning(indicated_work=0.1e6 * one_cylinder)["engine.gas.work"].margin == pytest.approx(1.0)
+
+
+def test_a_gas_without_pressure_gives_a_margin_all_the_same():
+    without = found(turning=dict(indicated_mean_pressure=0.0), brake_mean_pressure=0.2e6)["engine.rated_power"]
+    assert without.verdict == "fail" and without.margin == pytest.approx(-2.0)
+
+
+# --- the throw
+STEEL = replace(materials()["42CrMo4"], proof_stress=500e6)
+PLACES = ("pin", "journal", "pin_fillet", "journal_fillet")
+
+
+def of_throw(place="", stress=0.0, material=STEEL, span=0.112, fillets=(0.05, 0.05), safety=3.0):
+    """The checks of a throw; one place has `stress` [Pa] in one position of one of three cylinders, all else less."""
+    worst = np.full((2, 3, 4), 1e6)
+    if place:
+        worst[1, 1, PLACES.index(place)] = stress
+    crank = SimpleNamespace(
+        throw=throw.ThrowInputs(**SIZES),
+        engine=SimpleNamespace(cylinders=3, cylinder_pitch=0.112),
+        span=span,
+        notch={place: (ratio, 1.0, 1.0) for place, ratio in zip(("pin", "journal"), fillets)},
+        load=(),
+    )
+    fatigue = None
+    if safety is not None:
+        numbers = dict.fromkeys(("amplitude", "mean", "equivalent", "strength"), 1.0)
+        fatigue = ThrowFatigue(
+            **{f"fatigue_{name}": number for name, number in numbers.items()},
+            fatigue_safety=safety,
+            place="journal",
+            cylinder=1,
+            wanted=1.5,
+        )
+    return {check.id: check for check in throw._checks(crank, worst, material, fatigue)}
+
+
+THROW_CASES = [
+    ("engine.throw.stress_pin", of_throw("pin", 474e6), of_throw("pin", 500.1e6), "fail"),
+    ("engine.throw.stress_pin", of_throw("pin", 474e6), of_throw("pin", 476e6), "warn"),
+    ("engine.throw.stress_journal", of_throw("journal", 474e6), of_throw("journal", 500.1e6), "fail"),
+    ("engine.throw.notch_stress_pin", of_throw("pin_fillet", 499.9e6), of_throw("pin_fillet", 500.1e6), "warn"),
+    (
+        "engine.throw.notch_stress_journal",
+        of_throw("journal_fillet", 499.9e6),
+        of_throw("journal_fillet", 500.1e6),
+        "warn",
+    ),
+    ("engine.throw.fillet_pin", of_throw(fillets=(0.0101, 0.05)), of_throw(fillets=(0.0099, 0.05)), "note"),
+    ("engine.throw.fillet_pin", of_throw(fillets=(0.299, 0.05)), of_throw(fillets=(0.301, 0.05)), "note"),
+    ("engine.throw.fillet_journal", of_throw(fillets=(0.05, 0.0101)), of_throw(fillets=(0.05, 0.0099)), "note"),
+    ("engine.throw.fillet_journal", of_throw(fillets=(0.05, 0.299)), of_throw(fillets=(0.05, 0.301)), "note"),
+    ("engine.throw.span", of_throw(span=0.801 * 0.112), of_throw(span=0.799 * 0.112), "note"),
+    ("engine.throw.span", of_throw(span=1.099 * 0.112), of_throw(span=1.101 * 0.112), "note"),
+    ("engine.throw.fatigue", of_throw(safety=1.501), of_throw(safety=1.499), "warn"),
+]
+
+
+@pytest.mark.parametrize("id, inside, outside, verdict", THROW_CASES)
+def test_inside_and_outside_at_the_throw(id, inside, outside, verdict):
+    assert (inside[id].verdict, outside[id].verdict) == ("pass", verdict)
+
+
+@pytest.mark.parametrize(
+    "id, quoted",
+    [
+        ("engine.throw.stress_pin", "elasticity, proof stress of 42CrMo4"),
+        ("engine.throw.stress_journal", "elasticity, proof stress of 42CrMo4"),
+        ("engine.throw.notch_stress_pin", "proof stress of 42CrMo4: above it the fillet yields locally"),
+        ("engine.throw.notch_stress_journal", "proof stress of 42CrMo4: above it the fillet yields locally"),
+        ("engine.throw.fillet_pin", "range of the notch factors (Norton"),
+        ("engine.throw.fillet_journal", "range of the notch factors (Norton"),
+        ("engine.throw.span", "a main journal between any two throws"),
+        ("engine.throw.fatigue", "FKM guideline (from memory): endless life at rated speed"),
+    ],
+)
+def test_sources_of_the_throw(id, quoted):
+    assert quoted in str(of_throw()[id].source)
+
+
+UNKNOWN = replace(STEEL, proof_stress=None)
+
+
+@pytest.mark.parametrize("place", ["pin", "journal"])
+@pytest.mark.parametrize("material", [UNKNOWN, None])
+def test_without_proof_stress_the_weakest_steel_stands_for_it(place, material):
+    """Below 235 MPa any steel bears it; above it depends on the steel, and nobody knows it to fail."""
+    id = f"engine.throw.stress_{place}"
+    weak, strong = (of_throw(place, stress, material)[id] for stress in (0.94 * 235e6, 235.1e6))
+    assert (weak.verdict, strong.verdict) == ("pass", "not_verified")
+    assert strong.limit == pytest.approx(235.0) and strong.missing == ("material.proof_stress_MPa",)
+    assert str(strong.taken[0]) == "235 MPa: the weakest structural steel"
+    assert f"engine.throw.notch_stress_{place}" not in of_throw(place, 1e6, material)
+
+
+@pytest.mark.parametrize(
+    "material, wanted, missing",
+    [
+        (replace(STEEL, tensile_strength=None), 1.5, ["tensile_strength_MPa"]),
+        (replace(STEEL, tensile_strength=None, kind="grey iron"), 2.1, ["tensile_strength_MPa"]),
+        (replace(STEEL, kind="other"), 2.1, ["kind", "tensile_strength_MPa"]),
+        (None, 2.1, ["kind", "tensile_strength_MPa"]),
+    ],
+)
+def test_without_strength_fatigue_is_not_verified(material, wanted, missing):
+    check = of_throw(material=material, safety=None)["engine.throw.fatigue"]
+    assert check.verdict == "not_verified" and math.isnan(check.value) and check.limit == wanted
+    assert list(check.missing) == [f"material.{key}" for key in missing]
+
+
+def test_without_a_fillet_nobody_asks_for_fatigue():
+    *_, (_, made, notes, _) = solved_throw(fillet_radius=None)
+    assert "engine.throw.fatigue" not in {check.id for check in made}
+    assert any("takes the radius of the fillets" in note for note in notes)
+
+
+@pytest.mark.parametrize("safety, verdict", [(2.251, "pass"), (2.249, "not_verified"), (1.499, "warn")])
+def test_a_notch_factor_outside_its_range_weakens_the_fatigue_by_half(safety, verdict):
+    made = stretched(tuple(of_throw(fillets=(0.05, 0.301), safety=safety).values()))
+    check = next(check for check in made if check.id == "engine.throw.fatigue")
+    assert check.verdict == verdict and check.outside == ("engine.throw.fillet_journal",)

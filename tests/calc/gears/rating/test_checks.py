@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Each check of the rating just inside its limit and just outside it, what is not known of the engine's irregularity,
+and the formulas that are used outside their validity."""
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from calc.gears import solve
+from calc.gears.rating.checks import (
+    application_factor_check,
+    flank_reversal_check,
+    hardness_checks,
+    influence_checks,
+    mesh_checks,
+    roughness_check,
+    screening_checks,
+    strength_checks,
+)
+from calc.gears.rating.classes import strength_class
+from calc.gears.rating.load import UNEVEN, USUAL, Irregularity, RatingLoad, Surroundings
+from calc.library.catalogue import materials, oils
+from calc.library.lubricant import Lubricant
+from calc.sheet.check import stretched
+from tests.calc.gears.trains import r753, solved
+
+GEARS = r753()
+TRAIN = solved(GEARS)
+KEY = "central_idler"
+MESH = TRAIN.meshes[KEY]
+OIL = Surroundings(lubricant=Lubricant(oils()["10W-40 Q8 T905"]), oil_temperature=90.0)
+STEEL = materials()
+LITTLE = 1e-6
+HEAVY = 60.0  # N·m: no formula is outside its validity
+
+
+def rated(torque=HEAVY, around=OIL, gears=GEARS):
+    return solve.rating(gears, TRAIN, torque, STEEL, around)
+
+
+RATED = rated().result.meshes[KEY]
+
+
+def by_name(checks):
+    return {check.id.rpartition(".")[2]: check for check in checks}
+
+
+def of_influence(**changes):
+    mesh = replace(MESH, shift_sum=changes.pop("shift_sum", MESH.shift_sum))
+    return by_name(influence_checks(KEY, mesh, replace(RATED.influence, **changes)))
+
+
+def of_screening(**changes):
+    return by_name(screening_checks(KEY, replace(RATED.screening, **changes)))
+
+
+def of_notch(q_s):
+    form = replace(RATED.forms["idler"], q_s=q_s)
+    return by_name(mesh_checks(KEY, MESH, replace(RATED, forms={"idler": form}), RatingLoad(1.0, None, None, 1.0, 1.0)))
+
+
+def of_flanks(S_H):
+    contact = {name: replace(RATED.strength.contact[name], S_H=x) for name, x in zip(("central", "idler"), S_H)}
+    return by_name(strength_checks({KEY: replace(RATED.strength, contact=contact)}))
+
+
+def of_roots(S_F):
+    bending = {name: replace(root, S_F=S_F) for name, root in RATED.strength.bending.items()}
+    return by_name(strength_checks({KEY: replace(RATED.strength, bending=bending)}))
+
+
+def of_hardness(HV):
+    return by_name(hardness_checks("idler", replace(strength_class("case-hardened", "MQ", 700.0), hardness=HV)))
+
+
+# check, how it is made of a number, its limit, on which side of it is inside, verdicts inside and outside, source
+EACH = [
+    ("line_load", lambda x: of_influence(line_load=x), 50e3, 1, ("pass", "note"), "below 50 N/mm flanks can part"),
+    (
+        "resonance",
+        lambda x: of_influence(resonance_ratio=x, lower_resonance=0.7),
+        0.7,
+        -1,
+        ("pass", "warn"),
+        "from N_S to 1.15",
+    ),
+    (
+        "resonance",
+        lambda x: of_influence(resonance_ratio=x, lower_resonance=0.7),
+        1.15,
+        1,
+        ("pass", "warn"),
+        "from N_S to 1.15",
+    ),
+    ("shift_sum", lambda x: of_influence(shift_sum=x), -0.5, 1, ("pass", "note"), "clause 9"),
+    ("shift_sum", lambda x: of_influence(shift_sum=x), 2.0, -1, ("pass", "note"), "clause 9"),
+    ("contact_width", lambda x: of_influence(contact_width_share=x), 1.0, 1, ("pass", "warn"), "K_Hβ up to 2"),
+    ("notch_idler", of_notch, 1.0, 1, ("pass", "note"), "range of Y_S"),
+    ("notch_idler", of_notch, 8.0, -1, ("pass", "note"), "range of Y_S"),
+    ("safety_contact", lambda x: of_flanks((x, 9.0)), 1.0, 1, ("warn", "fail"), "the usual 1 to 1.2"),
+    ("safety_contact", lambda x: of_flanks((9.0, x)), 1.0, 1, ("warn", "fail"), "the usual 1 to 1.2"),
+    ("safety_contact_usual", lambda x: of_flanks((x, 9.0)), 1.2, 1, ("pass", "note"), "1.15 to 1.2"),
+    ("safety_bending", of_roots, 1.4, 1, ("warn", "fail"), "the usual 1.4 to 1.6"),
+    ("safety_bending_usual", of_roots, 1.6, 1, ("pass", "note"), "1.4 to 1.45"),
+    ("hardness", of_hardness, 660.0, 1, ("warn", "fail"), "ISO 6336-5:2016, Table 1"),
+    ("hardness_most", of_hardness, 800.0, -1, ("pass", "note"), "ISO 6336-5:2016, Table 1"),
+    (
+        "micropitting_film",
+        lambda x: of_screening(specific_film_min=x, permissible_film=0.3),
+        0.3,
+        1,
+        ("pass", "note"),
+        "ISO/TR 15144-1:2014",
+    ),
+    ("scuffing", lambda x: of_screening(scuffing_margin=x), 50.0, 1, ("pass", "warn"), "10.5: for instance 50 K"),
+    (
+        "root_roughness",
+        lambda x: {"root_roughness": roughness_check(x)},
+        40e-6,
+        -1,
+        ("pass", "note"),
+        "found up to 40 µm",
+    ),
+]
+
+
+@pytest.mark.parametrize("name, made_of, limit, side, verdicts, source", EACH)
+def test_each_check(name, made_of, limit, side, verdicts, source):
+    inside, outside = (made_of(limit * (1 + sign * LITTLE * math.copysign(1.0, limit)))[name] for sign in (side, -side))
+    assert (inside.verdict, outside.verdict) == verdicts
+    assert source in outside.source
+
+
+def test_the_weaker_flank_is_named_and_what_would_just_do_is_advised():
+    check = of_flanks((0.9, 0.8))["safety_contact"]
+    assert check.value == 0.8 and "weaker: idler" in check.name and "on load 0.64" in check.name
+    assert f"more than {1 / 0.64:.3g} times the face width" in check.advice and "less than 0.64 of it" in check.advice
+    assert "1.27 times the face width" in of_roots(1.1)["safety_bending"].advice
+
+
+def test_below_the_load_of_the_standard_the_contact_over_the_width_is_not_judged():
+    assert "contact_width" in of_influence(line_load=50e3)
+    assert "contact_width" not in of_influence(line_load=49.9e3)
+
+
+@pytest.mark.parametrize("ratio, sense", [(1.0, "<="), (1.001, ">=")])
+def test_the_resonance_is_kept_away_from_on_either_side(ratio, sense):
+    check = of_influence(resonance_ratio=ratio)["resonance"]
+    assert check.sense == sense and check.verdict == "warn"
+
+
+def test_the_oil_is_tested_from_the_pressure_of_its_first_stage_on():
+    film = dict(specific_film_min=0.1, permissible_film=0.3)
+    low, high = (of_screening(**film, film_pressure=p)["micropitting_film"].advice for p in (799e6, 801e6))
+    assert "about 800 MPa" in low and "Have the oil tested" in high
+
+
+# --- the application factor, and the sign of the torque
+@pytest.mark.parametrize("K_A, verdict", [(1.5 + LITTLE, "pass"), (1.5 - LITTLE, "warn")])
+@pytest.mark.parametrize("mean", [4.0, -4.0])
+def test_a_given_factor_covers_mean_and_dynamic_torque(K_A, verdict, mean):
+    load = RatingLoad(mean, 2.0, 2.0, mean, K_A)
+    check = application_factor_check(KEY, "central–idler", load)
+    assert check.verdict == verdict and check.kind == "caution" and "dynamic torque over the mean" in check.source
+
+
+@pytest.mark.parametrize("least, verdict", [(0.0, "pass"), (-LITTLE, "note")])
+def test_flanks_leave_each_other_where_the_torque_changes_its_sign(least, verdict):
+    check = flank_reversal_check(KEY, "central–idler", RatingLoad(-4.0, 2.0, least, 6.0, 1.0, of_peak=True))
+    assert check.verdict == verdict and check.scale == 4.0 and "does not change its sign" in check.source
+
+
+def test_what_is_not_known_of_the_torque_is_said():
+    check = flank_reversal_check(KEY, "central–idler", RatingLoad(4.0, None, None, 4.0, USUAL, assumed=True))
+    assert check.verdict == "note" and "not known" in check.name and math.isnan(check.value)
+    assert (check.limit, check.scale) == (0.0, 4.0)
+    assert check.missing == ("gears.application_factor", "gears.speed_irregularity")
+    assert [str(text) for text in check.taken] == ["1.25", "none"]
+    given = RatingLoad(4.0, None, None, 4.0, 1.5)
+    assert flank_reversal_check(KEY, "central–idler", given) is None
+    idle = RatingLoad(0.0, None, None, 0.0, USUAL, assumed=True)
+    assert flank_reversal_check(KEY, "central–idler", idle) is None
+
+
+# --- the irregularity of the engine
+def safeties(outcome):
+    return {c.id: c for c in outcome.checks if c.id.rpartition(".")[2] in ("safety_contact", "safety_bending")}
+
+
+def test_without_irregularity_the_worst_end_is_a_rating_at_five():
+    """K_V and K_Hβ follow the load; what is not known of the engine spares no other check."""
+    unknown, at_five = safeties(rated()), safeties(rated(gears=replace(GEARS, application_factor=5.0)))
+    assert len(unknown) == 3 + 4
+    for id, check in unknown.items():
+        assert check.at_best == check.value and check.at_worst == pytest.approx(at_five[id].value, rel=1e-12)
+        assert at_five[id].missing == () and at_five[id].at_worst is None
+        assert check.missing == ("gears.application_factor", "gears.speed_irregularity")
+    contact = unknown["gears.central_idler.safety_contact"]
+    assert contact.at_worst > contact.value * math.sqrt(USUAL / UNEVEN) and UNEVEN == 5.0
+
+
+def test_a_known_irregularity_is_no_unknown():
+    known = safeties(rated(around=replace(OIL, uneven=Irregularity(0.02, 1.5, None, None, False))))
+    assert {check.missing for check in known.values()} == {()}
+
+
+# on the wheel that is weakest in bending: at 1.25 and at 5
+@pytest.mark.parametrize(
+    "torque, state", [(5.0, "pass"), (HEAVY, "not_verified"), (400.0, "fail")], ids=["light", "usual", "heavy"]
+)
+def test_a_safety_is_verified_where_it_holds_at_both_ends(torque, state):
+    check = safeties(rated(torque))["gears.idler.safety_bending"]
+    ends = check.at_best >= 1.4, check.at_worst >= 1.4
+    assert ends == {"pass": (True, True), "not_verified": (True, False), "fail": (False, False)}[state]
+    assert check.verdict == state
+    assert "How unevenly the engine turns is not known" in check.advice or state == "fail"
+
+
+def test_a_wheel_without_a_class_is_not_verified():
+    """Nobody knows its strength; its mates are rated with their other wheels."""
+    soft = tuple(replace(w, material="EN AC-43100") if w.name == "shaft" else w for w in GEARS.wheels)
+    checks = safeties(rated(gears=replace(GEARS, wheels=soft)))
+    shaft = checks["gears.shaft.safety_bending"]
+    assert shaft.verdict == "not_verified" and shaft.missing == ("gears.wheels.shaft.gear_material",)
+    assert "no safety" in shaft.advice and "gears.idler_shaft.safety_contact" not in checks
+    assert checks["gears.idler.safety_bending"].value > 0
+
+
+# --- outside the validity
+def weakened(method):
+    """The factors by which checks are known less well when a check of the method is passed over."""
+    roots = {wheel: of_roots(2.8)["safety_bending"].but(id=f"gears.{wheel}.safety_bending") for wheel in TRAIN.wheels}
+    flank = of_flanks((2.0, 2.0))["safety_contact"]
+    checks = stretched((method, flank, *roots.values()))
+    return {c.id: c.value / c.at_worst for c in checks if c.outside}
+
+
+@pytest.mark.parametrize(
+    "method, factors",
+    [
+        (of_influence(line_load=40e3)["line_load"], {"contact": math.sqrt(2.0), "central": 2.0, "idler": 2.0}),
+        (of_influence(shift_sum=2.1)["shift_sum"], {"central": 1.3, "idler": 1.3}),
+        (of_notch(9.0)["notch_idler"], {"idler": 1.3}),
+        (roughness_check(41e-6), {"crank": 1.1, "central": 1.1, "idler": 1.1, "shaft": 1.1}),
+    ],
+    ids=["line_load", "shift_sum", "notch", "root_roughness"],
+)
+def test_a_formula_outside_its_validity_weakens_what_stands_on_it(method, factors):
+    ids = {"contact": f"gears.{KEY}.safety_contact"}
+    expected = {ids.get(name, f"gears.{name}.safety_bending"): factor for name, factor in factors.items()}
+    assert weakened(method) == pytest.approx(expected)
+
+
+def test_a_load_that_is_too_small_in_both_meshes_of_a_wheel_is_counted_once():
+    low = of_influence(line_load=40e3)["line_load"]
+    root = of_roots(2.8)["safety_bending"].but(id="gears.idler.safety_bending")
+    other = low.but(id="gears.idler_shaft.line_load")
+    *_, check = stretched((low, other, root))
+    assert check.outside == (low.id, other.id) and check.at_worst == pytest.approx(1.4)
+    assert check.verdict == "pass"
