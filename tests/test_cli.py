@@ -400,6 +400,7 @@ def test_set_edits_in_place_and_keeps_the_comments(tmp_path):
     assert "length_mm = 34" in text and "[-20, -30]" in text
     assert "# the text prints 0.6; only 0.61 gives the source's numbers" in text
     assert (tmp_path / "d.toml.bak").read_bytes() == GAMMA.read_bytes()
+    assert done.stdout.split("\n")[0] == run("check", path).stdout.split("\n")[0] != ""
 
 
 def test_set_leaves_the_file_alone_when_the_design_would_be_wrong(tmp_path):

@@ -9,8 +9,8 @@ from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 from calc.studies.repair.options import NEAR, RepairOption, ranked, search
 from calc.studies.repair.state import broken, state_of
-from calc.studies.shipped import DESIGNS
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
+from tests.conftest import DESIGNS, ROOT
 
 
 def finding(results: Results, id: str) -> Check:
@@ -91,6 +91,22 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
 
     with pytest.raises(Cancelled):
         ranked(search(gamma, check, gamma_results, stop))
+
+
+@pytest.mark.parametrize("name", ["timing_pair", "thesis_oils"])
+def test_what_can_not_be_verified_asks_for_what_is_missing_first(name: str) -> None:
+    """Other numbers are looked at only where it does not even hold by what is taken."""
+    document = read(ROOT / "tests" / "reference" / "designs_0_1" / f"{name}.toml")
+    results = solve(design(document))
+    unknown = [c for c in results.checks() if c.finding == "not_verified"]
+    assert unknown
+    for check in unknown[:3]:
+        ways = list(search(document, check, results, seconds=0.0))
+        group = {key for c in results.checks() for key in c.missing if c.missing}
+        first = ways[: len(check.missing)]
+        assert first and all(set(way.keys) <= group and way.kind.startswith("give ") for way in first)
+        if check.holds:
+            assert all(set(way.keys) <= group for way in ways)
 
 
 @pytest.mark.parametrize(
