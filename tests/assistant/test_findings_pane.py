@@ -1,21 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """The findings of a step: in groups, folded, told in full under the cursor; and how it looks in any width."""
 
+from dataclasses import replace
+
 import pytest
 
 from assistant.screens.ready import Closing
 from assistant.session.calculation import slopes_of_check, slopes_of_input
 from assistant.session.session import Session
-from assistant.widgets.checks import Checks
+from assistant.widgets.checks import Checks, open_groups
 from assistant.widgets.lines import MessageLine
 from assistant.widgets.signs import Signs
 from assistant.widgets.steps import READY, Steps
 from assistant.widgets.text import bar
+from calc.sheet.text import Text
+from calc.sheet.verdict import findings_of
 from calc.studies.explain import effects, moved_by
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import settled, strike, until, work
+from tests.made_checks import made_check
 
-EDGE, DOUBLE = "bearings.front.film_edge", "bearings.front.film_double_load"
+EDGE = "bearings.front.film_edge"
 
 
 def rows(checks: Checks) -> dict[str, str]:
@@ -28,30 +33,19 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         await settled(pilot)
         checks = work(pilot).query_one(Checks)
         await until(pilot, lambda: "per mm" in rows(checks)[EDGE])  # the slopes follow
-        shown = rows(checks)
-        assert list(shown) == [
-            EDGE,
-            DOUBLE,
-            "bearings.rear.film_double_load",
-            "bearings.rear.slope_given",
-            "advice",
-            "method",
-            "hold",
-        ]
-        assert (
-            "(4 findings)" in shown[EDGE]
-            and "7.41 of 9 µm" in shown[EDGE]
-            and "most: length +0.4 µm per mm" in shown[EDGE]
-        )
-        assert "6.04 of" not in shown[DOUBLE]
+        shown, outcome = rows(checks), work(pilot).session.results.outcomes["bearings"]
+        groups = open_groups(outcome)
+        assert list(shown) == [*(group[0].id for group in groups), "advice", "method", "hold"]
+        assert groups[0][0].id == EDGE and f"({len(groups[0])} checks)" in shown[EDGE]
+        assert "7.41 of 9 µm" in shown[EDGE] and "most: length +0.4 µm per mm" in shown[EDGE]
+        second = groups[1][0]
         await strike(pilot, "down")
-        assert (
-            checks.key == DOUBLE and "6.04 of 7.46 µm" in rows(checks)[DOUBLE] and "7.41 of" not in rows(checks)[EDGE]
-        )
+        assert checks.key == second.id and len(rows(checks)[second.id]) > len(shown[second.id])
+        assert "7.41 of" not in rows(checks)[EDGE]
         # it speaks of what is under the cursor
-        assert "twice the load, front" in work(pilot).query_one(MessageLine).message()[1]
+        assert str(second.name) in work(pilot).query_one(MessageLine).message()[1]
         await strike(pilot, "up", "right", "down")
-        assert checks.key.startswith(EDGE) and checks.key != EDGE
+        assert checks.key == groups[0][1].id
         await strike(pilot, "left")
         assert checks.key == EDGE and len(rows(checks)) == len(shown)
         await strike(pilot, "end", "enter")
@@ -59,19 +53,51 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
 
 
 async def test_what_holds_outside_the_validity_of_its_formula_has_no_tick(screen: Screen, session: Session) -> None:
+    """What puts it there is said once, where the cursor is."""
+    method = made_check(0.5, kind="method", id="gears.a_b.line_load", name=Text("Load per face width"))
+    ends = {"at_best": 2.0, "at_worst": 1.5}
+    check = made_check(2.0, id="gears.a_b.safety", outside=(method.id,), **ends)  # type: ignore[arg-type]
     async with screen(session=session) as pilot:
-        await strike(pilot, "escape", "5", "f7")
-        await settled(pilot)
         checks = work(pilot).query_one(Checks)
-        await strike(pilot, "end", "enter")
+        assert session.results is not None
+        checks.show(replace(session.results.outcomes["gears"], checks=(method, check, made_check(2.0, id="gears.x"))))
+        await settled(pilot)
+        assert checks.go_to(check.id)
         shown = rows(checks)
-        assert shown["gears.idler_shaft.safety_contact"].startswith("•") and shown[
-            "gears.idler_shaft.contact_ratio"
-        ].startswith("✓")
-        checks.cursor = [item.key for item in checks.items].index("gears.idler_shaft.safety_contact")
-        checks.rebuild()
-        told = " ".join(rows(checks)["gears.idler_shaft.safety_contact"].split())
-        assert "It holds by a formula outside its validity: Load per face width idler–shaft (" in told
+        assert shown[check.id].startswith("•") and shown["gears.x"].startswith("✓")
+        told = " ".join(shown[check.id].split())
+        assert told.count("outside the validity of its formula: Load per face width (") == 1
+        assert "at best 2, at worst 1.5" in told
+
+
+async def test_a_step_says_its_state_and_how_many_findings_are_listed(screen: Screen, session: Session) -> None:
+    """As `check` does; the checks that are not listed stand in the rows that unfold them."""
+    async with screen(session=session, size=(120, 40)) as pilot:
+        await strike(pilot, "escape", "4")
+        await settled(pilot)
+        bench = work(pilot)
+        checks, outcome = bench.query_one(Checks), bench.session.results.outcomes["bearings"]
+        listed = open_groups(outcome)
+        assert [row.plain for row in checks.items[0].rows] == [f"✗ {outcome.words()}"]
+        assert bench.pane_named("checks").right == findings_of(listed)
+        heads = [item.key for item in checks.items if item.key not in ("", "advice", "method", "hold")]
+        assert heads == [group[0].id for group in listed]
+
+
+async def test_what_is_not_given_is_told_with_what_was_taken_and_both_ends(screen: Screen, session: Session) -> None:
+    key, taken = "bearings.oil", (Text("235 MPa"),)
+
+    def told(**more: object) -> str:
+        check = made_check(10.0, limit=9.0, unit="µm", id="bearings.front.x", **more)  # type: ignore[arg-type]
+        return " ".join(" ".join(row.plain.split()) for row in checks._detail(check, 100))
+
+    async with screen(session=session) as pilot:
+        checks = work(pilot).query_one(Checks)
+        unknown = told(missing=(key,), taken=taken, at_best=12.0, at_worst="none")
+        assert "Not given: oil. taken: 235 MPa at best 12 µm, at worst unknown" in unknown
+        assert "at best it holds, at worst 7 µm" in told(missing=(key,), taken=taken, at_best="holds", at_worst=7.0)
+        holds = told(missing=(key,), taken=taken, at_best=12.0, at_worst=9.5)
+        assert "assumed: 235 MPa" in holds and "Not given" not in holds and "at worst" not in holds
 
 
 @pytest.mark.parametrize("width", [12, 30, 48, 80, 120, 200])

@@ -14,10 +14,10 @@ from assistant.screens.workbench import Workbench
 from assistant.session.recovery import Memory
 from assistant.session.session import Session
 from assistant.widgets.field import Field, StrokeField
-from assistant.widgets.steps import states_of
+from assistant.widgets.steps import states_of, whole_of
 from calc.design.model import STEPS
 from calc.sheet.verdict import grouped
-from calc.studies.ready import ready
+from calc.studies.ready import LEFT
 from calc.studies.repair.options import ranked, search
 from calc.studies.shipped import DESIGNS
 from calc.studies.starter.build import choice_made
@@ -81,7 +81,8 @@ class Hands:
 
 @SIZES
 @pytest.mark.parametrize("name", ENGINES)
-async def test_an_own_engine_is_ready_within_sixty_keys(name, size, tmp_path, monkeypatch):
+async def test_an_own_engine_comes_to_its_closing_page_within_sixty_keys(name, size, tmp_path, monkeypatch):
+    """Ready, unless the balancing that it calls for leaves steps out that nobody has left out in words."""
     monkeypatch.chdir(tmp_path)
     words, numbers, balancing = ENGINES[name]
     app = ContralberoApp(None, memory=Memory(tmp_path / "state"))
@@ -97,7 +98,9 @@ async def test_an_own_engine_is_ready_within_sixty_keys(name, size, tmp_path, mo
             await asyncio.sleep(0.02)
             assert hands.keys <= MOST
         session = hands.bench.session
-        assert session.valid and ready(states_of(session)) and session.results.verdict == "pass"
+        assert session.valid and not any(state.state == "todo" for state in states_of(session))
+        whole = whole_of(session)
+        assert whole.ready if balancing == "shaft" else whole.words.startswith("left out by the program: ")
         assert choice_made(session.document) == balancing
         given = {key: number for key, number in numbers.items() if key != "stroke"}
         assert {key: session.text(f"engine.{key}") for key in given} == given
@@ -109,8 +112,8 @@ OWN = sorted(path for path in DESIGNS.glob("*.toml") if path.stem not in FAULTY)
 
 
 def choices(session: Session) -> Iterator[str]:
-    """Take what is offered, one after the other, until nothing is left to do."""
-    while left := [state for state in states_of(session) if not state.done]:
+    """Take what is offered, one after the other, until the design is ready."""
+    while left := [state for state in states_of(session) if state.state in LEFT]:
         todo = next((state.key for state in left if state.state == "todo"), "")
         if todo and left[0].state in ("todo", "not_verified"):
             if why := session.ask(todo):
@@ -118,13 +121,9 @@ def choices(session: Session) -> Iterator[str]:
             yield f"{todo}: {why or 'built'}"
         else:
             check = grouped(session.results.outcomes[left[0].key].checks)[0][0]
-            if check.kind == "caution" and check.verdict == "warn":
-                session.apply([f"accepted.{check.id}=agreed"])
-                yield f"{check.id} accepted"
-            else:
-                best = next(way for way in ranked(search(session.document, check, session.results)) if way.changes)
-                session.apply(best.changes)
-                yield f"{check.id}: {best.words}"
+            best = next(way for way in ranked(search(session.document, check, session.results)) if way.changes)
+            session.apply(best.changes)
+            yield f"{check.id}: {best.words}"
         session.solve()
 
 
@@ -133,7 +132,7 @@ def test_a_shipped_design_is_ready_by_what_is_offered(path: Path, tmp_path):
     session = Session.open(path, memory=Memory(tmp_path))
     session.solve()
     taken = list(choices(session))
-    assert len(taken) <= 6 and session.valid and session.results.verdict in ("pass", "not_asked")
+    assert len(taken) <= 6 and session.valid and (whole_of(session).ready or session.results.verdict == "not_judged")
     assert {step.key for step in STEPS if step.key in session.data} == {
         o.key for o in session.results.outcomes.values() if o.result
     }

@@ -6,9 +6,7 @@ import tomllib
 
 import pytest
 from textual import events
-from textual.widgets import Input
 
-from assistant.screens.dialogs import Reason
 from assistant.session.guide import fold_at, folds, idle
 from assistant.session.places import Place
 from assistant.session.session import Session
@@ -177,27 +175,6 @@ async def test_a_step_that_was_built_is_left_by_the_next_enter(screen: Screen, l
         await until(pilot, lambda: bench.number == 6)
 
 
-async def test_leaving_a_step_out_asks_for_the_reason(screen: Screen, light: Session) -> None:
-    async with screen() as pilot:
-        await work(pilot).open_step(STEPS[5])
-        await settled(pilot)
-        work(pilot).form.query_one(Todo).focus()
-        await strike(pilot, "minus")
-        await until(pilot, lambda: isinstance(pilot.app.screen, Reason))
-        box = pilot.app.screen.query_one(Input)
-        assert box.value == "left out on purpose" and box.has_focus
-        await strike(pilot, "escape")
-        await until(pilot, lambda: not isinstance(pilot.app.screen, Reason))
-        assert "without" not in light.data
-        await strike(pilot, "down", "enter")
-        await until(pilot, lambda: isinstance(pilot.app.screen, Reason))
-        box = pilot.app.screen.query_one(Input)
-        await strike(pilot, "down", "down", "enter", "x", "up", "enter")
-        await until(pilot, lambda: not isinstance(pilot.app.screen, Reason))
-        assert light.data["without"] == {"friction": "it is settled elsewherex"}
-        assert light.undo() is not None and "without" not in light.data
-
-
 async def test_the_document_control_is_asked_for_below_the_name(screen: Screen) -> None:
     async with screen() as pilot:
         bench = work(pilot)
@@ -211,16 +188,12 @@ async def test_the_document_control_is_asked_for_below_the_name(screen: Screen) 
         assert b"date = 2026-03-14" in session.bytes() and b'number = "CS-1"' in session.bytes()
 
 
-async def test_a_choice_is_under_the_cursor_after_a_turned_step_and_what_can_not_be_built_is_not_offered(
-    screen: Screen, light: Session
-) -> None:
+async def test_what_can_not_be_built_yet_says_why(screen: Screen, light: Session) -> None:
     assert not light.ask("countershaft", "none")
     async with screen() as pilot:
         await pilot.press("escape", "3", "escape", "f3")
         await settled(pilot)
-        todo = work(pilot).form.query_one(Todo)
-        assert work(pilot).number == 4 and [item.key for item in todo.items] == ["", Todo.LEAVE]
-        assert "not built by rules: there is no shaft" in rows(pilot)
+        assert work(pilot).number == 4 and "not built by rules: there is no shaft" in rows(pilot)
 
 
 async def test_the_choice_of_a_step_that_was_turned_to_takes_the_next_enter(screen: Screen) -> None:

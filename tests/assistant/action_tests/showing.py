@@ -164,14 +164,23 @@ async def ready(pilot: Pilot[int], do: Do) -> None:
     await do()
     await over(pilot, ReadyScreen)
     assert re.search(r"couple for the shaft +573 → 0 N·m", text(pilot)) and re.search(
-        r"3 Counter-shaft +2 cautions", text(pilot)
+        r"3 Counter-shaft +WARN: 2 cautions", text(pilot)
     )
-    assert "4 steps are left" in text(pilot) and re.search(r"○ 4 Bearings +to do", text(pilot))
+    assert "3 steps left" in text(pilot) and re.search(r"○ 4 Bearings +to do", text(pilot))
     await back(pilot)
     await do()
     await over(pilot, ReadyScreen)
     await strike(pilot, "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).number == 3)
+
+
+@deed
+async def not_counted(pilot: Pilot[int], do: Do) -> None:
+    """The same page, with what acts on the shaft and no input describes unfolded."""
+    await do()
+    await over(pilot, ReadyScreen)
+    await until(pilot, lambda: "· torsion of the shaft" in text(pilot))
+    await back(pilot)
 
 
 @deed
