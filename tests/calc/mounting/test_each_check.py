@@ -135,7 +135,7 @@ def strongest(frequency):
 
 
 def helped(ratio):
-    rows = dict.fromkeys(RESULT.speeds, {"felt_engine": 1.5})
+    rows = {key: {"felt_engine": 1.5} for key in RESULT.speeds}
     return found(operations=rows | {"cruise": {"felt_seat": 1.2, "felt_force": ratio}})
 
 
