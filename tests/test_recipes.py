@@ -145,17 +145,16 @@ def test_a_check(recipe: Performed) -> None:
     check = recipe("a check", "bearings")
     check.insert(
         "checks.py",
-        '    yield bearing_check(\n        "film_double_load",',
-        '    yield check(\n        f"bearings.{place}.trial_load", Text("Trial of the load"), r.load, "<=", 1.0, "N",\n'
-        '        Text("rule of this program: a trial"), Text("Take a lighter one."),\n    )\n',
+        "FILM_DOUBLE_LOAD = CheckRule(",
+        'TRIAL_LOAD = CheckRule(\n    "bearings.B.trial_load", "advice", "It is a trial.", Text("Trial of the load"), "<=", "N",\n'
+        '    source=Text("rule of this program: a trial"), advice=Text("Take a lighter one."),\n)\n',
     )
-    stopped = check.python("-m", "assistant", "check", GAMMA)
-    assert stopped.returncode == 2 and "checks.md" in stopped.stderr and "has no row here" in stopped.stderr
     check.insert(
-        "checks.md",
-        "| bearings.B.film_trumpler |",
-        "| bearings.B.trial_load | advice | | bearings.B.load | | bearings.B.length_mm | It is a trial. |\n",
+        "checks.py",
+        "    yield on_bearing(FILM_DOUBLE_LOAD,",
+        "    yield on_bearing(TRIAL_LOAD, place, r.load, 1.0)\n",
     )
+    check.insert("severities.csv", "bearings.B.film_trumpler,", "bearings.B.trial_load,(new),advice,,,,\n")
     judged = {judged["id"]: judged for judged in check.solved()["checks"]}
     assert judged["bearings.front.trial_load"]["verdict"] == "note"
     assert "Trial of the load" in check.program("check", GAMMA, "--step", "bearings")

@@ -10,23 +10,15 @@ from assistant.cli import main
 from calc.gears.rating import classes
 from calc.library import catalogue, publications, table_file, tolerances
 from calc.library.catalogue import CatalogueRows, Material, Oil
-from calc.sheet import check as checks
 from calc.sheet.errors import BadInput, BadTable, Mistakes
-from calc.sheet.text import Text
 from tests.conftest import GAMMA
 
 CACHES = (
     catalogue.shipped_oils,
-    checks.rules,
-    checks._by_end,
-    checks.rule_of,
-    checks.pattern_of,
     table_file.house_table,
     tolerances._lines,
     classes._rows,
     classes._row,
-    checks.elements,
-    checks.letters,
 )
 Edit = Callable[[str, str, str], tuple[str, int]]
 
@@ -36,7 +28,6 @@ def edited(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Edit]:
     """Changes the first place of a text in a copy of a table; gives the path of the copy and the line."""
     tables = shutil.copytree(table_file.TABLES, tmp_path / "tables")
     monkeypatch.setattr(table_file, "TABLES", tables)
-    monkeypatch.setattr(checks, "TABLE", tables / checks.TABLE.name)
     for cached in CACHES:
         cached.cache_clear()
 
@@ -110,17 +101,6 @@ def test_a_publication(edited: Edit) -> None:
     with pytest.raises(BadTable) as bad:
         publications.register.__wrapped__()
     assert f'{path}:{line}: publication.0.editoin: is not known; did you mean "edition"?' in told(bad)
-
-
-def test_rows_of_the_checks(edited: Edit) -> None:
-    path, line = edited("checks.md", "| bearings.B.film_edge | limit", "| bearings.B.film_edge | limmit")
-    with pytest.raises(BadTable, match="limmit: is not known; did you mean"):
-        checks.rules()
-    edited("checks.md", "| bearings.B.film_edge | limmit", "| bearings.B.film_egde | limit")
-    with pytest.raises(BadTable) as bad:
-        checks.check("bearings.front.film_edge", Text("x"), 1.0, ">=", 1.0, "", Text("y"))
-    expected = 'bearings.front.film_edge: has no row here; did you mean "bearings.B.film_egde"?'
-    assert f"{path}:{line}: {expected}" in told(bad)
 
 
 def test_the_command_line_says_it(edited: Edit, capsys: pytest.CaptureFixture[str]) -> None:
