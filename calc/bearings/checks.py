@@ -633,10 +633,10 @@ def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Ch
     yield on_bearing(rule, place, r.specific_load, limit, remedies=longer)
     # what the source accepts, and within that what it calls usual: of one source one verdict
     low, high = rules.LENGTH_RATIO
-    accepted = low <= r.length_ratio <= high
+    accepted, usual = low <= r.length_ratio <= high, rules.USUAL_LENGTH_RATIO
     rule, ratios = (LENGTH_RATIO_USUAL, rules.USUAL_LENGTH_RATIO) if accepted else (LENGTH_RATIO, rules.LENGTH_RATIO)
     # of each land, where a groove parts the bearing
-    within = _lengthened(place, bearing, *(lands * ratio * bearing.diameter + groove for ratio in ratios))
+    within = _lengthened(place, bearing, *(lands * ratio * bearing.diameter + groove for ratio in usual))
     yield on_bearing(rule, place, r.length_ratio, ratios, remedies=within)
     name = named_at(_when_cold(inputs), place)
     yield CLEARANCE_COLD(r.clearance_cold, 0.0, at=place, name=name, scale=r.clearance)

@@ -188,7 +188,7 @@ GROOVE = {"hole_diameter_mm": None, "supply": "groove", "groove_width_mm": 4.0}
         ({}, "heat_index", 11000.0, 30.0),
         (GROOVE, "heat_index", 11000.0, 30.0),
         ({}, "length_ratio_usual", 3000.0, 14.5),
-        (GROOVE, "length_ratio", 3000.0, 24.0),
+        (GROOVE, "length_ratio_usual", 3000.0, 30.0),
         ({}, "length_ratio_usual", 3000.0, 50.0),
         (GROOVE, "length_ratio_usual", 3000.0, 99.0),
     ],

@@ -65,7 +65,7 @@ def test_the_source_design_fails_where_it_did_not_look(gamma_results):
 
 
 def test_an_oil_that_carries_nothing_once_thinned_says_so(gamma):
-    found = outcome(gamma, bearings__front__length_mm=6.5)
+    found = outcome(gamma, bearings__front__length_mm=7.0)
     r = found.result.bearings["front"]
     assert r.film > 0 and r.film_sheared is None and verdicts(found)["bearings.front.film_edge_sheared"] == "warn"
     assert any("Front bearing: no film is found for an oil thinned by shear" in note for note in found.notes)

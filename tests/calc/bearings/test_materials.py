@@ -103,7 +103,9 @@ def test_words_that_are_no_bush_are_refused_with_the_nearest():
     assert bush_problem("AlSn20Cu") is application_problem("diesel-main") is None
     assert bush_problem("AlSn20").endswith("did you mean AlSn20Cu?")
     assert "EN AC-43100" not in bush_problem("EN AC-43100")
-    assert application_problem("diesel").startswith("must be one of locomotive-axle") and application_problem("")
+    assert application_problem("diesel").startswith(
+        "must be one of balance-shaft, locomotive-axle"
+    ) and application_problem("")
     assert application_problem(DEFAULT_APPLICATION) is None
 
 
