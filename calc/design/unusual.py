@@ -191,8 +191,17 @@ def _change(key: str, about: Quantity, x: float | tuple[float, ...]) -> Change:
     return Change(key, number, Text("{input} {x}", input=called(key, about), x=Amount(number, about.unit, digits=4)))
 
 
-def _to(field: object, x: float | tuple[float, ...], *place: object) -> Change:
-    """Of a declared field of the table at this place."""
+Wanted = tuple[object, float | tuple[float, ...], tuple[object, ...]]  # a declared field, its content, its place
+Reading = tuple[float, tuple[Wanted, ...]]  # the judged value, and the contents with which it is that
+
+
+def _to(field: object, x: float | tuple[float, ...], *place: object) -> Wanted:
+    """Words are made only where something is doubted, which it hardly ever is."""
+    return field, x, place
+
+
+def _in_words(wanted: Wanted) -> Change:
+    field, x, place = wanted
     return _change(dotted(*place, field), described(field), x)
 
 
@@ -205,16 +214,14 @@ def _asking(check: Check, readings: Iterable[tuple[Change, ...]]) -> Check:
     return check.but(remedies=tuple(ways), advice=meant)
 
 
-Reading = tuple[float, tuple[Change, ...]]  # the value with it, and what changes
-
-
 def _doubted(
     rule: CheckRule, value: float, limit: float | tuple[float, float], *readings: Reading, at: str = ""
 ) -> Iterator[Check]:
     """Only where it does not hold, with those of the readings that make it hold."""
     check = rule(value, limit, at=at or ())
     if not check.holds:
-        yield _asking(check, [changes for x, changes in readings if rule(x, limit, at=at or ()).holds])
+        good = (wanted for x, wanted in readings if rule(x, limit, at=at or ()).holds)
+        yield _asking(check, [tuple(map(_in_words, wanted)) for wanted in good])
 
 
 # --- inputs that do not fit each other
