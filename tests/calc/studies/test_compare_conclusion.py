@@ -61,7 +61,7 @@ def test_sentences_count_what_the_tables_show(found: Comparison) -> None:
     before, after = found.words
     assert said[0] == f"beta → gamma: the whole goes from {before} to {after}." and before.startswith("FAIL: ")
     moved = (f"{v.title} {v.a.verdict.upper()} → {v.b.verdict.upper()}" for v in found.steps_moved)
-    assert said[1] == f"Steps: {', '.join(moved)}."
+    assert ("Steps: " + ", ".join(moved) + "." in said) is bool(found.steps_moved)
     same = replace(found, words=(before, before))
     assert sentences(same, NAMES, str.upper)[0] == f"beta → gamma: the whole stays {before}."
     hard = [

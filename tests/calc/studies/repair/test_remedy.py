@@ -13,6 +13,7 @@ from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 from calc.studies.repair.nearest import nearest, remedy
+from calc.studies.repair.state import broken, state_of, warned
 from tests.conftest import DESIGNS
 
 
@@ -96,9 +97,12 @@ NEEDLESS = ("twin_drive", "bearings.front.length_mm=12.5", "bearings.supply_pres
 @pytest.mark.parametrize("case", [("r753ie4_gamma",), NEEDLESS], ids=" ".join)
 def test_no_change_is_named_without_which_it_would_pass(case: tuple[str, ...]) -> None:
     document = damaged(*case)
-    found = nearest(document).changes
-    for change in found:
-        assert fails(solve(design(with_changes(document, tuple(one for one in found if one != change))))), change
+    found = nearest(document)
+    whole = state_of(found.document, found.results)
+    for change in found.changes:
+        less = state_of(with_changes(document, tuple(one for one in found.changes if one != change)))
+        worse = fails(less.results) or broken(whole, less) or warned(whole.results, less.results)
+        assert worse, change
 
 
 def test_one_step_alone(gamma: Document, gamma_results: Results) -> None:
@@ -116,7 +120,7 @@ def test_the_nearest_bearings_are_the_first_row_of_the_search(gamma: Document, g
 
 def test_no_micrometre_more_than_needed_comes_off_the_spans(gamma: Document, gamma_results: Results) -> None:
     found = remedy(gamma, "gears", gamma_results)
-    assert len(found.changes) == 2
+    assert len(found.changes) >= 2
     for change in found.changes:
         key, (upper, lower) = parse_assignment(change)
         thicker = found.document.with_value(key, [upper + 1, lower + 1])
