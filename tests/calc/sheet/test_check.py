@@ -175,9 +175,9 @@ def test_a_declaration_fills_its_letters_and_shows_si_in_its_unit():
 
 def test_the_letters_of_a_mesh_are_its_wheels_and_its_place():
     keys = ("gears.wheels.DRIVER.teeth", "gears.wheels.DRIVEN.teeth", "gears.meshes.#.tolerance_um")
-    root = rule("method", id="gears.M.notch_W", value_id="gears.M.notch_parameter_W", moved_by=keys)
+    root = rule("method", id="gears.M.trial_W", value_id="gears.M.notch_parameter_W", moved_by=keys)
     check = root(1.0, 2.0, at=("rear_front", "front"), index=2)
-    assert (check.id, check.value_id) == ("gears.rear_front.notch_front", "gears.rear_front.notch_parameter_front")
+    assert (check.id, check.value_id) == ("gears.rear_front.trial_front", "gears.rear_front.notch_parameter_front")
     assert check.moved_by == ("gears.wheels.rear.teeth", "gears.wheels.front.teeth", "gears.meshes.2.tolerance_um")
     assert not any("meshes" in key for key in root(1.0, 2.0, at=("rear_front", "front")).moved_by)
 

@@ -20,7 +20,7 @@ SHIPPED = sorted(DESIGNS.glob("*.toml"))
 # what the checks shall be: decided check by check before they were declared
 SHALL_BE = {row["id"]: row for row in csv.DictReader((REFERENCE / "severities.csv").open(encoding="utf-8"))}
 FORM = re.compile(r"[a-z_.BMNWD0-9]+")
-INPUTS = re.compile(r"[a-z]+\.inputs\.N|[a-z]+\.plausible\.[a-z_]+")  # what is asked of inputs, not of the engine
+INPUTS = re.compile(r"[a-z]+\.inputs\..+")  # what is asked of inputs, not of the engine
 
 
 @cache
@@ -54,7 +54,7 @@ def test_the_declarations_are_well_formed() -> None:
     for rule in RULES.values():
         assert FORM.fullmatch(rule.id) and rule.why.endswith(".") and rule.kind in KINDS, rule.id
         assert rule.cause != rule.id and rule.sense in (">=", ">", "<=", "<", "in"), rule.id
-        assert all(factor > 1 and weaker.kind in ("limit", "caution") for weaker, factor in rule.weakens), rule.id
+        assert all(factor > 1 and weaker.kind != "method" for weaker, factor in rule.weakens), rule.id
 
 
 def inputs(cls: type, before: str = "") -> set[str]:
@@ -89,7 +89,7 @@ def test_every_check_made_is_on_the_values_that_it_names(file: Path) -> None:
         if check.value_id and check.value == check.value:
             value = values[check.value_id]
             assert (value.shown, value.unit) == (pytest.approx(check.value, rel=1e-12), check.unit), check.id
-        assert len(check.missing) == len(check.taken) and (not check.missing or check.at_best is not None), check.id
+        assert bool(check.missing) >= bool(check.taken) and (not check.missing or check.at_best is not None), check.id
 
 
 def matches(rule: CheckRule, id: str) -> bool:
