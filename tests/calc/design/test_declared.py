@@ -142,7 +142,7 @@ def spelt(source: str) -> list[str]:
             called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
             if called == "judged":
                 passed |= {id(part) for part in ast.walk(node)}
-            elif called in ("Text", "formula", "value", "check", "Curve", "Table") and node.args:
+            elif called in ("Text", "formula", "value", "check", "CheckRule", "Curve", "Table") and node.args:
                 passed |= {id(part) for part in ast.walk(node.args[0])}
     return [text for node in ast.walk(tree) if id(node) not in passed and (text := text_of(node)) and is_spelt(text)]
 
