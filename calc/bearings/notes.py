@@ -54,9 +54,7 @@ def _all_notes(
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
     for place, r in results.items():
         if r.shear_factor is not None and r.film_sheared is None:
-            yield Text(
-                "{place} bearing: no film is found for the oil as thin as shear makes it.", place=IN_TITLES[place]
-            )
+            yield Text("{place} bearing: no film is found for an oil thinned by shear.", place=IN_TITLES[place])
         if r.film_overspeed is None:
             yield Text("{place} bearing: no film is found at overspeed.", place=IN_TITLES[place])
     if fast := [place for place, r in results.items() if r.surface_speed > NO_RULE]:

@@ -33,7 +33,7 @@ USUAL_LENGTH_RATIO: tuple[Number, Number] = (0.25, 0.75)  # Finotti 2013, 5.5.2
 # of 52.895 mm), over d
 RELATIVE_CLEARANCE: tuple[Number, Number] = (0.9e-3, 2.9e-3)
 MAKERS = Text(
-    "printed by makers of balance shafts: least clearance (GM L61) to largest middle (Caterpillar 3304), over d"
+    "rule of this program: makers' least printed clearance (GM L61) to their largest middle (Caterpillar 3304), over d"
 )
 # of hole or pocket over the length; DIN 31652-2: range of the supply factors
 SUPPLY_WIDTH: tuple[Number, Number] = (0.05, 0.7)

@@ -62,7 +62,10 @@ def test_the_rules_have_the_limits_of_the_checks(source):
             "length_ratio",
             "length_ratio_usual",
         ):
-            known = checks[f"bearings.{place}.{key}"]
+            known = checks.get(f"bearings.{place}.{key}")
+            if known is None:  # of the ratio l/d one alone is made
+                assert key == "length_ratio" and rules[key].check.limit == (0.2, 1.0)
+                continue
             assert (rules[key].check.limit, rules[key].check.sense, rules[key].check.unit) == (
                 known.limit,
                 known.sense,
@@ -325,7 +328,9 @@ def test_fits_with_a_place_become_widths(source):
 
 def test_wider_clearances_where_the_oil_is_too_little(source):
     """A tenth of the supply's pressure: the usual clearances pass too little oil, wider ones are looked at."""
-    row = nearest_passing(other(source, supply_pressure=0.1e5, supply_temperature=60.0, oil="SAE 30"))
+    speeds = 1000 / 60, 2600 / 60  # with this oil, not with that of the bench run
+    cool = dict(supply_pressure=0.1e5, supply_temperature=60.0, oil="SAE 30", speed_range=speeds)
+    row = nearest_passing(other(source, **cool))
     assert row is not None and any(one.clearance > widest_usual(one.task) for one in row.both)
 
 
