@@ -105,7 +105,7 @@ def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
     if not groups:
         return
     checks = [check for group in groups for check in group]
-    worst = named([min(checks, key=lambda check: (check.margin == check.margin, check.margin))])
+    worst = named([min(checks, key=lambda check: check.margin if check.margin == check.margin else math.inf)])
     single, many = {
         "advice": ("{n} piece of advice: {worst}", "{n} pieces of advice; the furthest: {worst}"),
         "method": ("{n} note on the calculation: {worst}", "{n} notes on the calculation; the furthest: {worst}"),

@@ -515,7 +515,7 @@ def _fatigue_checks(bent: Bending, material: Material) -> Iterator[Check]:
     keys = [key for key, lacks in lacking.items() if lacks]
     advice = _give(material) if keys else Text("Give the radius of the fillets.")
     keys = keys or [FILLET_AND_CORE[0]]
-    missing = Missing(tuple(keys), (Text("none"),) * len(keys), "none", "none")
+    missing = Missing(tuple(keys), (), "none", "none")
     yield FATIGUE(None, ENDLESS, advice=advice, missing=missing)
 
 

@@ -275,4 +275,4 @@ def fatigue_check(worst: ThrowFatigue | None, material: Material | None) -> Chec
     wanted = kind.safety if kind else max(other.safety for other in fatigue.KINDS.values())
     keys = (Material.tensile_strength,) if kind else (Material.kind, Material.tensile_strength)
     unknown = tuple(dotted("material", key) for key in keys)
-    return FATIGUE(None, wanted, missing=Missing(unknown, (Text("nothing"),) * len(unknown), "none", "none"))
+    return FATIGUE(None, wanted, missing=Missing(unknown, (), "none", "none"))

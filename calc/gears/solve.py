@@ -212,7 +212,7 @@ def without(outcome: Outcome[TrainResult], part: TrainPart, reason: Text) -> Out
 def not_rated(outcome: Outcome[TrainResult], why: Text) -> Outcome[TrainResult]:
     """The same outcome without its safeties, which no power is known for."""
     source = Text("rule of this program: without a torque no tooth is rated")
-    lack = Missing((POWER,), (Text("none"),), "none", "none")
+    lack = Missing((POWER,), (), "none", "none")
     name = Text("Safeties of the teeth")
     open_ = RATING.rule(math.nan, 0.0, name=name, source=source, advice=why, scale=1.0, missing=lack)
     return replace(outcome, checks=(*outcome.checks, open_), notes=(*outcome.notes, why))

@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 from .record import record
 from .remedy import Remedy, sentence
-from .text import COMMA, EMPTY, SPACE, Amount, Name, Text
+from .text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text
 from .units import UNITS
 from .value import link_of, linked
 
@@ -54,9 +54,9 @@ End = float | Literal["holds", "none"]
 class Missing:
     """What a check needs and the design does not give.
 
-    `keys`: of the inputs; `taken`: what stands for each of them.  `best`, `worst`: the judged value, in SI, with all of
-    them at their favourable and at their unfavourable end; "holds": the limit can not be passed over there; "none":
-    nobody knows how far it goes."""
+    `keys`: of the inputs; `taken`: what stands for them, empty where nothing can.  `best`, `worst`: the judged value,
+    in SI, with all of them at their favourable and at their unfavourable end; "holds": the limit can not be passed over
+    there; "none": nobody knows how far it goes."""
 
     keys: tuple[str, ...]
     taken: tuple[Text, ...]
@@ -394,7 +394,7 @@ class Check:
         """What is not given, what stands for it, and how far the value goes with it; empty where nothing is missing."""
         if self.at_best is None:
             return EMPTY
-        taken = COMMA.join(self.taken)
+        taken = SEMICOLON.join(self.taken)
         if self.verdict in ("pass", "accepted") and taken:
             return Text("Assumed: {taken}.", taken=taken)
         ends = Text(

@@ -280,10 +280,10 @@ def _not_given(gears: GearsInputs, m: BacklashCase) -> dict[str, Text]:
     lack: dict[str, Text] = {}
     for wheel, F_r, given in zip((m.driver, m.driven), m.runouts, m.given_runouts):
         if given is None:
-            grade = Text("{f_r} µm, of grade {grade}", f_r=Amount(F_r * 1e6), grade=gears.accuracy_grade)
+            grade = Text("runout {f_r} µm of grade {grade}", f_r=Amount(F_r * 1e6), grade=gears.accuracy_grade)
             lack[dotted("gears", GearsInputs.wheels, wheel.name, Wheel.runout)] = grade
     if _exact(m):
-        lack[dotted("gears", GearsInputs.meshes, m.index, Mesh.tolerance)] = Text("0: an exact centre distance")
+        lack[dotted("gears", GearsInputs.meshes, m.index, Mesh.tolerance)] = Text("an exact centre distance")
     for wheel in _unthinned(m):
         nominal = Text("0: the nominal tooth, the thickest")
         lack[dotted("gears", GearsInputs.wheels, wheel.name, Wheel.span_allowance)] = nominal
@@ -294,10 +294,14 @@ def _not_given_warm(gears: GearsInputs, m: BacklashCase, housing: str | None) ->
     """Those that it needs beside over temperature."""
     lack: dict[str, Text] = {}
     if t.housing_open(gears, m):
-        taken = Text("as the driver") if housing is None else Text("{housing}, as of the bearings", housing=housing)
+        taken = (
+            Text("a housing that grows as the driver")
+            if housing is None
+            else Text("housing of {housing}, as of the bearings", housing=housing)
+        )
         lack[dotted("gears", GearsInputs.housing_material)] = taken
     if gears.wheels_warmer is None:
-        lack[WARMER] = Text("{warmer} K", warmer=Amount(gears.warmer, form="g"))
+        lack[WARMER] = Text("wheels {warmer} K warmer", warmer=Amount(gears.warmer, form="g"))
     return lack
 
 

@@ -237,8 +237,8 @@ SCUFFING = CheckRule(
 )
 
 # what is not given of the irregularity: each of them would do; and what stands for it
-IRREGULARITY, NONE = (K_A, DELTA_S), Text("none")
-TAKEN = Text("{k_a}", k_a=Amount(USUAL)), NONE
+IRREGULARITY = K_A, DELTA_S
+TAKEN = (Text("application factor {k_a}", k_a=Amount(USUAL)),)
 KNOW_THE_ENGINE = Text(
     "How unevenly the engine turns is not known: give gears.speed_irregularity, or engine.gas and "
     "engine.flywheel_inertia_kgm2."
@@ -270,7 +270,7 @@ def checks(
                 at=wheel.name,
                 name=Text("Safety of {wheel} against tooth breakage", wheel=wheel.name),
                 advice=Text("Without a strength class the wheel and its meshes have no safety."),
-                missing=Missing((wheel_key(wheel.name, Wheel.gear_material),), (NONE,), "none", "none"),
+                missing=Missing((wheel_key(wheel.name, Wheel.gear_material),), (), "none", "none"),
             )
     yield roughness_check(gears.root_rz)
     for name, cls in context.classes.items():
