@@ -7,7 +7,7 @@ from typing import Any
 
 from ..countershaft.inputs import CountershaftInputs
 from ..library import journal_rules as rules
-from ..library.catalogue import WEAKEST_STEEL, Material, Oil
+from ..library.catalogue import Material, Oil, proof_of
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import Assumed, clearance_limits, parse
 from ..sheet.check import Check, CheckRule, Missing
@@ -651,15 +651,11 @@ def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterato
         if lining is None or lining.yield_ is None:
             return
         limit, strength = lining.yield_, Text("yield stress of {name}: {source}", name=bush, source=Text(lining.source))
-    elif housing.proof_stress is not None:
-        limit = housing.proof_stress
-    elif housing.tensile_strength is not None:
+    elif housing.proof_stress is None and housing.tensile_strength is not None:
         limit = housing.tensile_strength
         strength = Text("elasticity, tensile strength of {name}, which has no proof stress", name=housing.name)
     else:
-        limit = WEAKEST_STEEL
-        taken = Text("{stress}, as the weakest structural steels", stress=Amount(WEAKEST_STEEL * 1e-6, "MPa"))
-        missing = Missing((dotted("material", Material.proof_stress),), (taken,), "holds", p)
+        limit, missing = proof_of(housing.proof_stress, p)
     yield on_bearing(FILM_PRESSURE, place, p, limit, source=strength, missing=missing)
 
 
