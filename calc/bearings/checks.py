@@ -591,13 +591,16 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
     yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge))
     yield on_bearing(FILM_DOUBLE_LOAD, place, r.film_double_load, r.trumpler_film)
     yield on_bearing(FILM_TRUMPLER, place, r.film, r.trumpler_film)
-    if r.thinnest_film is not None:
+    rule = FILM_EDGE_RANGE if r.sweep.given else FILM_EDGE_SPEEDS
+    if r.sweep.lost is not None:
+        label = Text("Film at the edge over the speeds, none at {speed} rpm", speed=Amount(r.sweep.lost * 60))
+        yield rule(None, r.kreisle_film, at=place, name=named_at(label, place))
+    elif r.thinnest_film is not None:
         label = Text(
             "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm",
             speed_of_thinnest_film=Amount((r.speed_of_thinnest_film or 0.0) * 60),
         )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        rule = FILM_EDGE_RANGE if r.sweep.given else FILM_EDGE_SPEEDS
         yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=edge_missing(r, edge))
     if r.shear_factor is not None:
         yield on_bearing(
