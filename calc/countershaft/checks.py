@@ -234,6 +234,7 @@ FILLET_ROOM = CheckRule(
     "mm",
     Text("geometry: a fillet takes its radius of the length of the thinner piece"),
     Text("Or set the shoulders further apart."),
+    zero="the fillet radius",
     moved_by=FILLET_AND_CORE[:1],
 )
 BENDS_OUT, RIGID_FROM = 1.2, 1.5  # first critical speed over the highest of the shaft
