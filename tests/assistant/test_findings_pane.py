@@ -67,7 +67,7 @@ async def test_what_holds_outside_the_validity_of_its_formula_has_no_tick(screen
         assert shown[check.id].startswith("•") and shown["gears.x"].startswith("✓")
         told = " ".join(shown[check.id].split())
         assert told.count("outside the validity of its formula: Load per face width (") == 1
-        assert "at best 2, at worst 1.5" in told
+        assert "At best 2, at worst 1.5." in told
 
 
 async def test_a_step_says_its_state_and_how_many_findings_are_listed(screen: Screen, session: Session) -> None:
