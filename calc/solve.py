@@ -44,7 +44,7 @@ from .sheet.reuse import Enough, Kept, Parts
 from .sheet.step import Outcome, judged
 from .sheet.text import Text
 from .sheet.value import recorded, recording
-from .sheet.verdict import Counts, State, counts, design_state, verdict_words
+from .sheet.verdict import Counts, State, colour_state, counts, design_state, verdict_words
 
 R = TypeVar("R")
 TITLES = {step.key: step.title for step in STEPS}
@@ -120,6 +120,11 @@ class Results:
     @property
     def counts(self) -> Counts:
         return counts(self.checks())
+
+    @property
+    def colour(self) -> str:
+        """The state whose colour its verdict has."""
+        return colour_state(self.verdict, self.counts)
 
     def words(self) -> Text:
         """`FAIL: 2 failed, 3 cautions`; of steps without a solution, or that wait, their names."""

@@ -74,7 +74,8 @@ def test_beta_touches_at_both_edges_and_jams() -> None:
 
 def test_what_is_open_of_alpha_and_of_the_balance_shafts() -> None:
     assert solved("r753ie4_alpha").words() == "WARN: 2 cautions"
-    assert solved("r754ie4_balance_shafts").words() == "NOT JUDGED: 2 cautions"
+    shafts = solved("r754ie4_balance_shafts")
+    assert shafts.words() == "NOT JUDGED: 2 cautions" and (shafts.verdict, shafts.colour) == ("not_judged", "warn")
 
 
 # --- journals of makers, healthy in their films: what is printed and what is assumed stands in each file

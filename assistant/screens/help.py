@@ -73,7 +73,7 @@ GROUP, KEY = 12, 8  # cells of a group's name, and of a key
 TALL = 32  # rows of a screen on which each key has a row of its own
 
 KINDS = {
-    "limit": Text("Limit: passed over it fails, and less than 5 % of margin is a warning."),
+    "limit": Text("Limit: passed over it fails, and with less than 5 % of margin it is narrow and warns."),
     "caution": Text(
         "Caution: the design holds, but a slightly different one might not; it can be accepted with a reason."
     ),

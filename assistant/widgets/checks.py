@@ -2,7 +2,7 @@
 """The findings of a step: those of one cause in a row, the worst first; what is under the cursor is told in full; what
 holds is folded."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -12,11 +12,11 @@ from textual.content import Content
 from textual.message import Message
 
 from calc.design.key_results import judged, outside
-from calc.sheet.check import Check, End
+from calc.sheet.check import Check
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
-from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
+from calc.sheet.text import COMMA, Amount, Name, Text, plural
 from calc.sheet.verdict import named, open_findings, severity
 
 from ..session.places import label_of
@@ -313,8 +313,8 @@ class Checks(ItemList):
 
         if beyond := self._beyond(check):
             tell(say(Text("outside the validity of its formula: {methods}", methods=named(beyond))))
-        for words in self._missing(check):
-            tell(say(words))
+        if lack := check.lack_text(self._label):
+            tell(say(lack))
         if advice := say(check.advice).removeprefix(say(sentence(check.remedies))).strip():
             tell(advice)
         if check.open and check.remedies:
@@ -332,17 +332,6 @@ class Checks(ItemList):
     def _beyond(self, check: Check) -> list[Check]:
         """What puts a check outside the validity of its formula."""
         return outside(check, self.outcome.checks) if self.outcome is not None else []
-
-    def _missing(self, check: Check) -> Iterator[Text]:
-        """What is not given, what was taken for it, and how far the value goes with it."""
-        if check.missing and check.open:
-            yield Text("Not given: {keys}.", keys=COMMA.join(self._label(key) for key in check.missing))
-        if check.taken:
-            taken = SEMICOLON.join(check.taken)
-            yield Text("taken: {taken}", taken=taken) if check.open else Text("assumed: {taken}", taken=taken)
-        if check.at_best is not None and (check.open or check.outside):
-            best, worst = _end(check, check.at_best), _end(check, check.at_worst)
-            yield Text("at best {best}, at worst {worst}", best=best, worst=worst)
 
     def _label(self, key: str) -> Text:
         return label_of(self.app.session.data, key)
@@ -364,11 +353,6 @@ class Checks(ItemList):
 KINDS_SHOWN = ("limit", "caution")  # the kinds whose findings are not folded
 
 
-def _end(check: Check, end: End | None) -> Text:
-    """The value at a favourable or unfavourable end."""
-    if isinstance(end, (int, float)):
-        return Text("{value}", value=Amount(end, check.unit, digits=3))
-    return Text("it holds") if end == "holds" else Text("unknown")
 
 
 def cause(check: Check) -> str:

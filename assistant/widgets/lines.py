@@ -15,7 +15,6 @@ from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
 from calc.sheet.text import EMPTY, Amount, Text
-from calc.sheet.verdict import colour_state
 from calc.studies.ready import StepState
 
 from ..actions import ACTIONS, BY_ID, Action
@@ -206,7 +205,7 @@ class TopLine(Widget):
         session, signs, say = self.session, self.app.signs, self.app.say
         if (results := session.results) is None:
             return []
-        words = say(results.words()), dim + signs.style(colour_state(results.verdict, results.counts))
+        words = say(results.words()), dim + signs.style(results.colour)
         all_of_it = whole_of(session)
         if all_of_it.ready:
             return [words, (say(Text("ready")), dim + signs.style(all_of_it.state))]

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..countershaft.inputs import CountershaftInputs
 from ..library import journal_rules as rules
-from ..library.catalogue import WEAKEST_STEEL, Material, Oil
+from ..library.catalogue import Material, Oil, proof_of
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import Assumed, clearance_limits, parse
 from ..sheet.check import Check, CheckRule, Missing
@@ -591,13 +591,16 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
     yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge))
     yield on_bearing(FILM_DOUBLE_LOAD, place, r.film_double_load, r.trumpler_film)
     yield on_bearing(FILM_TRUMPLER, place, r.film, r.trumpler_film)
-    if r.thinnest_film is not None:
+    rule = FILM_EDGE_RANGE if r.sweep.given else FILM_EDGE_SPEEDS
+    if r.sweep.lost is not None:
+        label = Text("Film at the edge over the speeds, none at {speed} rpm", speed=Amount(r.sweep.lost * 60))
+        yield rule(None, r.kreisle_film, at=place, name=named_at(label, place))
+    elif r.thinnest_film is not None:
         label = Text(
             "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm",
             speed_of_thinnest_film=Amount((r.speed_of_thinnest_film or 0.0) * 60),
         )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        rule = FILM_EDGE_RANGE if r.sweep.given else FILM_EDGE_SPEEDS
         yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=edge_missing(r, edge))
     if r.shear_factor is not None:
         yield on_bearing(
@@ -651,15 +654,11 @@ def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterato
         if lining is None or lining.yield_ is None:
             return
         limit, strength = lining.yield_, Text("yield stress of {name}: {source}", name=bush, source=Text(lining.source))
-    elif housing.proof_stress is not None:
-        limit = housing.proof_stress
-    elif housing.tensile_strength is not None:
+    elif housing.proof_stress is None and housing.tensile_strength is not None:
         limit = housing.tensile_strength
         strength = Text("elasticity, tensile strength of {name}, which has no proof stress", name=housing.name)
     else:
-        limit = WEAKEST_STEEL
-        taken = Text("{stress}, as the weakest structural steels", stress=Amount(WEAKEST_STEEL * 1e-6, "MPa"))
-        missing = Missing((dotted("material", Material.proof_stress),), (taken,), "holds", p)
+        limit, missing = proof_of(housing.proof_stress, p)
     yield on_bearing(FILM_PRESSURE, place, p, limit, source=strength, missing=missing)
 
 

@@ -105,11 +105,12 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
 
 def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield on_bearing(START_LOAD, place, part.load_at_start, rules.TRUMPLER_START_LOAD)
-    thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
-    if thinnest is not None:
+    edge = None  # where no film carries the largest load, the check fails
+    if part.film_load_peak is not None:
+        thinnest = min(h for h in (part.film_load_peak, part.film_orbit) if h is not None)
         edge = f.film_at_edge_of_another(h_x=thinnest, h_0=bearing.film, h_edge=bearing.film_edge)
-        missing = edge_missing(bearing, edge)
-        yield on_bearing(FILM_EDGE_STANDING, place, edge, bearing.kreisle_film, missing=missing)
+    missing = edge_missing(bearing, edge)
+    yield on_bearing(FILM_EDGE_STANDING, place, edge, bearing.kreisle_film, missing=missing)
 
 
 # --- the friction of a journal over a turn, where a standing load passes under the one that turns with it

@@ -60,6 +60,7 @@ SLOPE_GIVEN = CheckRule(
     "The film at the edge is judged with a smaller slope than the shaft takes.",
     unit="mrad",
     source=Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
+    zero="the slope that is taken where none is known, 0.1 mrad",
     cause="bearings.slope_given",
     moved_by=(SLOPE,),
 )
@@ -204,7 +205,7 @@ def _slope_checks(
         )
         left_out = by_key(BearingsInputs, SLOPE, None, effect=effect)
         label = Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place])
-        yield SLOPE_GIVEN(slope, bent, at=place, name=label, remedies=left_out)
+        yield SLOPE_GIVEN(slope, bent, at=place, name=label, scale=SLOPE_TAKEN, remedies=left_out)
 
 
 def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> OperatingPoint:

@@ -37,6 +37,7 @@ class Sweep:
     rated: float
     bench: bool  # its rows are those of the engine's bench run
     given: bool  # the engine runs at these speeds: they are not assumed
+    lost: float | None  # of those that govern and ask for more than the rated one, the first that no film carries
 
     def gaps(self, place: str) -> Text:
         """The speeds without a film in the range of the table; empty where each has one."""
@@ -115,11 +116,15 @@ def sweep(
     govern."""
     speeds, temperatures, pressures = at.speed, at.supply_temperature, at.supply_pressure
     h_0, rises, power = film.film, film.temperature_rise, film.friction_power
-    governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
+    governs = speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9)
+    governing = np.where(governs, h_0, np.nan)
     thinnest = None if np.isnan(governing).all() else int(np.nanargmin(governing))
     at_thinnest = None
     if thinnest is not None:
         at_thinnest = based_on(item(speeds[thinnest]), speeds[thinnest], inputs.load_speed_ratio)
+    # a load that turns grows faster than the film does; one that stays is carried less the slower it is
+    heavier = speeds > rated if inputs.load_speed_ratio == TURNING else speeds < rated
+    lost = np.asarray(speeds)[governs & heavier & np.isnan(h_0)]
     return Sweep(
         elements(speeds),
         elements(temperatures),
@@ -132,6 +137,7 @@ def sweep(
         rated,
         inputs.speed_range is None and bool(bench),
         inputs.speed_range is not None or any(row.speed <= rated * (1 + 1e-9) for row in bench),
+        min(lost.tolist(), key=lambda speed: abs(speed - rated), default=None),
     )
 
 

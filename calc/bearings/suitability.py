@@ -29,7 +29,6 @@ from ..sheet.units import (
 )
 from ..sheet.value import untraced
 from . import formulas as f
-from .corners import Corners
 from .inputs import IN_TITLES, IN_WORDS, BearingInputs, BearingsInputs
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings, running_surface
 from .result import BearingResult
@@ -77,7 +76,7 @@ def film_duty(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
     return mu * n_h / p
 
 
-LEAST_WORD = "fair"  # rule of this program: below, a warning
+LEAST_WORD = "fair"  # rule of this program: below it, advice
 RUNS_IN = ("good", "excellent")  # words of emergency running
 FIGURE = Text("Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16")
 
@@ -120,7 +119,7 @@ MATERIAL_TEMPERATURE = CheckRule(
     unit="°C",
     advice=Text("Cooler or more oil, or another bearing material."),
     demand=True,
-    value_id=dotted("bearings", "B", Corners.outlet_temperature),
+    value_id=dotted("bearings", "B", BearingResult.outlet_temperature),
     moved_by=(SUPPLY_TEMPERATURE, dotted("bearings", BearingsInputs.hole_diameter), BUSH),
 )
 MATERIAL_HARDNESS = CheckRule(

@@ -234,6 +234,7 @@ FILLET_ROOM = CheckRule(
     "mm",
     Text("geometry: a fillet takes its radius of the length of the thinner piece"),
     Text("Or set the shoulders further apart."),
+    zero="the fillet radius",
     moved_by=FILLET_AND_CORE[:1],
 )
 BENDS_OUT, RIGID_FROM = 1.2, 1.5  # first critical speed over the highest of the shaft
@@ -479,7 +480,7 @@ def bending_checks(bent: Bending, material: Material, fastest: Number = 1.0) -> 
     yield FIRST_CRITICAL_SPEED(bent.natural_frequency, BENDS_OUT * highest)
     yield RIGID(bent.natural_frequency, RIGID_FROM * highest)
     # the stresses are nominal: of the full sections, whatever their share in the stiffness
-    proof, unknown = proof_of(material, bent.bending_stress)
+    proof, unknown = proof_of(material.proof_stress, bent.bending_stress)
     strength = Text("elasticity, proof stress of {name}", name=material.name)
     if unknown is None:
         source = Text("{source}; the stress stands still in the turning shaft", source=strength)

@@ -12,14 +12,14 @@ from typing import Any, Protocol, overload
 
 import numpy as np
 
-from ..library.catalogue import WEAKEST_STEEL, Material
+from ..library.catalogue import Material, proof_of
 from ..sheet.arrays import Array, BoolArray, Num
-from ..sheet.check import Check, CheckRule, Missing
+from ..sheet.check import Check, CheckRule
 from ..sheet.linked_array import item
 from ..sheet.quantity import dotted
 from ..sheet.step import Table
-from ..sheet.text import Amount, Name, Text
-from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Pascal
+from ..sheet.text import Name, Text
+from ..sheet.units import UNITS, Metre, Newton, NewtonMetre
 from ..sheet.value import about, based_on, untraced
 from . import cycle as c
 from . import formulas as f
@@ -342,12 +342,14 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
         yield SPAN_OF_THROW(crank.span / pitch, SPAN)
     proof = material.proof_stress if material else None
     source = Text("elasticity, proof stress of {material}", material=throw.material)
+    assumed = Text(
+        "rule of this program: as the weakest structural steels; the strength of {name} is not known",
+        name=throw.material,
+    )
     for i, place in enumerate(PLACES):
         nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
-        if proof is None:
-            yield _assumed_stress_check(place, nominal, throw)
-        else:
-            yield STRESS[place](nominal, proof, source=source)
+        strength, unknown = proof_of(proof, nominal)
+        yield STRESS[place](nominal, strength, source=assumed if unknown else source, missing=unknown)
         if proof is not None and place in crank.notch:
             local = Text("{proof}: above it the fillet yields locally", proof=source)
             yield NOTCH_STRESS[place](notch, proof, source=local)
@@ -355,17 +357,6 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
             yield FILLET[place](crank.notch[place][0], FIT)
     if crank.notch:
         yield fatigue_check(fatigue, material)
-
-
-def _assumed_stress_check(place: str, nominal: Pascal, throw: ThrowInputs) -> Check:
-    """Against the weakest structural steel, where the proof stress is not known: below it any steel bears it."""
-    source = Text(
-        "rule of this program: as the weakest structural steels; the strength of {name} is not known",
-        name=throw.material,
-    )
-    taken = Text("{stress}: the weakest structural steel", stress=Amount(UNITS["MPa"].shown(WEAKEST_STEEL), "MPa"))
-    lack = Missing((dotted("material", Material.proof_stress),), (taken,), "holds", nominal)
-    return STRESS[place](nominal, WEAKEST_STEEL, source=source, missing=lack)
 
 
 # --- what is said about it

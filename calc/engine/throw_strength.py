@@ -266,7 +266,7 @@ FATIGUE = CheckRule(
 
 
 def fatigue_check(worst: ThrowFatigue | None, material: Material | None) -> Check:
-    """The safety of the worst fillet; None where the strength of the material is not known."""
+    """The safety of the worst fillet; not verified where the strength of the material is not known."""
     if worst is not None:
         place = PLACES[worst.place]
         name = Text("Safety of the throws against fatigue, fillet of the {part}", part=place)

@@ -8,7 +8,7 @@ from dataclasses import MISSING, replace
 from functools import cache, lru_cache
 from typing import Any, TypeVar
 
-from ..sheet.check import End, Missing
+from ..sheet.check import Missing
 from ..sheet.quantity import choice, dotted, inputs, keys, quantity, tables, text, unknown
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
@@ -247,15 +247,13 @@ class Material:
 WEAKEST_STEEL: Pascal = 235e6  # proof stress of the weakest structural steels
 
 
-def proof_of(material: Material, stress: Pascal) -> tuple[Pascal, Missing | None]:
-    """The proof stress that a stress is held against; where it is not given that of the weakest structural steels.
-
-    Below it any steel bears the stress; how far another metal does, nobody knows."""
-    if material.proof_stress is not None:
-        return material.proof_stress, None
+def proof_of(given: Pascal | None, stress: Pascal) -> tuple[Pascal, Missing | None]:
+    """The proof stress that a stress is held against; where it is not given that of the weakest structural steels:
+    above it the stress may still be borne, by a stronger metal."""
+    if given is not None:
+        return given, None
     taken = Text("{stress}, as the weakest structural steels", stress=Amount(WEAKEST_STEEL * 1e-6, "MPa"))
-    worst: End = stress if material.kind == "steel" else "none"
-    return WEAKEST_STEEL, Missing((dotted("material", Material.proof_stress),), (taken,), "holds", worst)
+    return WEAKEST_STEEL, Missing((dotted("material", Material.proof_stress),), (taken,), "holds", stress)
 
 
 CLAIM = ("is", "confidence", "source")  # the keys of a value that stands with where it comes from

@@ -60,7 +60,7 @@ EXPOSURE = {
     part: CheckRule(
         f"mounting.exposure.{part}",
         "limit",
-        "The law forbids it: more than the limit may nobody have in a day.",
+        "The law forbids it: nobody may have more than the limit in a day.",
         label,
         "<=",
         "m/s²",

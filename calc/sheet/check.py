@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 from .record import record
 from .remedy import Remedy, sentence
-from .text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text
+from .text import COMMA, EMPTY, SEMICOLON, SPACE, Amount, Name, Text
 from .units import UNITS
 from .value import link_of, linked
 
@@ -25,7 +25,7 @@ Kind = Literal["limit", "caution", "advice", "method"]
 Role = Literal["", "physics", "chosen", "self"]
 KINDS: tuple[Kind, ...] = ("limit", "caution", "advice", "method")  # from what must hold to what is of the calculation
 
-THIN_MARGIN = 0.05  # a limit that holds by less than this is a warning
+THIN_MARGIN = 0.05  # a limit that holds by less than this is narrow
 DEGREES = 100.0  # K: the scale of margins in °C, whose zero is no zero
 
 # --- what stands for what in an id
@@ -316,7 +316,7 @@ class Check:
 
     @property
     def narrow(self) -> bool:
-        """A limit that is kept, but by so little that it is a warning."""
+        """A limit that is kept, but by so little that it warns."""
         return self.kind == "limit" and not self.exact and self.holds and self.margin < THIN_MARGIN
 
     @property
@@ -390,8 +390,10 @@ class Check:
         percent = self.margin * 100
         return Text("{percent}", percent=Amount(percent, "%", form="+.1f" if 0 < abs(percent) < 0.5 else "+.0f"))
 
-    def lack_text(self) -> Text:
-        """What is not given, what stands for it, and how far the value goes with it; empty where nothing is missing."""
+    def lack_text(self, label: Callable[[str], str] = Name) -> Text:
+        """What is not given, what stands for it, and how far the value goes with it; empty where nothing is missing.
+
+        `label`: what an input is called, by its key."""
         if self.at_best is None:
             return EMPTY
         taken = SEMICOLON.join(self.taken)
@@ -402,7 +404,7 @@ class Check:
         )
         if not self.missing:
             return ends
-        keys = Name(", ".join(self.missing))
+        keys = COMMA.join(map(label, self.missing))
         if not taken:
             return Text("Not given: {keys}.", keys=keys)
         return Text("Not given: {keys}; taken: {taken}. {ends}", keys=keys, taken=taken, ends=ends)

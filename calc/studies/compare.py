@@ -354,14 +354,13 @@ def _judged(results: "Results", step: str) -> Judged:
 def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
     differences: list[CheckDifference] = []
     for step in STEPS:
-        checks = [results.outcomes[step.key].checks for results in (a, b)]
-        mine, theirs = ({c.id: c for c in each} for each in checks)
+        mine, theirs = ({c.id: c for c in results.outcomes[step.key].checks} for results in (a, b))
         either = (*mine.values(), *theirs.values())
         floors = size_of_nothing((c.unit, x) for c in either for x in (c.value, *_limits(c)))
         differ = []
         for id in united(mine, theirs):
             first, other = mine.get(id), theirs.get(id)
-            verdicts = ["" if c is None else judged(c) for c, each in zip((first, other), checks)]
+            verdicts = ["" if c is None else judged(c) for c in (first, other)]
             size = math.inf
             if first is not None and other is not None:
                 numbers = zip((first.value, *_limits(first)), (other.value, *_limits(other)))

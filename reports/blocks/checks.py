@@ -29,8 +29,9 @@ def sign_style(context: Context, state: str) -> Cell:
     return Cell(verdict(context.words, state), replace(STRONG, colour=STATE_COLOURS[state]))
 
 
-def sign_cell(context: Context, state: str) -> Cell:
-    return Cell(verdict(context.words, state), SIGN[state])
+def sign_cell(context: Context, state: str, colour: str = "") -> Cell:
+    """`colour`: the state whose colour it has, where that is another."""
+    return Cell(verdict(context.words, state), SIGN[colour or state])
 
 
 def shown_value(context: Context, check: Check) -> str:

@@ -241,7 +241,7 @@ def _proposals(context: Context, above: list[Block]) -> list[Block]:
 def _verdict(context: Context) -> list[Block]:
     """The overall verdict as a panel: sign, word, and the count of checks."""
     results = context.results
-    state = results.verdict
+    state, colour = results.verdict, results.colour
     checks = list(results.checks())
     verdict_words, _, open_ones = context.say(results.words()).partition(": ")
     unused = [context.say(step.title) for _, step, o in context.steps() if o.state == "not_asked" and not step.optional]
@@ -257,14 +257,14 @@ def _verdict(context: Context) -> list[Block]:
         words = ". ".join([words, ", ".join(filter(None, (at, used(context, worst).words)))])
     if odd := told(unusual(context.design, checks=context.results.checks())):
         words = ". ".join([words, context.say(odd)])
-    big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
+    big = Style(15.0, 18.0, BOLD, STATE_COLOURS[colour])
     sign = one_line(f"{SIGNS[state]}  {verdict_words}", big, 0.4 * WIDTH)
     beside = lines(words, BODY, WIDTH - sign.width - 40.0)
     height = max(30.0, len(beside) * BODY.leading + 12.0)
 
     def draw(pen: Pen, y: float) -> None:
-        pen.panel(0.0, y - height, WIDTH, height, STATE_PANELS.get(state, (0.94, 0.94, 0.94)))
-        pen.panel(0.0, y - height, 3.0, height, STATE_COLOURS[state])
+        pen.panel(0.0, y - height, WIDTH, height, STATE_PANELS.get(colour, (0.94, 0.94, 0.94)))
+        pen.panel(0.0, y - height, 3.0, height, STATE_COLOURS[colour])
         pen.put(sign, 12.0, y - height / 2 - 0.36 * big.size)
         base = y - height / 2 + (len(beside) / 2 - 0.5) * BODY.leading - 0.34 * BODY.size
         for i, line in enumerate(beside):
@@ -281,11 +281,11 @@ def _steps(context: Context) -> list[Block]:
         if step.optional and outcome.state == "not_asked":
             continue
         title = f"{number}  {context.say(step.title)}"
-        state = outcome.verdict
+        sign = sign_cell(context, outcome.verdict, outcome.colour)
         worst = closest(outcome.checks) if outcome.state == "solved" else None
         if worst is None:
             words = outcome.reason if outcome.state in ("blocked", "no_solution") else "–"
-            rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
+            rows.append((title, sign, Cell(words, NOTE), "", "", ""))
             continue
         cells = (
             name_of(context, worst),
@@ -293,7 +293,7 @@ def _steps(context: Context) -> list[Block]:
             context.say(worst.limit_text()),
             context.say(worst.margin_text()),
         )
-        rows.append((title, sign_cell(context, state), *cells))
+        rows.append((title, sign, *cells))
     columns = (
         Column(w["step"], width=84.0),
         Column(w["verdict"], width=60.0),

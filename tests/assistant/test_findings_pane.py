@@ -67,7 +67,7 @@ async def test_what_holds_outside_the_validity_of_its_formula_has_no_tick(screen
         assert shown[check.id].startswith("•") and shown["gears.x"].startswith("✓")
         told = " ".join(shown[check.id].split())
         assert told.count("outside the validity of its formula: Load per face width (") == 1
-        assert "at best 2, at worst 1.5" in told
+        assert "At best 2, at worst 1.5." in told
 
 
 async def test_a_step_says_its_state_and_how_many_findings_are_listed(screen: Screen, session: Session) -> None:
@@ -94,10 +94,12 @@ async def test_what_is_not_given_is_told_with_what_was_taken_and_both_ends(scree
     async with screen(session=session) as pilot:
         checks = work(pilot).query_one(Checks)
         unknown = told(missing=(key,), taken=taken, at_best=12.0, at_worst="none")
-        assert "Not given: oil. taken: 235 MPa at best 12 µm, at worst unknown" in unknown
-        assert "at best it holds, at worst 7 µm" in told(missing=(key,), taken=taken, at_best="holds", at_worst=7.0)
+        assert "Not given: oil; taken: 235 MPa. At best 12 µm, at worst nobody knows." in unknown
+        assert "At best it can not fail, at worst 7 µm." in told(
+            missing=(key,), taken=taken, at_best="holds", at_worst=7.0
+        )
         holds = told(missing=(key,), taken=taken, at_best=12.0, at_worst=9.5)
-        assert "assumed: 235 MPa" in holds and "Not given" not in holds and "at worst" not in holds
+        assert "Assumed: 235 MPa." in holds and "Not given" not in holds and "at worst" not in holds
 
 
 @pytest.mark.parametrize("width", [12, 30, 48, 80, 120, 200])

@@ -78,7 +78,7 @@ def in_time(seconds: int) -> Iterator[None]:
 
 def faults(document: Document, changes: dict[str, float]) -> list[str]:
     """What is not clean about a design with some fields changed: a result that is no number, a word with "nan" in it, a
-    crash."""
+    limit of 0 without a scale, a crash."""
     for key, value in changes.items():
         document = document.with_value(key, value)
     try:
@@ -105,6 +105,7 @@ def _faults(document: Document) -> list[str]:
         whole = outcome.whole
         words = f"{whole.reason}".replace(",", " ").split()
         found += [f"{outcome.key}: reason has {w}" for w in ("nan", "inf", "−inf") if w in words]
+        found += [f"{outcome.key}: {whole.reason}"] if "without a scale" in whole.reason else []
         found += [f"{v.id} = {v.shown}" for v in whole.values() if not math.isfinite(v.shown)]
         found += [
             f"check {c.id} = {c.value} passes"

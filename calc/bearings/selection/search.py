@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 
+from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
@@ -30,8 +31,7 @@ from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, 
 # --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
 
 TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
-CORNER = "_corner"  # how the checks at the worst corner are called; where the fits are assumed, they only advise
-CROSSING = "countershaft.crossing"
+CORNER = "_corner"  # how the checks at the worst corner are called; a fit that is assumed fails none
 
 
 @record
@@ -51,7 +51,7 @@ class Settled:
 
 def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -> Settled:
     """A row through the whole solution, as it stands."""
-    before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING}
+    before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING.id}
     results = case.solve(with_row(case.bearings, row))
     there = results.outcomes["bearings"]
     again = slopes_of(case, results, slopes)
@@ -63,7 +63,7 @@ def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -
     elsewhere = chain.from_iterable(o.checks for key, o in results.outcomes.items() if key != "bearings")
     others = [c for c in elsewhere if c.verdict == "fail" and c.id not in before]
     if not any(row.too_long):
-        failing += [c for c in others if c.id == CROSSING]
+        failing += [c for c in others if c.rule is CROSSING]
     if there.state != "solved" or failing:
         why = against(failing[0]) if failing else there.reason
         return Settled(None, again, (), Text("{row}: {why}", row=row.variant.name, why=why), results)

@@ -283,7 +283,9 @@ def support_checks(support: Support, material: Material) -> Iterator[Check]:
     if support.wall is not None:
         yield SUPPORT_WALL(support.wall, support.least_wall)
     if support.bolt_stress is not None:
-        proof, unknown = proof_of(material, support.bolt_stress)
+        proof, unknown = proof_of(material.proof_stress, support.bolt_stress)
+        if unknown is not None and material.kind != "steel":
+            unknown = replace(unknown, worst="none")  # how far iron or aluminium goes nobody says
         source = Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name)
         yield SUPPORT_BOLT_STRESS(support.bolt_stress, proof, source=source, missing=unknown)
     if support.load_stress is None:
@@ -292,7 +294,7 @@ def support_checks(support: Support, material: Material) -> Iterator[Check]:
         yield SUPPORT_LOAD_STRESS(support.load_stress, support.load_stress_limit)
         return
     # what the casting endures is not given: its strength stands for it, which does not judge fatigue
-    strength, unknown = proof_of(material, support.load_stress)
+    strength, unknown = proof_of(material.proof_stress, support.load_stress)
     if unknown is not None and material.tensile_strength is not None:
         strength, unknown = material.tensile_strength, None
     source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)

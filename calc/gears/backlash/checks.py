@@ -165,7 +165,7 @@ def checks(gears: GearsInputs, of: JudgedMesh, housing: str | None, chance: Chan
         at=m.key,
         name=Text("Smallest backlash {name}, recommended", name=m.name),
         index=m.index,
-        remedies=partial(_freed, m, play.backlash_recommended - low, None),
+        remedies=partial(_freed, m, play.backlash_recommended - low),
     )
     if play.backlash_99 is not None and chance is not None:
         name = Text("Backlash {name} that 99 % of the trains keep", name=m.name)
@@ -206,13 +206,13 @@ def _no_jam(
     growth: Number = 1.0,
     value_id: str | None = None,
 ) -> Check:
-    """That a backlash is not below 0.  `slope`, `growth`: as of `freed`, which leaves no narrow margin, and frees
+    """That a backlash is not below 0.  `slope`, `growth`: as of `_freed`, which leaves no narrow margin, and frees
     the unfavourable end of what is not given."""
-    m, off = of.m, -j_bn
+    m, short = of.m, -j_bn
     if rule.kind == "limit":
-        off += THIN_MARGIN * of.play.backlash_recommended
+        short += THIN_MARGIN * of.play.backlash_recommended
     if missing is not None and isinstance(missing.worst, float) and math.isfinite(missing.worst):
-        off = max(off, -missing.worst)
+        short = max(short, -missing.worst)
     return rule(
         j_bn,
         0.0,
@@ -223,7 +223,7 @@ def _no_jam(
         index=m.index,
         value_id=value_id,
         missing=missing,
-        remedies=partial(_freed, m, off, slope, growth),
+        remedies=partial(_freed, m, short, slope, growth),
     )
 
 
@@ -240,34 +240,30 @@ def _temperature_checks(gears: GearsInputs, of: JudgedMesh, missing: Mapping[str
         tight_id = dotted("gears", m.key, PlayResult.backlash_warmer)
     at_start = Text("cold start, all at {t_min} °C", t_min=T_min)
     still_cold = Text("housing still at {t_min} °C, wheels {wheels_warmer} K warmer", t_min=T_min, wheels_warmer=more)
-    without_wheels = {key: word for key, word in missing.items() if key != WARMER}
-    for rule, label, at, place, lack, states, id in (
-        (
-            BACKLASH_COLD,
-            Text("Smallest backlash {name}, cold", name=m.name),
-            cold,
-            at_start,
-            without_wheels,
-            (0,),
-            None,
-        ),
-        (BACKLASH_WARM, Text("Smallest backlash {name}, warm", name=m.name), tight, where, missing, (1, 2), tight_id),
-        (
-            BACKLASH_WARMING,
-            Text("Smallest backlash {name}, warming up", name=m.name),
-            warming,
-            still_cold,
-            missing,
-            (3,),
-            None,
-        ),
-    ):
+
+    def no_jam_at(
+        rule: CheckRule,
+        name: Text,
+        at: AtState,
+        place: Text,
+        lack: Mapping[str, Text],
+        states: tuple[int, ...],
+        value_id: str | None = None,
+    ) -> Check:
         source = Text("geometry, teeth must not jam at any temperature: {where}, with runout", where=place)
         # backlash per centre distance at 20 °C; it rises with the distance: what it asks for at the closest is enough
         slope = 2 * sin(at.pressure_angle) * cos(m.system.base_helix_angle) * at.centre_growth
         best, worst = (partial(_end, gears, of, states, best=best) for best in (True, False))
-        lacking = _missing(m, lack, best, worst) if lack else None
-        yield _no_jam(rule, of, label, at.backlash, lacking, source, slope, at.wheel_growth, id)
+        lacking = _missing(m, lack, best, worst)
+        return _no_jam(rule, of, name, at.backlash, lacking, source, slope, at.wheel_growth, value_id)
+
+    name = Text("Smallest backlash {name}, cold", name=m.name)
+    without_wheels = {key: word for key, word in missing.items() if key != WARMER}
+    yield no_jam_at(BACKLASH_COLD, name, cold, at_start, without_wheels, (0,))
+    name = Text("Smallest backlash {name}, warm", name=m.name)
+    yield no_jam_at(BACKLASH_WARM, name, tight, where, missing, (1, 2), tight_id)
+    name = Text("Smallest backlash {name}, warming up", name=m.name)
+    yield no_jam_at(BACKLASH_WARMING, name, warming, still_cold, missing, (3,))
 
 
 # --- what is not given
@@ -340,46 +336,34 @@ def _end(gears: GearsInputs, of: JudgedMesh, states: tuple[int, ...], *, best: b
 # --- what would just pass
 
 
-def freed(
-    wheels: tuple[WheelResult, WheelResult],
-    mesh: Mesh,
-    index: int,
-    tolerance: Metre,
-    missing: Metre,
-    slope: Number | None,
-    growth: Number = 1.0,
-) -> tuple[Remedy, ...]:
-    """What would just pass: an allowance of the span acts micrometre for micrometre, the centre distance by `slope`
-    (None: not offered).
+def _freed(m: BacklashCase, short: Metre, slope: Number | None = None, growth: Number = 1.0) -> tuple[Remedy, ...]:
+    """What takes a backlash that is `short` of what is asked just there: an allowance of the span acts micrometre for
+    micrometre, times the `growth` of the wheels; the centre distance by `slope` (None: not offered).
 
     Where the parts between the centres are known, no smaller tolerance is offered: it hangs on them.
     """
-    if not missing > 0:
+    if not short > 0:
         return ()
-    less = math.ceil(missing / growth * 1e6 - 1e-6)
-    thick = max(wheels, key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
+    less = math.ceil(short / growth * 1e6 - 1e-6)
+    thick = max((m.driver, m.driven), key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
     # the field of the allowance stays as wide as it is
     ends = [round(end * 1e6 - less, 6) for end in thick.allowance or (0.0, 0.0)]
     off = remedy(
         change(Wheel, dotted("gears", GearsInputs.wheels, thick.name, Wheel.span_allowance), ends, place=thick.name),
         effect=Text("{less} µm more off the span of its teeth", less=less),
     )
-    held = 0.0 if slope is None else tolerance - missing / slope
-    return (off, remedy(*_tolerance(mesh, index, math.floor(held * 1e6)))) if held > 1e-6 and not mesh.stack else (off,)
-
-
-def _freed(m: BacklashCase, missing: Metre, slope: Number | None, growth: Number = 1.0) -> tuple[Remedy, ...]:
-    return freed((m.driver, m.driven), m.inputs, m.index, m.mesh.centre_tolerance, missing, slope, growth)
+    held = 0.0 if slope is None else m.mesh.centre_tolerance - short / slope
+    return (off, remedy(*_tolerance(m, math.floor(held * 1e6)))) if held > 1e-6 and not m.inputs.stack else (off,)
 
 
 def _wider(m: BacklashCase, reach: Metre) -> tuple[Remedy, ...]:
-    return (remedy(*_tolerance(m.inputs, m.index, math.ceil(reach * 1e6 - 1e-6), ">=")),)
+    return (remedy(*_tolerance(m, math.ceil(reach * 1e6 - 1e-6), ">=")),)
 
 
-def _tolerance(mesh: Mesh, index: int, tolerance: float, bound: str = "") -> list[Change]:
+def _tolerance(m: BacklashCase, tolerance: float, bound: str = "") -> list[Change]:
     """Another tolerance of the centre distance, in µm; it takes the place of contributors that are summed."""
-    place, here = mesh.title, dotted("gears", GearsInputs.meshes, index)
-    instead = [change(Mesh, dotted(here, Mesh.contributors), None, place=place)] if mesh.contributors else []
+    place, here = m.inputs.title, dotted("gears", GearsInputs.meshes, m.index)
+    instead = [change(Mesh, dotted(here, Mesh.contributors), None, place=place)] if m.inputs.contributors else []
     return [change(Mesh, dotted(here, Mesh.tolerance), tolerance, place=place, bound=bound), *instead]
 
 

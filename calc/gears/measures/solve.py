@@ -193,7 +193,6 @@ SPAN_ALLOWANCE = dotted("gears", GearsInputs.wheels, "W", Wheel.span_allowance)
 FACE_WIDTH = dotted("gears", GearsInputs.wheels, "W", Wheel.face_width)
 BALL_DIAMETER = dotted("gears", GearsInputs.ball_diameter)
 ONE_OF_SEVERAL = "One of several ways to measure the teeth."
-OUTSIDE = "The wheel as made lies outside its drawing."
 MEASURED_CAUSE = "gears.W.measured"
 MODULE = "the normal module"
 
@@ -232,7 +231,7 @@ BALL = CheckRule(
 BALL_PROUD = CheckRule(
     "gears.W.ball_proud",
     "caution",
-    "As with the ball itself.",
+    "Balls that do not stand proud of the tip can not be measured over; nothing breaks.",
     sense=">",
     unit="mm",
     source=Text("geometry: the balls must stand proud of the tip circle"),
@@ -243,7 +242,7 @@ BALL_PROUD = CheckRule(
 BALL_ROOT = CheckRule(
     "gears.W.ball_root",
     "caution",
-    "As with the ball itself.",
+    "A ball that lies on the root does not measure the flanks; nothing breaks.",
     unit="mm",
     source=Text("geometry: the ball must not lie on the root"),
     zero="the diameter of the ball",
@@ -290,26 +289,18 @@ MEASURED_SPREAD = CheckRule(
 )
 
 
-def _measured_rule(id: str, size: str) -> CheckRule:
-    moved_by = (size, SPAN_ALLOWANCE)
-    return CheckRule(
-        id, "caution", OUTSIDE, sense="in", unit="µm", zero=MODULE, cause=MEASURED_CAUSE, moved_by=moved_by
-    )
-
-
 MEASURED = {
-    "measured_span": _measured_rule(
-        "gears.W.measured_span", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_span)
-    ),
-    "measured_over_balls": _measured_rule(
-        "gears.W.measured_over_balls", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_over_balls)
-    ),
-    "measured_over_pins": _measured_rule(
-        "gears.W.measured_over_pins", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_over_pins)
-    ),
-    "measured_chordal_thickness": _measured_rule(
-        "gears.W.measured_chordal_thickness", dotted("gears", GearsInputs.wheels, "W", Wheel.measured_chordal_thickness)
-    ),
+    key: CheckRule(
+        f"gears.W.{key}",
+        "caution",
+        "The wheel as made lies outside its drawing.",
+        sense="in",
+        unit="µm",
+        zero=MODULE,
+        cause=MEASURED_CAUSE,
+        moved_by=(dotted("gears", GearsInputs.wheels, "W", getattr(Wheel, key)), SPAN_ALLOWANCE),
+    )
+    for key in NAMES
 }
 
 

@@ -12,6 +12,7 @@ from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import LENGTH_STEP
 from ...bearings.selection.states import BearingTask
 from ...bearings.selection.variants import SUPPLIES, Variant, own_tasks
+from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, SLOPE_FRONT
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
 from ...design.step_inputs import bearings_case, shaft_gear
@@ -118,7 +119,7 @@ def tables_of(problem: Problem, choices: dict[str, Any]) -> tuple[ShaftSurroundi
 
 
 def _put(problem: Problem, design: Design, results: Results) -> tuple[ShaftSurroundings, Sizes]:
-    drive = drive_of(design, results, problem.binds("countershaft.fillet_room"))
+    drive = drive_of(design, results, problem.binds(FILLET_ROOM.id))
     return drive, sizes_of(problem, design, results, drive)
 
 
@@ -200,9 +201,9 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
         for place in tasks
     }
     gear = shaft_gear(design, results.result(TrainResult))
-    if gear is not None and problem.binds("countershaft.gear_seat"):  # it goes through the front seat
+    if gear is not None and problem.binds(GEAR_SEAT.id):  # it goes through the front seat
         by_place["front"] = [films for films in by_place["front"] if films.task.diameter > gear.tip_diameter + TINY]
-    limit = next(c.limit for c in results.checks() if c.id == "countershaft.slope_front")
+    limit = next(c.limit for c in results.checks() if c.rule is SLOPE_FRONT)
     assert isinstance(limit, float)
     surfaces = tuple(_surface(surface, design) for surface in problem.surfaces)
     return Sizes(core, surfaces, problem.margins, limit * 1e-3, problem.seat, by_place)

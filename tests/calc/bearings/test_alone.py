@@ -1,5 +1,7 @@
 """Bearings without a shaft, an engine or gears: load and speed given."""
 
+import math
+
 import pytest
 
 from calc.design.toml_file import Document, design
@@ -175,6 +177,21 @@ def test_lands_that_are_too_short_ask_for_a_narrower_groove():
 def test_speeds_without_a_film_are_told():
     found = solve(design(alone(speed_range_rpm=[5.0, 3000.0]))).outcomes["bearings"]
     assert any("no film of the front bearing is found" in note and "5 rpm" in note for note in found.notes)
+
+
+@pytest.mark.parametrize(
+    ("turns", "lost"),
+    [
+        (0.0, True),  # a load that stays: none carries it when it is slow
+        (1.0, False),  # one that turns is next to nothing there
+    ],
+)
+def test_a_speed_of_the_range_at_which_no_film_carries_the_load_fails(turns, lost):
+    found = solve(design(alone(speed_range_rpm=[5.0, 3000.0], load_speed_ratio=turns))).outcomes["bearings"]
+    sweep = found.result.bearings["front"].sweep
+    assert math.isnan(sweep.films[0]) and (sweep.lost is not None) is lost
+    (over,) = (c for c in found.checks if c.id == "bearings.front.film_edge_range")
+    assert (over.verdict == "fail") is lost and ("none at 5 rpm" in over.name) is lost
 
 
 GROOVE = {"hole_diameter_mm": None, "supply": "groove", "groove_width_mm": 4.0}

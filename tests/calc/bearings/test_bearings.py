@@ -82,6 +82,14 @@ def test_what_a_slope_given_too_small_hides_is_told(gamma):
         assert edge == pytest.approx(left_out[id.split(".")[1]].film_edge * 1e6, rel=1e-9)
 
 
+def test_a_slope_given_against_a_shaft_that_nothing_bends(gamma):
+    """Its own slope is 0: the margin is a share of what is taken where no slope is known."""
+    masses = {f"countershaft__masses__{mass['name']}__mass_kg": 0.0 for mass in gamma.data["countershaft"]["masses"]}
+    found = outcome(gamma, bearings__front__load_N=3000.0, bearings__rear__load_N=3000.0, **masses)
+    given = [c for c in found.checks if c.id.endswith("slope_given")]
+    assert [(c.limit, c.scale, c.verdict) for c in given] == [(0.0, pytest.approx(0.1), "pass")] * 2
+
+
 @pytest.mark.parametrize(
     "kind, most",
     [

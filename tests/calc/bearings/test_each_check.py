@@ -205,6 +205,8 @@ def test_what_stands_still_beside_the_turning_load(given):
         other = replace(other, film_orbit=1.0, film_load_peak=film + slope_off(given))
         found = {c.id.split(".")[-1]: c for c in standing_checks("front", given, other)}
         assert found["film_edge_standing"].verdict == verdict and "Trumpler" in found["start_load"].source
+    (_, none) = standing_checks("front", given, replace(part, film_orbit=1.0, film_load_peak=None))
+    assert none.verdict == "warn", "no film carries the largest load of the turn"
 
 
 def test_each_number_of_a_material_and_of_an_application():

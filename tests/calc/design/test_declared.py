@@ -33,7 +33,6 @@ EXCUSED = {
     "calc/countershaft/making/drain.py": "columns of the house's own tables",
     "calc/library/tolerances.py": "a column of the table of ISO 286",
     "calc/design/other_tables.py": "keys of [optimise.most], which is of free form",
-    "calc/studies/drive/classes.py": "the id of a check",
     "calc/draw/sheet_data.py": "stands below the steps whose keys it reads",
     "calc/gears/rating/checks.py": "names inputs of bearings and friction, which stand above it",
     "calc/countershaft/making/parts.py": "names inputs of the bearings, which stand above it",
@@ -178,7 +177,7 @@ def test_a_key_that_is_spelt_is_seen(source: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "source", ['Text("give engine.bore_mm")', 'check("countershaft.bending_stress", x)', 'x = "engine.firing.even"']
+    "source", ['Text("give engine.bore_mm")', 'CheckRule("countershaft.bending_stress", x)', 'x = "engine.firing.even"']
 )
 def test_a_sentence_and_the_id_of_a_check_are_none(source: str) -> None:
     assert not spelt(source)

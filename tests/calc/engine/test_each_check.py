@@ -185,7 +185,7 @@ def test_without_proof_stress_the_weakest_steel_stands_for_it(place, material):
     weak, strong = (of_throw(place, stress, material)[id] for stress in (0.94 * 235e6, 235.1e6))
     assert (weak.verdict, strong.verdict) == ("pass", "not_verified")
     assert strong.limit == pytest.approx(235.0) and strong.missing == ("material.proof_stress_MPa",)
-    assert str(strong.taken[0]) == "235 MPa: the weakest structural steel"
+    assert str(strong.taken[0]) == "235 MPa, as the weakest structural steels"
     assert f"engine.throw.notch_stress_{place}" not in of_throw(place, 1e6, material)
 
 
