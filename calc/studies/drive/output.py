@@ -231,7 +231,7 @@ def said(problem: Problem) -> list[Text]:
     lines.append(
         Text(
             "limits: those of every check, and of the findings {ids}",
-            ids=Name(", ".join(limit for limit in (*LIMITS, *more) if limit not in problem.waived)),
+            ids=Name(", ".join(limit for limit in (*LIMITS, *more) if problem.binds(limit))),
         )
     )
     return [*lines, *problem.said]

@@ -33,7 +33,6 @@ EXCUSED = {
     "calc/countershaft/making/drain.py": "columns of the house's own tables",
     "calc/library/tolerances.py": "a column of the table of ISO 286",
     "calc/design/other_tables.py": "keys of [optimise.most], which is of free form",
-    "calc/studies/drive/classes.py": "the id of a check",
     "calc/draw/sheet_data.py": "stands below the steps whose keys it reads",
     "calc/gears/rating/checks.py": "names inputs of bearings and friction, which stand above it",
     "calc/countershaft/making/parts.py": "names inputs of the bearings, which stand above it",
