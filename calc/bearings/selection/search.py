@@ -340,7 +340,7 @@ def _possible(bearings: Tasks) -> Tasks:
         if (coolest := without_rise(task)).margin < 0:
             check = check_of(coolest, ())
             tried = Text("even without any rise: {limit}", limit=against(check))
-            raise NoSolution(Text("no bearings keep every limit"), tried, check.advice)
+            raise NoSolution(Text("no bearings keep every rule of the search"), tried, check.advice)
     return bearings
 
 
@@ -564,4 +564,4 @@ def nothing(every: Every, slopes: Slopes) -> NoSolution:
     )
     if worse.corner:
         tried = Text("{tried} (corner: {corner})", tried=tried, corner=worse.corner)
-    return NoSolution(Text("no bearings keep every limit"), tried, worse.governing.advice)
+    return NoSolution(Text("no bearings keep every rule of the search"), tried, worse.governing.advice)

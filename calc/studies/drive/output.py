@@ -230,7 +230,7 @@ def said(problem: Problem) -> list[Text]:
     more = [limit for limit in problem.limits if limit not in LIMITS]
     lines.append(
         Text(
-            "limits: those of every check, and of the findings {ids}",
+            "asked: that no limit fails, and that these hold: {ids}",
             ids=Name(", ".join(limit for limit in (*LIMITS, *more) if problem.binds(limit))),
         )
     )
