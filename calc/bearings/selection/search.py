@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 
+from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
@@ -20,6 +21,7 @@ from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
+from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER
 from ..inputs import PLACES, SLOPE_TAKEN, BearingInputs, BearingsInputs
 from . import ranking
 from .grid import CandidateField, alike, field
@@ -30,8 +32,7 @@ from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, 
 # --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
 
 TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
-CORNER = "_corner"  # how the checks at the worst corner are called; where the fits are assumed, they only advise
-CROSSING = "countershaft.crossing"
+AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER)
 
 
 @record
@@ -51,19 +52,19 @@ class Settled:
 
 def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -> Settled:
     """A row through the whole solution, as it stands."""
-    before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING}
+    before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING.id}
     results = case.solve(with_row(case.bearings, row))
     there = results.outcomes["bearings"]
     again = slopes_of(case, results, slopes)
     front, rear = (pick.with_slope(again[place]) for place, pick in zip(PLACES, row.both))
     failing = [c for c in there.checks if c.verdict == "fail"]
     if row.corners:
-        failing += [c for c in there.checks if c.id.endswith(CORNER) and c.verdict != "fail" and not c.margin >= 0]
+        failing += [c for c in there.checks if c.rule in AT_CORNERS and c.verdict != "fail" and not c.margin >= 0]
     failing += [pick.governing for pick in (front, rear) if pick.margin < 0]
     elsewhere = chain.from_iterable(o.checks for key, o in results.outcomes.items() if key != "bearings")
     others = [c for c in elsewhere if c.verdict == "fail" and c.id not in before]
     if not any(row.too_long):
-        failing += [c for c in others if c.id == CROSSING]
+        failing += [c for c in others if c.rule is CROSSING]
     if there.state != "solved" or failing:
         why = against(failing[0]) if failing else there.reason
         return Settled(None, again, (), Text("{row}: {why}", row=row.variant.name, why=why), results)

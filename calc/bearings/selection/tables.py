@@ -13,6 +13,7 @@ from ...sheet.search import beside
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed, plural
 from ...sheet.units import Watt
+from ..checks import CLEARANCE_COLD
 from ..inputs import IN_WORDS, PLACES
 from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
@@ -383,7 +384,7 @@ def _at_corners(choices: BearingsFound, row: BearingRow) -> Text:
         picks(replace(pick.task, corners=True), [pick.length], [pick.clearance], slopes[p])[0]
         for p, pick in zip(PLACES, row.both)
     ]
-    below = [c for pick in there for c in pick.checks if c.margin < 0 and not c.id.endswith("clearance_cold")]
+    below = [c for pick in there for c in pick.checks if c.margin < 0 and c.rule is not CLEARANCE_COLD]
     return Text(" Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
 
 
