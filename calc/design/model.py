@@ -229,11 +229,19 @@ class Design:
         if shaft.sections and len(lengths) == len(places):
             start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
             reach = Text("from {start} to {end} mm", start=_in_mm(start), end=_in_mm(end))
-            for i, (z, l) in enumerate(zip(places, lengths)):
+            for i, (z, (d, l)) in enumerate(zip(places, journals)):
                 if z - l / 2 < start - 1e-9 or z + l / 2 > end + 1e-9:
                     parts = dict(l=_in_mm(l), reach=reach)
                     beyond = Text("its journal, {l} mm long, reaches beyond the shaft's sections, {reach}", **parts)
                     yield dotted(CountershaftInputs.bearing_positions, i), beyond
+                there = min((s.outer_radius for s in shaft.sections if s.from_ <= z <= s.to), default=0.0)
+                if d / 2 < there - 1e-6:
+                    thick = Text(
+                        "its journal has a diameter of {d} mm, the shaft's section there of {there} mm",
+                        d=_in_mm(d),
+                        there=_in_mm(2 * there),
+                    )
+                    yield dotted(CountershaftInputs.bearing_positions, i), thick
 
     def _bearings(self, bearings: BearingsInputs) -> Problems:
         """What the tables of bearings do not have, and what bearings need that stand alone."""

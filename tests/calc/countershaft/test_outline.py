@@ -118,6 +118,16 @@ def test_a_core_leaves_room_for_sectors_in_the_largest_journal(core, clearance):
     assert error.reason == f"must be smaller than what the largest journal leaves to the sectors, {core:g} mm"
 
 
+def test_a_section_is_no_thicker_than_the_journal_that_it_is():
+    thin = [{**JOURNALS[0], "diameter_mm": 59.4}, JOURNALS[1]]
+    assert outcome(masses=HALVES, sections=SECTIONS, journals=JOURNALS).state == "solved"
+    with pytest.raises(BadInput) as bad:
+        design(document(masses=HALVES, sections=SECTIONS, journals=thin))
+    (error,) = bad.value.errors
+    assert error.key == "countershaft.bearing_positions_mm.0"
+    assert error.reason == "its journal has a diameter of 59.4 mm, the shaft's section there of 59.5 mm"
+
+
 @pytest.mark.parametrize(
     "field, unit, hole",
     [
