@@ -51,7 +51,7 @@ BACKWARD_FORCE = CheckRule(
     Text(
         "A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well."
     ),
-    cause="imbalance.order_1.backward",
+    cause=BACKWARD_COUPLE.id,
     value_id=dotted("imbalance", "order_1", Order.force_backward),
     moved_by=(FRACTION,),
 )
@@ -74,7 +74,7 @@ FORWARD_FORCE = CheckRule(
     "<=",
     "N",
     OWN,
-    cause="imbalance.order_1.forward",
+    cause=FORWARD_COUPLE.id,
     value_id=dotted("imbalance", "order_1", Order.force_forward),
     moved_by=(FRACTION,),
 )
@@ -97,7 +97,7 @@ SECOND_FORCE = CheckRule(
     "<=",
     "N",
     OWN,
-    cause="imbalance.order_2.couple",
+    cause=SECOND_COUPLE.id,
     value_id=dotted("imbalance", "order_2", Order.force_peak),
     moved_by=(dotted("engine", EngineInputs.rod_length),),
 )
@@ -119,7 +119,7 @@ CRANK_COUPLE = CheckRule(
     unit="N·m",
     source=OWN,
     advice=Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing."),
-    cause="imbalance.crank.force",
+    cause=CRANK_FORCE.id,
     moved_by=(dotted("imbalance", ImbalanceInputs.bob_mass),),
 )
 CRANK_RESIDUAL = CheckRule(
@@ -130,7 +130,7 @@ CRANK_RESIDUAL = CheckRule(
     unit="kg·mm",
     source=Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
     advice=Text("The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are found."),
-    cause="imbalance.crank.force",
+    cause=CRANK_FORCE.id,
     limit_id=dotted("imbalance", WebsResult.permitted_unbalance),
     moved_by=(
         dotted("imbalance", ImbalanceInputs.drill_radius),
