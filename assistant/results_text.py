@@ -19,7 +19,7 @@ from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table, ignored
 from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
-from calc.sheet.verdict import findings_of, grouped, named, severity, with_it
+from calc.sheet.verdict import findings_of, named, open_findings, severity, with_it
 from calc.sheet.version import VERSION
 from calc.solve import TITLES, Results
 from calc.studies.described import not_counted
@@ -55,22 +55,21 @@ def sign(verdict: str) -> str:
 def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequence[Unusual] = ()) -> Iterator[str]:
     """How many findings there are, all that is open, and what the user accepted; `odd`: inputs that are not usual,
     which stand before what are notes."""
-    groups = [[check for check in group if check.open] for group in grouped(checks)]
-    open_groups = [group for group in groups if group]
-    if listed := [group for group in open_groups if everything or group[0].kind in ("limit", "caution")]:
-        yield findings_of(listed)
-    for group in open_groups:
+    notes = [check for check in sorted(checks, key=severity) if check.verdict == "note"]
+    if findings := open_findings(checks):
+        yield findings_of(findings)
+    for worst, *others in findings:
+        yield from _finding(worst)
         if everything:
-            for check in group:
-                yield from _finding(check)
-        elif group[0].kind in ("limit", "caution"):
-            yield from _finding(group[0])
-            if len(group) > 1:
-                yield from _wrapped_finding(with_it(group[1:]))
+            yield from (line for check in others for line in _finding(check))
+        elif others:
+            yield from _wrapped_finding(with_it(others))
+    if everything:
+        yield from (line for check in notes for line in _finding(check))
     yield from _unusual(odd, len(odd) if everything else SHOWN)
     if not everything:
-        yield from _counts("advice", [group for group in open_groups if group[0].kind == "advice"])
-        yield from _counts("method", [group for group in open_groups if group[0].kind == "method"])
+        yield from _counts("advice", [check for check in notes if check.kind == "advice"])
+        yield from _counts("method", [check for check in notes if check.kind == "method"])
         yield from _outside(checks)
         yield from _assumed(checks)
     for check in checks:
@@ -101,10 +100,9 @@ def _judged(check: Check) -> Text:
     return Text(template, name=check.name, value=value, limit=check.limit_text(), margin=check.margin_text())
 
 
-def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
-    if not groups:
+def _counts(kind: str, checks: Sequence[Check]) -> Iterator[str]:
+    if not checks:
         return
-    checks = [check for group in groups for check in group]
     worst = named([min(checks, key=lambda check: check.margin if check.margin == check.margin else math.inf)])
     single, many = {
         "advice": ("{n} piece of advice: {worst}", "{n} pieces of advice; the furthest: {worst}"),

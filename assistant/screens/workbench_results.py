@@ -19,7 +19,7 @@ from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import Cancelled
 from calc.sheet.step import Curve, Outcome, Step, Table
 from calc.sheet.text import EMPTY, Name, Text
-from calc.sheet.verdict import findings_of
+from calc.sheet.verdict import findings_of, open_findings
 
 from ..base_app import TYPING
 from ..session.calculation import CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
@@ -28,7 +28,7 @@ from ..session.places import Place, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
-from ..widgets.checks import Checks, open_groups
+from ..widgets.checks import Checks
 from ..widgets.field import Field
 from ..widgets.form import Form, Taken
 from ..widgets.headings import ArrayHeading, Fold, TableHeading
@@ -428,7 +428,7 @@ class WorkbenchResults(WorkbenchPanes):
         outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
         self.checks.show(outcome)
         if outcome is not None:
-            findings = open_groups(outcome)
+            findings = open_findings(outcome.checks)
             self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")
         self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
 

@@ -17,7 +17,7 @@ from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
-from calc.sheet.verdict import named, severity
+from calc.sheet.verdict import named, open_findings, severity
 
 from ..session.places import label_of
 from .item_list import Item, ItemList
@@ -182,7 +182,7 @@ class Checks(ItemList):
 
     def _finding_rows(self, outcome: Outcome[object]) -> list[CheckRow]:
         """The worst of each cause, before the others where they are unfolded; or that there is none."""
-        groups = open_groups(outcome)
+        groups = open_findings(outcome.checks)
         if not groups:
             judges = outcome.verdict not in ("not_judged", "computed")
             words = Text("Nothing fails here, no caution is open.") if judges else Text("No limit is judged here.")
@@ -362,12 +362,6 @@ class Checks(ItemList):
 
 
 KINDS_SHOWN = ("limit", "caution")  # the kinds whose findings are not folded
-
-
-def open_groups(outcome: Outcome[object]) -> list[list[Check]]:
-    """What is open and not folded, under its causes."""
-    groups = ([check for check in checks if check.open and check.kind in KINDS_SHOWN] for checks in outcome.causes)
-    return [group for group in groups if group]
 
 
 def _end(check: Check, end: End | None) -> Text:

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Literal
 
-from .check import KINDS, ORDER, Check
+from .check import KINDS, ORDER, URGENT, Check
 from .record import record
 from .text import COMMA, SEMICOLON, Text, plural
 
@@ -164,6 +164,12 @@ def severity(check: Check) -> tuple[bool, bool, int, int, float]:
     it, then by kind, then the worst verdict first."""
     margin = -math.inf if math.isnan(check.margin) else check.margin
     return not check.open, not check.rule.of_input, KINDS.index(check.kind), -ORDER.index(check.verdict), margin
+
+
+def open_findings(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
+    """What somebody has to look at, under its causes: what page, screen and command line list, and count, alike."""
+    groups = [tuple([check for check in group if check.verdict in URGENT]) for group in grouped(checks)]
+    return [group for group in groups if group]
 
 
 def findings_of(groups: Sequence[Sequence[Check]]) -> Text:

@@ -7,10 +7,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from calc.design.names import knows
-from calc.sheet.check import URGENT, Check
+from calc.sheet.check import Check
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text
-from calc.sheet.verdict import counts, grouped, with_it
+from calc.sheet.verdict import counts, open_findings, with_it
 
 from ..context import Context
 from ..typesetting.fonts import BOLD
@@ -79,11 +79,9 @@ def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
     """
     checks = list(checks)
     together: dict[tuple[str, str], list[tuple[Check, str]]] = {}
-    for group in grouped(checks):
-        urgent = [check for check in group if check.verdict in URGENT]
-        for worst in urgent[:1]:
-            others = context.say(with_it(urgent[1:])) if urgent[1:] else ""
-            together.setdefault((worst.verdict, worst.advice), []).append((worst, others))
+    for worst, *more in open_findings(checks):
+        others = context.say(with_it(more)) if more else ""
+        together.setdefault((worst.verdict, worst.advice), []).append((worst, others))
     rows = []
     for (_, advice), some in together.items():
         for check, others in some:

@@ -10,9 +10,9 @@ from calc.design.key_results import key_results
 from calc.design.names import knows
 from calc.design.unusual import told, unusual
 from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
-from calc.sheet.check import SIGNS, THIN_MARGIN, URGENT
+from calc.sheet.check import SIGNS, THIN_MARGIN
 from calc.sheet.text import Amount, Text
-from calc.sheet.verdict import closest, findings_of, grouped
+from calc.sheet.verdict import closest, findings_of, open_findings
 from calc.studies.described import described, not_counted
 from calc.studies.drawings import shaft, train
 from calc.studies.repair.nearest import nearest
@@ -138,8 +138,7 @@ def summary_blocks(context: Context) -> list[Block]:
     blocks += _steps(context)
     blocks += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
     if attention := attention_blocks(context, results.checks()):
-        urgent = [[check for check in group if check.verdict in URGENT] for group in grouped(results.checks())]
-        findings = findings_of([group for group in urgent if group])
+        findings = findings_of(open_findings(results.checks()))
         blocks += heading(context.text("counted_attention", findings=findings), SECTION, gap=9.0, after=0.0)
         blocks += attention
     if uncounted := [context.say(text) for text in not_counted(context.design)]:
@@ -184,11 +183,13 @@ def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
 
 
 class Mended(NamedTuple):
-    """The nearest design in which no limit fails: what it changes, whether it passes, and what is left, with the
-    reason."""
+    """The nearest design in which no limit fails: what it changes, whether none does, the state that it then has with
+    its words, and what is left, with the reason."""
 
     changes: Text
     passes: bool
+    state: str
+    words: Text
     left: tuple[tuple[Text, Text], ...]
 
 
@@ -198,15 +199,24 @@ def mended(context: Context) -> Mended | None:
     if results.verdict != "fail":
         return None
     repair = nearest(context.document, results, tries=0)
-    return Mended(repair.words, repair.passes, tuple((unmended.name, unmended.why) for unmended in repair.left[:3]))
+    after = repair.results
+    return Mended(
+        repair.words,
+        repair.passes,
+        after.verdict,
+        after.words(),
+        tuple((unmended.name, unmended.why) for unmended in repair.left[:3]),
+    )
 
 
 def _nearest(context: Context, nearest: Mended) -> list[Block]:
     """The nearest design that passes, with all that it changes."""
-    blocks = heading(context.words["nearest_title"], SECTION, gap=9.0, after=0.0)
+    title = "nearest_title" if nearest.state in ("pass", "warn") else "nearest_no_fail"
+    blocks = heading(context.words[title], SECTION, gap=9.0, after=0.0)
     if nearest.changes:
+        template = "nearest_passes" if nearest.passes else "nearest_part"
         blocks += paragraph(
-            context.text("nearest_passes" if nearest.passes else "nearest_part", changes=nearest.changes), CELL, gap=1.0
+            context.text(template, changes=nearest.changes, state=context.say(nearest.words)), CELL, gap=1.0
         )
     for name, why in nearest.left:
         blocks += paragraph(context.text("nearest_left", name=name, why=why), CELL, gap=1.0)

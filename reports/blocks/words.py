@@ -67,8 +67,11 @@ WORDS: dict[str, Text] = {
     "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"), "proofs": Text("Proofs"),
     "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
     "governing": Text("Closest limit: {name}, {value}, needs {limit}"), "key_results": Text("Key results"),
-    "nearest_title": Text("Nearest passing design"), "nearest_passes": Text("No limit fails with: {changes}."),
-    "nearest_part": Text("A part of the way: {changes}."), "nearest_left": Text("{name}: nothing was found, {why}."),
+    "nearest_title": Text("Nearest passing design"),
+    "nearest_passes": Text("No limit fails with: {changes}. Then {state}."),
+    "nearest_no_fail": Text("Nearest design in which no limit fails"),
+    "nearest_part": Text("A part of the way: {changes}. Then {state}."),
+    "nearest_left": Text("{name}: nothing was found, {why}."),
     "errata_count": plural(
         "{n} value of a source is corrected; the engineer report says where the source is wrong, and why.",
         "{n} values of sources are corrected; the engineer report says where the sources are wrong, and why.",
