@@ -56,9 +56,8 @@ ACTIONS: tuple[Action, ...] = (
                 "what each does to all "
                 "steps.")),
     Action("drive", "", "T", EMPTY, Text("Whole drive"),
-           Text("Searches every combination of shaft and bearings that keeps all limits: power, mass, seat, price and "
-                "margin against each "
-                "other; one is taken as one step of the undo.")),
+           Text("Searches every combination of shaft and bearings that keeps what is asked of it: power, mass, seat, "
+                "price and margin against each other; one is taken as one step of the undo.")),
     Action("guide", "", "G", EMPTY, Text("Guide on and off"),
            Text("Shows below the question of each step what is good there or worth trying, or leaves it out.")),
     Action("pane", "f6", "l", Text("Pane"), Text("Next pane"), Text("Moves to the next pane."), call=("turn_pane", 1)),

@@ -64,8 +64,8 @@ def test_comments_stay_or_are_named(copy):
 def test_what_fits_comes_first_and_nothing_is_wider_than_a_page(copy):
     done = run("choose", copy("r753ie4_gamma"), "bearings")
     lines = done.stdout.splitlines()
-    assert lines[0].startswith("No bearing that fits keeps every limit")
-    assert lines[1].startswith("Nothing that fits keeps every limit: the front journal has room for 27.52 mm")
+    assert lines[0].startswith("No bearing that fits keeps every rule")
+    assert lines[1].startswith("Nothing that fits keeps every rule: the front journal has room for 27.52 mm")
     assert max(map(len, lines)) <= 118
     before = lines[: lines.index("The neighbours of the first 3 rows")]
     numbers = [int(word) for line in before if (word := line[2:6].strip()).isdigit()]
@@ -101,7 +101,10 @@ def test_the_json_has_all_tables(copy):
     rows = [row for row in found["rows"] if row[0] != "now"]
     power = [row[labels.index("P_f")] for row in rows]
     assert power[1:] == sorted(power[1:])
-    assert found["summary"] == ["Row 1 is the design as it is: it keeps every limit."] and len(found["notes"]) > 5
+    assert (
+        found["summary"] == ["Row 1 is the design as it is: it keeps every rule of the search."]
+        and len(found["notes"]) > 5
+    )
     assert int(found["tables"]["too_long"]["rows"][0][0]) == len(rows) + 1
     assert run("choose", path, "bearings", "--apply", int(found["tables"]["pareto"]["rows"][-1][0]) + 1).returncode == 2
 

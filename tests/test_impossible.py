@@ -63,6 +63,11 @@ def _shaft(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, str]]
     for mass in shaft.masses if shaft.outer_radius is not None else ():
         if mass.radius > shaft.outer_radius:
             yield "countershaft", f"the mass {mass.name} lies outside its envelope"
+    for id in ("countershaft.mass", "countershaft.moment_of_inertia"):
+        if values.get(id, 1.0) <= 0:
+            yield "countershaft", f"{id} is {values[id]}"
+    if bearings is not None and (shaft.sections or shaft.core_radius is not None) and "countershaft.mass" not in values:
+        yield "countershaft", "no shaft can be made of what is given"
     if values.get("countershaft.utilisation", 0.0) > 1 + 1e-9:
         yield "countershaft", "more unbalance than a full half circle has"
     if bearings is not None and "countershaft.sector.front.length" in values:
@@ -215,6 +220,9 @@ def test_no_random_design_that_new_begins_passes_that_can_not_be(seed: int) -> N
 # --- the oracle itself sees what it is there for
 
 
+HOLE = {"name": "hole", "mass_kg": -1.0, "radius_mm": 1.0, "angle_deg": 0.0, "z_mm": 0.0}
+
+
 @pytest.mark.parametrize(
     ("name", "changes", "step"),
     [
@@ -225,6 +233,8 @@ def test_no_random_design_that_new_begins_passes_that_can_not_be(seed: int) -> N
         ("twin_drive", {"bearings.front.housing_roughness_um": 40.0}, "bearings"),
         ("twin_drive", {"bearings.outlet_temperature_limit_C": 92.0}, "bearings"),
         ("r753ie4_gamma", {"countershaft.masses.front.radius_mm": 41.0}, "countershaft"),
+        ("twin_drive", {"countershaft.extras": [HOLE | {"mass_kg": -9.0}]}, "countershaft"),
+        ("twin_drive", {"countershaft.extras": [HOLE | {"radius_mm": 90.0}]}, "countershaft"),
         ("generating_set_mounting", {"engine.rated_power_kW": 160.0}, "engine"),
         ("twin_force_shaft", {"engine.throw.pin_diameter_mm": 12.0}, "engine"),
     ],

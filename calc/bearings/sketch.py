@@ -29,6 +29,7 @@ from ..sheet.check import Check
 from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
+from .checks import FILM_EDGE
 from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult, BearingsResult
 
@@ -83,7 +84,7 @@ def _bearing(
     size, load_key = dotted(key, BearingInputs.diameter), dotted(key, BearingInputs.load)
     clearance = f"{dotted(key, BearingInputs.clearance)} {dotted(key, BearingInputs.clearance_factor)}"
     oil = f"{clearance} {dotted('bearings', BearingsInputs.oil)}"
-    film = judged(checks.values(), f"{key}.film_edge")
+    film = judged(checks.values(), FILM_EDGE.of(place))
     yield Area(CONTEXT, (round_outline((0.0, 0.0), seat), round_outline(centre, journal)), 0.35, oil)
     yield Arc(OUTLINE, (0.0, 0.0), seat, key=clearance)
     yield Arc(OUTLINE, centre, journal, key=size)
@@ -98,12 +99,11 @@ def _bearing(
         "{load}", load=Amount(r.load / 1000, "kN", digits=2) if r.load >= 1000 else Amount(r.load, "N", digits=3)
     )
     yield Words(WORDS, (centre[0] - 0.12 * journal, centre[1] - 0.4 * journal), load, key=load_key, side="right")
-    yield from _film(key, centre, journal, checks)
+    yield from _film(key, centre, journal, checks[FILM_EDGE.of(place)])
 
 
-def _film(key: str, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
+def _film(key: str, centre: Point, journal: Metre, check: Check) -> Iterator[Mark]:
     """The film at the edge against what it is to be."""
-    check = checks[f"{key}.film_edge"]
     film, asked = Amount(check.value, digits=2), Amount(check.nearest[1], digits=2)
     at, text = (centre[0], centre[1] + 0.35 * journal), Text("{film} of {asked} µm", film=film, asked=asked)
     yield Words(WORDS, at, text, key=_rough(key), state=judged([check], check.id), side="centre")

@@ -5,6 +5,7 @@ subjects, those of its outline where it is put together."""
 from collections.abc import Callable, Iterator
 
 from ..gears.inputs import GearsInputs
+from ..gears.layout.room import ASSEMBLY
 from ..imbalance.result import ImbalanceResult
 from ..library import fatigue
 from ..library.catalogue import Material, proof_of
@@ -270,7 +271,7 @@ GEAR_SEAT = CheckRule(
     Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft"),
     Text("A larger front journal, fewer teeth or a smaller module."),
     zero="1 mm",
-    cause="gears.train.assembly",
+    cause=ASSEMBLY.id,
     moved_by=(SEAT_DIAMETERS[0], dotted("gears", GearsInputs.normal_module)),
 )
 ENVELOPE_LENGTH = CheckRule(

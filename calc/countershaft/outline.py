@@ -38,7 +38,7 @@ from ..sheet.units import (
     SquareMetre,
     SquareMetres,
 )
-from ..sheet.value import about, based_on
+from ..sheet.value import about, based_on, untraced
 from .inputs import CountershaftInputs, EccentricMass
 
 # --- the cross-section: a core of radius r_0 and on it a sector of half-angle γ out to the radius R
@@ -467,13 +467,6 @@ def known(shaft: CountershaftInputs, R: Metre | None, journals: Journals) -> tup
         )
         missing = Text(" and ").join([name for name, given in needed if given is None])
         raise NoOutline(Text("give [[countershaft.sections]], or {missing}", missing=missing))
-    if r_0 >= R:
-        what = Text(
-            "the core of radius {r_0} mm is not smaller than the outer radius of the sectors, {r} mm",
-            r_0=Amount(r_0 * 1000.0, form=".4g"),
-            r=Amount(R * 1000.0, form=".4g"),
-        )
-        raise NoOutline(what)
     return R, r_0
 
 
@@ -502,6 +495,32 @@ def _extent(shape: Outline) -> tuple[Array, Array]:
     """Length and middle of each piece."""
     z_1, z_2 = column(shape.pieces, "start"), column(shape.pieces, "end")
     return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
+
+
+def hollowed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> None:
+    """Raises NoOutline where the further elements take away more than the pieces of the shaft have."""
+    holes = [extra for extra in extras if extra.mass < 0]
+    with untraced():
+        there = weighed(shape, rho, ())[0], turning_inertia(shape, rho, ())
+    taken = -sum(hole.mass for hole in holes), -sum(hole.mass * hole.radius**2 for hole in holes)
+    for label, unit, less, whole in zip(
+        (Text("Mass that is taken away"), Text("Moment of inertia that is taken away")),
+        ("kg", "kg·mm²"),
+        taken,
+        there,
+    ):
+        if less >= whole:
+            check = MASS_SHAPE(
+                less,
+                whole,
+                name=label,
+                unit=unit,
+                source=Text("geometry: no hole takes away more than stands there"),
+                advice=Text("Look at the mass and the radius of the further elements: below zero it is a hole's."),
+                moved_by=(dotted("countershaft", CountershaftInputs.extras),),
+            )
+            words = dict(less=Amount(check.value, unit), limit=check.limit_text())
+            raise NoOutline(Text("the further elements take away {less}, needs {limit}", **words), check)
 
 
 def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> tuple[Kilogram, Metre]:

@@ -38,6 +38,21 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
 from .bending.shaft import Bending
+from .checks import (
+    BENDING_STRESS,
+    ENVELOPE,
+    ENVELOPE_LENGTH,
+    FATIGUE,
+    FIRST_CRITICAL_SPEED,
+    NOTCH_STRESS,
+    OUTLINE_FORCE,
+    RESIDUAL,
+    RESIDUAL_FORCE,
+    SLOPE_FRONT,
+    SLOPE_REAR,
+    SUPPORT_HEAT_INDEX,
+    SUPPORT_SPECIFIC_LOAD,
+)
 from .inputs import CountershaftInputs, EccentricMass, Holes
 from .outline import Outline, Piece
 from .result import CountershaftResult
@@ -60,6 +75,7 @@ JOURNALS = (  # of the bearings, whose inputs stand above this step
     f"{dotted(STEP, CountershaftInputs.journals)} bearings.front.diameter_mm bearings.front.length_mm "
     "bearings.rear.diameter_mm bearings.rear.length_mm"
 )
+OF_MASSES = (RESIDUAL, RESIDUAL_FORCE, ENVELOPE, ENVELOPE_LENGTH, OUTLINE_FORCE)
 SHADES = {"sector": 0.5, "journal": 0.25, "gear": 0.25, "full": 0.25, "core": 0.12}
 EXAGGERATED: Number = 1000.0  # of the bending line, or a power of ten beside it
 SEEN = 0.05, 1.2  # of the largest radius: within this the bending line is to stay
@@ -95,8 +111,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
-    asked = ("residual", "residual_force", "envelope", "envelope_length", "outline_force")
-    masses, notes = judged(checks, *(f"{STEP}.{id}" for id in asked)), [Text("lengths in mm")]
+    masses, notes = judged(checks, *(rule.id for rule in OF_MASSES)), [Text("lengths in mm")]
     if result.outline is not None:
         view = _shaped(shaft, result.outline, masses)
     elif result.sector:
@@ -113,7 +128,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     side += _supports(view, checks)
     side += _dimensions(view)
     if shaft.holes is not None:
-        side += _holes(view, shaft.holes, judged(checks))
+        side += _holes(view, shaft.holes, judged(checks, HOLES))
     if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
         side += bent[0]
         notes.append(Text("dashed: bending × {factor}", factor=Amount(bent[1])))
@@ -199,9 +214,9 @@ def _supports(view: View, checks: Iterable[Check]) -> Iterator[Mark]:
     positions, checks, size = view.shaft.bearing_positions, tuple(checks), SUPPORT * view.length
     for n, z in enumerate(positions):
         low = max((reach(piece, view.up)[1] for piece in view.pieces if piece.start <= z <= piece.end), default=0.0)
-        ids = [f"{STEP}.support.{n + 1}"]
+        ids = [rule.of(str(n + 1)) for rule in (SUPPORT_SPECIFIC_LOAD, SUPPORT_HEAT_INDEX)]
         if n in (0, len(positions) - 1):
-            ids.append(f"{STEP}.slope_{'rear' if n else 'front'}")
+            ids.append(SLOPE_REAR.id if n else SLOPE_FRONT.id)
         foot = ((z, -low), (z + size, -low - size), (z - size, -low - size))
         yield Polyline(OUTLINE, foot, True, f"{POSITIONS} {POSITIONS}.{n}", judged(checks, *ids))
 
@@ -256,13 +271,11 @@ def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[M
         factor /= 10
     while most * factor < SEEN[0] * view.radius:
         factor *= 10
-    state = judged(
-        checks, f"{STEP}.bending_stress", f"{STEP}.first_critical_speed", f"{STEP}.slope_front", f"{STEP}.slope_rear"
-    )
+    state = judged(checks, *(rule.id for rule in (BENDING_STRESS, FIRST_CRITICAL_SPEED, SLOPE_FRONT, SLOPE_REAR)))
     points = tuple(zip(bending.z.tolist(), (sag * factor).tolist()))
     share = dotted(STEP, CountershaftInputs.sector_effectiveness)
     marks: list[Mark] = [Polyline(HIDDEN, points, key=share, state=state)]
-    worn = judged(checks, f"{STEP}.fatigue", f"{STEP}.notch_stress")
+    worn = judged(checks, FATIGUE.id, NOTCH_STRESS.id)
     if worn and bending.notch_z is not None:
         z, half = bending.notch_z, 0.8 * view.radius
         fillet = dotted(STEP, CountershaftInputs.fillet_radius)

@@ -145,10 +145,13 @@ def _outline(
     shaft, journals = step.shaft, step.journals
     try:
         if shaft.sections and sized is None:
-            return s.given(shaft)
+            outline = s.given(shaft)
+            s.hollowed(outline, step.material.density, shaft.extras)
+            return outline
         outer, core = s.known(shaft, R, journals)
         sectors = s.sectors_of(masses, step.material.density, outer, core) if sized is None else pieces(sized)
         outline = s.assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
+        s.hollowed(outline, step.material.density, shaft.extras)
     except NoOutline as none:
         if none.broken is not None:
             step.checks.append(none.broken)

@@ -212,9 +212,16 @@ class Design:
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
             must = Text("must be -1 where [bearings] or [gears] carry the shaft")
             yield dotted(CountershaftInputs.speed_ratio), must
-        lengths = [j.length for j in shaft.journals] or (
-            [self.bearings.front.length, self.bearings.rear.length] if self.bearings else []
-        )
+        bearings = [self.bearings.front, self.bearings.rear] if self.bearings is not None else []
+        journals = [(j.diameter, j.length) for j in shaft.journals or bearings]
+        lengths = [length for _, length in journals]
+        if shaft.outer_radius is None and journals and not shaft.sections:
+            widest = max(diameter for diameter, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
+            if shaft.core_radius is not None and shaft.core_radius >= widest:
+                must = Text(
+                    "must be smaller than what the largest journal leaves to the sectors, {R} mm", R=_in_mm(widest)
+                )
+                yield dotted(CountershaftInputs.core_radius), must
         for i, (a, b, l_a, l_b) in enumerate(zip(places, places[1:], lengths, lengths[1:]), 1):
             if b - a < (l_a + l_b) / 2 - 1e-9:
                 near = Text("its journal overlaps the one before it, {b} mm away", b=_in_mm(b - a))
@@ -222,11 +229,19 @@ class Design:
         if shaft.sections and len(lengths) == len(places):
             start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
             reach = Text("from {start} to {end} mm", start=_in_mm(start), end=_in_mm(end))
-            for i, (z, l) in enumerate(zip(places, lengths)):
+            for i, (z, (d, l)) in enumerate(zip(places, journals)):
                 if z - l / 2 < start - 1e-9 or z + l / 2 > end + 1e-9:
                     parts = dict(l=_in_mm(l), reach=reach)
                     beyond = Text("its journal, {l} mm long, reaches beyond the shaft's sections, {reach}", **parts)
                     yield dotted(CountershaftInputs.bearing_positions, i), beyond
+                there = min((s.outer_radius for s in shaft.sections if s.from_ <= z <= s.to), default=0.0)
+                if d / 2 < there - 1e-6:
+                    thick = Text(
+                        "its journal has a diameter of {d} mm, the shaft's section there of {there} mm",
+                        d=_in_mm(d),
+                        there=_in_mm(2 * there),
+                    )
+                    yield dotted(CountershaftInputs.bearing_positions, i), thick
 
     def _bearings(self, bearings: BearingsInputs) -> Problems:
         """What the tables of bearings do not have, and what bearings need that stand alone."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..bearings.inputs import BearingsInputs
 from ..gears.inputs import GearsInputs
+from ..gears.rating.checks import LINE_LOAD, MICROPITTING_FILM
 from ..library import oils
 from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
@@ -139,7 +140,7 @@ REGIME = CheckRule(
     "method",
     "The EHL film is used outside its validity.",
     source=Text("Johnson 1970, regimes of fluid-film lubrication"),
-    cause="gears.line_load",
+    cause=LINE_LOAD.cause,
     moved_by=(dotted("friction", FrictionInputs.film),),
 )
 LAMBDA = CheckRule(
@@ -148,7 +149,7 @@ LAMBDA = CheckRule(
     "Mixed friction is usual between the teeth of such trains; it costs loss and wear, not the part.",
     source=Text("AGMA 925-A03: mixed friction below about 1"),
     advice=Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
-    cause="gears.thin_film",
+    cause=MICROPITTING_FILM.cause,
     value_id=dotted("friction", "M", MeshLoss.lambda_min),
     moved_by=(dotted("friction", FrictionInputs.flank_roughness), *TEMPERATURES),
 )

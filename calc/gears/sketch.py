@@ -15,10 +15,14 @@ from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Number
 from ..sheet.value import untraced
+from .backlash.checks import BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WARMING
+from .checks import TIP_THICKNESS, UNDERCUT
 from .curves import pitch_point_view
 from .inputs import GearsInputs, Mesh
+from .layout.room import CLEARANCE, REACH
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
+from .profile.meshing import PENETRATION
 from .profile.outline import Outline, regions
 from .result import MeshResult, TrainResult
 from .wheel_inputs import Wheel
@@ -30,8 +34,8 @@ if TYPE_CHECKING:
 FINE = 1e-2  # chord error of the teeth in modules, rule of this program: a dot is larger
 GAP: Number = 0.3  # modules: the largest backlash is drawn no wider
 # checks by which a mesh has no room for its teeth
-JAMS = ("backlash", "backlash_cold", "backlash_warm", "backlash_warming", "penetration")
-FAULTS = "clearance", "position", "undercut", "tip_thickness"  # of a wheel
+JAMS = (BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WARMING, PENETRATION)
+FAULTS = (CLEARANCE, REACH, UNDERCUT, TIP_THICKNESS)  # of a wheel
 BELOW = 0.25  # of the tip radius: where the number of teeth stands below the name
 ABOVE = 0.1  # of the largest tip diameter: how far above the wheels the distances stand
 MOST: Number = 50  # the gap is exaggerated no more
@@ -79,11 +83,11 @@ def _point(at: complex) -> draw.Point:
 def _train(
     gears: GearsInputs, train: TrainResult, centres: Mapping[str, complex], checks: tuple[Check, ...], placed: bool
 ) -> Iterator[draw.Mark]:
-    jams = {key: draw.judged(checks, *(f"gears.{key}.{id}" for id in JAMS)) for key in train.meshes}
+    jams = {key: draw.judged(checks, *(rule.of(key) for rule in JAMS)) for key in train.meshes}
     for name, wheel in train.wheels.items():
         at, tip = _point(centres[name]), wheel.tip_diameter / 2
         key = dotted("gears", GearsInputs.wheels, name)
-        state = draw.judged(checks, *(f"gears.{name}.{id}" for id in FAULTS))
+        state = draw.judged(checks, *(rule.of(name) for rule in FAULTS))
         pitch = max((d for _, d, _ in train.mates(name)), default=wheel.reference_diameter) / 2
         yield draw.Area(draw.CONTEXT, (draw.round_outline(at, tip),), 0.3, key, state)
         yield draw.Arc(draw.OUTLINE, at, pitch, key=f"{key} {dotted('gears', GearsInputs.normal_module)}", state=state)
@@ -142,7 +146,7 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[draw.
     touch, the gap is behind them.  Backlash below zero shows as teeth that run into each other."""
     mesh, system = train.meshes[key], train.system
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
-    state = draw.judged(checks, *(f"gears.{key}.{id}" for id in JAMS))
+    state = draw.judged(checks, *(rule.of(key) for rule in JAMS))
     smallest = mesh.backlash_min if train.play is None else train.play[key].backlash_min_runout
     gap = smallest if state else mesh.backlash_nominal
     factor = min(draw.rounded(GAP * system.m_n / abs(gap)), MOST) if gap else 1.0

@@ -183,6 +183,7 @@ class Wheel:
         default=None,
         up_to=2000,
         symbol="d_i",
+        rule_of_thumb=(5, 500),
         help="Diameter of the bore of the body, for its inertia. Left out: a solid disc.",
     )
     rim_thickness: float | None = quantity(

@@ -27,6 +27,7 @@ from ..sheet.arrays import Array
 from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Radian
+from .checks import DEFLECTION
 from .curves import ModePicture, mode_pictures
 from .inputs import MountingInputs
 from .result import MountingResult
@@ -49,7 +50,7 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     if design.mounting is None or not isinstance(outcome.result, MountingResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
-    states = {mount.name: judged(checks, f"mounting.{mount.name}.deflection") for mount in design.mounting.mounts}
+    states = {mount.name: judged(checks, DEFLECTION.of(mount.name)) for mount in design.mounting.mounts}
     modes = mode_pictures(design.mounting, outcome.result)
     first, *others = [
         Sketch(tuple(_marks(design.mounting, mode, states, angle)), turning=True, title=_title(n, mode))

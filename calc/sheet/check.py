@@ -116,6 +116,15 @@ class CheckRule:
             raise ValueError(f"the check {self.id}: a limit has a role, another kind has none")
         RULES[self.id] = self
 
+    @property
+    def pattern(self) -> str:
+        """The ids of all its checks, with * for what the letters stand for."""
+        return _filled(self.id, dict.fromkeys(LETTERS, "*"))
+
+    def of(self, at: str | Sequence[str]) -> str:
+        """The id of its check on these elements."""
+        return _filled(self.id, self.names(at))
+
     def names(self, at: str | Sequence[str] = (), index: int | None = None) -> dict[str, str]:
         """The elements that the letters stand for, in the order of the id."""
         elements = (at,) if isinstance(at, str) else at

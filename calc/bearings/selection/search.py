@@ -21,6 +21,7 @@ from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
+from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER
 from ..inputs import PLACES, SLOPE_TAKEN, BearingInputs, BearingsInputs
 from . import ranking
 from .grid import CandidateField, alike, field
@@ -31,7 +32,7 @@ from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, 
 # --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
 
 TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
-CORNER = "_corner"  # how the checks at the worst corner are called; a fit that is assumed fails none
+AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER)
 
 
 @record
@@ -58,7 +59,7 @@ def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -
     front, rear = (pick.with_slope(again[place]) for place, pick in zip(PLACES, row.both))
     failing = [c for c in there.checks if c.verdict == "fail"]
     if row.corners:
-        failing += [c for c in there.checks if c.id.endswith(CORNER) and c.verdict != "fail" and not c.margin >= 0]
+        failing += [c for c in there.checks if c.rule in AT_CORNERS and c.verdict != "fail" and not c.margin >= 0]
     failing += [pick.governing for pick in (front, rear) if pick.margin < 0]
     elsewhere = chain.from_iterable(o.checks for key, o in results.outcomes.items() if key != "bearings")
     others = [c for c in elsewhere if c.verdict == "fail" and c.id not in before]
@@ -340,7 +341,7 @@ def _possible(bearings: Tasks) -> Tasks:
         if (coolest := without_rise(task)).margin < 0:
             check = check_of(coolest, ())
             tried = Text("even without any rise: {limit}", limit=against(check))
-            raise NoSolution(Text("no bearings keep every limit"), tried, check.advice)
+            raise NoSolution(Text("no bearings keep every rule of the search"), tried, check.advice)
     return bearings
 
 
@@ -564,4 +565,4 @@ def nothing(every: Every, slopes: Slopes) -> NoSolution:
     )
     if worse.corner:
         tried = Text("{tried} (corner: {corner})", tried=tried, corner=worse.corner)
-    return NoSolution(Text("no bearings keep every limit"), tried, worse.governing.advice)
+    return NoSolution(Text("no bearings keep every rule of the search"), tried, worse.governing.advice)

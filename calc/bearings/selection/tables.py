@@ -13,6 +13,7 @@ from ...sheet.search import beside
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed, plural
 from ...sheet.units import Watt
+from ..checks import CLEARANCE_COLD
 from ..inputs import IN_WORDS, PLACES
 from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
@@ -58,25 +59,25 @@ Cells = tuple[str | float | None, ...]
 def titles(choices: BearingsFound) -> tuple[Text, Text]:
     """Of the rows that fit, and of those that are too long."""
     known = any(some[0].room.longest is not None for some in choices.tasks.values())
-    keeps = Text("Bearings that keep every limit (their room is not known)")
+    keeps = Text("Bearings that keep every rule of the search (their room is not known)")
     if known:
-        keeps = Text("Bearings that fit and keep every limit")
+        keeps = Text("Bearings that fit and keep every rule of the search")
     fits = "/".join(choices.rows[0].variant.fits or ()) if choices.rows else ""
     of = {
         "all": Text("{keeps}: the nearest, then the least power of each oil and supply", keeps=keeps),
         "fits": Text("{keeps} with closer fits, {fits}", keeps=keeps, fits=fits),
-        "given": Text("No bearing that fits keeps every limit at every corner: these keep them as given"),
-        "none": Text("No bearing fits: those that keep every limit are too long for their room"),
+        "given": Text("No bearing that fits keeps every rule of the search at every corner: these keep them as given"),
+        "none": Text("No bearing fits: those that keep every rule are too long for their room"),
     }[choices.kind]
     if choices.crossing:
         fail = choices.crossing[0].id
         of = {
             "all": Text("The design FAILS {check}. {keeps}", check=fail, keeps=keeps),
             "fits": Text("The design FAILS {check}. {keeps} with closer fits", check=fail, keeps=keeps),
-            "given": Text("The design FAILS {check}. Those that fit keep the limits only as given", check=fail),
+            "given": Text("The design FAILS {check}. Those that fit keep its rules only as given", check=fail),
             "none": Text("The design FAILS {check}. No bearing fits", check=fail),
         }[choices.kind]
-    return of, Text("Bearings that keep every limit and are too long for their room")
+    return of, Text("Bearings that keep every rule of the search and are too long for their room")
 
 
 def choices_table(choices: BearingsFound, top: int) -> Table:
@@ -317,7 +318,7 @@ def pareto_table(choices: BearingsFound) -> Table:
     if not choices.rows:
         title = Text("Pareto set: power against film, whatever the room")
     elif choices.kind == "given":
-        title = Text("Pareto set: power against film, of those that keep every limit as given")
+        title = Text("Pareto set: power against film, of those that keep every rule as given")
     return Table("pareto", title, tuple(columns), tuple(rows), note)
 
 
@@ -348,9 +349,9 @@ def summary(choices: BearingsFound) -> tuple[Text, ...]:
         nearest = Text("Row 1 is nearest to the design: {change}.", change=COMMA.join(filter(None, change)))
         words.append(nearest + (_at_corners(choices, first) if choices.kind == "given" else EMPTY))
     elif choices.kind == "given":
-        words.append(Text("Row 1 is the design as it is: it keeps every limit as given."))
+        words.append(Text("Row 1 is the design as it is: it keeps every rule as given."))
     else:
-        words.append(Text("Row 1 is the design as it is: it keeps every limit."))
+        words.append(Text("Row 1 is the design as it is: it keeps every rule of the search."))
     return tuple(words)
 
 
@@ -359,14 +360,14 @@ def _missed(choices: BearingsFound) -> Text:
     Ra = Amount(ROUGHNESSES[-1] * 1e6, "µm")
     if not choices.beyond:
         return Text(
-            "Nothing of any length keeps every limit, not with Ra down to {Ra}, nor with fits two grades closer.", Ra=Ra
+            "Nothing of any length keeps every rule, not with Ra down to {Ra}, nor with fits two grades closer.", Ra=Ra
         )
     row, number = choices.beyond[0], len(choices.rows) + 1
     long = [(place, x) for place, x in zip(PLACES, row.too_long) if x > 0]
     spaces = [(place, mm(choices.tasks[place][0].room.longest or 0.0)) for place, _ in long]
     rooms = [Text("the {place} journal has room for {room}", place=IN_WORDS[p], room=space) for p, space in spaces]
     return Text(
-        "Nothing that fits keeps every limit: {room}, and the nearest that does (row {number}) is {miss} too long; "
+        "Nothing that fits keeps every rule: {room}, and the nearest that does (row {number}) is {miss} too long; "
         "not with Ra down to "
         "{Ra}, nor with fits two grades closer.",
         room=listed(rooms),
@@ -383,7 +384,7 @@ def _at_corners(choices: BearingsFound, row: BearingRow) -> Text:
         picks(replace(pick.task, corners=True), [pick.length], [pick.clearance], slopes[p])[0]
         for p, pick in zip(PLACES, row.both)
     ]
-    below = [c for pick in there for c in pick.checks if c.margin < 0 and not c.id.endswith("clearance_cold")]
+    below = [c for pick in there for c in pick.checks if c.margin < 0 and c.rule is not CLEARANCE_COLD]
     return Text(" Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
 
 

@@ -8,6 +8,7 @@ from functools import lru_cache, partial
 from typing import Protocol, TypeVar
 
 from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
 from ...library import tolerances as fits
 from ...library.catalogue import Oil
@@ -226,7 +227,7 @@ def _with_short_journals(case: SelectionCase) -> Solution:
 def crossings(results: Solution) -> list[Check]:
     """Pieces of the shaft that overlap."""
     checks = results.outcomes["countershaft"].checks
-    return [c for c in checks if c.id == "countershaft.crossing" and c.verdict == "fail"]
+    return [c for c in checks if c.rule is CROSSING and c.verdict == "fail"]
 
 
 def placed(bearings: BearingsInputs) -> tuple[str, str] | None:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ...bearings.checks import FILM_EDGE_SPEEDS, FILM_EDGE_STANDING, LENGTH_RATIO_USUAL, SUPPLY_RANGE
 from ...bearings.inputs import BearingInputs
 from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import LENGTH_STEP
@@ -18,7 +19,7 @@ from ...design.model import Design
 from ...design.step_inputs import bearings_case, shaft_gear
 from ...design.toml_file import Document, design
 from ...gears.result import TrainResult
-from ...library.journal_rules import USUAL_LENGTH_RATIO
+from ...library.journal_rules import LENGTH_RATIO, USUAL_LENGTH_RATIO
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.errors import BadInput, NoSolution
@@ -34,7 +35,7 @@ from .shafts import ShaftSurroundings, with_turning
 from .solved_drive import Sized, journals_power, other_wheels, whole, written
 
 PURE = 1e-6  # of the couple over the span: a force below it is none
-ADVICE = ("length_ratio_usual", "supply_range")  # findings on a bearing that the tables know by name
+ADVICE = (LENGTH_RATIO_USUAL, SUPPLY_RANGE)  # findings on a bearing that the tables know
 UM = 1e-6
 TINY = 1e-9
 PROBED = 1.5  # ‰ of the diameter: a clearance that most journals have a film with
@@ -213,10 +214,10 @@ def _beside(problem: Problem, place: str, design: Design, results: Results) -> B
     """The films that are limits beside those of the corners; what stands still is that of the class's own start."""
     bench = design.engine.bench if design.engine is not None else ()
     given = design.bearings is not None and design.bearings.speed_range is not None
-    over = bench if bench or given or problem.binds(f"bearings.{place}.film_edge_speeds") else None
+    over = bench if bench or given or problem.binds(FILM_EDGE_SPEEDS.of(place)) else None
     bearings, shaft = results.result(BearingsResult), results.result(CountershaftResult)
     part = bearings.bearings[place].standing if bearings is not None else None
-    if bearings is None or part is None or shaft is None or not problem.binds(f"bearings.{place}.film_edge_standing"):
+    if bearings is None or part is None or shaft is None or not problem.binds(FILM_EDGE_STANDING.of(place)):
         return Beside(over)
     weight = (getattr(shaft.standing, f"weight_{place}") if shaft.standing is not None else None) or 0.0
     return Beside(over, Stands(weight, part.standing_load - weight, bearings.bearings[place].friction_power))
@@ -234,9 +235,8 @@ def _surface(pair: tuple[float, float] | None, design: Design) -> tuple[tuple[fl
 def _over_diameters(
     problem: Problem, place: str, task: BearingTask, variant: Variant, longest: float, beside: Beside
 ) -> list[Films]:
-    advice = [name for name in ADVICE if problem.binds(f"bearings.{place}.{name}")]
-    ratios = task.rules["length_ratio_usual" if "length_ratio_usual" in advice else "length_ratio"].check.limit
-    assert isinstance(ratios, tuple)
+    advice = [rule for rule in ADVICE if problem.binds(rule.of(place))]
+    ratios = USUAL_LENGTH_RATIO if LENGTH_RATIO_USUAL in advice else LENGTH_RATIO
     given = problem.sizes[of_bearing(place, BearingInputs.length)]
     kept_films: list[Films] = []
     for d in problem.sizes[of_bearing(place, BearingInputs.diameter)] or ():

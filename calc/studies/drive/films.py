@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...bearings import formulas as f
+from ...bearings.checks import HEAT_INDEX, LENGTH_RATIO, SPECIFIC_LOAD, SUPPLY_RANGE, TEMPERATURE, TRANSITION
 from ...bearings.film import dynamics as d
 from ...bearings.film.dynamics import Dynamics, coefficients, orbit
 from ...bearings.film.table import FilmRangeError
@@ -36,6 +37,7 @@ from ...bearings.suitability import film_asked
 from ...engine.inputs import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
 from ...sheet.arrays import Array, BoolArray
+from ...sheet.check import CheckRule
 from ...sheet.record import record
 from ...sheet.search import multiples
 from ...sheet.units import Metre, Newton, Number, Radian, Watt
@@ -158,7 +160,7 @@ def _sized(seat: BearingCase[Any], l: Array, g: Array) -> BearingCase[Any]:
 # --- the films at the corners, and what they bear
 
 # rules that do not know the slope
-ALWAYS = ("temperature", "specific_load", "heat_index", "length_ratio", "transition")
+ALWAYS = (TEMPERATURE, SPECIFIC_LOAD, HEAT_INDEX, LENGTH_RATIO, TRANSITION)
 
 
 @record
@@ -205,11 +207,11 @@ def films(
     task: BearingTask,
     variant: Variant,
     length: Array,
-    advice: Sequence[str],
+    advice: Sequence[CheckRule],
     cycle: Cycle = (),
     beside: Beside = NOTHING,
 ) -> Films | None:
-    """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no
+    """`task` at its diameter with its oil, supply and fits; `advice`: findings that are limits.  None: no
     candidate is left.
 
     `cycle`: speeds over the rated one with their shares, over which the power is a mean; `beside`: films that are
@@ -250,23 +252,25 @@ def each_of(number: float) -> Array:
 
 
 def _films(
-    task: BearingTask, variant: Variant, length: Array, g: Array, advice: Sequence[str], beside: Beside
+    task: BearingTask, variant: Variant, length: Array, g: Array, advice: Sequence[CheckRule], beside: Beside
 ) -> Films | None:
     field = field_over(task, variant, length, g)
     if field is None:
         return None
     states = field.states
     once = sum(state.times == 1 for state in task.states)
-    wanted = (*ALWAYS, *(key for key in task.rules if key in advice))
+    wanted = (*ALWAYS, *advice)
     with np.errstate(all="ignore"):
         judged = {
-            finding.rule.key: finding.margin for finding in judge(task, states, 0.0) if finding.rule.key in wanted
+            finding.rule.key: finding.margin
+            for finding in judge(task, states, 0.0)
+            if finding.rule.check.rule in wanted
         }
     shape = states.film.shape[1:]
     kept = np.ones(shape, dtype=bool)
     for key, margin in judged.items():
         kept &= np.broadcast_to(margin, shape) >= (KEPT if key in OF_FILM else 0.0)
-    if "supply_range" in advice and (width := _supply_width(task)) is not None:
+    if SUPPLY_RANGE in advice and (width := _supply_width(task)) is not None:
         kept &= (width / length >= SUPPLY_WIDTH[0]) & (width / length <= SUPPLY_WIDTH[1])
     thin, thin_twice = (np.where(np.isnan(x), -np.inf, x).min(axis=0) for x in (states.film[:once], states.film[once:]))
     turn = speeds = None

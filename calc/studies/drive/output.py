@@ -230,8 +230,8 @@ def said(problem: Problem) -> list[Text]:
     more = [limit for limit in problem.limits if limit not in LIMITS]
     lines.append(
         Text(
-            "limits: those of every check, and of the findings {ids}",
-            ids=Name(", ".join(limit for limit in (*LIMITS, *more) if limit not in problem.waived)),
+            "asked: that no limit fails, and that these hold: {ids}",
+            ids=Name(", ".join(limit for limit in (*LIMITS, *more) if problem.binds(limit))),
         )
     )
     return [*lines, *problem.said]

@@ -10,15 +10,34 @@ from fnmatch import fnmatchcase
 from itertools import product
 from typing import Any
 
+from ...bearings.checks import (
+    CLEARANCE_COLD_CORNER,
+    FILM_DOUBLE_LOAD,
+    FILM_EDGE_CORNER,
+    FILM_EDGE_SPEEDS,
+    FILM_EDGE_STANDING,
+    FILM_TRUMPLER,
+    LENGTH_RATIO_USUAL,
+    SUPPLY_RANGE,
+    TEMPERATURE_CORNER,
+)
 from ...bearings.inputs import BearingInputs, BearingsInputs
 from ...bearings.selection.variants import SUPPLIES, placed
+from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, RIGID, SLOPE_FRONT, SLOPE_REAR
 from ...countershaft.inputs import THREADED, CountershaftInputs
 from ...countershaft.making.inputs import Support
+from ...countershaft.making.parts import SUPPORT_WALL
+from ...countershaft.making.scatter import SCATTER_RESIDUAL
+from ...countershaft.making.unbalance import HOLES_RANGE
 from ...design.addresses import quantity_of, value_at
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.other_tables import OBJECTIVES, OptimiseInputs
 from ...design.toml_file import Document, design
+from ...gears.backlash.checks import BACKLASH_CHANCE
+from ...gears.checks import CONTACT_RATIO_USUAL
+from ...gears.measures.solve import SPAN_WIDTH
+from ...gears.rating.checks import SAFETY_BENDING_USUAL, SAFETY_CONTACT_USUAL
 from ...library.tolerances import problem as fit_problem
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, InputError
@@ -290,34 +309,35 @@ def _steps(low: float, high: float) -> tuple[float, ...]:
 # key that is varied. Within it core, diameters, lengths, clearances and surfaces are combined.  Outer radius and
 # half-length of the sectors follow from the journals (ties).
 
-LIMITS = (
-    "bearings.*.film_edge_corner",
-    "bearings.*.film_double_load",
-    "bearings.*.temperature_corner",
-    "bearings.*.clearance_cold_corner",
-    "bearings.*.film_edge_speeds",
-    "bearings.*.film_edge_standing",
-    "bearings.*.film_trumpler",
-    "bearings.*.length_ratio_usual",
-    "bearings.*.supply_range",
-    "countershaft.slope_*",
-    "countershaft.rigid",
-    "countershaft.gear_seat",
-    "countershaft.fillet_room",
-    "countershaft.holes.range",
-    "countershaft.scatter.residual",
-    "countershaft.support.wall",
-    "gears.*.backlash_chance",
-    "gears.*.contact_ratio_usual",
-    "gears.*.span_width",
-    "gears.*.safety_*_usual",
+# what is no limit, or one of the corners alone, and is to be kept all the same
+LIMITS = tuple(
+    rule.pattern
+    for rule in (
+        FILM_EDGE_CORNER,
+        FILM_DOUBLE_LOAD,
+        TEMPERATURE_CORNER,
+        CLEARANCE_COLD_CORNER,
+        FILM_EDGE_SPEEDS,
+        FILM_EDGE_STANDING,
+        FILM_TRUMPLER,
+        LENGTH_RATIO_USUAL,
+        SUPPLY_RANGE,
+        SLOPE_FRONT,
+        SLOPE_REAR,
+        RIGID,
+        GEAR_SEAT,
+        FILLET_ROOM,
+        HOLES_RANGE,
+        SCATTER_RESIDUAL,
+        SUPPORT_WALL,
+        BACKLASH_CHANCE,
+        CONTACT_RATIO_USUAL,
+        SPAN_WIDTH,
+        SAFETY_CONTACT_USUAL,
+        SAFETY_BENDING_USUAL,
+    )
 )
-MARGIN_OF = (
-    "bearings.*.film_edge_corner",
-    "bearings.*.film_double_load",
-    "bearings.*.film_edge_standing",
-    "countershaft.slope_*",
-)
+MARGIN_OF = (FILM_EDGE_CORNER, FILM_DOUBLE_LOAD, FILM_EDGE_STANDING, SLOPE_FRONT, SLOPE_REAR)
 MARGINS = (0.0, 0.05, 0.1, 0.2, 0.3)
 UNITS = {"power": ("W", 10.0), "mass": ("kg", 0.5), "seat": ("mm", 1.0), "price": ("EUR", 3.0), "margin": ("%", 10.0)}
 
@@ -385,7 +405,7 @@ class Problem:
     def margin(self, checks: Iterable[Check]) -> float:
         """The least margin of the films and the slopes, %."""
         return min(
-            (c.margin * 100 for c in checks if any(fnmatchcase(c.id, pattern) for pattern in MARGIN_OF)),
+            (c.margin * 100 for c in checks if c.rule in MARGIN_OF),
             default=float("nan"),
         )
 

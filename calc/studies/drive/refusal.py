@@ -17,6 +17,7 @@ from ...bearings.inputs import BearingInputs
 from ...bearings.selection.states import ROUGHNESSES
 from ...bearings.selection.variants import ENGINE_OIL, FINEST, SUPPLY
 from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.making.parts import SUPPORT_WALL
 from ...design.model import Design
 from ...design.toml_file import design
 from ...library.lubricant import Lubricant
@@ -35,7 +36,6 @@ from .solved_drive import Whole, whole
 FEW = 12  # diameters of the smaller journal that are looked at for a question alone
 HALVINGS = 6
 WORST = -0.9  # margin to which a nearest miss is looked for
-WALL = "countershaft.support.wall"
 
 
 @record
@@ -233,7 +233,7 @@ def _seat(problem: Problem, now: float) -> RefusalLine | None:
     seat = None if seat is None else math.ceil(seat * 100 - 1e-6) / 100
     if seat is None or (drive := _confirmed(at(now + seat))) is None:
         return None
-    broken = tuple(id for id in drive.broken if id not in (WALL, "optimise.most.seat"))
+    broken = tuple(id for id in drive.broken if id not in (SUPPORT_WALL.id, "optimise.most.seat"))
     return RefusalLine(
         key,
         Text("{a} → {b} mm", a=Name(f"{now:g}"), b=Name(f"{now + seat:g}")),

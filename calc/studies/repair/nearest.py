@@ -4,11 +4,22 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from fnmatch import fnmatchcase
 
+from ...countershaft.checks import ENVELOPE, ENVELOPE_LENGTH, RESIDUAL, RESIDUAL_FORCE
+from ...countershaft.outline import CROSSING, MASS_SHAPE
 from ...design.names import words
 from ...design.toml_file import Document
-from ...sheet.check import Check
+from ...gears.checks import (
+    CONTACT_RATIO,
+    INTERFERENCE,
+    INTERFERENCE_LEAST,
+    TIP_CLEARANCE_LEAST,
+    TIP_THICKNESS,
+    UNDERCUT,
+)
+from ...gears.layout.room import CLEARANCE, DISTANCE, REACH
+from ...gears.rating.checks import SAFETY_BENDING, SAFETY_CONTACT
+from ...sheet.check import Check, CheckRule
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part
 from ...sheet.remedy import assignments
@@ -74,29 +85,30 @@ class Nearest:
         return not any(o.verdict in ("fail", "no_solution", "blocked") for o in self.results.outcomes.values())
 
 
-RepairTable = dict[str, tuple[tuple[tuple[str, ...], Repairer], ...]]
+RepairTable = dict[str, tuple[tuple[tuple[CheckRule, ...], Repairer], ...]]
+EVERY: tuple[CheckRule, ...] = ()  # checks of the step
 
-# For each step: patterns of its checks, and what repairs them.  What is left goes to the search over single numbers,
-# then to the last ones.
+# For each step: checks of it, and what repairs them.  What is left goes to the search over single numbers, then to the
+# last ones.
 WAYS: RepairTable = {
     "countershaft": (
-        (("countershaft.residual*",), sizing.balance),
-        (("countershaft.crossing",), sizing.shorter_journals),
+        ((RESIDUAL, RESIDUAL_FORCE), sizing.balance),
+        ((CROSSING,), sizing.shorter_journals),
     ),
-    "bearings": ((("*",), sizing.bearings_or_longer_journals),),
+    "bearings": ((EVERY, sizing.bearings_or_longer_journals),),
     "gears": (
         (
-            ("*.contact_ratio*", "*.interference*", "*.tip_clearance*", "*.undercut", "*.tip_thickness"),
+            (CONTACT_RATIO, INTERFERENCE, INTERFERENCE_LEAST, TIP_CLEARANCE_LEAST, UNDERCUT, TIP_THICKNESS),
             teeth.better_teeth,
         ),
-        (("*.clearance", "*.position"), teeth.idler),
-        (("*.backlash*",), teeth.free_backlash),
-        (("*.safety_contact", "*.safety_bending"), sizing.stronger_teeth),
+        ((CLEARANCE, REACH, DISTANCE), teeth.idler),
+        (teeth.JAMMING, teeth.free_backlash),
+        ((SAFETY_CONTACT, SAFETY_BENDING), sizing.stronger_teeth),
     ),
 }
 LAST: RepairTable = {
-    "countershaft": ((("*.envelope*", "*.crossing", "*.mass_shape"), sizing.resize),),
-    "gears": ((("*.clearance",), teeth.idler),),  # once what else kept its teeth from passing is repaired
+    "countershaft": (((ENVELOPE, ENVELOPE_LENGTH, CROSSING, MASS_SHAPE), sizing.resize),),
+    "gears": (((CLEARANCE,), teeth.idler),),  # once what else kept its teeth from passing is repaired
 }
 UNSOLVED: dict[str, Repairer] = {
     "bearings": sizing.nearest_bearings,
@@ -252,9 +264,9 @@ class _Step:
         """Every failing check once: by what is made for it, then by its own remedies and the search over single
         numbers, then by a new start."""
         first, last = WAYS.get(self.step, ()), LAST.get(self.step, ())
-        for n, (patterns, way) in enumerate(first):
+        for n, (rules, way) in enumerate(first):
             # not those that were tried in vain
-            failing = tuple(c for c in self._failing(state, patterns) if c.id not in self.why)
+            failing = tuple(c for c in self._failing(state, rules) if c.id not in self.why)
             here = part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first))
             state = self._by(state, failing, way, here)
         every = state.failing(self.step)
@@ -263,12 +275,12 @@ class _Step:
             failing = tuple(c for c in state.failing(self.step) if c.id in {check.id for check in checks})
             here = part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets))
             state = self._by(state, failing, self._one_number, here)
-        for patterns, way in last:
-            state = self._by(state, self._failing(state, patterns), way, part(progress, 0.9, 1.0))
+        for rules, way in last:
+            state = self._by(state, self._failing(state, rules), way, part(progress, 0.9, 1.0))
         return state
 
-    def _failing(self, state: RepairState, patterns: tuple[str, ...]) -> tuple[Check, ...]:
-        return tuple(c for c in state.failing(self.step) if any(fnmatchcase(c.id, pattern) for pattern in patterns))
+    def _failing(self, state: RepairState, rules: tuple[CheckRule, ...]) -> tuple[Check, ...]:
+        return tuple(c for c in state.failing(self.step) if not rules or c.rule in rules)
 
     def _one_number(self, state: RepairState, failing: tuple[Check, ...], progress: Progress | None) -> RepairState:
         """By what a check itself names as a remedy, where that breaks nothing; else by the search over single

@@ -11,6 +11,23 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 
+from ...bearings.checks import (
+    CLEARANCE_COLD_CORNER,
+    FILM_DOUBLE_LOAD,
+    FILM_EDGE,
+    FILM_EDGE_CORNER,
+    FILM_EDGE_RANGE,
+    FILM_EDGE_SHEARED,
+    FILM_EDGE_SPEEDS,
+    FILM_EDGE_STANDING,
+    FILM_EDGE_TRUMPLER,
+    FILM_EDGE_USUAL,
+    FILM_OVERSPEED,
+    FILM_PRESSURE,
+    FILM_TRUMPLER,
+    TEMPERATURE_CORNER,
+    TRANSITION,
+)
 from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingResult
 from ...bearings.selection.variants import closer_fits, variants
@@ -24,6 +41,14 @@ from ...design.names import named, published, words, written
 from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document
 from ...friction.result import FrictionResult
+from ...gears.backlash.checks import BACKLASH_WORST
+from ...gears.rating.checks import (
+    MICROPITTING_FILM,
+    SAFETY_BENDING,
+    SAFETY_BENDING_USUAL,
+    SAFETY_CONTACT,
+    SAFETY_CONTACT_USUAL,
+)
 from ...library.catalogue import Material
 from ...sheet.check import KINDS, Check
 from ...sheet.errors import BadInput, NoSolution
@@ -154,6 +179,9 @@ def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ..
     )
 
 
+AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER, BACKLASH_WORST)
+
+
 def _effect(after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
     if quality == NEAR and left:
         worst = left[0]
@@ -170,11 +198,7 @@ def _effect(after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...
     if unknown := [c for c in after.results.checks() if c.id in ids and c.verdict == "not_verified"]:
         keys = dict.fromkeys(key for c in unknown for key in c.missing)
         return Text("holds as taken; not verified without {keys}", keys=Name(", ".join(keys)))
-    return (
-        Text("passes, also at every corner")
-        if any("corner" in c.id or "worst" in c.id for c in group)
-        else Text("passes")
-    )
+    return Text("passes, also at every corner") if any(c.rule in AT_CORNERS for c in group) else Text("passes")
 
 
 def _rank(way: RepairOption) -> tuple[int, float]:
@@ -235,12 +259,13 @@ def _filled(state: RepairState, keys: list[str], tried: list[Changes]) -> LeverP
     return LeverPlan(tuple(keys), tuple(moved), tuple(sets[:SETS])) if moved or sets else None
 
 
+WEAK = (SAFETY_CONTACT, SAFETY_CONTACT_USUAL, SAFETY_BENDING, SAFETY_BENDING_USUAL)
 UNBALANCED = (RESIDUAL, RESIDUAL_FORCE, RESIDUAL_SHARE, RESIDUAL_FORCE_SHARE, HOLES_RANGE)
 
 
 def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     """What is made for some checks: stronger teeth, masses that are set to what the engine asks for."""
-    weak = tuple(c for c in group if ".safety_contact" in c.id or ".safety_bending" in c.id)
+    weak = tuple(c for c in group if c.rule in WEAK)
     sets = list(sizing.stronger(state, sizing.wheels(state, weak))) if weak else []
     shaft = state.design.countershaft
     if shaft is not None and shaft.mode == "given" and any(c.rule in UNBALANCED for c in group):
@@ -500,10 +525,28 @@ def _usual(state: RepairState, key: str, about: Quantity) -> tuple[float | int |
     return about.choices[:1]
 
 
+FILMS = (
+    FILM_EDGE,
+    FILM_EDGE_RANGE,
+    FILM_EDGE_SPEEDS,
+    FILM_EDGE_STANDING,
+    FILM_EDGE_SHEARED,
+    FILM_EDGE_CORNER,
+    FILM_EDGE_USUAL,
+    FILM_EDGE_TRUMPLER,
+    FILM_OVERSPEED,
+    FILM_DOUBLE_LOAD,
+    FILM_TRUMPLER,
+    FILM_PRESSURE,
+    TRANSITION,
+    MICROPITTING_FILM,
+)  # what a thicker oil helps
+
+
 def _locked(state: RepairState, plan: LeverPlan, group: tuple[Check, ...]) -> RepairOption:
     document, key = state.document, plan.keys[0]
     change, now, label = words_of(document, key), value_at(document.data, key), named(document, key)
-    film = any("film" in check.id or check.id.endswith("transition") for check in group)
+    film = any(check.rule in FILMS for check in group)
     text = Text("{label} {value}", label=label, value=written(now)) if now is not None else label
     thicker = film and quantity_of(document.data, key).catalogue == "oils"
     name = change.more if thicker else change.other or change.less

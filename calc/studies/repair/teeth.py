@@ -15,6 +15,7 @@ import numpy as np
 
 from ...design.locks import locked
 from ...design.step_inputs import shaft_axis
+from ...gears.backlash.checks import BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WARMING
 from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.selection.free_shifts import freedoms, settled
 from ...gears.selection.idler import idlers, passed
@@ -117,7 +118,7 @@ def _change(row: ShiftRow, gears: GearsInputs) -> float:
 # As many whole micrometres off the spans of the wheels as free every pair at its smallest backlash: by no narrow margin
 # as it is, and with what is not given at its unfavourable end.
 
-KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_warming", "backlash_runout")
+JAMMING = (BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WARMING)
 ROUNDS = 4  # a wheel grows with temperature, so that its allowance does not act to the last micrometre
 MOST = 1000  # µm off one pair: beyond, the backlash is not that of its tolerances
 
@@ -126,8 +127,7 @@ def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Prog
     """Raises NoSolution where thinner teeth do not free a pair."""
     for n in range(ROUNDS):
         tell(progress, n / ROUNDS, Text("backlash"))
-        limits = [c for c in state.outcome("gears").checks if c.kind == "limit" and c.id.rpartition(".")[2] in KINDS]
-        jammed = [c for c in limits if not c.holds]
+        jammed = [c for c in state.outcome("gears").checks if c.rule in JAMMING and not c.holds]
         if not jammed:
             return state
         missing: dict[str, int] = {}

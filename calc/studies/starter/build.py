@@ -13,6 +13,7 @@ from ...design.toml_file import Document, design
 from ...engine.inputs import EngineInputs
 from ...engine.result import EngineResult
 from ...gears.inputs import GearsInputs
+from ...imbalance.checks import BACKWARD_COUPLE, BACKWARD_FORCE, FORWARD_COUPLE, FORWARD_FORCE
 from ...imbalance.result import ImbalanceResult
 from ...mounting.inputs import Mount, MountingInputs, Point
 from ...mounting.result import MountingResult
@@ -264,10 +265,13 @@ def _none_reason(known: Results, balancing: str) -> str:
     return NOTHING if which.called_for(known) != "shaft" else CRANK_ALONE if balancing == "half" else NONE
 
 
+FIRST_ORDER = (BACKWARD_COUPLE, BACKWARD_FORCE, FORWARD_COUPLE, FORWARD_FORCE)
+
+
 def _accepted(document: Document, why: str) -> Document:
     """With what the balancing leaves, or takes otherwise, accepted for its reason: it was chosen."""
     checks = _results(Document(shaft.before_shaft(document))).checks()
-    left = {c.id: why for c in checks if c.open and c.id.startswith("imbalance.order_1")}
+    left = {c.id: why for c in checks if c.open and c.rule in FIRST_ORDER}
     return _put(document, {"accepted": {**as_table(document.data.get("accepted")), **left} or None})
 
 

@@ -208,7 +208,7 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
 FITS: tuple[tuple[str, str] | None, ...] = (None, ("IT6", "IT6"))
 OWN_JOURNALS = dotted(Design.countershaft, CountershaftInputs.journals)  # which bearings have in their place
-FOUND = "assumed: by the search for bearings, so that every limit holds at the worst corner of the tolerances"
+FOUND = "assumed: by the search for bearings, so that its rules hold at the worst corner of the tolerances"
 BEARINGS = Text("bearings to begin with")
 
 

@@ -12,10 +12,12 @@ from itertools import pairwise, product
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
 from ...design.toml_file import Document, design
+from ...friction.checks import MESH_MODELS
 from ...friction.inputs import FrictionInputs, RollingBearing
 from ...friction.result import FrictionResult
 from ...gears import formulas as g
 from ...gears.inputs import GearsInputs, Mesh
+from ...gears.rating.checks import SCUFFING
 from ...gears.rating.load import usual_application_factor
 from ...gears.result import TrainResult
 from ...gears.wheel_inputs import Wheel
@@ -45,7 +47,7 @@ TOLERANCE = 40  # µm
 HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
 APPLICATION_FACTOR = dotted("gears", GearsInputs.application_factor)
 MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
-OF_FLANKS = (".scuffing", ".micropitting", ".models", ".lambda")  # checks that finer flanks help
+OF_FLANKS = (SCUFFING, MESH_MODELS)  # checks that finer flanks help
 TRAIN = Text("a train to begin with")
 
 
@@ -119,7 +121,7 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
             why += [Text("{check}", check=c.name) for c in stopping[:1]]
             if evenly is None and all(APPLICATION_FACTOR in c.missing and c.holds for c in stopping):
                 evenly = train, losses
-            if not all(c.id.endswith(OF_FLANKS) for c in stopping):
+            if not all(c.rule in OF_FLANKS for c in stopping):
                 break  # finer flanks do not help
     if evenly is not None:
         train, losses = evenly

@@ -35,7 +35,7 @@ from tests.conftest import DESIGNS
 
 
 def nearest_passing(case):
-    """The smallest change that fits and keeps every limit with the design's oil, supply and fits."""
+    """The smallest change that fits and keeps every rule with the design's oil, supply and fits."""
     return nearest_row(case, only=variants(case)[:1]).row
 
 
@@ -204,7 +204,8 @@ def test_the_tables_have_a_cell_for_every_column(found):
     assert pareto_table(found).rows[0][0] == str(len(found.rows) + 1)
     assert "binds nothing" in choices_table(found, 1).note
     assert (
-        choices_table(found, 1).title.startswith("Bearings that keep every limit") and beyond_table(found, 50) is None
+        choices_table(found, 1).title.startswith("Bearings that keep every rule of the search")
+        and beyond_table(found, 50) is None
     )
 
 
@@ -254,9 +255,7 @@ def test_rows_that_fit_come_first(tight, fitting):
         assert [
             c.id for step in ("countershaft", "bearings") for c in outcomes[step].checks if c.verdict == "fail"
         ] == []
-    assert summary(fitting)[0].startswith(
-        "Nothing that fits keeps every limit: the front journal has room for 27.52 mm"
-    )
+    assert summary(fitting)[0].startswith("Nothing that fits keeps every rule: the front journal has room for 27.52 mm")
     least = fitting.beyond[0]
     assert max(least.too_long) == min(max(row.too_long) for row in fitting.beyond)
     assert max(least.too_long) == pytest.approx(least.front.length - 0.027523, abs=2e-6)
@@ -280,7 +279,7 @@ def test_a_design_that_collides_hears_of_it_first(tight, fitting):
     assert (
         "countershaft.crossing" in choices_table(again, 5).title and "FAILS countershaft.crossing" in summary(again)[0]
     )
-    assert not any("it keeps every limit" in words for words in summary(again))
+    assert not any("it keeps every rule" in words for words in summary(again))
     rooms = [[some[0].room.longest for some in found.tasks.values()] for found in (again, fitting)]
     assert rooms[0] == pytest.approx(rooms[1])
     assert again.rows and all(row.too_long == (0, 0) for row in again.rows)

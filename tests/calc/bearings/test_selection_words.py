@@ -162,5 +162,6 @@ def test_what_changes_in_the_first_row_is_said(found):
     )
     assert (
         np.isclose(asis.change, 0)
-        and summary(replace(found, rows=(asis,)))[-1] == "Row 1 is the design as it is: it keeps every limit."
+        and summary(replace(found, rows=(asis,)))[-1]
+        == "Row 1 is the design as it is: it keeps every rule of the search."
     )

@@ -5,10 +5,11 @@ import math
 import pytest
 
 from calc.countershaft.inputs import EccentricMass
-from calc.countershaft.outline import NoOutline, Piece, half_angle, narrowness, outline, sectors_of
+from calc.countershaft.outline import MASS_SHAPE, NoOutline, Piece, half_angle, narrowness, outline, sectors_of
 from calc.design.toml_file import design
+from calc.sheet.errors import BadInput
 from calc.solve import solve
-from tests.calc.countershaft.shafts import FRONT, JOURNALS, REAR, outcome, result, verdicts
+from tests.calc.countershaft.shafts import FRONT, JOURNALS, REAR, document, outcome, result, verdicts
 
 CORE = {"core_radius_mm": 15.0, "outer_radius_mm": 40.3}
 HALVES = [{**m, "mass_kg": 2.608345, "radius_mm": 18.830668, "z_mm": z} for m, z in ((FRONT, -76.5), (REAR, 76.5))]
@@ -75,7 +76,10 @@ def test_the_order_of_the_sections_in_the_file_does_not_matter():
             "mass front: no sector from 15 to 40.3 mm",
         ),
         ({**CORE, "journals": JOURNALS, "masses": [{**FRONT, "z_mm": 0.0}, REAR]}, "crosses"),
-        ({"core_radius_mm": 45.0, "journals": JOURNALS}, "not smaller than the outer radius"),
+        (
+            {**CORE, "journals": JOURNALS, "masses": HALVES, "extras": [{**FRONT, "mass_kg": -20.0}]},
+            "the further elements take away 20 kg, needs < 8.602 kg",
+        ),
     ],
 )
 def test_where_it_can_not_be_drawn_a_note_says_why_and_the_rest_is_solved(shaft, words):
@@ -100,6 +104,51 @@ def test_where_it_can_not_be_drawn_a_note_says_why_and_the_rest_is_solved(shaft,
     assert r.mass is r.slope_front is r.first_critical_speed is r.tolerance is r.scatter is None
     assert r.couple > 250 and r.bolts.bolt_preload > 2e4
     assert not {"slope_front", "first_critical_speed", "balance_grade"} & set(verdicts(made))
+
+
+@pytest.mark.parametrize("core, clearance", [(40.5, None), (39.0, 1.5)])
+def test_a_core_leaves_room_for_sectors_in_the_largest_journal(core, clearance):
+    """Of 81 mm, where no outer radius is given."""
+    asked = {"journals": JOURNALS, "radial_clearance_mm": clearance}
+    assert outcome(**asked, core_radius_mm=core - 1e-3).state == "solved"
+    with pytest.raises(BadInput) as bad:
+        design(document(**asked, core_radius_mm=core))
+    (error,) = bad.value.errors
+    assert error.key == "countershaft.core_radius_mm"
+    assert error.reason == f"must be smaller than what the largest journal leaves to the sectors, {core:g} mm"
+
+
+def test_a_section_is_no_thicker_than_the_journal_that_it_is():
+    thin = [{**JOURNALS[0], "diameter_mm": 59.4}, JOURNALS[1]]
+    assert outcome(masses=HALVES, sections=SECTIONS, journals=JOURNALS).state == "solved"
+    with pytest.raises(BadInput) as bad:
+        design(document(masses=HALVES, sections=SECTIONS, journals=thin))
+    (error,) = bad.value.errors
+    assert error.key == "countershaft.bearing_positions_mm.0"
+    assert error.reason == "its journal has a diameter of 59.4 mm, the shaft's section there of 59.5 mm"
+
+
+@pytest.mark.parametrize(
+    "field, unit, hole",
+    [
+        ("mass", "kg", lambda mass: {"mass_kg": -mass, "radius_mm": 1.0}),
+        ("moment_of_inertia", "kg·mm²", lambda J: {"mass_kg": -1.0, "radius_mm": math.sqrt(J) * 1e3}),
+    ],
+)
+def test_no_more_is_taken_away_than_stands_there(field, unit, hole):
+    """A hole of nearly all of it is a hole, one of all of it is none."""
+    shaft = {**CORE, "journals": JOURNALS, "masses": HALVES}
+    whole = getattr(result(**shaft), field)
+
+    def holed(share):
+        return outcome(**shaft, extras=[{**FRONT, **hole(share * whole)}])
+
+    left = holed(0.999)
+    assert getattr(left.result, field) == pytest.approx(0.001 * whole, rel=1e-3) and "mass_shape" not in verdicts(left)
+    beyond = holed(1.001)
+    (check,) = [check for check in beyond.checks if check.rule is MASS_SHAPE]
+    assert check.verdict == beyond.verdict == "fail" and beyond.result.mass is None
+    assert check.unit == unit and check.value / check.limit == pytest.approx(1.001)
 
 
 def test_an_overhung_element_gets_a_stub_of_the_core_around_it():

@@ -7,7 +7,7 @@ import pytest
 
 from calc.countershaft.sketch import sector_outline, sketch
 from calc.design.addresses import address, changed
-from calc.design.toml_file import Document, design, load
+from calc.design.toml_file import Document, design, load, read
 from calc.draw.drawing import HIDDEN, Arc, Area, Polyline
 from calc.solve import solve
 from tests.calc import sketches
@@ -34,6 +34,17 @@ def test_gamma_to_scale_with_its_bending_line(gamma, gamma_results):
     assert isinstance(bent, Polyline)
     sag = abs(gamma_results.outcomes["countershaft"].result.bending.vectors).max() * 1000
     assert 0.5 * sag < max(abs(y) for _, y in bent.points) <= sag * (1 + 1e-9)
+
+
+def test_holes_that_have_nothing_to_take_away_show_it(gamma_results):
+    """The shaft of gamma gives less than the engine asks for, the sized one more."""
+    key = "countershaft.holes"
+
+    def states(shaft):
+        return {mark.state for mark in sketches.marks(shaft) if mark.key == key}
+
+    assert states(sketch(gamma_results.design, gamma_results)) == {"warn"}
+    assert states(made(read(DESIGNS / "r753ie4_sized.toml"))) == {""}
 
 
 def test_a_mass_lights_its_own_sector_alone(gamma, gamma_results):

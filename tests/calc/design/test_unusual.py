@@ -36,6 +36,8 @@ WRONG: list[tuple[str, dict[str, object], str, dict[str, object]]] = [
     (TWIN, {"gears.normal_module_mm": 0.25}, "gears.inputs.normal_module_mm", {"gears.normal_module_mm": 2.5}),
     (TWIN, {"gears.face_width_mm": 1.9}, "gears.inputs.face_width", {"gears.face_width_mm": 19}),
     (SIZED, {"gears.face_width_mm": 1.5}, "gears.inputs.face_width_mm", {"gears.face_width_mm": 15}),
+    (TWIN, {"gears.wheels.central.bore_diameter_mm": 0.049}, "gears.inputs.wheels.central.bore_diameter_mm",
+     {"gears.wheels.central.bore_diameter_mm": 49}),
     (TWIN, {"gears.meshes.0.tolerance_um": 0.04}, "gears.inputs.meshes.0.tolerance_um",
      {"gears.meshes.0.tolerance_um": 40}),
     (TWIN, {"gears.wheels.crank.span_allowance_um": [-0.03, -0.04]}, "gears.inputs.wheels.crank.span_allowance_um",

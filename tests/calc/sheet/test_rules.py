@@ -57,6 +57,18 @@ def test_the_declarations_are_well_formed() -> None:
         assert all(factor > 1 and weaker.kind != "method" for weaker, factor in rule.weakens), rule.id
 
 
+@pytest.mark.parametrize(
+    ("id", "pattern", "at", "of"),
+    [
+        ("bearings.B.film_edge", "bearings.*.film_edge", "front", "bearings.front.film_edge"),
+        ("gears.M.notch_W", "gears.*.notch_*", ("crank_idler", "idler"), "gears.crank_idler.notch_idler"),
+        ("countershaft.residual", "countershaft.residual", (), "countershaft.residual"),
+    ],
+)
+def test_the_ids_of_a_declaration(id: str, pattern: str, at: str | tuple[str, ...], of: str) -> None:
+    assert RULES[id].pattern == pattern and RULES[id].of(at) == of
+
+
 def inputs(cls: type, before: str = "") -> set[str]:
     """All keys of the design file; elements of arrays as *."""
     known = set()
