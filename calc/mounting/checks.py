@@ -33,7 +33,8 @@ OPERATION = dotted("mounting", MountingInputs.operation)
 def _not_given(engine: EngineInputs, levels: Sequence[float]) -> Missing | None:
     """Without gas the masses alone shake, and nobody knows by how much more the gas does.
 
-    `levels`: what is judged, of the design, and where its inertia is an estimate at the far ends of that."""
+    `levels`: what is judged, of the design, and where its inertia is an estimate at the far ends of that; the
+    favourable end is what is taken."""
     keys, taken = [], []
     if engine.gas is None:
         keys.append(dotted("engine", EngineInputs.gas))
@@ -43,8 +44,8 @@ def _not_given(engine: EngineInputs, levels: Sequence[float]) -> Missing | None:
         taken.append(Text("{share} of a full box", share=Amount(BOX)))
     if not keys:
         return None
-    rising = sorted(map(float, levels), key=_resonance_last)
-    return Missing(tuple(keys), tuple(taken), rising[0], rising[-1] if engine.gas is not None else "none")
+    worst = max(map(float, levels), key=_resonance_last)
+    return Missing(tuple(keys), tuple(taken), float(levels[0]), worst if engine.gas is not None else "none")
 
 
 def _resonance_last(level: float) -> tuple[bool, float]:
