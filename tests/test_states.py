@@ -4,9 +4,13 @@ they are by the rules of this one."""
 from pathlib import Path
 
 import pytest
+from pypdf import PdfReader
 
-from calc.design.toml_file import design, read
+from assistant.cli import main
+from calc.design.toml_file import design, parse, read
 from calc.solve import Results, solve
+from calc.studies.ready import readiness
+from calc.studies.shipped import DESIGNS
 
 OLD = Path(__file__).parent / "reference" / "designs_0_1"
 
@@ -103,3 +107,38 @@ def test_the_journals_of_makers(name: str) -> None:
     assert not failing(results)
     assert open_ones == {f"bearings.{place}.{key}" for place in BOTH for key in cautions}
     assert results.verdict == state
+
+
+WHEELS = ["crank", "central", "idler", "shaft"]
+
+
+@pytest.mark.parametrize("given, state", [(WHEELS, "pass"), (WHEELS[2:3], "not_verified")])
+def test_the_runout_of_ground_wheels_frees_the_twin(given: list[str], state: str) -> None:
+    text = (OLD / "twin_drive.toml").read_text(encoding="utf-8")
+    for wheel in given:
+        text = text.replace(f'name = "{wheel}"\n', f'name = "{wheel}"\nrunout_um = {16 if len(given) > 1 else 0}\n')
+    assert text.count("runout_um") == len(given)
+    assert solve(design(parse(text.encode(), "twin_drive.toml"))).verdict == state
+
+
+SHIPPED = sorted(DESIGNS.glob("*.toml"))
+
+
+@pytest.mark.parametrize("file", SHIPPED, ids=lambda file: file.stem)
+def test_the_session_says_the_states_of_the_program(file: Path) -> None:
+    """What plain text, JSON and a replay say of them `tests/test_findings.py` compares."""
+    document = read(file)
+    results = solve(design(document))
+    shown = {state.key: (state.state, state.words) for state in readiness(document.data, results)}
+    for key, outcome in results.outcomes.items():
+        if outcome.state == "solved":
+            assert shown[key] == (outcome.verdict, outcome.words())
+
+
+@pytest.mark.parametrize("name", ["r753ie4_sized", "r754ie4_balance_shafts", "finotti_gear_sheet"])
+def test_the_report_says_the_state_of_the_program(name: str, tmp_path: Path) -> None:
+    results, pdf = solve(design(read(DESIGNS / f"{name}.toml"))), tmp_path / "report.pdf"
+    assert main(["report", str(DESIGNS / f"{name}.toml"), "-o", str(pdf), "--depth", "summary"]) == 0
+    page = " ".join(PdfReader(pdf).pages[0].extract_text().split())
+    state, _, open_ones = str(results.words()).partition(": ")
+    assert state in page and open_ones in page
