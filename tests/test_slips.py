@@ -70,7 +70,7 @@ def test_what_is_a_little_outside_is_told_with_what_is_usual():
     assert "not usual" not in run("check", "designs/r753ie4_sized.toml").stdout
     found = json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "gears", "--json").stdout)["unusual"]
     assert found == [
-        {"key": "gears.wheels.central.span_allowance_um", "value": -2.0, "usual": [-50, -20], "unit": "µm"}
+        {"key": "gears.wheels.central.span_allowance_um", "value": -2.0, "usual": [-80, -20], "unit": "µm"}
     ]
     assert json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "engine", "--json").stdout)["unusual"] == []
     assert "not usual" not in run("check", "designs/r753ie4_gamma.toml", "--step", "engine").stdout

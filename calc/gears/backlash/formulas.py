@@ -91,7 +91,7 @@ def radial_backlash(j_wt: Metre, alpha_wt: Radian) -> Metre:
     return j_wt / (2 * tan(alpha_wt))
 
 
-@formula("a_min", "geometry: eccentricity of both wheels, half of each runout, towards each other", unit="mm")
+@formula("a_min,F", "geometry: eccentricity of both wheels, half of each runout, towards each other", unit="mm")
 def narrowest_with_runout(a_min: Metre, F_r1: Metre, F_r2: Metre) -> Metre:
     return a_min - (F_r1 + F_r2) / 2
 

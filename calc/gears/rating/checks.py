@@ -104,7 +104,7 @@ FLANK_REVERSAL = CheckRule(
     "advice",
     "The teeth rattle: noise, not breakage.",
     unit="N·m",
-    source=Text("the flanks stay in touch while the torque does not change its sign"),
+    source=Text("dynamics: the flanks stay in touch while the torque does not change its sign"),
     zero="mean torque of the mesh",
     moved_by=(dotted("engine", EngineInputs.flywheel_inertia), DELTA_S),
 )

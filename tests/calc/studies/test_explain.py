@@ -22,7 +22,7 @@ OUTLINE = {
     "countershaft.core_radius_mm",
     "countershaft.half_length_mm",
     "countershaft.overdesign_percent",
-    "countershaft.material (20CrNi4)",
+    "material.20CrNi4.density_kgm3",
     "countershaft.bearing_positions_mm",
     "bearings.front.diameter_mm",
     "bearings.rear.diameter_mm",
@@ -127,11 +127,11 @@ def inputs_of(name, value):
         (
             SIZED,
             "countershaft.sector_mass",
-            ENGINE | {"countershaft.half_length_mm", "countershaft.core_radius_mm", "countershaft.material (20CrNi4)"},
+            ENGINE | {"countershaft.half_length_mm", "countershaft.core_radius_mm", "material.20CrNi4.density_kgm3"},
         ),
         (SIZED, "countershaft.mass", ENGINE | OUTLINE | {"gears.normal_module_mm"}),
         (SIZED, "countershaft.slope_front", ENGINE | OUTLINE | {"countershaft.sector_effectiveness"}),
-        (SIZED, "countershaft.slope_rear_stiff", ENGINE | OUTLINE),
+        (SIZED, "countershaft.slope_rear_stiff", ENGINE | OUTLINE | {"material.20CrNi4.E_GPa"}),
         (SIZED, "countershaft.first_critical_speed", OUTLINE | {"countershaft.sector_effectiveness"}),
         (SIZED, "countershaft.largest_moment_z", ENGINE | OUTLINE),
         (SIZED, "countershaft.notch_stress", ENGINE | OUTLINE | {"countershaft.fillet_radius_mm"}),
@@ -176,7 +176,7 @@ def inputs_of(name, value):
         (
             SIZED,
             "countershaft.alternative.ADI.outer_radius",
-            {"material.ADI.density_kgm3", "countershaft.material (20CrNi4)", "countershaft.outer_radius_mm"},
+            {"material.ADI.density_kgm3", "material.20CrNi4.density_kgm3", "countershaft.outer_radius_mm"},
         ),
         (
             "r753ie4_gamma",
@@ -253,7 +253,9 @@ def test_the_last_line_makes_the_value():
 
 
 def test_a_name_brings_its_number_in():
-    assert origin(RESULTS[SIZED], "countershaft.alternative.20CrNi4.density") == "countershaft.material (20CrNi4)"
+    steel = "countershaft.alternative.20CrNi4.density"
+    assert origin(RESULTS["r753ie4_gamma"], steel) == "countershaft.material (20CrNi4)"
+    assert origin(RESULTS[SIZED], steel) == "material.20CrNi4.density_kgm3"  # given as [[material]]
     assert origin(RESULTS[SIZED], "countershaft.alternative.ADI.density") == "material.ADI.density_kgm3"
     assert "gears.wheels.idler.material (steel)" in inputs_of("r753ie4_gamma", "gears.idler_shaft.contact_stress")
 
@@ -272,7 +274,9 @@ def test_what_counts_for_another_part_does_not_creep_in():
         if key.startswith(("bearings.", "gears.", "countershaft.bolts"))
     }
     assert not {
-        key for key in inputs_of(SIZED, "countershaft.sector_mass") if not key.startswith(("engine.", "countershaft."))
+        key
+        for key in inputs_of(SIZED, "countershaft.sector_mass")
+        if not key.startswith(("engine.", "countershaft.", "material.20CrNi4.density"))
     }
     assert {key.split(".")[1] for key in inputs_of(SIZED, "countershaft.bolt_preload")} == {"bolts"}
     assert "countershaft.cost.alternatives.0.development_EUR" not in inputs_of(

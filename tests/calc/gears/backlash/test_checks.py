@@ -136,7 +136,7 @@ def test_a_runout_that_is_not_given():
         assert lacking[id].missing == ("gears.wheels.idler.runout_um",) and lacking[id].value < best[id].value
         at_ends(lacking[id], best[id], lacking[id])
         assert lacking[id].verdict == ("pass" if lacking[id].holds else "not_verified")
-    assert "30.5 µm, of grade 7" in lacking["backlash"].taken[0]
+    assert lacking["backlash"].taken == ("runout 30.5 µm of grade 7",)
     neither = judged(changed(given(), wheels={"central": {"runout": None}, "idler": {"runout": None}}))["backlash"]
     assert neither.missing == ("gears.wheels.central.runout_um", "gears.wheels.idler.runout_um")
 
@@ -186,7 +186,7 @@ def test_wheels_of_which_nobody_says_how_warm_they_are():
     gears = given(wheels_warmer=None)
     lacking, best = judged(gears), judged(replace(gears, wheels_warmer=0.0))
     for id in ("backlash_warm", "backlash_warming"):
-        assert lacking[id].missing == ("gears.wheels_warmer_K",) and lacking[id].taken == ("20 K",)
+        assert lacking[id].missing == ("gears.wheels_warmer_K",) and lacking[id].taken == ("wheels 20 K warmer",)
         at_ends(lacking[id], best[id], judged()[id])
     assert lacking["backlash_cold"].missing == ()
 

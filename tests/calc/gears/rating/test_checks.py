@@ -179,7 +179,7 @@ def test_what_is_not_known_of_the_torque_is_said():
     assert check.verdict == "note" and "not known" in check.name and math.isnan(check.value)
     assert (check.limit, check.scale) == (0.0, 4.0)
     assert check.missing == ("gears.application_factor", "gears.speed_irregularity")
-    assert [str(text) for text in check.taken] == ["1.25", "none"]
+    assert [str(text) for text in check.taken] == ["application factor 1.25"]
     given = RatingLoad(4.0, None, None, 4.0, 1.5)
     assert flank_reversal_check(KEY, "central–idler", given) is None
     idle = RatingLoad(0.0, None, None, 0.0, USUAL, assumed=True)
