@@ -167,7 +167,7 @@ ALWAYS = (TEMPERATURE, SPECIFIC_LOAD, HEAT_INDEX, LENGTH_RATIO, TRANSITION)
 class Films:
     """One journal at one diameter; arrays: clearances down, lengths across.
 
-    `power` as given; `once` and `twice`: thinnest film of all corners, at the load and at twice the load; `kept`: every
+    `power` as given; `once`: thinnest film of all corners; `twice`: that at twice the load, as given; `kept`: every
     rule that knows neither slope nor margin."""
 
     task: BearingTask
@@ -257,6 +257,9 @@ def _films(
     field = field_over(task, variant, length, g)
     if field is None:
         return None
+    # of twice the load no corner is asked for
+    doubled = field_over(replace(task, corners=False), variant, length, g)
+    assert doubled is not None
     states = field.states
     once = sum(state.times == 1 for state in task.states)
     wanted = (*ALWAYS, *advice)
@@ -272,7 +275,9 @@ def _films(
         kept &= np.broadcast_to(margin, shape) >= (KEPT if key in OF_FILM else 0.0)
     if SUPPLY_RANGE in advice and (width := _supply_width(task)) is not None:
         kept &= (width / length >= SUPPLY_WIDTH[0]) & (width / length <= SUPPLY_WIDTH[1])
-    thin, thin_twice = (np.where(np.isnan(x), -np.inf, x).min(axis=0) for x in (states.film[:once], states.film[once:]))
+    thin, thin_twice = (
+        np.where(np.isnan(x), -np.inf, x).min(axis=0) for x in (states.film[:once], doubled.states.film[-1:])
+    )
     turn = speeds = None
     if beside.standing is not None:
         turn = np.where(np.isnan(film := over_a_turn(task, length, g, beside.standing)), np.inf, film)
