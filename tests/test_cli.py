@@ -106,7 +106,7 @@ LIMITS += [f"gears.{w}.{n}" for w in ("crank", "central", "idler", "shaft") for 
 ADVICE = [
     f"bearings.{b}.{n}"
     for b in ("front", "rear")
-    for n in ("length_ratio", "length_ratio_usual", "heat_index", "film_double_load", "transition", "mckee")
+    for n in ("length_ratio_usual", "heat_index", "film_double_load", "transition", "mckee")
 ]
 CAUTION = [
     *(f"bearings.{b}.film_edge_corner" for b in ("front", "rear")),
