@@ -85,7 +85,9 @@ def _finding(check: Check) -> Iterator[str]:
     """What is judged, its id, and what decides: how far it goes with what is not given, and what would mend it."""
     yield from _headed(check)
     lack = _short_lack(check) if len(check.missing) > 1 else check.lack_text()
-    if words := [*filter(None, (_beyond(check), lack, sentence(check.remedies) or check.advice))]:
+    ways = sentence(check.remedies)
+    advice = ways if ways and check.advice.startswith(ways) else check.advice  # what is said beside them is for --all
+    if words := [*filter(None, (_beyond(check), lack, advice))]:
         yield from _wrapped_finding(SPACE.join(words))
 
 

@@ -90,7 +90,7 @@ class Wheel:
         count=(2, 2),
         within=(-5000, 5000),
         symbol="E_W",
-        usual=(-50, -20),
+        usual=(-80, -20),  # thinner than the source's by the runout of the teeth, which it leaves out
         source="Finotti 2013, 4.5.1",
         help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed.",
         change=("thinner teeth", "thicker teeth"),

@@ -144,7 +144,7 @@ async def test_a_step_is_left_for_the_closing_page(screen: Screen, session: Sess
         await until(pilot, lambda: type(pilot.app.screen).__name__ == "ReadyScreen")
         await settled(pilot)
         told = " ".join(row.plain for item in pilot.app.screen.query_one(Closing).items for row in item.rows)
-        assert "not usual (1)" in told and "span allowance of central −2 µm (usual −50 to −20)" in told
+        assert "not usual (1)" in told and "span allowance of central −2 µm (usual −80 to −20)" in told
 
 
 def test_slopes_are_told_in_labels_and_units(session: Session) -> None:

@@ -181,7 +181,7 @@ def test_a_value_outside_its_formula_is_not_called_a_pass(example: Solved, engin
 
 def test_inputs_that_are_not_usual_stand_in_the_verdict(summary: bytes, engineer: bytes, audit: bytes) -> None:
     for pdf in (summary, engineer, audit):
-        assert "1 input is not usual: span allowance of central −2 µm (usual −50 to −20)" in " ".join(
+        assert "1 input is not usual: span allowance of central −2 µm (usual −80 to −20)" in " ".join(
             pages_of(pdf)[0].split()
         )
 

@@ -156,7 +156,7 @@ def _without_narrow(results: Results) -> Results:
 def test_what_is_not_usual_is_said_of_each_design_or_of_both(gamma: Document, gamma_results: Results) -> None:
     sized = read(DESIGNS / "r753ie4_sized.toml")
     there = compare(gamma.data, sized.data, gamma_results, solve(design(sized)))
-    odd = "1 input is not usual: span allowance of central −2 µm (usual −50 to −20)"
+    odd = "1 input is not usual: span allowance of central −2 µm (usual −80 to −20)"
     assert f"In beta {odd}." in sentences(there, NAMES, str)
     assert f"In both {odd}." in sentences(replace(there, unusual=(there.unusual[0], there.unusual[0])), NAMES, str)
 
