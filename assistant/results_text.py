@@ -8,6 +8,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from difflib import get_close_matches
+from itertools import takewhile
 from typing import Any
 
 from calc.design.key_results import judged, outside
@@ -17,6 +18,7 @@ from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
 from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
+from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome, Table, ignored
 from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of, named, open_findings, severity, with_it
@@ -59,13 +61,13 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
     if findings := open_findings(checks):
         yield findings_of(findings)
     for worst, *others in findings:
-        yield from _finding(worst)
         if everything:
-            yield from (line for check in others for line in _finding(check))
-        elif others:
-            yield from _wrapped_finding(with_it(others))
+            yield from (line for check in (worst, *others) for line in _whole_finding(check))
+        else:
+            yield from _finding(worst)
+            yield from _with_it(worst, others)
     if everything:
-        yield from (line for check in notes for line in _finding(check))
+        yield from (line for check in notes for line in _whole_finding(check))
     yield from _unusual(odd, len(odd) if everything else SHOWN)
     if not everything:
         yield from _counts("advice", [check for check in notes if check.kind == "advice"])
@@ -80,11 +82,66 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
 
 
 def _finding(check: Check) -> Iterator[str]:
-    yield from _wrapped_finding(_judged(check), f"{sign(check.verdict)}  ")
-    beyond = Text("Outside validity: {methods}.", methods=Name(", ".join(check.outside))) if check.outside else EMPTY
-    if words := [*filter(None, (beyond, check.lack_text(), check.advice))]:
+    """What is judged, its id, and what decides: how far it goes with what is not given, and what would mend it."""
+    yield from _headed(check)
+    lack = _short_lack(check) if len(check.missing) > 1 else check.lack_text()
+    ways = sentence(check.remedies)
+    advice = ways if ways and check.advice.startswith(ways) else check.advice  # what is said beside them is for --all
+    if words := [*filter(None, (_beyond(check), lack, advice))]:
         yield from _wrapped_finding(SPACE.join(words))
-    yield f"{INDENT}{check.id} · {check.source}" if check.verdict in ("fail", "not_verified") else f"{INDENT}{check.id}"
+
+
+def _whole_finding(check: Check) -> Iterator[str]:
+    """The same with all that is known of it."""
+    yield from _headed(check)
+    if words := [*filter(None, (_beyond(check), check.lack_text(), check.advice))]:
+        yield from _wrapped_finding(SPACE.join(words))
+    if check.source:
+        yield from _wrapped_finding(check.source)
+
+
+def _headed(check: Check) -> list[str]:
+    return _wrapped_finding(f"{_judged(check)}  [{check.id}]", f"{sign(check.verdict)}  ")
+
+
+def _beyond(check: Check) -> Text:
+    return Text("Outside validity: {methods}.", methods=Name(", ".join(check.outside))) if check.outside else EMPTY
+
+
+def _short_lack(check: Check) -> Text:
+    """Keys that differ by their element stand together, the others without their step; then the ends."""
+    together: dict[str, list[str]] = {}
+    for key in check.missing:
+        together.setdefault(key.rpartition(".")[2], []).append(key)
+    keys = [
+        Text("{key} of {elements}", key=last, elements=Name(", ".join(key.split(".")[-2] for key in some)))
+        if len(some) > 1
+        else Name(some[0].removeprefix(f"{check.id.partition('.')[0]}."))
+        for last, some in together.items()
+    ]
+    return Text("Not given: {keys}. {ends}", keys=SEMICOLON.join(keys), ends=check.ends_text())
+
+
+def _with_it(worst: Check, others: Sequence[Check]) -> list[str]:
+    """What else is open of this cause, as many as stand in one line."""
+    if not others:
+        return []
+    short_names = [check.but(name=Name(_beside(check.name, worst.name))) for check in others]
+    return _one_line([with_it(short_names, most) for most in range(len(others), 0, -1)])
+
+
+def _beside(name: str, worst: str) -> str:
+    """A name without the words with which another begins too; whole where nothing else is left."""
+    words = name.split()
+    pairs = zip(words, worst.split())
+    shared = sum(1 for _ in takewhile(lambda pair: pair[0].strip(",") == pair[1].strip(","), pairs))
+    return " ".join(words[shared:]) or name
+
+
+def _one_line(texts: Sequence[str], start: str = INDENT) -> list[str]:
+    """The first of the texts that fits into a line, else the last one."""
+    wrapped = [_wrapped_finding(text, start) for text in texts]
+    return next((lines for lines in wrapped if len(lines) == 1), wrapped[-1])
 
 
 def _judged(check: Check) -> Text:
@@ -129,22 +186,21 @@ def _assumed(checks: Sequence[Check]) -> Iterator[str]:
     held = [check for check in checks if check.verdict == "pass" and check.taken]
     if held:
         taken = list(dict.fromkeys(words for check in held for words in check.taken))
-        sentence = plural(
-            "{n} check holds by what is assumed: {taken}",
-            "{n} checks hold by what is assumed: {taken}",
-            n=len(held),
-            taken=SEMICOLON.join(taken[:SHOWN]),
-        )
-        if len(taken) > SHOWN:
-            sentence = Text("{sentence}; {more} more", sentence=sentence, more=len(taken) - SHOWN)
-        yield from _wrapped_finding(sentence, f"{sign('note')}  ")
+        whole = plural("{n} check holds by what is assumed", "{n} checks hold by what is assumed", n=len(held))
+        lengths = range(min(SHOWN, len(taken)), 0, -1)
+        yield from _one_line([f"{whole}: {_first(taken, most)}" for most in lengths], f"{sign('note')}  ")
+
+
+def _first(texts: Sequence[Text], most: int) -> Text:
+    first = SEMICOLON.join(texts[:most])
+    return first if len(texts) <= most else Text("{first}; {more} more", first=first, more=len(texts) - most)
 
 
 def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
-    """The inputs outside what is usual, and their keys below."""
+    """The inputs outside what is usual, and their keys."""
     if odd:
-        yield from _wrapped_finding(told(odd, most), f"{sign('note')}  ")
-        yield from _wrapped_finding(" · ".join(oddity.key for oddity in odd[:most]))
+        keys = ", ".join(oddity.key for oddity in odd[:most])
+        yield from _wrapped_finding(f"{told(odd, most)}  [{keys}]", f"{sign('note')}  ")
 
 
 def lost_acceptances(results: Results) -> Iterator[str]:

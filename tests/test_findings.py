@@ -54,11 +54,11 @@ def test_limits_stand_first_and_a_cause_by_its_worst_check():
     )
     assert [line for line in text.splitlines() if not line.startswith(" ")] == [
         "2 findings (3 checks)",
-        "✗ FAIL  The size of a.limit: 0.9 mm, needs ≥ 1 mm (−10 %)",
-        "▲ warn  The size of a.caution: 0.5 mm, needs ≥ 1 mm (−50 %)",
+        "✗ FAIL  The size of a.limit: 0.9 mm, needs ≥ 1 mm (−10 %)  [a.limit]",
+        "▲ warn  The size of a.caution: 0.5 mm, needs ≥ 1 mm (−50 %)  [a.caution]",
         "• note  1 piece of advice: The size of a.note (−50 %)",
     ]
-    assert "With it: The size of a.corner (−80 %)" in text and "a.limit · a source" in text and "a.holds" not in text
+    assert "With it: a.corner (−80 %)" in text and "a source" not in text and "a.holds" not in text
 
 
 def test_everything_is_every_finding_in_full():
@@ -69,7 +69,8 @@ def test_everything_is_every_finding_in_full():
     ]
     text = printed(*checks, everything=True)
     assert text.count("Do something.") == 3 and "With it" not in text and "piece of advice" not in text
-    assert text.startswith("2 findings (3 checks)\n")
+    assert text.count("a source") == 3
+    assert text.startswith("1 finding (2 checks)\n")
 
 
 def test_what_is_missing_and_what_is_accepted_is_said():
@@ -82,6 +83,16 @@ def test_what_is_missing_and_what_is_accepted_is_said():
     assert "✓ accepted  The size of a.caution: 0.5 mm, needs ≥ 1 mm (−50 %): seen on the bench" in text
 
 
+def test_several_that_are_not_given_are_named_without_what_they_share():
+    keys = ("gears.wheels.a.runout_um", "gears.wheels.b.runout_um", "gears.wheels_warmer_K")
+    lack = LACK | {"missing": keys, "taken": (Text("runout 30 µm"), Text("runout 31 µm"), Text("20 K"))}
+    check = made("gears.a_b.backlash", "limit", 2.0, **lack)
+    short = "Not given: runout_um of a, b; wheels_warmer_K. At best 3 mm, at worst 0.5 mm. Do something."
+    assert short in printed(check) and "taken" not in printed(check)
+    whole = " ".join(printed(check, everything=True).split())
+    assert f"Not given: {', '.join(keys)}; taken: {'; '.join(lack['taken'])}. At best 3 mm" in whole
+
+
 def test_what_holds_by_what_is_assumed_is_counted_once_for_each_check():
     held = [made(f"a.n{n}", "limit", 2.0, **LACK | {"at_worst": 1.5}) for n in range(2)]
     assert printed(held[0]) == "• note  1 check holds by what is assumed: aluminium"
@@ -91,8 +102,11 @@ def test_what_holds_by_what_is_assumed_is_counted_once_for_each_check():
 
 
 def test_many_of_one_cause_are_counted():
-    text = printed(made("a.limit", "limit", 0.9), *(made(f"a.n{n}", "caution", 0.5, cause="a.limit") for n in range(5)))
-    assert "The size of a.n2 (−50 %); 2 more" in " ".join(text.split())
+    many = [made(f"a.{'n' * 25}{n}", "caution", 0.5, cause="a.limit") for n in range(5)]
+    text = printed(made("a.limit", "limit", 0.9), *many)
+    assert text.endswith(f"a.{'n' * 25}1 (−50 %); 3 more")
+    alone = made("a.b", "caution", 0.5, cause="a.limit").but(name=Text("The size of"))
+    assert "With it: The size of (−50 %)" in printed(made("a.limit", "limit", 0.9), alone)
 
 
 def test_a_row_of_the_json_has_all_that_a_check_knows():

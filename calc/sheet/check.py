@@ -408,15 +408,18 @@ class Check:
         taken = SEMICOLON.join(self.taken)
         if self.verdict in ("pass", "accepted") and taken:
             return Text("Assumed: {taken}.", taken=taken)
-        ends = Text(
-            "At best {best}, at worst {worst}.", best=self._shown(self.at_best), worst=self._shown(self.at_worst)
-        )
         if not self.missing:
-            return ends
+            return self.ends_text()
         keys = COMMA.join(map(label, self.missing))
         if not taken:
             return Text("Not given: {keys}.", keys=keys)
-        return Text("Not given: {keys}; taken: {taken}. {ends}", keys=keys, taken=taken, ends=ends)
+        return Text("Not given: {keys}; taken: {taken}. {ends}", keys=keys, taken=taken, ends=self.ends_text())
+
+    def ends_text(self) -> Text:
+        """How far the value goes with all that is not given."""
+        return Text(
+            "At best {best}, at worst {worst}.", best=self._shown(self.at_best), worst=self._shown(self.at_worst)
+        )
 
     def _shown(self, end: End | None) -> Text | Amount:
         if isinstance(end, (int, float)):

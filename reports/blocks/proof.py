@@ -18,6 +18,7 @@ from calc.sheet.check import Check, CheckRule
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.number import RANGE
+from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text, with_unit
 from calc.sheet.units import UNITS
@@ -353,9 +354,21 @@ def _after(context: Context, proof: Proof) -> list[Block]:
         blocks += paragraph(context.say(lack), NOTE, x=INDENT, gap=1.2)
     if check.accepted:
         blocks += _line(context, "accepted_because", reason=check.accepted)
-    for advice in dict.fromkeys(twin.advice for twin in proof.checks if twin.advice and not twin.holds):
-        blocks += paragraph(context.say(advice), NOTE, x=INDENT, gap=1.2)
+    if advice := _advice(context, [twin for twin in proof.checks if not twin.holds]):
+        blocks += paragraph(advice, NOTE, x=INDENT, gap=1.2)
     return blocks
+
+
+def _advice(context: Context, checks: Sequence[Check]) -> str:
+    """What would mend each of the checks, then what else is advised, each sentence once."""
+    remedies, others = [], []
+    for check in checks:
+        advice, ways = context.say(check.advice), context.say(sentence(check.remedies))
+        if ways and advice.startswith(ways):
+            remedies.append(ways)
+            advice = advice.removeprefix(ways).strip()
+        others.append(advice)
+    return " ".join(filter(None, dict.fromkeys([*remedies, *others])))
 
 
 def _short(context: Context, check: Check) -> str:

@@ -29,7 +29,7 @@ def context_of(example: Solved, depth: str) -> Context:
 def test_symbols_stand_with_meaning_unit_and_page(engineer: bytes) -> None:
     for meaning, unit in (
         ("Specific load", "MPa"),
-        ("Outlet temperature", "°C"),
+        ("Temperature of the wheels", "°C"),
         ("Safety against tooth breakage", ""),
     ):
         assert re.search(rf"{meaning}\s+{unit}\s*\d+", part(engineer)), meaning
