@@ -31,7 +31,8 @@ def copy(tmp_path):
     ],
 )
 def test_a_row_that_is_written_passes(copy, name, row):
-    """No limit of the shaft or the bearings fails with it; what fails before, of the gears, is not its matter."""
+    """No limit of the shaft or the bearings fails with it, and those of the bearings are verified; what fails before,
+    of the gears, is not its matter."""
     path = copy(name)
     before = path.read_text(encoding="utf-8")
     done = run("choose", path, "bearings", "--apply", row)
@@ -42,6 +43,8 @@ def test_a_row_that_is_written_passes(copy, name, row):
     assert [
         c["id"] for c in checks if c["verdict"] == "fail" and c["id"].startswith(("bearings.", "countershaft."))
     ] == []
+    limits = [c for c in checks if c["kind"] == "limit" and c["id"].startswith("bearings.")]
+    assert [c["id"] for c in limits if c["verdict"] == "not_verified"] == []
     corner = [c for c in checks if c["id"].endswith("_corner")]
     assert len(corner) == 6 and (name != "r753ie4_sized" or all(c["margin"] >= 0 for c in corner))
 
