@@ -87,7 +87,9 @@ def test_what_is_accepted_of_no_check_is_told(tmp_path):
     path = tmp_path / "x.toml"
     path.write_bytes((ROOT / "designs" / "r753ie4_sized.toml").read_bytes())
     said = " ".join(run("set", path, "accepted.bearings.front.mcke=seen").stdout.split())
-    assert "bearings.front.mcke is accepted, but this design has no such check; did you mean bearings.front.mckee?" in said
+    assert (
+        "bearings.front.mcke is accepted, but this design has no such check; did you mean bearings.front.mckee?" in said
+    )
 
 
 def test_an_element_is_called_in_the_error_as_it_was_in_the_command():

@@ -353,8 +353,6 @@ class Checks(ItemList):
 KINDS_SHOWN = ("limit", "caution")  # the kinds whose findings are not folded
 
 
-
-
 def cause(check: Check) -> str:
     return check.cause or check.id
 
