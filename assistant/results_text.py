@@ -84,10 +84,9 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
 def _finding(check: Check) -> Iterator[str]:
     """What is judged, its id, and what decides: how far it goes with what is not given, and what would mend it."""
     yield from _headed(check)
-    lack = _short_lack(check) if len(check.missing) > 1 else check.lack_text()
     ways = sentence(check.remedies)
     advice = ways if ways and check.advice.startswith(ways) else check.advice  # what is said beside them is for --all
-    if words := [*filter(None, (_beyond(check), lack, advice))]:
+    if words := [*filter(None, (_beyond(check), check.lack_in_short(), advice))]:
         yield from _wrapped_finding(SPACE.join(words))
 
 
@@ -106,20 +105,6 @@ def _headed(check: Check) -> list[str]:
 
 def _beyond(check: Check) -> Text:
     return Text("Outside validity: {methods}.", methods=Name(", ".join(check.outside))) if check.outside else EMPTY
-
-
-def _short_lack(check: Check) -> Text:
-    """Keys that differ by their element stand together, the others without their step; then the ends."""
-    together: dict[str, list[str]] = {}
-    for key in check.missing:
-        together.setdefault(key.rpartition(".")[2], []).append(key)
-    keys = [
-        Text("{key} of {elements}", key=last, elements=Name(", ".join(key.split(".")[-2] for key in some)))
-        if len(some) > 1
-        else Name(some[0].removeprefix(f"{check.id.partition('.')[0]}."))
-        for last, some in together.items()
-    ]
-    return Text("Not given: {keys}. {ends}", keys=SEMICOLON.join(keys), ends=check.ends_text())
 
 
 def _with_it(worst: Check, others: Sequence[Check]) -> list[str]:

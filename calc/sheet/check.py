@@ -415,6 +415,22 @@ class Check:
             return Text("Not given: {keys}.", keys=keys)
         return Text("Not given: {keys}; taken: {taken}. {ends}", keys=keys, taken=taken, ends=self.ends_text())
 
+    def lack_in_short(self) -> Text:
+        """The same; of several keys those that differ by their element stand together, the others without their step,
+        and what stands for them is left out."""
+        if len(self.missing) < 2 or self.verdict in ("pass", "accepted"):
+            return self.lack_text()
+        together: dict[str, list[str]] = {}
+        for key in self.missing:
+            together.setdefault(key.rpartition(".")[2], []).append(key)
+        keys = [
+            Text("{key} of {elements}", key=last, elements=Name(", ".join(key.split(".")[-2] for key in some)))
+            if len(some) > 1
+            else Name(some[0].removeprefix(f"{self.id.partition('.')[0]}."))
+            for last, some in together.items()
+        ]
+        return Text("Not given: {keys}. {ends}", keys=SEMICOLON.join(keys), ends=self.ends_text())
+
     def ends_text(self) -> Text:
         """How far the value goes with all that is not given."""
         return Text(

@@ -86,10 +86,15 @@ def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
     rows = []
     for (_, advice), some in together.items():
         for check, others in some:
-            parts = (context.say(check.lack_text()), advice if check is some[-1][0] else "", others)
+            parts = (lack_of(context, check), advice if check is some[-1][0] else "", others)
             rows.append(_check_row(context, check, " ".join(part for part in parts if part)))
     rows += [_check_row(context, check, _accepted(context, check)) for check in checks if check.verdict == "accepted"]
     return _check_table(context, rows, 4.0, checks)
+
+
+def lack_of(context: Context, check: Check) -> str:
+    """What is not given; the audit names every key in full, and what stands for it."""
+    return context.say(check.lack_text() if context.audit else check.lack_in_short())
 
 
 def _accepted(context: Context, check: Check) -> str:

@@ -34,7 +34,7 @@ from ..typesetting.pagination import Block, Formula, paragraph
 from ..typesetting.prose import GROUP, NOTE, STRONG
 from ..typesetting.tables import Cell, Column, Row, table
 from ..typesetting.tags import title_tag
-from .checks import name_of, shown_value, sign_style
+from .checks import lack_of, name_of, shown_value, sign_style
 from .inputs import exact
 from .words import STATE_COLOURS
 
@@ -42,7 +42,8 @@ if TYPE_CHECKING:
     from ..typesetting.pen import Pen
 
 
-MOST = {"limit": 9, "caution": 4}  # formulas of a demand
+# formulas of a demand; a caution is most often the state of a limit at a corner, and that limit's proof has the others
+MOST = {"limit": 9, "caution": 2}
 ALIKE = 3  # values of one symbol that are quoted
 FEW = 3  # elements of an array that are quoted one by one
 HELD = 4  # of one that holds, and of a value
@@ -350,8 +351,8 @@ def _after(context: Context, proof: Proof) -> list[Block]:
             limit=context.say(method.limit_text()),
         )
     check = proof.governing
-    if lack := check.lack_text():
-        blocks += paragraph(context.say(lack), NOTE, x=INDENT, gap=1.2)
+    if lack := lack_of(context, check):
+        blocks += paragraph(lack, NOTE, x=INDENT, gap=1.2)
     if check.accepted:
         blocks += _line(context, "accepted_because", reason=check.accepted)
     if advice := _advice(context, [twin for twin in proof.checks if not twin.holds]):

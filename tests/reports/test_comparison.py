@@ -57,12 +57,7 @@ def test_everything_that_changed(sides: tuple[Solved, Solved], lang: str) -> Non
 def test_the_first_page_concludes(sides: tuple[Solved, Solved]) -> None:
     pdf = report(*sides)
     first, *others = pages_of(pdf)
-    heads = [
-        "beta → gamma: the whole goes from FAIL: 7 failed",
-        "Limits and cautions that moved",
-        "Key result ",
-        "Inputs",
-    ]
+    heads = ["beta → gamma: the whole goes from FAIL", "Limits and cautions that moved", "Key result ", "Inputs"]
     assert [first.index(head) for head in heads] == sorted(first.index(head) for head in heads)
     assert (
         "✗ fail 4.768 µm" in first
