@@ -164,7 +164,7 @@ def test_slopes_are_told_in_labels_and_units(session: Session) -> None:
             session.data, "bearings.front.length_mm", moved_by(session.document, results, "bearings.front.length_mm")
         )
     )
-    assert moved.startswith("film at the edge, front +0.4 µm per mm; ")
+    assert moved.startswith("film at the edge over the speeds, thinnest at 2497 rpm, front +0.42 µm per mm; ")
 
 
 def test_a_bar_is_full_at_the_limit_and_marks_it_beyond() -> None:
