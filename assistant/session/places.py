@@ -4,7 +4,7 @@ renamed."""
 
 from typing import Any
 
-from calc.design.addresses import Table, address, changed, quantity_of
+from calc.design.addresses import Table, address, changed, declared, quantity_of
 from calc.design.model import Design
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity, keys
@@ -106,7 +106,10 @@ def label_of(data: Table, key: str) -> Text:
     several."""
     try:
         words, where = Small(quantity_of(data, key).label), address(data, key)
-    except BadInput:  # the key of a table
+    except BadInput:  # the key of a table, or of an element that is not there
+        about = declared(key.split("."))
+        if about is not None and about.table is None:
+            return Small(about.label)
         return Name(key.rpartition(".")[2].replace("_", " "))
     numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
     if numbered is None:

@@ -199,6 +199,7 @@ FATIGUE = CheckRule(
     role="physics",
     demand=True,
     cause=BENDING_STRESS.id,
+    short=Text("fatigue"),
     value_id=dotted("countershaft", Bending.fatigue_safety),
     moved_by=FILLET_AND_CORE,
     proven=(),

@@ -4,7 +4,7 @@ value is put there."""
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ..bearings.inputs import BearingsInputs
 from ..countershaft.inputs import CountershaftInputs
@@ -88,13 +88,19 @@ def _quantity(cls: type | None, parts: list[str], key: str) -> Quantity:
 
 def quantity_of(data: Table, key: str) -> Quantity:
     """The description of the quantity at a dotted key."""
+    about = declared(address(data, key))
+    assert about is not None
+    return about
+
+
+def declared(path: Iterable[str | int]) -> Quantity | None:
+    """The description of what is at a path; of elements neither place nor name matters, nor whether they are there."""
     cls: type = Design
     about: Quantity | None = None
-    for part in address(data, key):
+    for part in path:
         if isinstance(part, str) and part in keys(cls):
             about = keys(cls)[part].about
             cls = about.table or cls
-    assert about is not None
     return about
 
 

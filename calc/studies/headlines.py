@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What stands for a step, and for a whole drive: the check that decides, in a word with its limit, or what it gives."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 
 from ..bearings.result import BearingResult
@@ -49,8 +50,11 @@ def headline(results: Results, key: str) -> Headline | None:
 
 
 def of_check(check: Check) -> Headline:
-    """`film 7.41 of 9 µm`."""
+    """`film 7.41 of 9 µm`; `fatigue not verified` of a check that has no value."""
     word, limit = check.rule.short or check.name, check.nearest[1]
+    if math.isnan(check.value):
+        words = Text("{word} not verified", word=word)
+        return Headline(words, words, None, check)
     if not limit:
         long, brief = (
             Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=n)) for n in (3, 2)

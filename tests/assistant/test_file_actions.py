@@ -150,7 +150,7 @@ async def test_values_and_results_are_exported(
         await give(pilot, path)
         await until(pilot, lambda: f"Exported: {path}" in told(pilot))
     text = path.read_text(encoding="utf-8")
-    assert "\nengine.stroke,107" in text if kind == "csv" else json.loads(text)["steps"]["engine"] == "pass"
+    assert "\nengine.stroke,107" in text if kind == "csv" else json.loads(text)["steps"]["engine"] == "computed"
 
 
 async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
