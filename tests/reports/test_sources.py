@@ -21,7 +21,7 @@ def test_every_publication_has_its_row(depth: str, request: pytest.FixtureReques
     for name in ("ISO 6336-2:2006", "VDI 2230-1", "Finotti 2013", "Raimondi & Boyd 1958"):
         one = register()[name]
         assert squeezed(name) in read and squeezed(one.title) in read and squeezed(str(one.edition)) in read, name
-    assert read.index(squeezed("ISO 724")) < read.index("Booksandpapers") < read.index("Johnson1970")
+    assert read.index(squeezed("ISO 898-1")) < read.index("Booksandpapers") < read.index("Johnson1970")
     assert "asfarasweremember" in read and "readinthesource" in read
 
 
