@@ -18,6 +18,7 @@ import pytest
 from pypdf import PdfReader
 
 from tests.conftest import ROOT
+from tests.languages.texts import untranslated
 
 LEFT_OUT = shutil.ignore_patterns(".*", "bench", "build", "dist", "site", "*.egg-info")
 GAMMA = "designs/r753ie4_gamma.toml"
@@ -258,8 +259,10 @@ def test_a_translation(recipe: Performed) -> None:
     assert old in text
     source.write_text(text.replace(old, new), encoding="utf-8")
     tests = ("-m", "pytest", *shlex.split(translation.commands[-1])[1:])
+    lacking = len(untranslated("it"))  # before a release others may have none yet
     listed = translation.python(*tests)
-    assert listed.returncode == 0 and "1 without a translation" in listed.stdout and new in listed.stdout
+    assert listed.returncode == 0 and f"{lacking + 1} without a translation" in listed.stdout
+    assert lacking or new in listed.stdout
     assert translation.python(*tests, RELEASE="1").returncode == 1
     translation.python(*shlex.split(translation.commands[0])[1:])
     path = translation.file("contralbero.po")
@@ -269,5 +272,5 @@ def test_a_translation(recipe: Performed) -> None:
     )
     assert count == 1
     path.write_text(filled, encoding="utf-8")
-    translation.run(RELEASE="1")
+    translation.run(**({} if lacking else {"RELEASE": "1"}))
     assert "Il gioco è una prova a" in translation.report("--lang", "it")
