@@ -364,11 +364,11 @@ async def test_everything_can_be_clicked(screen: Screen, session: Session) -> No
         await pilot.click(offset=spot(pilot, "4 Bearings"))
         await settled(pilot)
         assert work(pilot).number == 4
-        await pilot.click(offset=spot(pilot, "✗ Film at the edge"))  # chosen, and told in full
+        await pilot.click(offset=spot(pilot, "Film at the edge,"))  # chosen, and told in full
         await settled(pilot)
         checks = work(pilot).query_one(Checks)
         assert pilot.app.focused is checks and checks.key == "bearings.front.film_edge"
-        await pilot.click(offset=spot(pilot, "✗ Film at the edge"))
+        await pilot.click(offset=spot(pilot, "Film at the edge,"))
         await settled(pilot)
         assert pilot.app.focused is work(pilot).query_one(Calculation)
         text = rows(pilot).splitlines()[-1]

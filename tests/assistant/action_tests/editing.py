@@ -155,7 +155,9 @@ async def accept(pilot: Pilot[int], do: Do) -> None:
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
     await still(pilot)
     assert session.design.accepted == (("countershaft.bolts.pressure", "agreed with the foundry"),)
-    assert all(words in text(pilot) for words in ("accepted,", "agreed with the foundry"))  # over two lines where narrow
+    assert all(
+        words in text(pilot) for words in ("accepted,", "agreed with the foundry")
+    )  # over two lines where narrow
     assert checks.key == "countershaft.bolts.pressure"
     await do()
     await still(pilot)
