@@ -368,6 +368,7 @@ async def test_everything_can_be_clicked(screen: Screen, session: Session) -> No
         await settled(pilot)
         checks = work(pilot).query_one(Checks)
         assert pilot.app.focused is checks and checks.key == "bearings.front.film_edge"
+        await until(pilot, lambda: work(pilot).page is not None, 10.0)
         await pilot.click(offset=spot(pilot, "Film at the edge,"))
         await settled(pilot)
         assert pilot.app.focused is work(pilot).query_one(Calculation)
