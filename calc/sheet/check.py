@@ -167,7 +167,7 @@ class CheckRule:
         if isinstance(limit, tuple):
             bound: float | tuple[float, float] = (shown(limit[0]), shown(limit[1]))
         elif limit == 0 and scale is None and unit != "°C":
-            raise ValueError(f"{self.id}: a limit of 0 has no margin without a scale")
+            raise TypeError(f"{self.id}: a limit of 0 has no margin without a scale")
         else:
             bound = linked(shown(limit), link_of(limit))
 

@@ -184,7 +184,7 @@ def test_the_letters_of_a_mesh_are_its_wheels_and_its_place():
 
 def test_a_limit_of_nought_needs_a_scale():
     gap = rule("limit", "mm", id="step.gap", zero="the radius")
-    with pytest.raises(ValueError, match=r"step\.gap"):
+    with pytest.raises(TypeError, match=r"step\.gap"):
         gap(0.001, 0.0)
     assert gap(0.001, 0.0, scale=0.02).margin == pytest.approx(0.05)
     assert rule("limit", "°C", id="step.ice")(-3.0, 0.0).margin == pytest.approx(-0.03)
