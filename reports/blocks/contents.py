@@ -123,7 +123,7 @@ def _page(names: list[str], rows: int) -> Block:
 # Title, edition, status, how we know them; and what no publication says.
 
 # what the name of a standard begins with
-STANDARD = re.compile(r"(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI)\b")
+STANDARD = re.compile(r"(?:ISO|DIN|AGMA|VDI|FKM|SAE|MIL|FVA|ASTM|API|BS|EN|IACS|JIS|UNI|Directive)\b")
 NAME, STATUS, KNOWN = 74.0, 78.0, 72.0  # widths beside the title
 REMEMBERED = " *"  # behind what we have from memory
 
