@@ -27,6 +27,8 @@ LOGO = (130.0, 32.0)  # at most, in points
 ACROSS = 4  # facts beside each other
 PAD = 4.0
 SIGN = 17.0  # height of a field to sign in
+FIELDS = ("Prepared", "Checked", "Approved")  # what a signing program calls the fields, in every language
+EDGE = 1.0  # of a field within its box
 SIGN_AT = (0.0, 0.16 * WIDTH, 0.52 * WIDTH, 0.68 * WIDTH)  # where who, name, date and signature begin
 FRAME, LINE = (0.2, 0.2, 0.2), (0.62, 0.62, 0.62)
 
@@ -40,7 +42,7 @@ def title_blocks(context: Context) -> list[Block]:
     facts = [(w[key], getattr(control, key)) for key in ("number", "revision", "project", "customer", "company")]
     facts = [(label, value) for label, value in facts if value]
     facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
-    blocks += [_facts(facts), _signatures(context)]
+    blocks += [_facts(facts), signature_block(context)]
     blocks += on_paper_only(
         paragraph(w["attached"] if context.depth == "summary" else f"{w['attached']} {w['in_si']}", NOTE, gap=2.0)
     )
@@ -112,8 +114,8 @@ def _facts(facts: list[tuple[str, str]]) -> Block:
     return Block(sum(heights), draw, gap=7.0, keep=True, content=Rows([], facts))
 
 
-def _signatures(context: Context) -> Block:
-    """A row for each who signs: name, date, and the field of the signature."""
+def signature_block(context: Context) -> Block:
+    """A row for each who signs: name, date, and the field of the signature, for a pen or a certificate."""
     w = context.words
     ends = (*SIGN_AT[1:], WIDTH)
     heads = ["", w["name"], w["date"], w["signature"]]
@@ -134,6 +136,9 @@ def _signatures(context: Context) -> Block:
                 for i, (x, end, words) in enumerate(zip(SIGN_AT, ends, row)):
                     with pen.cell("" if i else ROW):
                         pen.put(one_line(words, BODY if i else NOTE, end - x - 2 * PAD), x + PAD, top - 0.64 * SIGN)
+                        if i == len(row) - 1:
+                            box = x + EDGE, top - SIGN + EDGE, end - x - 2 * EDGE, SIGN - 2 * EDGE
+                            pen.signature(*box, FIELDS[n], f"{w['signature']}: {row[0]}")
         for x in SIGN_AT[1:]:
             _upright(pen, x, y, height)
         _frame(pen, y, height, top_line=False)

@@ -74,6 +74,7 @@ def _words(words: str) -> bytes:
 # --- what the document says about itself
 
 PART, LEVEL = 3, "A"
+SIGNED_BY_APPENDING = 3  # signatures are foreseen, and a program that adds one appends to the file
 XMP = """<?xpacket begin="\ufeff" id="W5M0MpCehiHzreSzNTczkc9d"?>
 <x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"><rdf:Description rdf:about=""
  xmlns:pdfaid="http://www.aiim.org/pdfa/ns/id/" xmlns:dc="http://purl.org/dc/elements/1.1/" xmlns:pdf="http://ns.adobe.com/pdf/1.3/"
@@ -99,6 +100,9 @@ def archive(document: Any, tree: Tree, lang: str) -> None:
     catalog.__NoDefault__ = [*catalog.__NoDefault__, "OutputIntents"]
     catalog.MarkInfo = PDFDictionary({"Marked": "true"})
     catalog.StructTreeRoot = tree.finish(document)
+    if tree.fields:
+        fields = PDFArray([document.refAnnotation(name) for name in tree.fields])
+        catalog.AcroForm = PDFDictionary({"Fields": fields, "SigFlags": SIGNED_BY_APPENDING})
     for n in range(len(tree.pages)):
         page = document.idToObject[f"Page{n + 1}"]
         page.__NoDefault__ = [*page.__NoDefault__, "StructParents", "Tabs"]

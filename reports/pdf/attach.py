@@ -3,6 +3,7 @@
 
 import hashlib
 import json
+import math
 
 from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFInfo, PDFName, PDFStream, PDFString, PDFZCompress
 from reportlab.pdfgen.canvas import Canvas
@@ -31,10 +32,15 @@ def pair_bytes(names: tuple[str, str], results: tuple[Results, Results]) -> byte
 def _solved(results: Results) -> dict[str, object]:
     outcomes = results.outcomes.values()
     return {
-        "values": {v.id: float(v.shown) if abs(v.shown) < float("inf") else None for o in outcomes for v in o.values()},
+        "values": {v.id: nine(v.shown) if math.isfinite(v.shown) else None for o in outcomes for v in o.values()},
         "checks": {check.id: judged(check) for o in outcomes for check in o.checks},
         "steps": {o.key: o.verdict for o in outcomes},
     }
+
+
+def nine(x: float) -> float:
+    """With nine digits: the last of the sixteen depend on processor and libraries, and a report does not."""
+    return float(f"{x:.9g}")
 
 
 def _json(value: object) -> bytes:

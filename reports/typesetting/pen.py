@@ -16,7 +16,7 @@ from reportlab.pdfgen.canvas import Canvas
 
 from .boxes import BLACK, Box, Colour, Mark
 from .fonts import LEFT, face_of
-from .tags import FIGURE, Element, Link, Tag, Tree, hexed
+from .tags import FIGURE, Element, Link, SignatureField, Tag, Tree, hexed
 
 Encoded = tuple[str, str]  # a part of an embedded font by its name on the page, and codes in it
 Codes = tuple[dict[str, list[Encoded]], dict[str, Encoded]]  # texts and single letters, as a font encodes them
@@ -111,6 +111,15 @@ class Pen:
         canvas._addAnnotation(
             Link((left, y, left + width, y + height), words, canvas._bookmarkReference(anchor), parent)
         )
+
+    def signature(self, x: float, y: float, width: float, height: float, name: str, words: str) -> None:
+        """A field to sign in; y is its lower edge."""
+        left, canvas = LEFT + x, self.canvas
+        annotation = f"NUMBER{canvas._annotationCount + 1}"
+        parent = self.tree.link(Element("Form", self.element), annotation) if self.element is not None else None
+        self.tree.fields.append(annotation)
+        corners = left, y, left + width, y + height
+        canvas._addAnnotation(SignatureField(corners, name, words, len(self.tree.pages), parent))
 
     def figure(self, draw: Callable[[], None]) -> None:
         self.figures.append((draw, self.element))

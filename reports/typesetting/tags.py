@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from reportlab.pdfbase.pdfdoc import PDFObject, PDFObjectReference
+from reportlab.pdfbase.pdfdoc import PDFDictionary, PDFName, PDFObject, PDFObjectReference, PDFStream, PDFZCompress
 
 GATHERED = {"LI": "L", "TOCI": "TOC"}  # neighbours of a kind stand in a common element
 HEADING, FIGURE = "H", "Figure"
@@ -49,7 +49,7 @@ class TaggedPiece:
 
 @dataclass(slots=True, eq=False)
 class Annotation:
-    """What lies over a page at its element: a link."""
+    """What lies over a page at its element: a link, or the field of a signature."""
 
     page: int
     name: str
@@ -140,6 +140,7 @@ class Tree:
     # by page, its elements by the numbers of their marked content
     pages: list[list[Element]] = field(default_factory=list)
     links: list[Element] = field(default_factory=list)
+    fields: list[str] = field(default_factory=list)  # of signatures, by the names of their annotations
     sizes: list[float] = field(default_factory=list)  # of the headings above the present place
 
     def element(self, tag: Tag) -> Element:
@@ -169,7 +170,7 @@ class Tree:
         return piece.number
 
     def link(self, element: Element, name: str) -> int:
-        """The number by which a link finds its element."""
+        """The number by which a link, or a field, finds its element."""
         element.kids.append(Annotation(len(self.pages) - 1, name))
         self.links.append(element)
         return self.count + len(self.links) - 1
@@ -223,6 +224,40 @@ class Link(PDFObject):  # type: ignore[misc]
         ).encode()
         parent = b"" if self.parent is None else b" /StructParent %d" % self.parent
         return b"<< %s%s /Dest %s >>" % (entries, parent, self.to.format(document))
+
+
+class SignatureField(PDFObject):  # type: ignore[misc]
+    """Where somebody signs by certificate: a field without a look, so that the empty box is as it is printed.
+
+    `name`: by which a signing program finds it; `words`: what is read out; `page`: counted from 1."""
+
+    __RefOnly__ = 1
+
+    def __init__(
+        self, corners: tuple[float, float, float, float], name: str, words: str, page: int, parent: int | None
+    ) -> None:
+        self.corners, self.name, self.words, self.page, self.parent = corners, name, words, page, parent
+
+    def format(self, document: Any) -> bytes:
+        left, low, right, top = self.corners
+        look = PDFStream(
+            PDFDictionary(
+                {
+                    "Type": PDFName("XObject"),
+                    "Subtype": PDFName("Form"),
+                    "BBox": f"[0 0 {right - left:.2f} {top - low:.2f}]",
+                }
+            ),
+            b"",
+            filters=[PDFZCompress],
+        )
+        entries = (
+            f"/Type /Annot /Subtype /Widget /FT /Sig /T ({self.name}) /TU <{hexed(self.words)}> /F {PRINTED}"
+            f" /Contents <{hexed(self.words)}> /Rect [{left:.2f} {low:.2f} {right:.2f} {top:.2f}]"
+        ).encode()
+        parent = b"" if self.parent is None else b" /StructParent %d" % self.parent
+        page, shown = PDFObjectReference(f"Page{self.page}"), document.Reference(look)
+        return b"<< %s%s /P %s /AP << /N %s >> >>" % (entries, parent, page.format(document), shown.format(document))
 
 
 def hexed(words: str) -> str:
