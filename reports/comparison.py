@@ -31,10 +31,11 @@ from calc.studies.compare_tables import (
     verdict_table,
 )
 
-from .blocks.title_block import SHORT_HASH
+from .blocks.title_block import SHORT_HASH, made_with, signature_block
 from .blocks.values import table_blocks
 from .blocks.words import WORDS, verdict
 from .context import Context
+from .made import versions
 from .pdf import attach
 from .pdf.binding import bind
 from .typesetting.boxes import GREY
@@ -44,6 +45,7 @@ from .typesetting.pagination import Block, bullet, heading, lines_block, paginat
 from .typesetting.prose import BODY, HEADING, NOTE, TITLE, lines
 from .typesetting.tags import title_tag
 
+FOOT_HASH = 8  # letters of a sum in the foot
 MOVED = 12  # verdicts that moved, in the conclusion
 DEPTHS = ("summary", "audit")  # of a comparison: the conclusion and the inputs, or everything
 Side = tuple[Document, Results]
@@ -59,16 +61,23 @@ def write(
 
 
 def render(
-    a: Side, b: Side, comparison: Comparison, names: Names, *, lang: str = "en", everything: bool = False
+    a: Side,
+    b: Side,
+    comparison: Comparison,
+    names: Names,
+    *,
+    lang: str = "en",
+    everything: bool = False,
+    made: dict[str, str] | None = None,
 ) -> bytes:
-    """The report as the bytes of a PDF: the same designs give the same bytes.
+    """The report as the bytes of a PDF: the same designs give the same bytes.  `made`: as of a report.
 
     `everything`: after the conclusion and the inputs also the verdicts of the steps, and every check and value that
     differs."""
     for face in FACES:
         widths(face)
     (first, before), (second, after) = a, b
-    context = Context(first, before, "", "engineer", language(lang))
+    context = Context(first, before, "", "engineer", language(lang), made=made or versions())
     blocks = _title(context, (a, b), names)
     if comparison.equal:
         blocks += paragraph(context.words["equal"], BODY, gap=8.0)
@@ -95,11 +104,21 @@ def render(
         files | {attach.RESULTS: (solved, w["solved"])},
         title=title,
         author=control.signatures()[0][1].name,
-        revision=control.revision,
+        revision="",
         kind="comparison",
+        designs=" · ".join(_of_foot(w, name, side) for name, side in zip(names, (a, b))),
         said=provenance,
+        made=context.made,
         words=w,
     )
+
+
+def _of_foot(words: dict[str, str], name: str, side: Side) -> str:
+    """A design with its revision and the sum of its file."""
+    document, results = side
+    revision = results.design.control.revision
+    of = f"{words['revision']} {revision}" if revision else ""
+    return " ".join(filter(None, (name, of, document.sha256[:FOOT_HASH])))
 
 
 def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Block]:
@@ -119,7 +138,8 @@ def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Blo
     ]
     columns = ((EMPTY, ""), *((Name(w[key]), "") for key in ("design", "revision", "verdict", "file")))
     blocks += table_blocks(context, [Table("designs", EMPTY, columns, tuple(rows))])
-    return blocks + paragraph(w["attached_pair"], NOTE, gap=2.0)
+    blocks += [signature_block(context)]
+    return blocks + paragraph(" ".join(filter(None, (w["attached_pair"], made_with(context)))), NOTE, gap=2.0)
 
 
 def _conclusion(context: Context, comparison: Comparison, names: Names) -> list[Block]:

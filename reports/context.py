@@ -33,6 +33,7 @@ from calc.studies.drive.front import Picked
 from calc.studies.explain import Chains
 
 from .blocks.words import WORDS
+from .made import versions
 from .typesetting.boxes import Symbol
 
 # --- the logo of a title block: a PNG file beside the design, in which a stranger may have put anything
@@ -201,6 +202,7 @@ class Context:
     # the same results with their texts as data, if `results` are said in a language already
     original: Results | None = None
     logo: Logo | None = None
+    made: dict[str, str] = field(default_factory=versions)  # with which versions
     drive: Picked | None = None  # of the front that the design is one drive of
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made

@@ -93,13 +93,16 @@ def render(
     lang: str = "en",
     logo_file: bytes | None = None,
     front: bytes | None = None,
+    made: dict[str, str] | None = None,
     progress: Progress | None = None,
 ) -> bytes:
     """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design.
 
-    `front`: the front of drives that the design is one of, which is then attached too."""
+    `front`: the front of drives that the design is one of, which is then attached too.  `made`: the versions that it
+    says it was made with; without it those of here."""
     tell(progress, 0.0, results.design.name)
     context = context_of(document, results, raw, depth=depth, lang=lang, logo_file=logo_file)
+    context.made = made or context.made
     context.drive = picked(front, document.data) if front is not None else None
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
@@ -121,6 +124,7 @@ def render(
         revision=control.revision,
         number=control.number,
         said=said_of,
+        made=context.made,
         words=context.words,
         progress=part(progress, MADE, WRITTEN),
     )

@@ -6,9 +6,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from calc.sheet.version import VERSION
-
 from ..context import Context
+from ..made import MADE, program
 from ..typesetting.boxes import GREY
 from ..typesetting.boxes import text as text_box
 from ..typesetting.fonts import LEFT, MISSING, WIDTH, writable
@@ -20,7 +19,6 @@ from ..typesetting.tags import COLUMN, FIGURE, ROW, Tag, title_tag
 if TYPE_CHECKING:
     from ..typesetting.pen import Pen
 
-PROGRAM = f"Contralbero {VERSION}"
 SHORT_HASH = 16
 NOTE_LINES = 8  # of the first page; a longer note is repeated whole at the end
 LOGO = (130.0, 32.0)  # at most, in points
@@ -41,15 +39,20 @@ def title_blocks(context: Context) -> list[Block]:
         blocks += paragraph(design.note, BODY, gap=2.0, most=NOTE_LINES)
     facts = [(w[key], getattr(control, key)) for key in ("number", "revision", "project", "customer", "company")]
     facts = [(label, value) for label, value in facts if value]
-    facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
+    facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], program(context.made))]
     blocks += [_facts(facts), signature_block(context)]
-    blocks += on_paper_only(
-        paragraph(w["attached"] if context.depth == "summary" else f"{w['attached']} {w['in_si']}", NOTE, gap=2.0)
-    )
+    notes = [w["attached"], w["in_si"] if context.depth != "summary" else "", made_with(context)]
+    blocks += on_paper_only(paragraph(" ".join(filter(None, notes)), NOTE, gap=2.0))
     texts = (design.name, design.note, *control.words())
     if not all(map(writable, texts)) and not any(MISSING in s for s in texts):
         blocks += on_paper_only(paragraph(w["missing_glyphs"], NOTE, gap=0.0))
     return blocks
+
+
+def made_with(context: Context) -> str:
+    """The versions of what computed the numbers; empty of a report that does not say them."""
+    made = context.made
+    return context.text("made_with", **made) if {*MADE} <= {*made} else ""
 
 
 def change_blocks(context: Context) -> list[Block]:

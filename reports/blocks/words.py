@@ -17,6 +17,7 @@ WORDS: dict[str, Text] = {
     "what": Text("What changed"),
     "by": Text("Author"), "logo": Text("Logo"), "file": Text("Design file, SHA-256"),
     "solved": Text("Values and verdicts of the report"), "program": Text("Program"),
+    "made_with": Text("Computed with Python {python}, numpy {numpy}, scipy {scipy}."),
     "attached": Text("The design file is attached to this document as design.toml."), "pass": Text("pass"),
     "warn": Text("warn"),
     "fail": Text("fail"), "note": Text("note"), "not_verified": Text("not verified"), "accepted": Text("accepted"),

@@ -26,8 +26,8 @@ from calc.design.disk import write_file
 from calc.design.toml_file import Document
 from calc.solve import Results
 
-from ..blocks.title_block import PROGRAM
 from ..context import Context
+from ..made import program
 from ..report import blocks, context_of, inputs_of
 from ..typesetting.equation import spoken, spoken_numbers
 from ..typesetting.fonts import BOLD, BOTTOM, LEFT, PAGE, RIGHT, TOP, UPRIGHT, WIDTH
@@ -147,11 +147,14 @@ class _Writer:
         self.styles = prepare(self.file, context.say.code)
         about, control = self.file.core_properties, context.design.control
         about.title, about.author = written(context.design.name)[:255], written(control.signatures()[0][1].name)[:255]
-        about.subject, about.comments, about.language = context.words["report"], PROGRAM, context.say.code
+        about.subject, about.comments, about.language = context.words["report"], program(context.made), context.say.code
         about.keywords = f"design file sha256 {context.sha256}"
         about.created = about.modified = datetime.now(UTC)
         foot = self.file.sections[0].footer.paragraphs[0]
-        foot.text, foot._p.style = context.text("docx_note", program=PROGRAM, sum=context.sha256), self.styles[SOURCE]
+        foot.text, foot._p.style = (
+            context.text("docx_note", program=program(context.made), sum=context.sha256),
+            self.styles[SOURCE],
+        )
 
     def write(self, all_blocks: list[Block]) -> None:
         drawn = iter(pictures([block for block in all_blocks if isinstance(block.content, Picture)]))

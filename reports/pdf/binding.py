@@ -15,7 +15,8 @@ from reportlab.pdfgen.canvas import Canvas
 
 from calc.sheet.progress import Progress, tell
 
-from ..blocks.title_block import PROGRAM, SHORT_HASH
+from ..blocks.title_block import SHORT_HASH
+from ..made import MADE, program
 from ..typesetting.boxes import BETWEEN, FAINT, GREY
 from ..typesetting.fonts import PAGE, TOP, UPRIGHT, WIDTH, clean, unicode_map
 from ..typesetting.pagination import Page
@@ -171,13 +172,15 @@ def bind(
     author: str,
     revision: str,
     said: dict[str, str],
+    made: dict[str, str],
     words: dict[str, str],
     number: str = "",
     kind: str = "report",
+    designs: str = "",
     progress: Progress | None = None,
 ) -> bytes:
-    """The document as the bytes of a PDF.  `said`: what it must keep about how it was made; `kind`: of its title in the
-    running head."""
+    """The document as the bytes of a PDF.  `said`: what it must keep about how it was made, `made`: with which versions; `kind`: of its title in the
+    running head; `designs`: what its foot says of those that it is about, left out the sum of the one."""
     out = io.BytesIO()
     dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
     try:
@@ -195,14 +198,14 @@ def bind(
             title=clean(title),
             author=clean(author),
             subject=f"{words[kind]}, design file sha256 {said['sha256']}",
-            keywords=attach.keywords(PROGRAM, **said),
-            program=PROGRAM,
+            keywords=attach.keywords(program(made), **said, **{name: made[name] for name in MADE[1:] if name in made}),
+            program=program(made),
         )
         attach.attach(canvas, files)
         canvas.setViewerPreference("DisplayDocTitle", "true")
         canvas.showOutline()
         of = " · ".join(filter(None, (number, revision and f"{words['revision']} {revision}")))
-        foot = (of, f"{PROGRAM} · sha256 {said['sha256'][:SHORT_HASH]}")
+        foot = (of, f"{program(made)} · {designs or 'sha256 ' + said['sha256'][:SHORT_HASH]}")
         tree = paint(canvas, pages, (title, words[kind]), foot, words["page"], progress)
         archive(canvas._doc, tree, said["lang"])
         canvas._doc.format = partial(packed, canvas._doc)

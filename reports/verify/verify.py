@@ -1,241 +1,266 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether a report still says what its design gives: the attached design is solved again, and the pages are set again.
+"""What a file is to the design inside it: the report that this program writes from it, that with signatures, that with
+something else behind it, or not what this program writes.
 
-Identical is only what has the same bytes; whatever else a file may be is another verdict.  What is attached says how
-the pages are set: one design is a report, two are a comparison."""
+Only bytes speak for a report.  What is attached says how its pages are set: one design is a report, two are a
+comparison."""
 
 from __future__ import annotations
 
 import hashlib
+import io
 import json
+import math
 import re
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
+
+from pypdf import PdfReader
 
 from calc.design.toml_file import design, parse
 from calc.locale import LANGUAGES
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.text import Text
-from calc.sheet.version import VERSION
+from calc.sheet.text import EMPTY, Text
 from calc.solve import Results, solve
-from calc.studies.compare import SAME, compare, relative, size_of_nothing
+from calc.studies.compare import compare, size_of_nothing
 
 from ..comparison import render as render_comparison
 from ..context import DEPTHS
-from ..pdf.attach import FRONT, NAME, PAIR, RESULTS, pair_bytes, results_bytes
+from ..made import MADE, versions
+from ..pdf.attach import FRONT, NAME, PAIR, RESULTS, nine, pair_bytes, results_bytes
 from ..report import render
-from .difference import Difference, about, attachments, covered, page_references, pages, printed
-from .pdf_file import Malformed, Pdf, demand_tables, words
-from .signature import fields
+from .signature import NotSigned, signers
 
-KEYWORD = re.compile(r"(\w+):([0-9a-z]+)")
+END = b"\n%%EOF\n"  # with which this program ends a file
+KEYWORD = re.compile(r"(\w+):([0-9a-z][0-9a-z.+-]{0,99})")
 PARTS = ("steps", "checks", "values")  # of the results inside a report
-# what results of any shape raise
-BROKEN = (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError)
+SAME = 1e-9  # relative: numbers that differ by less are the same, whatever computed them
+NOTHING = "–"
 
 
 class Verdict(Enum):
-    """What a report is; only the first two speak for it."""
+    """What a file is; the first two speak for what is printed in it."""
 
     IDENTICAL = "identical"  # byte for byte what this program writes
-    SIGNED = "signed"  # that, and after it nothing but fields of signatures, which cover nothing of it
-    COVERED = "covered"  # that, but a field covers something that is printed
-    OTHER_VERSION = "another version"  # of the program has written it; its texts and values are the same
-    SAVED_ANEW = "saved anew"  # by another program: other bytes, in which nothing different was found
-    DIFFERS = "differs"
+    SIGNED = "signed"  # that, and behind it signatures in the fields that it foresees, and nothing else
+    APPENDED = "appended to"  # that, and behind it something else
+    NOT_AS_WRITTEN = "not as written"  # other bytes; what is attached is compared, its pages are not looked at
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A value or a verdict that is another one now."""
+
+    what: str
+    was: str
+    now: str
 
 
 @dataclass(frozen=True)
 class Verification:
-    """`changed`: the attachments that are not those which the report was written with.  `version`: of the program that
-    wrote it.
-
-    `signed`: the pages that carry the field of a signature; what that shows is not the report's.  `front`: it says what
-    a front says that is attached to it, and nobody has searched again for that."""
+    """`made`: the versions that the report was made with, by name.  `why`: it is not signed.  `original`: the part of
+    the file that is this program's, where something stands behind it.  `changed`: attachments that are not those which
+    the report says that it was written with.  `compared`: how many values, verdicts and files were compared.  `front`:
+    it says what a front says that is attached to it, and nobody has searched again for that."""
 
     design: str
-    version: str
+    made: dict[str, str]
     verdict: Verdict
+    signers: tuple[Text, ...] = ()
+    why: Text = EMPTY
+    original: bytes = b""
+    appended: int = 0
     changed: tuple[str, ...] = ()
     differences: tuple[Difference, ...] = ()
-    signed: tuple[int, ...] = ()
+    compared: int = 0
     front: bool = False
 
     @property
-    def identical(self) -> bool:
-        return self.verdict is Verdict.IDENTICAL
+    def other_versions(self) -> dict[str, tuple[str, str]]:
+        """Of what is another version here: that of the report, and that of here."""
+        here = versions()
+        return {name: (self.made[name], here[name]) for name in MADE if self.made.get(name, "") not in ("", here[name])}
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A file: what it says of how it was made, and the files inside it."""
+
+    said: dict[str, str]
+    attached: dict[str, list[bytes]]
+
+    @property
+    def made(self) -> dict[str, str]:
+        return {name: self.said[name] for name in MADE if name in self.said}
 
 
 def verify(raw: bytes, place: str) -> Verification:
-    """Solve the design that is attached to a report, or the two of a comparison, again, and compare it with the report
-    that they give.
+    """Solve the design that is attached to a report, or the two of a comparison, again, write it once more, and say
+    what the file is.
 
-    `place`: the name of the file, for messages.  Raises BadInput for a file that is no report of this program, or whose
-    design this version does not accept."""
-    pdf, provenance, attached = _read(raw, place)
-    return replace(_verified(raw, place, pdf, provenance, attached), front="front" in provenance)
-
-
-def _verified(
-    raw: bytes, place: str, pdf: Pdf, provenance: dict[str, str], attached: dict[str, list[bytes]]
-) -> Verification:
-    again = (_comparison if "other" in provenance else _report)(place, provenance, attached)
-    version = provenance["version"]
-    if raw == again.raw:
-        return Verification(again.name, version, Verdict.IDENTICAL)
-    differences = list(again.differences)
-    fresh = Pdf(again.raw)
-    if raw.startswith(again.raw):
+    `place`: its name, for messages.  Raises BadInput for a file that is no report of this program, or whose design
+    this version does not accept."""
+    for end in _ends(raw):  # what this program has written ends here, if it has
         try:
-            return _signed(again, fresh, raw, version)
-        except Malformed as error:
-            differences.append(
-                Difference("what was appended to the report", str(error), "nothing, or fields of signatures alone")
-            )
-    try:
-        differences += [*about(pdf, fresh, version), *pages(pdf, fresh, version)]
-    except Malformed as error:
-        raise _unreadable(place, error) from None
-    verdict = Verdict.SAVED_ANEW if version == VERSION else Verdict.OTHER_VERSION
-    if again.changed or differences:
-        verdict = Verdict.DIFFERS
-    return Verification(again.name, version, verdict, tuple(again.changed), tuple(differences))
+            of_report = _read(raw[:end], place)
+            again = _again(place, of_report)
+        except BadInput:
+            continue
+        if again.raw == raw[:end]:
+            return _as_written(raw, again, of_report)
+    of_file = _read(raw, place)
+    return _compared(_again(place, of_file), of_file)
 
 
 def is_report(raw: bytes) -> bool:
     """Whether a file is a document of this program as it writes them, to which nothing was appended, no signature
     either."""
     try:
-        pdf, *_ = _read(raw, "")
+        _read(raw, "")
     except BadInput:
         return False
-    return len(pdf.sections) == 1
+    return list(_ends(raw)) == [len(raw)]
 
 
-def _signed(again: _Again, fresh: Pdf, raw: bytes, version: str) -> Verification:
-    """A report to which fields of signatures were appended.  Raises Malformed for anything else."""
-    sheets = page_references(fresh)
-    laid = fields(again.raw, raw, sheets)
-    under = {n: list(printed(fresh, sheets[n - 1])) for n, _ in laid}
-    passages = [(n, covered(place, under[n])) for n, place in laid]
-    hidden = tuple(
-        Difference(f"page {n}, under the field of a signature", "covered", f"“{text}”") for n, text in passages if text
+def _ends(raw: bytes) -> Iterator[int]:
+    """Where the part of a file may end that this program has written: the first two places that look like it."""
+    for place in [match.end() for match in re.finditer(re.escape(END), raw)][:2]:
+        if raw[:place].rpartition(b"startxref\n")[2].removesuffix(END).isdigit():
+            yield place
+
+
+def _as_written(raw: bytes, again: _Again, of_report: _Read) -> Verification:
+    found = Verification(again.name, of_report.made, Verdict.IDENTICAL, front="front" in of_report.said)
+    if raw == again.raw:
+        return found
+    more = dict(original=again.raw, appended=len(raw) - len(again.raw))
+    try:
+        return _with(found, verdict=Verdict.SIGNED, signers=tuple(signers(again.raw, raw)), **more)
+    except NotSigned as no:
+        return _with(found, verdict=Verdict.APPENDED, why=no.why, **more)
+
+
+def _with(found: Verification, **fields: Any) -> Verification:
+    return Verification(**{**vars(found), **fields})
+
+
+def _compared(again: _Again, of_file: _Read) -> Verification:
+    """Of a file that this program does not write so: what is attached beside what it gives now."""
+    changed = tuple(
+        name
+        for name, wanted in again.wanted.items()
+        if {hashlib.sha256(file).hexdigest() for file in of_file.attached[name]} != {wanted}
     )
-    numbers = tuple(sorted({n for n, _ in passages}))
+    more = tuple(name for name in of_file.attached if name not in again.wanted)
+    count, differences = again.differences()
     return Verification(
-        again.name, version, Verdict.COVERED if hidden else Verdict.SIGNED, differences=hidden, signed=numbers
+        again.name,
+        of_file.made,
+        Verdict.NOT_AS_WRITTEN,
+        changed=changed + more,
+        differences=tuple(differences),
+        compared=count + len(again.wanted),
+        front="front" in of_file.said,
     )
 
 
 @dataclass(frozen=True)
 class _Again:
-    """What the attachments give: the document set again, and how what it was written with differs from what it gives
-    now."""
+    """What the attachments give: the document written again, the sums that its files shall have, and how what it was
+    written with differs from what it gives now."""
 
     name: str
-    changed: list[str]
-    differences: list[Difference]
     raw: bytes
+    wanted: dict[str, str]
+    differences: Callable[[], tuple[int, list[Difference]]] = field(repr=False)
 
 
-def _report(place: str, provenance: dict[str, str], attached: dict[str, list[bytes]]) -> _Again:
-    """The report of one design."""
-    _demand(place, attached, (NAME, RESULTS))
-    first = _one_with(attached[NAME], provenance["sha256"])
-    document = parse(first, f"{place}: {NAME}")
-    attached_design = design(document)
-    wanted = {NAME: provenance["sha256"], RESULTS: provenance["results"]}
-    if name := attached_design.control.logo:
-        if name not in attached:
-            raise _refused(place, Text("has no attachment {names}, the logo of its design", names=name))
-        wanted[name] = provenance.get("logo", "")
-    front = None
-    if "front" in provenance:
-        _demand(place, attached, (FRONT,))
-        wanted[FRONT] = provenance["front"]
-        front = _one_with(attached[FRONT], provenance["front"])
-    changed = _changed(attached, wanted)
-    results = solve(attached_design)
+def _again(place: str, of_file: _Read) -> _Again:
     try:
-        before = json.loads(attached[RESULTS][0])
-        differences = _values(before, json.loads(results_bytes(results)), results)
-    except BROKEN:
-        raise _unread(place) from None
-    picture = _one_with(attached[name], wanted[name]) if name else None
-    again = render(
-        document, results, first, depth=provenance["depth"], lang=provenance["lang"], logo_file=picture, front=front
+        return (_comparison if "other" in of_file.said else _report)(place, of_file)
+    except (RecursionError, MemoryError) as error:
+        raise _refused(place, Text("can not be solved again ({error})", error=type(error).__name__)) from None
+
+
+def _report(place: str, of_file: _Read) -> _Again:
+    """The report of one design."""
+    said, attached = of_file.said, of_file.attached
+    _demand(place, attached, (NAME, RESULTS))
+    raw = _one_with(attached[NAME], said["sha256"])
+    document = parse(raw, f"{place}: {NAME}")
+    attached_design = design(document)
+    wanted = {NAME: said["sha256"], RESULTS: said["results"]}
+    picture = front = None
+    if name := attached_design.control.logo:
+        _demand(place, attached, (name,))
+        wanted[name] = said.get("logo", "")
+        picture = _one_with(attached[name], wanted[name])
+    if "front" in said:
+        _demand(place, attached, (FRONT,))
+        wanted[FRONT] = said["front"]
+        front = _one_with(attached[FRONT], said["front"])
+    results = solve(attached_design)
+    how = dict(depth=said["depth"], lang=said["lang"], logo_file=picture, front=front, made=of_file.made or None)
+    before, now = _one_with(attached[RESULTS], said["results"]), results_bytes(results)
+    return _Again(
+        results.design.name,
+        render(document, results, raw, **how),  # type: ignore[arg-type]
+        wanted,
+        lambda: _values(place, before, now, {"": results}),
     )
-    return _Again(results.design.name, changed, differences, again)
 
 
-def _comparison(place: str, provenance: dict[str, str], attached: dict[str, list[bytes]]) -> _Again:
+def _comparison(place: str, of_file: _Read) -> _Again:
     """The comparison of two designs."""
+    said, attached = of_file.said, of_file.attached
     _demand(place, attached, (*PAIR, RESULTS))
-    wanted = dict(zip((*PAIR, RESULTS), (provenance["sha256"], provenance["other"], provenance["results"])))
+    wanted = dict(zip((*PAIR, RESULTS), (said["sha256"], said["other"], said["results"])))
     documents = [parse(_one_with(attached[name], wanted[name]), f"{place}: {name}") for name in PAIR]
     first, second = ((document, solve(design(document))) for document in documents)
-    try:
-        before = json.loads(attached[RESULTS][0])
-        names = (str(before["names"][0]), str(before["names"][1]))
-        now = json.loads(pair_bytes(names, (first[1], second[1])))
-        both = [_values(before[side], now[side], results) for side, (_, results) in zip("ab", (first, second))]
-    except BROKEN:
-        raise _unread(place) from None
-    differences = [
-        replace(difference, what=f"{name}: {difference.what}")
-        for name, of_side in zip(PAIR, both)
-        for difference in of_side
-    ]
-    compared = compare(first[0].data, second[0].data, first[1], second[1])
-    again = render_comparison(
-        first, second, compared, names, lang=provenance["lang"], everything=provenance["depth"] == "audit"
+    before = _one_with(attached[RESULTS], wanted[RESULTS])
+    names = _names(place, before)
+    now = pair_bytes(names, (first[1], second[1]))
+    written = render_comparison(
+        first,
+        second,
+        compare(first[0].data, second[0].data, first[1], second[1]),
+        names,
+        lang=said["lang"],
+        everything=said["depth"] == "audit",
+        made=of_file.made or None,
     )
-    return _Again(f"{first[1].design.name} – {second[1].design.name}", _changed(attached, wanted), differences, again)
+    both = {"a": first[1], "b": second[1]}
+    name = f"{first[1].design.name} – {second[1].design.name}"
+    return _Again(name, written, wanted, lambda: _values(place, before, now, both))
 
 
-def _demand(place: str, attached: dict[str, list[bytes]], names: tuple[str, ...]) -> None:
-    if missing := [name for name in names if name not in attached]:
-        raise _refused(
-            place,
-            Text(
-                "has no attachment {names}; a report of this program has all of them",
-                names=Text(" and none ").join(missing),
-            ),
-        )
+# --- what is inside a file
 
 
-def _changed(attached: dict[str, list[bytes]], wanted: dict[str, str]) -> list[str]:
-    """The attachments that are not those which the document was written with."""
-    names = [
-        name for name, sum in wanted.items() if {hashlib.sha256(file).hexdigest() for file in attached[name]} != {sum}
-    ]
-    return names + [name for name in attached if name not in wanted]
-
-
-def _read(raw: bytes, place: str) -> tuple[Pdf, dict[str, str], dict[str, list[bytes]]]:
-    """The document, what it says about itself, and the files inside it."""
+def _read(raw: bytes, place: str) -> _Read:
+    """What a document says about itself, and the files inside it.  Raises BadInput for one that is no report."""
     try:
-        pdf = Pdf(raw)
-        demand_tables(pdf)
-        if any("Encrypt" in section.trailer for section in pdf.sections):
+        reader = PdfReader(io.BytesIO(raw))
+        if reader.is_encrypted:
             raise _refused(place, Text("is encrypted; give the report as it was written"))
-        keywords = words(pdf.info.get("Keywords"))
-        attached = attachments(pdf)
-    except Malformed as error:
-        raise _unreadable(place, error) from None
-    provenance = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
-    version = re.match(r"Contralbero (\S+?)(?:,|$)", keywords)
-    known = (
-        provenance.get("depth") in DEPTHS
-        and provenance.get("lang") in LANGUAGES
-        and {"sha256", "results"} <= set(provenance)
-    )
+        keywords = str((reader.metadata or {}).get("/Keywords", ""))
+        attached = {str(name): [bytes(file) for file in files] for name, files in reader.attachments.items()}
+    except BadInput:
+        raise
+    except Exception as error:  # whatever a file of a stranger does to its reader
+        why = f"{type(error).__name__}: {error}"[:80]
+        reason = Text("can not be read as a PDF ({why}); give a report that `contralbero report` wrote", why=why)
+        raise _refused(place, reason) from None
+    said = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
+    version = re.match(r"Contralbero ([0-9a-z.+-]{1,30})(?:,|$)", keywords)
+    known = said.get("depth") in DEPTHS and said.get("lang") in LANGUAGES and {"sha256", "results"} <= set(said)
     if version is None or not known:
         raise _refused(
             place, Text("is no report of this program, or was written before reports could be verified; write it anew")
         )
-    return pdf, {**provenance, "version": version[1]}, attached
+    return _Read({**said, "program": version[1]}, attached)
 
 
 def _one_with(files: list[bytes], sum: str) -> bytes:
@@ -243,39 +268,67 @@ def _one_with(files: list[bytes], sum: str) -> bytes:
     return next((file for file in files if hashlib.sha256(file).hexdigest() == sum), files[0])
 
 
-def _unread(place: str) -> BadInput:
-    return _refused(place, Text("has an attachment {name} that can not be read; the report was damaged", name=RESULTS))
-
-
-def _unreadable(place: str, error: Malformed) -> BadInput:
-    return _refused(
-        place,
-        Text("can not be read as a PDF ({error}); give a report that `contralbero report` wrote", error=str(error)),
-    )
+def _demand(place: str, attached: dict[str, list[bytes]], names: tuple[str, ...]) -> None:
+    if missing := [name for name in names if not attached.get(name)]:
+        names_in_words = Text(" and none ").join(missing)
+        reason = Text("has no attachment {names}; a report of this program has all of them", names=names_in_words)
+        raise _refused(place, reason)
 
 
 def _refused(place: str, reason: Text) -> BadInput:
     return BadInput(place, [InputError(0, "", "", reason)])
 
 
-def _values(before: dict[str, Any], now: dict[str, Any], results: Results) -> list[Difference]:
-    """What differs by more than rounding, in the order of the report; and what is only on one side."""
-    differences = []
-    floors = {o.key: size_of_nothing((v.unit, v.shown) for v in o.values()) for o in results.outcomes.values()}
-    units = {v.id: v.unit for o in results.outcomes.values() for v in o.values()}
-    if more := sorted(set(before) - set(PARTS)):
-        differences.append(Difference(f"the attachment {RESULTS}", ", ".join(more), "nothing of that name"))
-    for part in PARTS:
-        what = part.removesuffix("s")
-        for id in dict.fromkeys([*before[part], *now[part]]):
-            was, is_now = (side[part].get(id, "–") for side in (before, now))
-            floor = floors.get(id.partition(".")[0], {}).get(units.get(id, ""), 0.0)
-            if was != is_now and not _near(was, is_now, floor):
-                differences.append(
-                    Difference(f"{what} {id}", *("no number" if x is None else str(x) for x in (was, is_now)))
-                )
-    return differences
+# --- what differs
+
+
+def _names(place: str, before: bytes) -> tuple[str, str]:
+    """What a comparison calls its designs."""
+    one, other = _object(place, before).get("names", (None, None))
+    if not (isinstance(one, str) and isinstance(other, str)):
+        raise _damaged(place)
+    return one, other
+
+
+def _object(place: str, raw: bytes) -> dict[str, Any]:
+    try:
+        known = json.loads(raw)
+    except (ValueError, RecursionError):
+        raise _damaged(place) from None
+    if not isinstance(known, dict):
+        raise _damaged(place)
+    return known
+
+
+def _damaged(place: str) -> BadInput:
+    return _refused(place, Text("has an attachment {name} that can not be read; the report was damaged", name=RESULTS))
+
+
+def _values(place: str, before: bytes, now: bytes, solved: dict[str, Results]) -> tuple[int, list[Difference]]:
+    """How many values and verdicts there are, and those that differ by more than rounding, in the order of the
+    report, with those that are only on one side."""
+    was, is_now = _object(place, before), _object(place, now)
+    count, differences = 0, []
+    for side, results in solved.items():
+        old, new = (known[side] if side else known for known in (was, is_now))
+        if not isinstance(old, dict) or not all(isinstance(old.get(part), dict) for part in PARTS):
+            raise _damaged(place)
+        floors = {o.key: size_of_nothing((v.unit, v.shown) for v in o.values()) for o in results.outcomes.values()}
+        units = {v.id: v.unit for o in results.outcomes.values() for v in o.values()}
+        if more := sorted(set(old) - {*PARTS, "names"}):
+            differences.append(Difference(f"{side} the attachment {RESULTS}".strip(), ", ".join(more), NOTHING))
+        for part in PARTS:
+            for id in dict.fromkeys([*old[part], *new[part]]):
+                count += 1
+                a, b = (one[part].get(id, NOTHING) for one in (old, new))
+                floor = floors.get(id.partition(".")[0], {}).get(units.get(id, ""), 0.0)
+                if a != b and not _near(a, b, floor):
+                    what = f"{side} {part.removesuffix('s')} {id}".strip()
+                    differences.append(Difference(what, *("no number" if x is None else str(x) for x in (a, b))))
+    return count, differences
 
 
 def _near(a: Any, b: Any, floor: float) -> bool:
-    return isinstance(a, float) and isinstance(b, float) and relative(a, b, floor) <= SAME
+    """`floor`: what is left of a sum that is zero."""
+    numbers = all(isinstance(x, (int, float)) and not isinstance(x, bool) and math.isfinite(x) for x in (a, b))
+    return numbers and abs(nine(a) - nine(b)) <= max(2 * SAME * max(abs(a), abs(b)), floor)

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""With which versions a report is made: of this program, and of what computes its numbers."""
+
+import platform
+from importlib.metadata import version
+
+from calc.sheet.version import VERSION
+
+MADE = ("program", "python", "numpy", "scipy")
+
+
+NAME = "Contralbero"
+
+
+def program(made: dict[str, str]) -> str:
+    """The program that made a report, with its version."""
+    return f"{NAME} {made['program']}"
+
+
+def versions() -> dict[str, str]:
+    """Of here."""
+    return {
+        "program": VERSION,
+        "python": platform.python_version(),
+        "numpy": version("numpy"),
+        "scipy": version("scipy"),
+    }
