@@ -90,10 +90,13 @@ def report(it: argparse.ArgumentParser) -> None:
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
 
 
-@command("verify", "solve what is inside a report or a comparison again: identical, signed, or what differs")
+@command(
+    "verify", "write the report or comparison inside a file again: identical, signed, appended to, or not as written"
+)
 def verify(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", metavar="REPORT.pdf")
     it.add_argument("--all", action="store_true", help="list every difference")
+    it.add_argument("--original", metavar="OUT.pdf", help="write the part of the file that this program wrote")
 
 
 @command("scenarios", "run scripted designs and compare with what they expect")

@@ -19,9 +19,5 @@ def program(made: dict[str, str]) -> str:
 
 def versions() -> dict[str, str]:
     """Of here."""
-    return {
-        "program": VERSION,
-        "python": platform.python_version(),
-        "numpy": version("numpy"),
-        "scipy": version("scipy"),
-    }
+    others = {name: version(name) for name in MADE[2:]}
+    return {"program": VERSION, "python": platform.python_version(), **others}

@@ -1,62 +1,77 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero verify`: solves the design inside a report again and says identical, signed, or what else the file
-is."""
+"""`contralbero verify`: writes the report inside a file again, and says what the file is."""
 
 from argparse import Namespace
 from pathlib import Path
 
-from calc.design.disk import read_file
+from calc.design.disk import read_file, write_file
 from calc.design.limits import PDF_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
-from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
-from reports.verify.verify import Verdict, verify
+from reports.verify.verify import Verdict, Verification, verify
 
 MOST = 20  # differences that are listed
 LAST = {
-    Verdict.IDENTICAL: "identical, byte for byte",
-    Verdict.SIGNED: "signed, or prepared for it: what this program writes, byte for byte, and after it fields that "
-    "cover nothing",
-    Verdict.COVERED: "covered: the field of a signature lies over what is printed",
-    Verdict.OTHER_VERSION: "another version: the same values, verdicts and texts; only the version that wrote it can "
-    "call it identical",
-    Verdict.SAVED_ANEW: "saved anew: no difference was found, but the bytes are not this program's; ask for the "
-    "report as it was written",
-    Verdict.DIFFERS: "differs",
+    Verdict.IDENTICAL: "identical: byte for byte what this program writes from the design inside",
+    Verdict.SIGNED: "signed: byte for byte what this program writes, and behind it signatures in its fields and nothing "
+    "else",
+    Verdict.APPENDED: "appended to: it begins with what this program writes, and something else stands behind it; a reader "
+    "may show other pages. --original OUT.pdf writes the part that is ours",
+    Verdict.NOT_AS_WRITTEN: "not as written: the design inside was solved again and compared; the pages were not looked at",
 }
-TRUSTED = (Verdict.IDENTICAL, Verdict.SIGNED)
 
 
 def run_verify(asked: Namespace) -> int:
     path = Path(asked.file)
-    verification = verify(_bytes(path), str(path))
+    found = verify(_bytes(path), str(path))
 
     def say(text: str) -> None:
         """What stands in the file may hold anything; a terminal must not obey it."""
         print(visible(text))
 
-    say(f"{path}: {verification.design}")
-    if verification.version != VERSION:
+    say(f"{path}: {found.design}")
+    for name, (theirs, ours) in found.other_versions.items():
+        say(f"made with {name} {theirs}; here is {ours}")
+    for line in found.signers:
+        say(line)
+    if found.why:
+        say(f"{found.appended:,} bytes were appended, which are no signatures of its fields alone: {found.why}")
+    if found.verdict is Verdict.NOT_AS_WRITTEN:
+        _compared(found, None if asked.all else MOST, say)
+    if found.front:
         say(
-            f"written by version {verification.version}; this is version {VERSION}: texts are compared, "
-            "and what differs may come from that"
+            "what it says of the search for the whole drive is what front.json says inside it; that is not searched again"
         )
-    for name in verification.changed:
+    if asked.original is not None:
+        _write_original(found, path, Path(asked.original))
+    say(LAST[found.verdict])
+    if found.verdict in (Verdict.IDENTICAL, Verdict.SIGNED):
+        return 0
+    return 1 if found.differences or found.changed else 4
+
+
+def _compared(found: Verification, most: int | None, say: object) -> None:
+    assert callable(say)
+    for name in found.changed:
         say(f"the attachment {name} is not the one that the report was written with")
-    for difference in verification.differences[: MOST if not asked.all else None]:
+    made = f"made by {found.made['program']}; " if "program" in found.other_versions else ""
+    if not found.differences:
+        say(f"{made}{found.compared:,} values, verdicts and files were compared: the same to 1e-9")
+        return
+    say(f"{made}of {found.compared:,} values, verdicts and files compared, {len(found.differences):,} are others now:")
+    for difference in found.differences[:most]:
         say(f"{difference.what}: {difference.was} in the report, {difference.now} now")
-    if not asked.all and len(verification.differences) > MOST:
-        print(f"and {len(verification.differences) - MOST} more; --all lists them")
-    for number in verification.signed:
-        print(f"page {number} carries the field of a signature; what that shows is not the report's")
-    if verification.front:
-        print(
-            "what it says of the search for the whole drive is what the attachment front.json says; that is not "
-            "searched again"
-        )
-    print(LAST[verification.verdict])
-    return 0 if verification.verdict in TRUSTED else 1
+    if most is not None and len(found.differences) > most:
+        say(f"and {len(found.differences) - most} more; --all lists them")
+
+
+def _write_original(found: Verification, path: Path, target: Path) -> None:
+    """Raises BadInput where there is no part that is this program's."""
+    if found.verdict is Verdict.NOT_AS_WRITTEN:
+        raise BadInput(str(path), [InputError(0, "", "", Text("does not begin with what this program writes"))])
+    written = write_file(target, found.original or _bytes(path), inputs=[path])
+    print(visible(f"the report as it was written: {written}"))
 
 
 def _bytes(path: Path) -> bytes:

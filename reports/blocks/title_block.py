@@ -52,7 +52,9 @@ def title_blocks(context: Context) -> list[Block]:
 def made_with(context: Context) -> str:
     """The versions of what computed the numbers; empty of a report that does not say them."""
     made = context.made
-    return context.text("made_with", **made) if {*MADE} <= {*made} else ""
+    if not {*MADE} <= {*made}:
+        return ""
+    return context.text("made_with", python=made["python"], numpy=made["numpy"], scipy=made["scipy"])
 
 
 def change_blocks(context: Context) -> list[Block]:

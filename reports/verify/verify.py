@@ -245,7 +245,7 @@ def _read(raw: bytes, place: str) -> _Read:
         reader = PdfReader(io.BytesIO(raw))
         if reader.is_encrypted:
             raise _refused(place, Text("is encrypted; give the report as it was written"))
-        keywords = str((reader.metadata or {}).get("/Keywords", ""))
+        keywords = str(reader.metadata.get("/Keywords", "")) if reader.metadata is not None else ""
         attached = {str(name): [bytes(file) for file in files] for name, files in reader.attachments.items()}
     except BadInput:
         raise
