@@ -90,9 +90,7 @@ def report(it: argparse.ArgumentParser) -> None:
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
 
 
-@command(
-    "verify", "write the report or comparison inside a file again: identical, signed, appended to, or not as written"
-)
+@command("verify", "write the report inside a file again: identical, signed, appended to, or not as written")
 def verify(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", metavar="REPORT.pdf")
     it.add_argument("--all", action="store_true", help="list every difference")

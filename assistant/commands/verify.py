@@ -14,11 +14,12 @@ from reports.verify.verify import Verdict, Verification, verify
 MOST = 20  # differences that are listed
 LAST = {
     Verdict.IDENTICAL: "identical: byte for byte what this program writes from the design inside",
-    Verdict.SIGNED: "signed: byte for byte what this program writes, and behind it signatures in its fields and nothing "
-    "else",
-    Verdict.APPENDED: "appended to: it begins with what this program writes, and something else stands behind it; a reader "
-    "may show other pages. --original OUT.pdf writes the part that is ours",
-    Verdict.NOT_AS_WRITTEN: "not as written: the design inside was solved again and compared; the pages were not looked at",
+    Verdict.SIGNED: "signed: byte for byte what this program writes, and behind it signatures in its fields and "
+    "nothing else",
+    Verdict.APPENDED: "appended to: it begins with what this program writes, and something else stands behind it; a "
+    "reader may show other pages. --original OUT.pdf writes the part that is ours",
+    Verdict.NOT_AS_WRITTEN: "not as written: the design inside was solved again and compared; its pages were not "
+    "looked at",
 }
 
 
@@ -40,9 +41,7 @@ def run_verify(asked: Namespace) -> int:
     if found.verdict is Verdict.NOT_AS_WRITTEN:
         _compared(found, None if asked.all else MOST, say)
     if found.front:
-        say(
-            "what it says of the search for the whole drive is what front.json says inside it; that is not searched again"
-        )
+        say("of the search for the whole drive it says what front.json inside it says; that is not searched again")
     if asked.original is not None:
         _write_original(found, path, Path(asked.original))
     say(LAST[found.verdict])

@@ -7,7 +7,6 @@ import pytest
 
 from calc.design.toml_file import Document
 from calc.solve import Results
-from reports.pdf import binding
 from reports.report import render
 from reports.verify import verify as verifying
 from tests.reports.reading import EXAMPLE, V12, Solved, solved
@@ -59,10 +58,12 @@ def written_once() -> Iterator[None]:
         lang: str,
         logo_file: bytes | None,
         front: bytes | None,
+        made: dict[str, str] | None,
     ) -> bytes:
-        asked = (raw, depth, lang, binding.PROGRAM, front)
+        asked = (raw, depth, lang, front, tuple(sorted((made or {}).items())))
         if asked not in known:
-            known[asked] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file, front=front)
+            more = dict(depth=depth, lang=lang, logo_file=logo_file, front=front, made=made)
+            known[asked] = render(document, results, raw, **more)  # type: ignore[arg-type]
         return known[asked]
 
     with pytest.MonkeyPatch.context() as patch:

@@ -140,9 +140,10 @@ class Update:
         return made
 
     def form(self, *fields: int, entries: bytes = b"/SigFlags 3") -> None:
-        self.last(
-            self.root, b"/AcroForm << /Fields [%s] %s >>" % (b" ".join(b"%d 0 R" % one for one in fields), entries)
-        )
+        known = self.reader.root_object.get("/AcroForm", {}).get("/Fields", [])
+        numbers = [*(field.indirect_reference.idnum for field in known), *fields]
+        form = b"<< /Fields [%s] %s >>" % (b" ".join(b"%d 0 R" % n for n in numbers), entries)
+        self.entry(self.root, b"AcroForm", form)
 
     def sign(
         self,
