@@ -14,9 +14,6 @@ DESIGN_ENTRIES, DESIGN_DEPTH = ENTRIES, DEPTH
 # --- what a report takes in
 
 PDF_BYTES = 32 * 2**20
-PDF_UNPACKED = 256 * 2**20
-PDF_VALUES = 3_000_000
-PDF_DEPTH = 50
 LOGO_BYTES = 300_000
 LOGO_SIDE = 2000
 FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
@@ -44,9 +41,6 @@ TABLES: dict[str, dict[str, int]] = {
     },
     "a PDF": {
         "bytes, of a regular file": PDF_BYTES,
-        "bytes of all its streams, unpacked": PDF_UNPACKED,
-        "values in it": PDF_VALUES,
-        "lists in lists": PDF_DEPTH,
     },
     "what stands beside a design": {
         "bytes of a logo": LOGO_BYTES,
