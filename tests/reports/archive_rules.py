@@ -15,7 +15,7 @@ from fontTools.ttLib import TTFont
 from pypdf import PdfReader
 from pypdf.generic import IndirectObject
 
-STANDARD = set("Document H1 H2 H3 H4 H5 H6 P L LI Lbl LBody Table TR TH TD TOC TOCI Link Figure Span".split())
+STANDARD = set("Document H1 H2 H3 H4 H5 H6 P L LI Lbl LBody Table TR TH TD TOC TOCI Link Form Figure Span".split())
 INSIDE = {"L": {"LI"}, "LI": {"Lbl", "LBody"}, "Table": {"TR"}, "TR": {"TH", "TD"}, "TOC": {"TOCI"}}
 DRAWS = re.compile(rb"(?:^|\s)(?:Tj|TJ|f\*?|S|B|Do)$")
 NS = {
@@ -146,8 +146,12 @@ def used(reader: PdfReader) -> list[tuple[str, Any, set[int]]]:
 def annotation_rules(reader: PdfReader) -> Iterator[str]:
     for number, page in enumerate(reader.pages, 1):
         for one in (reference.get_object() for reference in page.get("/Annots", [])):
-            if one["/Subtype"] != "/Link" or one.get("/F") != 4 or not one.get("/Contents"):
+            # what is no link has a look, and does nothing when it is used
+            field = one["/Subtype"] == "/Widget" and one.get("/FT") == "/Sig" and set(one["/AP"]) == {"/N"}
+            if not (field or one["/Subtype"] == "/Link") or one.get("/F") != 4 or not one.get("/Contents"):
                 yield f"6.3 page {number}: {one}"
+            if {"/A", "/AA"} & set(one):
+                yield f"6.6 page {number}: an action of {one}"
 
 
 def content_rules(reader: PdfReader) -> Iterator[str]:
@@ -217,9 +221,9 @@ def structure_rules(reader: PdfReader) -> Iterator[str]:
             yield "a table whose rows differ in length"
         if role not in ("TD", "TH") and not kids_of(element):
             yield f"6.7.3 an empty {role}"
-        links += role == "Link"
+        links += role in ("Link", "Form")
     if links != sum(len(page.get("/Annots", [])) for page in reader.pages):
-        yield "links that are no part of the structure"
+        yield "links or fields that are no part of the structure"
 
 
 def tree(reader: PdfReader) -> tuple[Any, dict[int, Any]]:
