@@ -12,18 +12,17 @@ from itertools import takewhile
 from typing import Any
 
 from calc.design.key_results import judged, outside
-from calc.design.model import OPTIONAL, STEPS
+from calc.design.model import OPTIONAL, STEPS, TITLES
 from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
 from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
-from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome, Table, ignored
 from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of, named, open_findings, severity, with_it
 from calc.sheet.version import VERSION
-from calc.solve import TITLES, Results
+from calc.solve import Results
 from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
 
@@ -84,7 +83,7 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
 def _finding(check: Check) -> Iterator[str]:
     """What is judged, its id, and what decides: how far it goes with what is not given, and what would mend it."""
     yield from _headed(check)
-    ways = sentence(check.remedies)
+    ways = check.ways_text()
     advice = ways if ways and check.advice.startswith(ways) else check.advice  # what is said beside them is for --all
     if words := [*filter(None, (_beyond(check), check.lack_in_short(), advice))]:
         yield from _wrapped_finding(SPACE.join(words))
@@ -133,7 +132,7 @@ def _judged(check: Check) -> Text:
     """`Film at the edge, front: 7.411 µm, needs ≥ 9 µm (−18 %)`."""
     template = (
         "{name}: {value}, only just {limit} ({margin})"
-        if check.narrow
+        if check.narrow and check.verdict == "warn"
         else "{name}: {value}, needs {limit} ({margin})"
         if check.kind in ("limit", "caution")
         else "{name}: {value}, should be {limit} ({margin})"
@@ -424,7 +423,7 @@ def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[st
         "name": check.name,
         "value": finite(check.value),
         "sense": check.sense,
-        "limit": list(check.limit) if isinstance(check.limit, tuple) else check.limit,
+        "limit": [*map(finite, check.limit)] if isinstance(check.limit, tuple) else finite(check.limit),
         "unit": check.unit,
         "gap": finite(check.gap),
         "scale": finite(check.scale),

@@ -23,11 +23,11 @@ from assistant.session.saving import asked_for, edited_text, write_asked
 from calc.design.addresses import parse_assignment
 from calc.design.disk import edit_file
 from calc.design.limits import DESIGN_BYTES
-from calc.design.model import Design
+from calc.design.model import TITLES, Design
 from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import COMMA, EMPTY, Text
-from calc.solve import TITLES, solve
+from calc.solve import solve
 
 
 def run_choose(asked: Namespace) -> int:

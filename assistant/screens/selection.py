@@ -18,7 +18,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 from textual.worker import get_current_worker
 
-from calc.design.model import OPTIONAL, STEPS
+from calc.design.model import OPTIONAL, STEPS, TITLES
 from calc.design.toml_file import design
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput, Cancelled, NoSolution
@@ -41,8 +41,6 @@ if TYPE_CHECKING:
 
 # --- a dialog whose rows a long search finds in another thread
 # How far it is, what it gives, and what each row does to every step.
-
-TITLES = {step.key: step.title for step in STEPS}
 
 Chosen = TypeVar("Chosen")
 Found = TypeVar("Found")

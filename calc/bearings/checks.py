@@ -588,7 +588,8 @@ def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
 
 
 def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
-    yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge))
+    lost = lost_at_edge(r)
+    yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge), base=lost)
     yield on_bearing(FILM_DOUBLE_LOAD, place, r.film_double_load, r.trumpler_film)
     yield on_bearing(FILM_TRUMPLER, place, r.film, r.trumpler_film)
     rule = FILM_EDGE_RANGE if r.sweep.given else FILM_EDGE_SPEEDS
@@ -601,7 +602,8 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
             speed_of_thinnest_film=Amount((r.speed_of_thinnest_film or 0.0) * 60),
         )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=edge_missing(r, edge))
+        missing = edge_missing(r, edge)
+        yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=missing, base=lost)
     if r.shear_factor is not None:
         yield on_bearing(
             FILM_EDGE_SHEARED,
@@ -609,6 +611,7 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
             r.film_sheared,
             r.kreisle_film,
             missing=edge_missing(r, r.film_sheared, unsheared=r.film_edge),
+            base=lost,
         )
     label = Text(
         "Film at the edge at {overspeed} % overspeed", overspeed=Amount(r.seat.inputs.overspeed * 100, form="g")
@@ -619,9 +622,10 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
         at=place,
         name=named_at(label, place),
         missing=edge_missing(r, r.film_overspeed),
+        base=lost,
     )
     if (h_lim := least_film(r.seat.bearing.diameter, r.surface_speed)) is not None:
-        yield on_bearing(FILM_EDGE_USUAL, place, r.film_edge, h_lim)
+        yield on_bearing(FILM_EDGE_USUAL, place, r.film_edge, h_lim, base=lost)
 
 
 def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
@@ -660,6 +664,11 @@ def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterato
     else:
         limit, missing = proof_of(housing.proof_stress, p)
     yield on_bearing(FILM_PRESSURE, place, p, limit, source=strength, missing=missing)
+
+
+def lost_at_edge(r: BearingResult) -> Metre:
+    """What the slope leaves at the edge where there is no film between: known, however well the film is."""
+    return r.film_edge - r.film
 
 
 # --- what is not given
@@ -717,7 +726,15 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
         )
 
     film = edge_missing(r, c.film_edge, exact=None if exact is None else exact.film_edge)
-    yield corner_check(FILM_EDGE_CORNER, FILM_EDGE_CORNER.name, "film_edge", c.film_edge, r.kreisle_film, missing=film)
+    yield corner_check(
+        FILM_EDGE_CORNER,
+        FILM_EDGE_CORNER.name,
+        "film_edge",
+        c.film_edge,
+        r.kreisle_film,
+        missing=film,
+        base=lost_at_edge(r),
+    )
     heat = cold = None
     if exact is not None:
         hot = math.nan if c.outlet_temperature is None else c.outlet_temperature

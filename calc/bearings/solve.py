@@ -272,7 +272,7 @@ def _bearing(
             kappa = f.full_shear_factor(hths=hths, mu_150=seat.lubricant.at(HTHS_TEMPERATURE).mu)
             thin = replace(seat, viscosity_factor=f.shear_factor(kappa=kappa, gamma=shear))
     with about(Text("{place} bearing, overspeed", place=IN_WORDS[place])):
-        n_over = f.overspeed(n=highest_speed(speed, inputs), s=inputs.overspeed)
+        n_over = f.overspeed(n=highest_speed(speed, bench, inputs), s=inputs.overspeed)
         faster = _at_speed(seat, duty, n_over, duty.supply_temperature, duty.supply_pressure)
     at_corners, over_speeds, at_twice, beside, at_shear, at_over = settled_together(
         (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty), (thin, duty), (seat, faster))

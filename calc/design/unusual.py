@@ -244,7 +244,11 @@ MASSES = CheckRule(
         "rule of thumb, from the engines of this program: 1.07 to 1.43; 0.86 to 1.13 with the heavy pistons of diesels"
     ),
     advice=Text("Look whether piston and rod are swapped, or in another unit."),
-    moved_by=(dotted(ENGINE, EngineInputs.piston_mass), dotted(ENGINE, EngineInputs.rod_mass)),
+    moved_by=(
+        dotted(ENGINE, EngineInputs.piston_mass),
+        dotted(ENGINE, EngineInputs.rod_mass),
+        dotted(ENGINE, EngineInputs.bore),
+    ),
     of_input=True,
 )
 HEAVY = 2200.0  # kg/m³: piston and rod over the cube of the bore, above which the piston is that of a diesel

@@ -284,7 +284,7 @@ def _steps(context: Context) -> list[Block]:
         sign = sign_cell(context, outcome.verdict, outcome.colour)
         worst = closest(outcome.checks) if outcome.state == "solved" else None
         if worst is None:
-            words = outcome.reason if outcome.state in ("blocked", "no_solution") else "–"
+            words = outcome.reason or "–"
             rows.append((title, sign, Cell(words, NOTE), "", "", ""))
             continue
         cells = (

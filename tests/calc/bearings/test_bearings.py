@@ -239,9 +239,16 @@ def test_a_row_of_the_bench_that_hardly_loads_the_film_is_a_gap(gamma):
     assert r.speed_of_thinnest_film * 60 == pytest.approx(2497)
 
 
-def test_rows_above_the_rated_speed_never_govern(gamma):
-    r = outcome(gamma, engine__rated_speed_rpm=800.0).result.bearings["front"]
-    assert r.speed_of_thinnest_film * 60 <= 800 + 1e-6
+def test_rows_above_the_rated_speed_govern_where_masses_are_the_load(gamma):
+    """Without torque a gear's force is gone, and the force of turning masses is larger than ever."""
+    slower = gamma.with_value("engine.rated_speed_rpm", 800.0)
+    r = outcome(slower).result.bearings["front"]
+    assert r.sweep.given and max(r.sweep.speeds) * 60 == pytest.approx(2646)
+    assert r.thinnest_film == pytest.approx(min(r.sweep.films))
+    for place in ("front", "rear"):
+        slower = slower.with_value(f"bearings.{place}.load_N", 500.0)
+    r = outcome(slower, bearings__load_speed_ratio=0.0).result.bearings["front"]
+    assert r.speed_of_thinnest_film * 60 <= 800 + 1e-6 and max(r.sweep.speeds) * 60 == pytest.approx(2646)
 
 
 def test_a_housing_held_back_by_three_quarters_still_has_its_balance(gamma):

@@ -11,6 +11,7 @@ from calc.bearings.checks import checks, oil_check
 from calc.bearings.corners import Exact
 from calc.bearings.loads import _checks as standing_checks
 from calc.bearings.materials import application, bearing_materials
+from calc.bearings.result import BearingsResult
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.thermal_balance import balanced
 from calc.bearings.suitability import application_checks, film_asked, material_checks
@@ -311,11 +312,14 @@ def test_an_oil_outside_its_law_is_known_by_a_third_less_in_its_films(gamma):
     oil = {"name": "thin", "nu40_mm2_s": 6.0, "nu100_mm2_s": 2.2, "rho15_kgm3": 850.0, "base": "mineral"}
     document = replace(gamma, data={**gamma.data, "oil": [oil]}).with_value("bearings.oil", "thin")
     document = document.with_value("bearings.front.length_mm", 45.0).with_value("bearings.rear.length_mm", 45.0)
-    found = {c.id: c for c in solve(design(document)).checks()}
-    for key in ("film_edge", "film_edge_range", "film_overspeed", "film_edge_standing"):
+    results = solve(design(document))
+    found, r = {c.id: c for c in results.checks()}, results.result(BearingsResult).bearings["front"]
+    lost = (r.film - r.film_edge) / UM  # what the slope takes of the film is known
+    assert lost > 1
+    for key in ("film_edge", "film_edge_range", "film_overspeed", "film_edge_standing", "film_edge_corner"):
         check = found[f"bearings.front.{key}"]
         assert check.outside == ("bearings.front.viscosity_range",)
-        assert check.at_worst == pytest.approx(check.value / 1.3)
+        assert check.at_worst == pytest.approx((check.value + lost) / 1.3 - lost)
 
 
 # --- films of makers' journals
@@ -387,14 +391,18 @@ def test_films_of_makers_journals(case):
 def test_the_film_at_overspeed_is_that_of_a_load_with_the_square_of_the_speed(gamma):
     results = solve(design(gamma.with_value("bearings.overspeed_percent", 20.0)))
     r = results.outcomes["bearings"].result.bearings["front"]
+    ratio = 1.2 * 2646 / 2600  # of the fastest row of the bench run
     faster = replace(
-        r.duty, load=1.44 * r.duty.load, speed=1.2 * r.duty.speed, effective_speed=1.2 * r.duty.effective_speed
+        r.duty,
+        load=ratio**2 * r.duty.load,
+        speed=ratio * r.duty.speed,
+        effective_speed=ratio * r.duty.effective_speed,
     )
     assert r.film_overspeed == pytest.approx(balanced(own_warm, r.seat, faster).film - slope_off(r), rel=1e-6)
     assert "20 % overspeed" in {c.id: c for c in results.checks()}["bearings.front.film_overspeed"].name
 
 
-def test_overspeed_is_above_the_highest_speed_that_is_judged(gamma):
+def test_overspeed_is_above_the_highest_speed_of_the_range(gamma):
     r = solve(design(gamma.with_value("bearings.speed_range_rpm", [1000.0, 3000.0]))).outcomes["bearings"].result
     front = r.bearings["front"]
     ratio = 1.1 * 3000 / 2600
