@@ -14,7 +14,7 @@ from ..engine.gas import COMPRESSION, INTAKE, GasInputs
 from ..engine.inputs import EngineInputs
 from ..gears.inputs import GearsInputs
 from ..gears.wheel_inputs import Wheel
-from ..mounting.inputs import MountingInputs
+from ..mounting.inputs import Mount, MountingInputs, Point
 from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import Quantity, described, dotted, given
 from ..sheet.record import record
@@ -625,6 +625,20 @@ BOUNCE = CheckRule(
 FREQUENCIES = (1.0, 100.0)  # Hz
 
 
+PLACE = CheckRule(
+    "mounting.inputs.N.place",
+    "caution",
+    "What is so near the origin and not in it is given in another unit.",
+    Text("Distance from the middle of the crank"),
+    ">=",
+    "mm",
+    source=Text("the origin is in the crank, where no mount has room"),
+    advice=Text("Positions are in mm."),
+    of_input=True,
+)
+NEAREST = 5e-3  # m
+
+
 def _mounting(design: Design) -> Iterator[Check]:
     mounting, engine = design.mounting, design.engine
     assert mounting is not None and engine is not None
@@ -638,6 +652,14 @@ def _mounting(design: Design) -> Iterator[Check]:
             for x in (1e-3, 1e-4, 1e-6)
         ]
         yield from _doubted(GYRATION, math.sqrt(furthest / m), RADII, *readings)
+    for array, places in ((MountingInputs.mounts, mounting.mounts), (MountingInputs.points, mounting.points)):
+        for place in places:
+            if (r := math.hypot(*place.position)) > 0:
+                in_metre = tuple([1e3 * x for x in place.position])
+                field = Mount.position if isinstance(place, Mount) else Point.position
+                reading = (1e3 * r, (_to(field, in_metre, MOUNTING, array, place.name),))
+                for check in _doubted(PLACE, r, NEAREST, reading, at=place.name):
+                    yield check.but(moved_by=(dotted(MOUNTING, array, place.name, field),))
     if k := sum(sum(mount.stiffness) / len(mount.stiffness) for mount in mounting.mounts):
         yield from _doubted(BOUNCE, math.sqrt(k / m) / (2 * math.pi), FREQUENCIES)
 
