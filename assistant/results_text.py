@@ -187,14 +187,15 @@ def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
         yield from _wrapped_finding(f"{told(odd, most)}  [{keys}]", f"{sign('note')}  ")
 
 
-def lost_acceptances(results: Results) -> Iterator[str]:
-    """What is accepted in vain: a limit, or no check that the design has; of a step that is not solved it may be
-    one."""
+def lost_acceptances(results: Results, step: str | None = None) -> Iterator[str]:
+    """What is accepted in vain: a limit, or no check that the design, or the step, has; of a step that is not solved it
+    may be one."""
     known = {check.id: check for check in results.checks()}
     waits = {key for key, outcome in results.outcomes.items() if outcome.state != "solved"}
     for id, _ in results.design.accepted:
         words = ignored(id, known.get(id))
-        if words and id.partition(".")[0] not in waits:
+        of_step = id.partition(".")[0]
+        if words and of_step not in waits and step in (None, of_step):
             near = [] if id in known else get_close_matches(id, known, 1)
             meant = Text("; did you mean {near}?", near=near[0]) if near else EMPTY
             yield from _wrapped_finding(words + meant, f"{sign('note')}  ")
@@ -346,7 +347,10 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
     checks = [check for outcome in shown.values() for check in outcome.checks]
-    findings = [*finding_lines(checks, everything, unusual(results.design, shown, checks)), *lost_acceptances(results)]
+    findings = [
+        *finding_lines(checks, everything, unusual(results.design, shown, checks)),
+        *lost_acceptances(results, step),
+    ]
     for line in [*findings, ""] if findings else []:
         print(line)
     for key, outcome in shown.items():

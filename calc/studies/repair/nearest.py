@@ -81,7 +81,7 @@ class Nearest:
     results: Results
 
     @property
-    def passes(self) -> bool:
+    def nothing_fails(self) -> bool:
         """Whether no limit of the whole design fails any more."""
         return not any(o.verdict in ("fail", "no_solution", "blocked") for o in self.results.outcomes.values())
 

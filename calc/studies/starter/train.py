@@ -22,7 +22,6 @@ from ...gears.result import TrainResult
 from ...gears.wheel_inputs import Wheel
 from ...sheet.check import THIN_MARGIN, URGENT
 from ...sheet.errors import BadInput, NoSolution
-from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Radian
@@ -45,7 +44,6 @@ THINNER = 5  # µm: the steps in which teeth get thinner
 GRADE = 7
 TOLERANCE = 40  # µm
 HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
-APPLICATION_FACTOR = dotted("gears", GearsInputs.application_factor)
 MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
 OF_FLANKS = (SCUFFING, MESH_MODELS)  # checks that finer flanks help
 TRAIN = Text("a train to begin with")
