@@ -25,6 +25,7 @@ from calc.sheet.version import VERSION
 from calc.solve import Results
 from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
+from calc.studies.ready import limits_hold
 
 # --- findings, as plain text that fits a screen
 # Limits first, then cautions, each group of one cause by its worst check; advice and what concerns the method by
@@ -220,6 +221,7 @@ def _width() -> int:
 # --- steps, tables and values, and all of it as JSON
 
 DIGITS = 6
+HELD = ("pass", "warn", "not_judged")  # of which it is said what was judged, and what was not used
 HEADS = {step.key: step for step in STEPS}
 WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
 LINE = 112  # of a table's note
@@ -347,10 +349,10 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
     checks = [check for outcome in shown.values() for check in outcome.checks]
-    findings = [
-        *finding_lines(checks, everything, unusual(results.design, shown, checks)),
-        *lost_acceptances(results, step),
-    ]
+    if step is None and results.verdict in HELD:
+        print(*_wrapped_finding(limits_hold(results), ""), sep="\n")
+    odd = unusual(results.design, shown, checks)
+    findings = [*finding_lines(checks, everything, odd), *lost_acceptances(results, step)]
     for line in [*findings, ""] if findings else []:
         print(line)
     for key, outcome in shown.items():

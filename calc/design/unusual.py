@@ -435,6 +435,7 @@ LENGTH = CheckRule(
     of_input=True,
 )
 LENGTHS = (0.15, 2.0)
+PLAIN_JOURNALS = (5e-3, 0.4)  # m: lengths and diameters that may have been meant
 
 CLEARANCE = CheckRule(
     "bearings.inputs.B.clearance",
@@ -514,11 +515,12 @@ def _journal(place: str, bearing: BearingInputs, core: float | None) -> Iterator
         yield from _doubted(CORE, d / (2 * core), 1.0, (d / core, doubled), at=place)
     sizes = [
         (ratio, (_to(field, x, BEARINGS, place),))
-        for slip in (10.0, 1000.0, 25.4)
+        for slip in (10.0, 0.1, 1000.0, 0.001, 25.4, 1 / 25.4)
         for ratio, field, x in (
             (slip * l / d, BearingInputs.length, slip * l),
             (l / (slip * d), BearingInputs.diameter, slip * d),
         )
+        if PLAIN_JOURNALS[0] <= x <= PLAIN_JOURNALS[1]
     ]
     yield from _doubted(LENGTH, l / d, LENGTHS, *sizes, at=place)
     if g is not None:
@@ -681,7 +683,12 @@ def doubts(design: Design, step: str) -> tuple[Check, ...]:
     far = [_far_check(step, outlier) for outlier in _of_step(design, step) if outlier.far]
     known = {key for check in far for key in check.moved_by}
     crossed = CROSSED[step](design) if step in CROSSED else ()
-    return (*far, *(check for check in crossed if known.isdisjoint(check.moved_by)))
+    alone = []  # of those that share an input the one that knows what was meant
+    for check in sorted(crossed, key=lambda check: not check.remedies):
+        if known.isdisjoint(check.moved_by):
+            alone.append(check)
+            known.update(check.moved_by)
+    return (*far, *alone)
 
 
 def with_doubts(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:

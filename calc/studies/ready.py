@@ -103,8 +103,9 @@ def limits_hold(results: "Results") -> Text:
     reasons = dict(design.without)
     by_you = _titles(step for step, reason in reasons.items() if reason not in OF_PROGRAM)
     by_program = _titles(step for step, reason in reasons.items() if reason in OF_PROGRAM)
-    unused = _titles(s.key for s in STEPS if s not in design.asked() and s.key not in reasons)
-    parts = [plural("{n} limit holds", "{n} limits hold", n=results.counts.held)]
+    unused = _titles(s.key for s in STEPS if not (s.optional or s in design.asked() or s.key in reasons))
+    held = plural("{n} limit holds", "{n} limits hold", n=results.counts.held)
+    parts = [held if results.counts.limits else Text("no limit is judged")]
     parts += [Text("left out by you: {steps}", steps=by_you)] if by_you else []
     parts += [Text("left out by the program: {steps}", steps=by_program)] if by_program else []
     parts += [Text("not used: {steps}", steps=unused)] if unused else []
