@@ -6,6 +6,7 @@ What is a little outside is said in a note. What is far outside, or does not fit
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from statistics import median
 from typing import Any
 
 from ..bearings.inputs import BearingInputs, BearingsInputs
@@ -379,10 +380,6 @@ def _engine(design: Design) -> Iterator[Check]:
     assert engine is not None
     D, r, L, a = engine.bore, engine.crank_radius, engine.rod_length, engine.cylinder_pitch
     n, piston, rod, X = engine.rated_speed, engine.piston_mass, engine.rod_mass, engine.rod_cg_to_big_end
-    if piston and rod:
-        heavy = (piston + rod) / D**3 > HEAVY
-        swapped = (_to(EngineInputs.piston_mass, rod, ENGINE), _to(EngineInputs.rod_mass, piston, ENGINE))
-        yield from _doubted(MASSES, rod / piston, HEAVY_RATIO if heavy else LIGHT_RATIO, (piston / rod, swapped))
     speeds = [(4 * r * x, (_to(EngineInputs.rated_speed, x, ENGINE),)) for x in (n * 30 / math.pi, n * 60)]
     yield from _doubted(PISTON_SPEED, 4 * r * n, PISTON_SPEEDS, *speeds)
     yield from _doubted(CRANK, r / L, CRANK_RATIOS, (r / 2 / L, (_to(EngineInputs.crank_radius, r / 2, ENGINE),)))
@@ -390,6 +387,10 @@ def _engine(design: Design) -> Iterator[Check]:
     yield from _doubted(STROKE, 2 * r / D, STROKE_RATIOS, (r / D, diameter))
     if engine.layout == "inline" and engine.cylinders > 1:
         yield from _doubted(PITCH, a / D, PITCHES, (a / (2 * D), diameter))
+    if piston and rod:
+        heavy = (piston + rod) / D**3 > HEAVY
+        swapped = (_to(EngineInputs.piston_mass, rod, ENGINE), _to(EngineInputs.rod_mass, piston, ENGINE))
+        yield from _doubted(MASSES, rod / piston, HEAVY_RATIO if heavy else LIGHT_RATIO, (piston / rod, swapped))
     if X:
         yield from _doubted(ROD_CG, X / L, ROD_CGS, (1 - X / L, (_to(EngineInputs.rod_cg_to_big_end, L - X, ENGINE),)))
     angles = engine.crank_angles
@@ -640,6 +641,18 @@ PLACE = CheckRule(
 )
 NEAREST = 5e-3  # m
 
+UNLIKE = CheckRule(
+    "mounting.inputs.N.stiffness",
+    "caution",
+    "The mounts of an engine share its weight: one that is a hundred times as stiff as the others is in another unit.",
+    Text("Stiffness over that of the other mounts"),
+    "in",
+    source=MAKERS,
+    advice=Text("Stiffness is in N/mm."),
+    of_input=True,
+)
+SHARES = (0.02, 50.0)  # of the median
+
 
 def _mounting(design: Design) -> Iterator[Check]:
     mounting, engine = design.mounting, design.engine
@@ -662,6 +675,15 @@ def _mounting(design: Design) -> Iterator[Check]:
                 reading = (1e3 * r, (_to(field, in_metre, MOUNTING, array, place.name),))
                 for check in _doubted(PLACE, r, NEAREST, reading, at=place.name):
                     yield check.but(moved_by=(dotted(MOUNTING, array, place.name, field),))
+    for mount in mounting.mounts:
+        others = median([sum(other.stiffness) for other in mounting.mounts])
+        share = sum(mount.stiffness) / others if others else 1.0
+        key = (MOUNTING, MountingInputs.mounts, mount.name)
+        slipped = [
+            (share * x, (_to(Mount.stiffness, tuple([x * k for k in mount.stiffness]), *key),)) for x in (1e-3, 1e3)
+        ]
+        for check in _doubted(UNLIKE, share, SHARES, *slipped, at=mount.name):
+            yield check.but(moved_by=(dotted(*key, Mount.stiffness), dotted(MOUNTING, MountingInputs.mounts)))
     if k := sum(sum(mount.stiffness) / len(mount.stiffness) for mount in mounting.mounts):
         yield from _doubted(BOUNCE, math.sqrt(k / m) / (2 * math.pi), FREQUENCIES)
 

@@ -89,7 +89,6 @@ class Mount:
         count=(3, 3),
         up_to=1e7,
         symbol="k",
-        rule_of_thumb=(10, 20000),
         help="Along the mount's own axes; the first is its compression.",
         repair="free",
         decides=7,

@@ -51,7 +51,7 @@ WRONG: list[tuple[str, dict[str, object], str, dict[str, object]]] = [
      {"friction.flank_roughness_um": [0.8]}),
     # a radius for a diameter, a stroke for its half
     (SIZED, {"engine.bore_mm": 47.0}, "engine.inputs.stroke_ratio", {"engine.bore_mm": 94}),
-    (TWIN, {"engine.bore_mm": 40.25}, "engine.inputs.cylinder_pitch", {"engine.bore_mm": 80.5}),
+    (TWIN, {"engine.bore_mm": 40.25}, "engine.inputs.stroke_ratio", {"engine.bore_mm": 80.5}),
     (GAMMA, {"engine.crank_radius_mm": 107.0}, "engine.inputs.crank_ratio", {"engine.crank_radius_mm": 53.5}),
     (SIZED, {"bearings.front.diameter_mm": 29.75}, "bearings.inputs.front.core", {"bearings.front.diameter_mm": 59.5}),
     (TWIN, {"bearings.rear.diameter_mm": 44.25}, "bearings.inputs.rear.core", {"bearings.rear.diameter_mm": 88.5}),
