@@ -149,10 +149,8 @@ class Path:
         """Places from A to E, close beside B and D on both sides, where the load jumps."""
         inner = sorted((min(max(self.B, self.A), self.E), min(max(self.D, self.A), self.E)))
         ends = (self.A, *inner, self.E)
-        steps = np.arange(POINTS) / (POINTS - 1)
-        parts = [a + (b - a) * steps for a, b in pairwise(ends)]
-        for part, end in zip(parts, ends[1:]):
-            part[-1] = end  # to its last digit: on which side of B and D a sample stands decides its load
+        parts = [np.linspace(a, b, POINTS) for a, b in pairwise(ends)]
+        # to the last digit: on which side of B and D a sample stands decides its load
         parts[0][-1] *= 1 - BESIDE
         parts[2][0] *= 1 + BESIDE
         return based_on(np.concatenate(parts), self.A, self.B, self.D, self.E)

@@ -48,7 +48,21 @@ def spur(z_1=24, z_2=36, beta=0.0, x=(0.2, 0.1), b=15.0, **said):
 def screened(gears, key="a_b", speed=None, **said):
     t = solved(gears) if speed is None else geometry(gears, speed).result
     m = t.meshes[key]
-    asked = dict(F_t=2000.0, oil=BATH, materials=STEEL, roughness=(0.6e-6, 0.6e-6), load_factor=1.5) | said
+    asked = dict(
+        F_t=2000.0,
+        oil=BATH,
+        materials=STEEL,
+        roughness=(0.6e-6, 0.6e-6),
+        load_factor=1.5,
+        application_factor=1.0,
+        accuracy_grade=7,
+        mates=1,
+        load_stage=None,
+        structural_factor=1.0,
+        mesh_stiffness=20e9,
+        permissible_film=None,
+    )
+    asked |= said
     return screening(t.system, m, t.wheels[m.driver], t.wheels[m.driven], **asked)
 
 
