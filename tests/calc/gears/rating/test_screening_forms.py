@@ -12,7 +12,7 @@ from calc.gears.rating.screening import load, micropitting, scuffing
 from calc.gears.rating.screening.path import Path
 from calc.library.catalogue import base_stocks
 from calc.library.lubricant import Lubricant
-from tests.calc.gears.rating.test_screening import BATH, OIL, STEEL, flash_at, path_of, screened, spur
+from tests.calc.gears.rating.test_screening import BATH, MANY, OIL, STEEL, flash_at, path_of, screened, spur
 from tests.calc.gears.trains import SPEED, r753, solved
 
 
@@ -96,7 +96,7 @@ def test_film_is_that_of_the_standard_in_its_own_units():
 
 @pytest.mark.parametrize(
     "eps_gamma, K",
-    [(1.5, 1.0), (1.95, 1.0), (2.0, 1.0), (2.05, 1.0768), (2.5, 1.2236), (3.4, 1.2993), (3.5, 1.3), (5.0, 1.3)],
+    [(1.5, 1.0), (1.95, 1.0), (2.0, 1.0), (2.05, 1.0768), (2.5, 1.2236), (3.4, 1.2993), (3.5, 1.3), (3.6, 1.3), (5.0, 1.3)],
 )
 def test_helical_load_factor(eps_gamma, K):
     """ISO/TR 13989-2:2000 (5), as printed in public code."""
@@ -208,6 +208,18 @@ def test_the_screening_of_a_spur_pair_by_hand():
         next(screening_checks("a_b", replace(found, specific_film_min=film))).verdict for film in (0.2999, 0.3001)
     )
     assert (thin, thick) == ("note", "pass") and not found.permissible_given
+
+
+def test_the_loss_of_many_teeth_in_contact():
+    """ISO/TR 15144-1:2014 (84), (92): ε_α of 2 and more."""
+    found, p = screened(MANY), path_of(MANY)
+    H_v, v_t = math.pi / 2 * p.eps_alpha * (1 / 80 + 1 / 90), math.pi * SPEED * 0.16
+    rise = 7400 * (2 * v_t * found.friction_film * H_v / (170 * 15)) ** 0.72
+    assert found.bulk_temperature_film == pytest.approx(90 + rise)
+
+
+def test_the_roughness_is_the_mean_of_both_flanks():
+    assert load.load_of(2e3, 1.5, 1.0, 15e-3, 0.35, 1.6, *(STEEL["steel"],) * 2, (4e-7, 8e-7)).Ra == pytest.approx(6e-7)
 
 
 @pytest.mark.parametrize("T_B, film", [(499.9, True), (500.1, False)])
