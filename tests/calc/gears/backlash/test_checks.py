@@ -130,9 +130,9 @@ def test_what_would_just_pass_is_exact(T, id):
 
     for over, less in ((-0.01, 41), (0.01, 42)):
         assert ways((41 + over) * growth * UM)[0] == [-60 - less, -70 - less]
-    for over, tolerance in ((-0.01, 25), (0.01, 26)):
-        assert ways((55 - 26 - over) * slope * UM)[1] == tolerance
-    assert len(ways((55 + 0.01) * slope * UM)) == 1  # no tolerance is small enough
+    for held, tolerance in ((25.99, 25), (26.01, 26), (1.01, 1)):
+        assert ways((55 - held) * slope * UM)[1] == tolerance
+    assert len(ways((55 - 0.99) * slope * UM)) == 1  # no tolerance is small enough
 
 
 def test_the_worst_of_what_is_not_given_is_freed():
