@@ -308,6 +308,17 @@ def test_a_part_that_has_no_solution_fails(part):
     assert str(check.source) == "the part has no values" and str(check.advice) == "too close."
 
 
+def test_two_wheels_with_nothing_but_their_size_are_of_the_usual_tool():
+    """20°, no helix, a tool of 1.25 with a tip of 0.38, one turn a second."""
+    pair = solve.solve_pair((25, 39), normal_module=2e-3, face_width=15e-3)
+    wheels = [wheel("driver", 25, 0.0), wheel("driven", 39, 0.0)]
+    given = train(wheels, [mesh("driver", "driven")], beta=0.0, tool=(1.25, 0.38), ball=None)
+    ours, theirs = (
+        {v.id: v.shown for v in published(t, "gears")} for t in (pair, solve.geometry(given, 1.0).result)
+    )
+    assert ours == theirs and len(ours) > 50
+
+
 def test_teeth_whose_power_nobody_knows_are_not_verified():
     outcome = solve.not_rated(solve.geometry(r753(), SPEED), Text("no power"))
     check = outcome.checks[-1]
