@@ -313,9 +313,7 @@ def test_two_wheels_with_nothing_but_their_size_are_of_the_usual_tool():
     pair = solve.solve_pair((25, 39), normal_module=2e-3, face_width=15e-3)
     wheels = [wheel("driver", 25, 0.0), wheel("driven", 39, 0.0)]
     given = train(wheels, [mesh("driver", "driven")], beta=0.0, tool=(1.25, 0.38), ball=None)
-    ours, theirs = (
-        {v.id: v.shown for v in published(t, "gears")} for t in (pair, solve.geometry(given, 1.0).result)
-    )
+    ours, theirs = ({v.id: v.shown for v in published(t, "gears")} for t in (pair, solve.geometry(given, 1.0).result))
     assert ours == theirs and len(ours) > 50
 
 

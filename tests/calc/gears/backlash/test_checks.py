@@ -147,7 +147,9 @@ def test_the_worst_of_what_is_not_given_is_freed():
 @pytest.mark.parametrize("thin, thick", [("central", "idler"), ("idler", "central")])
 def test_the_thicker_of_both_teeth_is_thinned(thin, thick):
     for ends, new in (((-40 * UM, -50 * UM), [-45, -55]), (None, [-5, -5])):
-        gears = changed(given(), wheels={thin: {"span_allowance": (-60 * UM, -70 * UM)}, thick: {"span_allowance": ends}})
+        gears = changed(
+            given(), wheels={thin: {"span_allowance": (-60 * UM, -70 * UM)}, thick: {"span_allowance": ends}}
+        )
         check = judged(gears, mesh={"backlash_min": 102 * UM}, backlash_recommended=107 * UM)["backlash_guide"]
         assert check.remedies[0].changes == ((f"gears.wheels.{thick}.span_allowance_um", new),)
 

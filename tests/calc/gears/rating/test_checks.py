@@ -165,6 +165,18 @@ def test_flanks_that_carry_nothing_are_not_judged():
     assert "safety_contact" not in of_flanks((None, None)) and of_flanks((None, 2.0))["safety_contact"].value == 2.0
 
 
+@pytest.mark.parametrize("name, end, side", [("hardness", 110, 1), ("hardness_most", 210, -1)])
+def test_the_hardness_of_a_class_in_brinell(name, end, side):
+    """HBW = 0.95 HV, ISO 18265: 110 to 210 HBW."""
+    cls = strength_class("normalised steel", "MQ", 200.0)
+    inside, outside = (
+        by_name(hardness_checks("idler", replace(cls, hardness=end / 0.95 + off)))[name] for off in (side, -side)
+    )
+    assert inside.holds and not outside.holds and outside.limit == pytest.approx(end / 0.95)
+    assert "110 to 210 HBW" in outside.source
+    assert not [*hardness_checks("idler", replace(cls, hardness=None))]
+
+
 def test_how_smooth_the_roots_have_to_be_is_said():
     (way,) = roughness_check(41e-6).remedies
     assert way.changes == (("gears.root_rz_um", 40.0),) and "at most 40 µm" in way.words

@@ -58,7 +58,9 @@ def test_hard_flanks_run_in_little(kind):
     assert d.running_in_beta(60e-6, kind, 1500e6, 2.0) == um(6)
 
 
-@pytest.mark.parametrize("v, alpha, beta", [(4.0, 100.0, 100.0), (7.0, 80.0, 80.0), (12.0, 40.0, 40.0)])
+@pytest.mark.parametrize(
+    "v, alpha, beta", [(4.99, 100.0, 100.0), (5.01, 80.0, 80.0), (9.99, 80.0, 80.0), (10.01, 40.0, 40.0)]
+)
 def test_soft_flanks_run_in_by_their_strength_and_speed(v, alpha, beta):
     """12800 and 6400 over σ_Hlim for y_α, 25600 and 12800 for y_β: the limits that the standard states."""
     assert d.running_in(100e-6, "V", 800e6, v) == um(160 / 800 * alpha)

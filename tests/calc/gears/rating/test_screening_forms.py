@@ -9,7 +9,7 @@ import pytest
 
 from calc.gears.rating.checks import screening_checks
 from calc.gears.rating.screening import load, micropitting, scuffing
-from calc.gears.rating.screening.path import Path
+from calc.gears.rating.screening.path import Path, buttressing, load_share
 from calc.library.catalogue import base_stocks
 from calc.library.lubricant import Lubricant
 from tests.calc.gears.rating.test_screening import BATH, MANY, OIL, STEEL, flash_at, path_of, screened, spur
@@ -96,7 +96,17 @@ def test_film_is_that_of_the_standard_in_its_own_units():
 
 @pytest.mark.parametrize(
     "eps_gamma, K",
-    [(1.5, 1.0), (1.95, 1.0), (2.0, 1.0), (2.05, 1.0768), (2.5, 1.2236), (3.4, 1.2993), (3.5, 1.3), (3.6, 1.3), (5.0, 1.3)],
+    [
+        (1.5, 1.0),
+        (1.95, 1.0),
+        (2.0, 1.0),
+        (2.05, 1.0768),
+        (2.5, 1.2236),
+        (3.4, 1.2993),
+        (3.5, 1.3),
+        (3.6, 1.3),
+        (5.0, 1.3),
+    ],
 )
 def test_helical_load_factor(eps_gamma, K):
     """ISO/TR 13989-2:2000 (5), as printed in public code."""
@@ -245,6 +255,57 @@ def test_a_helix_is_wide_from_a_contact_ratio_of_two_on(beta, eps_gamma, wide):
     m = replace(t.meshes["a_b"], total_contact_ratio=eps_gamma)
     p = Path(t.system, m, t.wheels["a"], t.wheels["b"], 7)
     assert (p.wide, p.shared_by_two) == (wide, True) and p.at(p.C).X == pytest.approx(1 / p.eps_alpha if wide else 1.0)
+
+
+@pytest.mark.parametrize(
+    "Q, rho, X",
+    [
+        (7, 4.0, 1 / 3),
+        (7, 4.9, 0.63333),
+        (7, 5.0, 1.0),
+        (7, 9.0, 1.0),
+        (7, 9.1, 0.63333),
+        (10, 4.5, 0.7),
+        (16, 4.5, 1.0),
+        (16, 9.5, 1.0),
+    ],
+)
+def test_the_share_of_the_load_by_hand(Q, rho, X):
+    """A 4, B 5, D 9, E 10 mm: (Q − 2)/15 and a third more towards B and D, alone between; never more than all."""
+    ends = dict(rho_A=4.0, rho_B=5.0, rho_D=9.0, rho_E=10.0)
+    (many,) = load_share(rho_1=np.array([rho]), Q=Q, **ends)
+    assert load_share(rho_1=rho, Q=Q, **ends) == many == pytest.approx(X, abs=1e-4)
+
+
+def test_outside_the_method_one_pair_carries_all():
+    ends = dict(rho_A=5.0, rho_B=4.0, rho_D=9.0, rho_E=10.0, Q=7)
+    assert load_share(rho_1=4.5, **ends) == 1.0 and list(load_share(rho_1=np.array([4.5, 6.0]), **ends)) == [1.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    "rho, way, eps_beta, X",
+    [
+        (4.0, 1.0, 0.5, 1.15),
+        (4.5, 1.0, 0.5, 1.075),
+        (5.5, 1.0, 0.5, 1.0),
+        (9.5, 1.0, 0.97, 1.1455),
+        (10.0, 1.0, 1.03, 1.3),
+        (10.0, 1.0, 2.0, 1.3),
+        (4.0, 6.03, 1.0, 1.3),  # both ends reach over all of the path
+        (4.0, 5.9, 1.0, 1.3),
+        (7.0, 3.1, 1.0, 1 + 0.3 * 2 * 0.1 / 3.1),
+    ],
+)
+def test_the_buttressing_by_hand(rho, way, eps_beta, X):
+    """ISO/TR 13989-1:2000 (51) to (56) from 4 to 10 mm."""
+    assert buttressing(rho_1=rho, rho_A=4.0, rho_E=10.0, way=way, eps_beta=eps_beta) == pytest.approx(X)
+
+
+def test_the_marks_of_method_b():
+    """AB and DE stand in the middle; a spur pair has no oblique lines."""
+    p = path_of(spur())
+    assert list(p.marks()) == ["A", "AB", "B", "C", "D", "DE", "E"] and p.way == 0.0
+    assert p.marks()["AB"] == pytest.approx((p.A + p.B) / 2) and p.marks()["DE"] == pytest.approx((p.D + p.E) / 2)
 
 
 def test_a_spur_pair_shares_by_thirds():
