@@ -159,6 +159,9 @@ def test_the_parts_between_the_centres(rss, verdict):
     check = judged(centre_tolerance_rss=rss * UM)["stack"]
     assert (check.verdict, check.kind, check.limit) == (verdict, "caution", pytest.approx(55))
     assert "must hold what its parts add up to" in check.source
+    if not check.holds:
+        (way,) = check.remedies
+        assert way.changes == (("gears.meshes.0.tolerance_um", 56),) and "at least 56 µm" in way.words
     assert "stack" not in judged(changed(given(), tolerance=None))
 
 
@@ -255,6 +258,12 @@ def test_all_that_is_missing_goes_to_its_ends_together():
     worst = judged(replace(gears, wheels_warmer=20.0, housing_material="steel"))
     at_ends(lacking["backlash_warm"], best["backlash_warm"], worst["backlash_warm"])
     assert len(lacking["backlash_warm"].missing) == 3
+
+
+@pytest.mark.parametrize("share, material, idle", [(None, "steel", True), (0.5, "steel", False), (None, None, False)])
+def test_a_support_that_carries_no_mesh_is_said(share, material, idle):
+    play = played(replace(changed(given(), support_share=share), support_material=material), "EN-GJL-250")
+    assert any("acts on no mesh" in note for note in play.notes) is idle
 
 
 def test_a_train_has_all_of_them():

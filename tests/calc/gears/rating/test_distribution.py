@@ -69,6 +69,12 @@ def test_soft_flanks_run_in_by_their_strength_and_speed(v, alpha, beta):
     assert d.running_in_beta(100e-6, "GG", 400e6, v) == um(0.55 * beta)
 
 
+def test_a_weak_steel_runs_in_wholly_along_its_width():
+    """320 MPa over σ_Hlim, at most all of it."""
+    assert d.running_in_beta(50e-6, "St", 310e6, 2.0) == um(50)
+    assert d.running_in_beta(50e-6, "St", 330e6, 2.0) == um(50 * 320 / 330)
+
+
 @given(
     f=st.floats(1e-7, 5e-4),
     sigma=st.floats(200e6, 2e9),

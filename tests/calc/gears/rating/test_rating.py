@@ -79,6 +79,14 @@ def test_stress_grows_with_load_and_its_root():
     assert four["idler_shaft.root_stress_shaft"] == pytest.approx(4 * one["idler_shaft.root_stress_shaft"])
 
 
+def test_an_oil_that_nobody_names_has_100_at_40_degrees():
+    """ISO 6336-2: C_ZL + 4·(1 − C_ZL)/(1.2 + 134/ν_40)², C_ZL 0.91 of hard flanks."""
+    rated = solve.rating(r753(), solved(r753()), 60.0, materials()).result
+    assert [mesh_.strength.lubricant_factor for mesh_ in rated.meshes.values()] == pytest.approx(
+        [0.91 + 0.36 / (1.2 + 1.34) ** 2] * 3
+    )
+
+
 def test_torque_by_wheel_or_by_mesh_is_the_same():
     gears = r753()
     t = solved(gears)
