@@ -348,6 +348,11 @@ def test_shares_of_the_pairs_make_one():
         assert p.at(rho).X + p.at(rho + p_bt).X == pytest.approx(1.0)
 
 
+def test_the_samples_beside_the_jumps_are_on_their_side():
+    before, alone, after = np.split(path_of(spur()).at(path_of(spur()).samples()).X, 3)
+    assert before.max() < 0.67 and np.all(alone == 1.0) and after.max() < 0.67
+
+
 def test_samples_agree_with_single_points():
     for p in (path_of(spur()), path_of(spur(beta=5.0)), path_of(r753(), "idler_shaft")):
         places = p.samples()
