@@ -103,6 +103,7 @@ def test_the_mate_of_the_tighter_root_is_cut(low, cut):
     check = with_mesh(**{**roomy, f"tip_clearance_{low}": 0.2e-3})[f"gears.{PAIR}.tip_clearance"]
     (way,) = check.remedies
     assert way.changes == ((f"gears.wheels.{cut}.tip_shortening_mm", 0.3 if cut == "idler" else 0.1),)
+    assert f"of {cut} at least" in way.words
     for beside, tips in ((0.99e-6, 2), (1.01e-6, 1)):  # less than 1 µm beside it, the other tip is as bad
         pair = {"tip_clearance_driver": 0.2e-3, "tip_clearance_driven": 0.2e-3 + beside}
         assert len(with_mesh(**pair)[f"gears.{PAIR}.tip_clearance"].remedies[0].changes) == tips

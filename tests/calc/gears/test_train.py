@@ -304,7 +304,7 @@ def test_a_part_that_has_no_solution_fails(part):
     outcome = solve.without(solve.geometry(r753(), SPEED), getattr(solve, part.upper()), Text("too close"))
     check = outcome.checks[-1]
     assert (check.id, check.verdict) == (f"gears.train.{part}", "fail")
-    assert (check.kind, check.role, check.zero_scale) == ("limit", "self", 1.0)
+    assert (check.kind, check.role, check.limit, check.zero_scale) == ("limit", "self", 0.0, 1.0)
     assert str(check.source) == "the part has no values" and str(check.advice) == "too close."
 
 
@@ -322,4 +322,5 @@ def test_teeth_whose_power_nobody_knows_are_not_verified():
     check = outcome.checks[-1]
     assert (check.id, check.verdict, outcome.verdict) == ("gears.train.rating", "not_verified", "not_verified")
     assert (check.missing, check.at_best, check.at_worst) == (("gears.power_kW",), "none", "none")
+    assert (check.limit, check.zero_scale) == (0.0, 1.0)
     assert "without a torque no tooth is rated" in check.source and "no power" in outcome.notes
