@@ -91,6 +91,11 @@ def up(length: float) -> float:
     return math.ceil(length * 1e5 - 1e-6) / 1e2
 
 
+def up_um(length: float) -> int:
+    """A length [m] in µm, to 1 µm above."""
+    return math.ceil(length * 1e6 - 1e-6)
+
+
 # --- changes of a design as data
 # The new value of each key, in the unit of the file; None leaves the key out.
 

@@ -240,7 +240,7 @@ EXCITED = [(0.5, 0.0, 0.0), (0.0, 0.4, 0.0), (0.0, 0.0, 0.7), (0.5, 0.4, 0.7)]
 
 
 @pytest.mark.parametrize("B", EXCITED)
-@pytest.mark.parametrize("eps_gamma", [1.4, 1.5, 1.9, 2.0, 2.2, 2.5, 2.6, 3.0])
+@pytest.mark.parametrize("eps_gamma", [1.4, 1.45, 1.5, 1.55, 1.9, 2.0, 2.2, 2.45, 2.5, 2.55, 3.0])
 def test_the_coefficients_are_those_of_the_table_of_the_standard(B, eps_gamma):
     """ISO 6336-1:2006, Table 4, at speeds on both sides of the ends of the ranges."""
     high = eps_gamma > 2
