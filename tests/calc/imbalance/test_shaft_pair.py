@@ -3,6 +3,7 @@ time."""
 
 import cmath
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
-from calc.imbalance.shaft_pair import pair_moment
+from calc.imbalance.shaft_pair import ShaftPair, pair_moment, pair_table
 from tests.calc.imbalance.engines import R753
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))
@@ -139,6 +140,26 @@ def test_the_wrong_shaft_on_top_is_advised_against():
     for forward, backward, passes in (((0.1, 0.09), (0.0, -0.09), True), ((0.0, 0.09), (0.1, -0.09), False)):
         made = next(c for c in outcome(forward, backward, **FOUR)[1].checks if c.id == "imbalance.shaft_pair.roll")
         assert (made.value <= made.limit) is passes and made.kind == "advice"
+
+
+@pytest.mark.parametrize("n, name, left", [(1, "first_order_pair", 11.0), (2, "second_order_shafts", 12.0)])
+def test_the_table_of_the_pair(n, name, left):
+    """Lengths in mm, phases in degrees, and of the remedy the force of the order that the shafts are for."""
+    numbers = dict(
+        force_forward=1.0,
+        force_backward=2.0,
+        height_difference=0.12,
+        roll_torque=3.0,
+        roll_torque_phase=math.radians(40.0),
+        reaction=5.0,
+        reaction_phase=math.radians(-60.0),
+        roll_left=7.0,
+    )
+    remedy = {name: SimpleNamespace(order_1_force=11.0, order_2_force=12.0)}
+    (row,) = pair_table(ShaftPair(**numbers, height_difference_of_least_roll=0.05), n, remedy).rows
+    assert row[0] == f"±{n}"
+    assert row[1:] == pytest.approx((1.0, 2.0, left, 120.0, 3.0, 40.0, 5.0, -60.0, 7.0, 50.0))
+    assert pair_table(ShaftPair(**numbers), n, remedy).rows[0][-1] is None
 
 
 def test_without_places_or_forces_there_is_no_pair():
