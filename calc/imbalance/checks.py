@@ -297,7 +297,8 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
         )
     webs = result.webs
     if webs is not None and webs.missing_forward_couple is not None and webs.unbalances_couple is None:
-        assert webs.missing_forward_force is not None and webs.missing_forward_couple_phase is not None
+        assert webs.missing_forward_force is not None
+        assert webs.missing_forward_couple_phase is not None
         missing = _what(webs.missing_forward_force, webs.missing_forward_couple, *first)
         if missing:
             direction = Amount(round(degrees(webs.missing_forward_couple_phase), 3), "°")

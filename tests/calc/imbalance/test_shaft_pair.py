@@ -171,5 +171,32 @@ def test_without_places_or_forces_there_is_no_pair():
     assert outcome((0.1, 0.09), (0.0, -0.09), n=1, **FOUR)[1].result.shaft_pair is None
 
 
+V_TWIN = dict(
+    layout="vee",
+    cylinders=2,
+    firing_order=None,
+    crank_angles=(0.0, 0.0),
+    bank_of_cylinder=(0, 1),
+    axial_positions=(0.0, 0.0),
+)
+
+
+def test_one_shaft_of_a_pair_may_have_nothing_to_carry():
+    """Two cylinders of a vee of 60° on one pin: cos(3·30°) = 0 of the second order turns backward."""
+    shafts = pair((0.03, 0.04), (0.0, -0.07), **V_TWIN, bank_angle=math.radians(60.0))
+    assert shafts.force_backward == 0.0
+    assert shafts.roll_torque == pytest.approx(0.05 * shafts.force_forward) and shafts.roll_torque > 1.0
+
+
+def test_a_force_across_does_not_mind_the_height():
+    """In a vee of 90° the second order of both cylinders on a pin lies across: cos(45°) = −cos(3·45°)."""
+    shafts = pair((0.1, 0.04), (0.0, -0.04), **V_TWIN, bank_angle=math.radians(90.0))
+    assert shafts.force_forward == pytest.approx(shafts.force_backward) and shafts.force_forward > 1000.0
+    assert shafts.height_difference_of_least_roll is None
+
+
 def test_one_place_needs_the_other():
+    lonely = ImbalanceInputs(forward_shaft_axis=(0.1, 0.09), shaft_pair_order=2)
+    inputs = EngineInputs(**{**R753, **FOUR})
+    assert imbalance.values(lonely, inputs, engine.values(inputs)).shaft_pair is None
     assert [key for key, _ in ImbalanceInputs(forward_shaft_axis=(0.1, 0.0)).problems()] == ["backward_shaft_axis_mm"]
