@@ -196,7 +196,7 @@ def test_a_force_across_does_not_mind_the_height():
 
 
 def test_one_place_needs_the_other():
-    lonely = ImbalanceInputs(forward_shaft_axis=(0.1, 0.09), shaft_pair_order=2)
+    alone = ImbalanceInputs(forward_shaft_axis=(0.1, 0.09), shaft_pair_order=2)
     inputs = EngineInputs(**{**R753, **FOUR})
-    assert imbalance.values(lonely, inputs, engine.values(inputs)).shaft_pair is None
+    assert imbalance.values(alone, inputs, engine.solve(inputs).result).shaft_pair is None
     assert [key for key, _ in ImbalanceInputs(forward_shaft_axis=(0.1, 0.0)).problems()] == ["backward_shaft_axis_mm"]
