@@ -181,7 +181,7 @@ def solve(
     with untraced():
         angles = _positions(crank)
         worst = _stress_of_all(crank, angles)
-    stress = np.nanmax(worst[..., :2], (0, 2))
+    stress = worst[..., :2].max((0, 2))
     k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
     at = zip(POSITIONS.values(), (based_on(float(angles[0, k]), *crank.load), item(firing[k])))
     largest, top = [_position(crank, k, epsilon, words) for words, epsilon in at]

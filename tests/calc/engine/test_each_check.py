@@ -106,6 +106,18 @@ def test_sources(id, quoted):
     assert "a straight line is taken across a gap" in str(table_with_a_gap(60)["engine.gas.gap"].source)
 
 
+def test_of_a_gas_that_is_not_given_as_a_table_no_gap_is_judged():
+    assert TURNING.cycle is not None and "engine.gas.gap" not in found()
+    table = replace(ENGINE, gas=replace(ENGINE.gas, pressure=((0.0, 1e5),)))
+    assert "engine.gas.gap" not in found(table, turning=dict(cycle=None))
+    assert "engine.gas.gap" not in found(replace(ENGINE, gas=None))
+
+
+def test_the_power_is_judged_where_both_pressures_are_known():
+    assert "engine.rated_power" not in found(brake_mean_pressure=None)
+    assert "engine.rated_power" not in turning(indicated_mean_pressure=None)
+
+
 def test_the_work_is_measured_against_a_tenth_of_a_megapascal():
     one_cylinder = math.pi / 4 * 0.094**2 * 0.107
     assert turning(indicated_work=0.1e6 * one_cylinder)["engine.gas.work"].margin == pytest.approx(1.0)
