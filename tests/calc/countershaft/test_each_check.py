@@ -536,7 +536,7 @@ IDS = [f"{n}-{case[0]}" for n, case in enumerate(CASES)]
 
 def fillet_room(radius):
     bending = replace(SOLVED.bending, fillet=radius * mm, fillet_room=2.5 * mm)
-    return only(of_shaft.bending_checks(bending, STEEL), "fillet_room")
+    return only(of_shaft.bending_checks(bending, STEEL, 1.0), "fillet_room")
 
 
 CENTRE = 2 / 3 * (R**3 - CORE**3) / (R**2 - CORE**2)  # radius of the centre of gravity of the narrowest sector
@@ -690,7 +690,7 @@ def test_a_fillet_that_is_not_given_leaves_fatigue_not_verified():
     assert (fatigue.verdict, fatigue.missing) == ("not_verified", ("countershaft.fillet_radius_mm",))
     assert fatigue.advice == "Give the radius of the fillets."
     still = replace(SOLVED.bending, bending_stress=0.0, fatigue_safety=None)
-    assert not [c for c in of_shaft.bending_checks(still, STEEL) if c.rule is of_shaft.FATIGUE], "nothing bends it"
+    assert not [c for c in of_shaft.bending_checks(still, STEEL, 1.0) if c.rule is of_shaft.FATIGUE], "nothing bends it"
 
 
 @pytest.mark.parametrize(
