@@ -346,8 +346,8 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
         "rule of this program: as the weakest structural steels; the strength of {name} is not known",
         name=throw.material,
     )
-    for i, place in enumerate(PLACES):
-        nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
+    for place, stresses in zip(PLACES, largest.reshape(2, 2).T):
+        nominal, notch = (based_on(float(stress), *crank.load, throw) for stress in stresses)
         strength, unknown = proof_of(proof, nominal)
         yield STRESS[place](nominal, strength, source=assumed if unknown else source, missing=unknown)
         if proof is not None and place in crank.notch:

@@ -118,6 +118,21 @@ def test_the_power_is_judged_where_both_pressures_are_known():
     assert "engine.rated_power" not in turning(indicated_mean_pressure=None)
 
 
+@pytest.mark.parametrize("lambdas, furthest", [((0.213, 0.306), 0.213), ((0.214, 0.307), 0.307)])
+def test_the_crank_ratio_furthest_from_the_middle_of_the_usual_is_judged(lambdas, furthest):
+    """0.26, in the middle of 0.22 to 0.30."""
+    check = ratios(*lambdas)["engine.crank.lambda_usual"]
+    assert check.value == furthest and ("A rod longer than usual" in check.advice) == (furthest < 0.22)
+
+
+@pytest.mark.parametrize("share, shown", [(0.0, 0.0), (0.5, 0.0), (1.2, 1.2)])
+def test_what_rounding_makes_of_an_even_firing_is_not_shown(share, shown):
+    """Less than a billionth of a turn."""
+    dust = 360e-9
+    check = intervals(share * dust, 0.0)["engine.firing.even"]
+    assert check.value == pytest.approx(shown * dust, rel=1e-6, abs=1e-30) and check.verdict == "pass"
+
+
 def test_the_work_is_measured_against_a_tenth_of_a_megapascal():
     one_cylinder = math.pi / 4 * 0.094**2 * 0.107
     assert turning(indicated_work=0.1e6 * one_cylinder)["engine.gas.work"].margin == pytest.approx(1.0)
