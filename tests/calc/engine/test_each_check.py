@@ -118,7 +118,7 @@ def test_the_power_is_judged_where_both_pressures_are_known():
     assert "engine.rated_power" not in turning(indicated_mean_pressure=None)
 
 
-@pytest.mark.parametrize("lambdas, furthest", [((0.213, 0.306), 0.213), ((0.214, 0.307), 0.307)])
+@pytest.mark.parametrize("lambdas, furthest", [((0.213, 0.306), 0.213), ((0.214, 0.307), 0.307), ((0.26, 0.25), 0.25)])
 def test_the_crank_ratio_furthest_from_the_middle_of_the_usual_is_judged(lambdas, furthest):
     """0.26, in the middle of 0.22 to 0.30."""
     check = ratios(*lambdas)["engine.crank.lambda_usual"]
