@@ -535,10 +535,10 @@ def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass,
 def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> KilogramMetre2:
     """Moment of inertia of the whole shaft about its axis."""
     gamma = gathered(math.pi if piece.half_angle is None else piece.half_angle for piece in shape.pieces)
-    core = gathered(0.0 if piece.half_angle is None else piece.core_radius for piece in shape.pieces)
     l, _ = _extent(shape)
     m, e = column(extras, "mass"), column(extras, "radius")
-    I_p = polar_moment(gamma=gamma, R=column(shape.pieces, "outer_radius"), r_0=core)
+    R, r_0 = column(shape.pieces, "outer_radius"), column(shape.pieces, "core_radius")
+    I_p = polar_moment(gamma=gamma, R=R, r_0=r_0)
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 
