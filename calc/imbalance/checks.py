@@ -358,8 +358,8 @@ def _one_speed(shafts: dict[str, BalanceShaft]) -> Amount | None:
 
 
 def _count(what: Text) -> int:
-    """Of the things that `_what` has named: two where they are joined."""
-    return 1 if {"force", "couple"} & what.parts.keys() else 2
+    """Of the things that `_what` has named: of two joined ones the text has a part for each."""
+    return len(what.parts)
 
 
 def _what(force: float, couple: float, least_force: float, least_couple: float) -> Text:
