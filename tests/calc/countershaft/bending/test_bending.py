@@ -256,7 +256,7 @@ def test_what_lies_beyond_the_shaft_is_said():
 
 def test_its_checks():
     r = bent(0.2, fillet=1 * mm)
-    verdicts = {c.id: c.verdict for c in bending_checks(r, STEEL)}
+    verdicts = {c.id: c.verdict for c in bending_checks(r, STEEL, 1.0)}
     assert verdicts == {
         "countershaft.first_critical_speed": "pass",
         "countershaft.rigid": "pass",
@@ -279,7 +279,7 @@ def test_a_strength_that_is_not_known():
         ("aluminium", 240e6, "not_verified"),
     ):
         unknown = replace(STEEL, kind=kind, proof_stress=None)
-        checks = {c.rule: c for c in bending_checks(replace(r, bending_stress=stress, notch_stress=1e6), unknown)}
+        checks = {c.rule: c for c in bending_checks(replace(r, bending_stress=stress, notch_stress=1e6), unknown, 1.0)}
         judged = checks[BENDING_STRESS]
         assert (judged.verdict, judged.limit, judged.kind) == (verdict, 235.0, "limit")
         assert judged.missing == ("material.proof_stress_MPa",) and "235 MPa" in str(judged.taken[0])
