@@ -125,7 +125,7 @@ def told(error: BaseException) -> int:
         print(error, file=sys.stderr)
         return 2
     what = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
-    trace = _kept(error)
+    trace = kept(error)
     where = f"its trace is in {trace}" if trace is not None else "its trace could not be kept"
     print(
         f"contralbero: a fault of the program itself, no verdict: {' '.join(what.split())[:300]}; {where}",
@@ -134,7 +134,7 @@ def told(error: BaseException) -> int:
     return CODE
 
 
-def _kept(error: BaseException) -> Path | None:
+def kept(error: BaseException) -> Path | None:
     """The file with the trace: in the user's state folder, else in the one for temporary files."""
     now = datetime.now()
     words = (
