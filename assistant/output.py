@@ -117,6 +117,7 @@ def _to_nowhere(stream: TextIO) -> None:
 
 CODE = 70
 KEPT = 20  # traces; older ones go
+FOLDER = "contralbero"
 
 
 def told(error: BaseException) -> int:
@@ -154,10 +155,19 @@ def kept(error: BaseException) -> Path | None:
 
 def _folders() -> list[Path]:
     folders = []
-    with suppress(Exception):  # it may be that which is at fault
-        from .session.recovery import state_dir
-
+    with suppress(RuntimeError):  # no home is known
         folders.append(state_dir() / "faults")
     with suppress(OSError):
         folders.append(Path(tempfile.gettempdir()))
     return folders
+
+
+def state_dir() -> Path:
+    """The user's folder for the state of programs, and ours in it; nothing is made before something is written."""
+    if given := os.environ.get("XDG_STATE_HOME"):
+        base = Path(given)
+    elif os.name == "nt":
+        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    else:
+        base = Path.home() / ".local" / "state"
+    return base / FOLDER
