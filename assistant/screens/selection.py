@@ -5,7 +5,7 @@ The search runs aside and can be stopped; of the row under the cursor the whole 
 that its price in the other steps is seen."""
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
 
 from textual import work
@@ -296,7 +296,10 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        yield offer(self.step, self.session.design, self.session.name, progress)
+        result = offer(self.step, self.session.design, self.session.name, progress)
+        # made here: some solve once more, for which the screen must neither wait nor end
+        table, beside = result.table(TOP), result.beside(TOP)
+        yield replace(result, table=lambda top: table, beside=lambda top: beside)
 
     def show_found(self, result: Offer) -> None:
         self.offer = result
@@ -342,6 +345,8 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             return Preview(number, why=none.text)
         except BadInput as bad:
             return Preview(number, why=mistakes_text(bad))
+        except Exception as error:  # a mistake of the program must not take the user's work with it
+            return Preview(number, why=mistake(error))
         answer: Answer = run(Job(0, trial, self.session.results, stop))
         return Preview(number, changes, answer.results, answer.failure)
 
