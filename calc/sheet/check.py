@@ -130,7 +130,7 @@ class CheckRule:
         elements = (at,) if isinstance(at, str) else at
         names = dict(zip(LETTER.findall(self.id), elements, strict=True))
         if "M" in names:
-            names["DRIVER"], names["DRIVEN"] = names["M"].split("_", 1)
+            names["DRIVER"], names["DRIVEN"] = names["M"].split("_")
         return names if index is None else names | {INDEX: str(index)}
 
     def __call__(
