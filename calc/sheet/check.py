@@ -340,7 +340,7 @@ class Check:
     def share(self) -> float | None:
         """The value over its nearest limit, 1 at it; None where that says nothing."""
         limit = self.nearest[1]
-        ratio = self.value / limit if limit else -1.0
+        ratio = self.value / limit if limit else math.nan
         return ratio if ratio >= 0 else None
 
     @cached_property

@@ -541,6 +541,13 @@ def test_what_is_further_outside_stands_first() -> None:
     assert "more" not in str(told(outliers[:4]))
 
 
+@pytest.mark.parametrize(("numbers", "furthest"), [([-10.0, -110.0], -110.0), ([10.0, -95.0], 10.0)])
+def test_of_a_list_the_number_furthest_outside_is_shown(numbers: list[float], furthest: float) -> None:
+    """Usual: -80 to -20."""
+    (outlier,) = unusual(design(changed(TWIN, {"gears.wheels.crank.span_allowance_um": numbers})))
+    assert (outlier.number, outlier.beyond, outlier.far) == (pytest.approx(furthest), pytest.approx(30 / 60), False)
+
+
 def test_the_doubts_of_a_step_stand_before_its_other_checks() -> None:
     asked = design(changed(SIZED, {"engine.bore_mm": 9.4}))
     (doubt,) = doubts(asked, "engine")
