@@ -160,6 +160,8 @@ def test_a_limit_itself_passes():
     at = found("SnSb8Cu4", p=m.specific_load, pv=m.pv, T_hot=m.temperature, hardness=m.journal_hardness)
     assert {c.verdict for c in at.values()} == {"pass"} and len(at) == 5
     assert (at["material_pv"].limit, at["material_pv"].unit) == (16.0, "MPa·m/s")
+    # what a stretched formula adds to the temperature counts from that of the oil
+    assert {key: c.base for key, c in at.items() if c.base} == {"material_temperature": 110.0}
 
 
 def test_turns_of_the_load():

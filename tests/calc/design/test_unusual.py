@@ -435,6 +435,7 @@ def test_what_may_have_been_meant(
     ("name", "changes"),
     [
         (SIZED, {"engine.crank_angles_deg": [0.0, 0.0, 0.0]}),  # pins in line, not radians
+        (TWIN, {"engine.rod_mass_g": 0.0}),  # a rod that is left out
         (TWIN, {"gears.power_kW": 10.0}),  # of an engine whose power is not known
     ],
 )
