@@ -9,6 +9,7 @@ import pytest
 
 from calc.bearings.checks import checks, least_film, oil_check
 from calc.bearings.corners import Exact
+from calc.bearings.inputs import BearingsInputs
 from calc.bearings.loads import _checks as standing_checks
 from calc.bearings.materials import application, bearing_materials
 from calc.bearings.routes.routes import own_warm
@@ -19,6 +20,7 @@ from calc.library.catalogue import materials, oils
 from calc.library.journal_rules import LUBRICATIONS, N_RPM_MM, speed_factor
 from calc.library.lubricant import Lubricant
 from calc.library.oils import high_shear
+from calc.sheet.quantity import keys
 from calc.solve import solve
 
 UM, MPA = 1e-6, 1e6
@@ -289,6 +291,9 @@ def test_each_number_of_a_material_and_of_an_application():
         row = application("diesel-main")
         usual = application_checks("front", row, p=p, pv=pv, mu=1e-2, mu_n_over_p=duty, psi=psi, l_over_d=ratio)
         assert [c.verdict for c in usual] == [verdict] * 5
+    half = replace(row, length_ratio_high=None)
+    usual = application_checks("front", half, p=p, pv=pv, mu=1e-2, mu_n_over_p=duty, psi=psi, l_over_d=ratio)
+    assert "bearings.front.length_ratio_application" not in {c.id for c in usual}
 
 
 # ISO 7902-3, in its manner: from each diameter on, in mm, the film in µm up to 1, 3, 10, 30 m/s and beyond
@@ -324,6 +329,11 @@ def test_the_heat_that_a_lubrication_bears_is_as_printed():
 def test_the_least_speed_is_three_to_ten_times_that_of_transition():
     """Finotti 2013, 5.5.3: n/n_T at least the surface speed in m/s, of 3 to 10 m/s."""
     assert [speed_factor(u) for u in (0.1, 2.9, 5.0, 9.9, 20.0)] == [3.0, 3.0, 5.0, 9.9, 10.0]
+
+
+def test_a_slope_is_usual_up_to_what_the_engine_s_maker_aims_at():
+    """Finotti 2013, 4.6: 0.25 mrad."""
+    assert keys(BearingsInputs)["slope_mrad"].about.usual == (0, pytest.approx(0.25))
 
 
 # --- what is not given

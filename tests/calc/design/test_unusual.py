@@ -359,6 +359,8 @@ DOUBTED: list[tuple[str, dict[str, object], str, float, object, list[dict[str, o
      [{"bearings.rear.clearance_um": 160}]),
     (TWIN, {"bearings.front.load_N": 40.0}, "bearings.inputs.front.load", 40 / (80 * 56), (0.01, 150.0),
      [{"bearings.front.load_N": 40000}]),
+    (TWIN, {"bearings.front.load_N": 5.0}, "bearings.inputs.front.load", 5 / (80 * 56), (0.01, 150.0),
+     [{"bearings.front.load_N": 5000}]),
     (TWIN, {"bearings.front.load_N": 700e3}, "bearings.inputs.front.load", 700e3 / (80 * 56), (0.01, 150.0), []),
     (SIZED, {"bearings.supply_pressure_bar": 0.4}, "bearings.inputs.supply_pressure", 0.4, 1.0,
      [{"bearings.supply_pressure_bar": 4}]),
