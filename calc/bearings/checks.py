@@ -629,7 +629,7 @@ def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Ch
     """What the seat carries, the length of the bearing, and the clearance that the cold leaves."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
     lands = supply.lands(inputs)
-    groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
+    groove = bearing.length - supply.bare_length(inputs, bearing.length)
     yield from _pressure_checks(place, r, housing)
     bare = inputs.bush_material is None
     rule, limit = (SPECIFIC_LOAD, rules.SPECIFIC_LOAD) if bare else (SPECIFIC_LOAD_USUAL, rules.USUAL_SPECIFIC_LOAD)
