@@ -34,7 +34,7 @@ DEGREE = 180 / math.pi
 # radians or turns a second.
 SLIPS: dict[str, tuple[float, ...]] = {
     "mm": (1000.0, 10.0, 25.4),
-    "rpm": (30 / math.pi, 60.0, 1000.0, 10.0, 2 * math.pi),
+    "rpm": (30 / math.pi, 60.0, 1000.0, 10.0),
     "°": (DEGREE,),
     "%": (100.0,),
     "": (100.0, 10.0, 1000.0),
@@ -408,7 +408,8 @@ def _engine(design: Design) -> Iterator[Check]:
         drawn = gas.intake_pressure if gas.intake_pressure is not None else INTAKE
         rise = gas.peak_pressure / (drawn * gas.compression_ratio**COMPRESSION)
         intake = _to(GasInputs.intake_pressure, 10 * drawn, ENGINE, EngineInputs.gas)
-        yield from _doubted(BURNING, rise, MOST_BURNING, (rise / 10, (intake,)))
+        in_bar: list[Reading] = [] if gas.intake_pressure is None else [(rise / 10, (intake,))]
+        yield from _doubted(BURNING, rise, MOST_BURNING, *in_bar)
 
 
 CORE = CheckRule(
@@ -502,8 +503,8 @@ def _bearings(design: Design) -> Iterator[Check]:
         yield from _journal(place, bearing, shaft.core_radius if shaft is not None else None)
     p, mu = bearings.supply_pressure, bearings.viscosity
     if p:
-        in_mega = (10 * p, (_to(BearingsInputs.supply_pressure, 10 * p, BEARINGS),))
-        yield from _doubted(PRESSURE, p, LEAST_PRESSURE, in_mega)
+        mega = 10 * p
+        yield from _doubted(PRESSURE, p, LEAST_PRESSURE, (mega, (_to(BearingsInputs.supply_pressure, mega, BEARINGS),)))
     if mu is not None:
         scaled = [(x, (_to(BearingsInputs.viscosity, x, BEARINGS),)) for x in (1e3 * mu, 1e-3 * mu)]
         yield from _doubted(VISCOSITY, mu, VISCOSITIES, *scaled)
@@ -574,15 +575,17 @@ def _gears(design: Design) -> Iterator[Check]:
     gears, engine = design.gears, design.engine
     assert gears is not None
     module, b = gears.module, gears.face_width
-    yield from _doubted(FACE, b / module, FACES, (10 * b / module, (_to(GearsInputs.face_width, 10 * b, GEARS),)))
+    wider = 10 * b
+    yield from _doubted(FACE, b / module, FACES, (wider / module, (_to(GearsInputs.face_width, wider, GEARS),)))
     for wheel in gears.wheels:
         if (b_w := wheel.face_width) is not None:
-            wider = (_to(Wheel.face_width, 10 * b_w, GEARS, GearsInputs.wheels, wheel.name),)
-            yield from _doubted(WHEEL_FACE, b_w / module, FACES, (10 * b_w / module, wider), at=wheel.name)
+            wider = 10 * b_w
+            to_wider = (_to(Wheel.face_width, wider, GEARS, GearsInputs.wheels, wheel.name),)
+            yield from _doubted(WHEEL_FACE, b_w / module, FACES, (wider / module, to_wider), at=wheel.name)
     P, rated = gears.power, engine.rated_power if engine is not None else None
     if P is not None and rated is not None:
-        in_watt = (P * 1e-3 / rated, (_to(GearsInputs.power, P * 1e-3, GEARS),))
-        yield from _doubted(GEAR_POWER, P / rated, 1.0, in_watt)
+        watt = P * 1e-3
+        yield from _doubted(GEAR_POWER, P / rated, 1.0, (watt / rated, (_to(GearsInputs.power, watt, GEARS),)))
 
 
 MASS = CheckRule(
@@ -661,7 +664,7 @@ def _mounting(design: Design) -> Iterator[Check]:
     scaled = [(x / litres, (_to(MountingInputs.mass, x, MOUNTING),)) for x in (1e3 * m, 1e-3 * m)]
     yield from _doubted(MASS, m / litres, PER_LITRE, *scaled)
     if J := mounting.inertia:
-        furthest = max(J, key=lambda x: abs(math.log(x / m / (RADII[0] * RADII[1]))))
+        furthest = max(J, key=lambda x: _times(math.sqrt(x / m), RADII, "mm"))
         readings: list[Reading] = [
             (math.sqrt(furthest * x / m), (_to(MountingInputs.inertia, tuple([each * x for each in J]), MOUNTING),))
             for x in (1e-3, 1e-4, 1e-6)

@@ -130,7 +130,7 @@ class CheckRule:
         elements = (at,) if isinstance(at, str) else at
         names = dict(zip(LETTER.findall(self.id), elements, strict=True))
         if "M" in names:
-            names["DRIVER"], names["DRIVEN"] = names["M"].split("_", 1)
+            names["DRIVER"], names["DRIVEN"] = names["M"].split("_")
         return names if index is None else names | {INDEX: str(index)}
 
     def __call__(
@@ -343,7 +343,7 @@ class Check:
     def share(self) -> float | None:
         """The value over its nearest limit, 1 at it; None where that says nothing."""
         limit = self.nearest[1]
-        ratio = self.value / limit if limit else -1.0
+        ratio = self.value / limit if limit else math.nan
         return ratio if ratio >= 0 else None
 
     @cached_property
