@@ -20,6 +20,12 @@ def test_xu_kahraman():
     assert r.xu_kahraman(f=f, p_H=1e9, S=0.2, u_e=10.0, eta_0=0.01, R=0.01) == pytest.approx(0.013668, abs=5e-7)
 
 
+def test_the_exponent_of_the_pressure():
+    """1.03303 beside e^f, which knows the pressure as well."""
+    low, high = (r.xu_kahraman(f=-4.0, p_H=p, S=0.2, u_e=10.0, eta_0=0.01, R=0.01) for p in (0.25e9, 2.5e9))
+    assert math.log10(high / low) == pytest.approx(1.03303)
+
+
 def test_benedict_kelley():
     """Self-computed: 1e5 N/m, 20 mPa·s, 2 m/s sliding, 10 m/s sum."""
     assert r.benedict_kelley(w=1e5, eta_0=0.02, V_s=2.0, V_T=10.0) == pytest.approx(0.03645, abs=5e-6)
@@ -28,6 +34,9 @@ def test_benedict_kelley():
 def test_benedict_kelley_stays_within_its_bounds():
     assert r.benedict_kelley(w=1e5, eta_0=0.02, V_s=0.0, V_T=10.0) <= 0.2
     assert r.benedict_kelley(w=1.0, eta_0=0.02, V_s=2.0, V_T=100.0) == 0.01
+    least, most = (r.benedict_kelley(w=10**x / 29.66, eta_0=1e-3, V_s=1.0, V_T=1.0) for x in (0.8, 15.7))
+    assert (least, most) == pytest.approx((0.0127 * 0.8, 0.0127 * 15.7))
+    assert r.benedict_kelley(w=10**15.8 / 29.66, eta_0=1e-3, V_s=1.0, V_T=1.0) == 0.2
 
 
 def test_schlenk_on_fzg_gears():
