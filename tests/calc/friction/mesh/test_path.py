@@ -156,6 +156,15 @@ def test_strips_of_a_helical_pair_are_fine_enough(b, by_regime):
     assert coarse.film_min == pytest.approx(fine.film_min, rel=5e-3)
 
 
+def test_how_many_positions_a_path_has():
+    """40 Gauss points on each of the four pieces of a spur path and A … E; 21 strips across a helical face, with 3 on
+    each piece."""
+    spur, helical = path(spur_pair()), path(r753()["idler_shaft"])
+    assert spur.x.size == spur.per_strip == 4 * 40 + 5
+    assert helical.x.size == 21 * helical.per_strip
+    assert helical.per_strip - 5 == 3 * (path(r753()["idler_shaft"], points=1).per_strip - 5)
+
+
 # --- what can not mesh
 @pytest.mark.parametrize(
     "mesh",
