@@ -200,6 +200,8 @@ def test_light_load_is_rigid_heavy_load_is_ehl():
     assert shares[-1] == 0.0
     assert shares == sorted(shares, reverse=True)
     assert leads == sorted(leads)
+    # where no film is elastic nothing is left to estimate
+    assert solve_mesh(c, 10.0, True).rolling_estimate is None and solve_mesh(c, 100.0, False).rolling_estimate > 0
 
 
 def test_by_regime_the_film_is_never_thinner_than_the_source_has_it():

@@ -80,6 +80,20 @@ def test_windage_in_the_mist_of_the_tests_is_the_published_form():
     assert ours == pytest.approx(published, rel=3e-3)
 
 
+def test_the_mist_of_the_tests_by_hand():
+    """One part of oil in 34.25 of air of 1.2 kg/m³, which adds 0.019 mPa·s to the mist."""
+    rho_0 = a.mist_of_the_tests(rho_oil=800.0)
+    assert rho_0 == pytest.approx((800 + 34.25 * 1.2) / 35.25)
+    share = a.oil_share(rho_m=rho_0, rho_oil=800.0)
+    assert share == pytest.approx(1 / 35.25)
+    assert a.mist_viscosity(s_oil=share, eta_oil=0.0, eta_air=a.AIR_VISCOSITY) == pytest.approx(0.019e-3)
+
+
+def test_windage_grows_as_the_power_0_8_of_the_density():
+    thin, thick = (a.windage(b=0.015, r=0.04, n=30.0, eta_m=2e-5, rho_m=rho, rho_0=24.0) for rho in (2.4, 24.0))
+    assert math.log10(thick / thin) == pytest.approx(0.8)
+
+
 def test_air_holds_no_oil_and_no_mist_more_than_oil():
     assert a.oil_share(rho_m=1.0, rho_oil=800.0) == 0.0
     assert a.oil_share(rho_m=1000.0, rho_oil=800.0) == 1.0
