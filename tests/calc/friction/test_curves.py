@@ -52,11 +52,11 @@ def test_the_shear_that_an_oil_bears():
 @pytest.mark.parametrize(
     "lam, said",
     [
-        ((0.1, 0.2), "boundary"),
+        ((0.1, 0.29), "boundary"),
         ((0.1, 1.0), "boundary to mixed"),
-        ((1.0, 2.0), "mixed"),
+        ((0.31, 3.45), "mixed"),
         ((1.0, 9.0), "mixed to full-film"),
-        ((4.0, 9.0), "full-film"),
+        ((3.55, 9.0), "full-film"),
     ],
 )
 def test_the_kind_of_lubrication(lam, said):

@@ -174,9 +174,7 @@ def test_a_6205_lies_between_the_rules_of_thumb():
 def test_cylindrical_rollers_by_skf(series, R_1):
     """NU 2205, NU 405."""
     one = bearing(kind="cylindrical-roller", method="skf", series=series, count=1, lubrication="bath")
-    assert power(one, 2000.0) == pytest.approx(
-        by_skf(2000.0, 3000.0, 15.0, *rollers(R_1, 0.0015), 5.1, 0.02), rel=1e-9
-    )
+    assert power(one, 2000.0) == pytest.approx(by_skf(2000.0, 3000.0, 15.0, *rollers(R_1, 0.0015), 5.1, 0.02), rel=1e-9)
 
 
 @pytest.mark.parametrize(

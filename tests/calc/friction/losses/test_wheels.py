@@ -54,7 +54,9 @@ def test_every_kind_of_loss_sums_over_the_wheels():
 def test_a_wheel_without_other_losses_has_none():
     said = friction(other_losses=(OtherLoss(name="central", power=3.0),))
     wheels = unloaded(said, r753(), lubricant(), 80.0, 30.0)
-    assert {name: wheel.other_loss for name, wheel in wheels.items()} == dict(crank=0.0, central=3.0, idler=0.0, shaft=0.0)
+    assert {name: wheel.other_loss for name, wheel in wheels.items()} == dict(
+        crank=0.0, central=3.0, idler=0.0, shaft=0.0
+    )
 
 
 def test_each_mesh_carries_the_wheels_behind_it():
