@@ -215,7 +215,7 @@ def contact_length(s: Metres, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b
     """s: how far the line of one tooth has come since it entered at A; the others follow and precede it by base
     pitches."""
     cycle = np.asarray(s) % p_bt
-    teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt) + 1)
+    teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt))
     way = cycle[..., None] + teeth * p_bt
     on_face = np.minimum(way, g_alpha) - np.maximum(way - g_beta, 0.0)
     length: Array = np.maximum(on_face, 0.0).sum(axis=-1) / math.sin(beta_b)

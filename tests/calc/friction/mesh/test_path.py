@@ -163,6 +163,7 @@ def test_how_many_positions_a_path_has():
     assert spur.x.size == spur.per_strip == 4 * 40 + 5
     assert helical.x.size == 21 * helical.per_strip
     assert helical.per_strip - 5 == 3 * (path(r753()["idler_shaft"], points=1).per_strip - 5)
+    assert helical.in_the_middle(helical.x) == pytest.approx(np.sort(helical.x.reshape(21, -1)[10]))
 
 
 # --- what can not mesh
@@ -181,6 +182,28 @@ def test_how_many_positions_a_path_has():
 def test_teeth_that_do_not_mesh_are_refused(mesh):
     with pytest.raises(NoSolution, match="path of contact"):
         path(mesh)
+
+
+@pytest.mark.parametrize("ratio, meshes", [(0.99, False), (1.01, True), (1.99, True), (2.01, False)])
+def test_spur_teeth_share_their_load_between_one_pair_and_two(ratio, meshes):
+    """Both tips by the factor that gives the transverse contact ratio (ρ_E − ρ_A)/p_bt."""
+    mesh = spur_pair()
+    two = mesh.driver, mesh.driven
+    C_F = math.sqrt(mesh.centre_distance**2 - sum(wheel.base_radius for wheel in two) ** 2)
+
+    def contact(factor):
+        ends = (math.sqrt((wheel.tip_radius * factor) ** 2 - wheel.base_radius**2) for wheel in two)
+        return (sum(ends) - C_F) / (2 * math.pi * mesh.driver.base_radius / mesh.driver.teeth)
+
+    low, high = 0.97, 1.03
+    for _ in range(50):
+        middle = (low + high) / 2
+        low, high = (middle, high) if contact(middle) < ratio else (low, middle)
+    if meshes:
+        assert path(tips(mesh, low, low)).epsilon_alpha == pytest.approx(ratio)
+    else:
+        with pytest.raises(NoSolution, match=f"ε_α = {ratio}.*a contact ratio from 1 to 2"):
+            path(tips(mesh, low, low))
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -1.0, 0.0])
