@@ -104,6 +104,12 @@ def test_a_response_without_a_number_is_not_an_answer():
         t.settled(lambda T: np.where(x > 0.015, np.nan, 40.0), 40.0, np.array([50.0, 50.0]), x, "mesh")
 
 
+def test_a_response_that_jumps_over_itself_has_no_temperature():
+    """Above 50 °C as cold as the teeth, below it 60 °C."""
+    with pytest.raises(NoSolution, match=r"10 mm from T₁: off by −10 K after 60 passes"):
+        t.settled(lambda T: np.where(T < 50, 60.0, 40.0), 40.0, np.array([60.0]), np.array([0.01]), "mesh")
+
+
 def test_a_response_that_jumps_is_met_from_inside_its_bracket():
     """A steep fall: the secant alone would leave the bracket."""
     steep = t.settled(lambda T: 40 + 60 / (1 + np.exp(3 * (T - 70))), 40.0, np.array([100.0]), np.array([0.01]), "mesh")
