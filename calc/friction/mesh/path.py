@@ -123,7 +123,7 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
 
     def share(stretch: Array, pair: tuple[IndexArray, ...]) -> Array:
         apart = flat[pair[1]] - flat[pair[0]]
-        return np.where(apart > 0, stretch / np.where(apart > 0, apart, 1.0), 0.0)
+        return np.divide(stretch, apart, out=np.zeros_like(stretch), where=apart > 0)
 
     to_left, to_right = share(lefts, before), share(rights, after)
     return Cells(left=lefts, right=rights, before=before, after=after, to_left=to_left, to_right=to_right)

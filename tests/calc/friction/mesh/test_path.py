@@ -10,6 +10,7 @@ import pytest
 from calc.friction.mesh.loss import case, loss_factor, solve_mesh
 from calc.friction.mesh.path import (
     _legendre,
+    floored_line_load,
     line_load,
     linear_load_sharing,
     motion,
@@ -101,6 +102,11 @@ def test_ohlendorf_is_exact_where_two_pairs_share_half_and_half():
     )
     assert H_VL == pytest.approx(H_V, rel=1e-12)
     assert H_V == pytest.approx(0.098764, abs=1e-6)
+
+
+def test_film_and_pressure_see_a_hundredth_of_the_load():
+    w = np.array([0.0, 9.9, 10.1, 1000.0])
+    assert floored_line_load(w=w, w_max=1000.0) == pytest.approx([10.0, 10.0, 10.1, 1000.0])
 
 
 # --- helical
