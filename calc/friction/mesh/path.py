@@ -123,7 +123,7 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
 
     def share(stretch: Array, pair: tuple[IndexArray, ...]) -> Array:
         apart = flat[pair[1]] - flat[pair[0]]
-        return np.where(apart > 0, stretch / np.where(apart > 0, apart, 1.0), 0.0)
+        return np.divide(stretch, apart, out=np.zeros_like(stretch), where=apart > 0)
 
     to_left, to_right = share(lefts, before), share(rights, after)
     return Cells(left=lefts, right=rights, before=before, after=after, to_left=to_left, to_right=to_right)
@@ -215,7 +215,7 @@ def contact_length(s: Metres, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b
     """s: how far the line of one tooth has come since it entered at A; the others follow and precede it by base
     pitches."""
     cycle = np.asarray(s) % p_bt
-    teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt) + 1)
+    teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt))
     way = cycle[..., None] + teeth * p_bt
     on_face = np.minimum(way, g_alpha) - np.maximum(way - g_beta, 0.0)
     length: Array = np.maximum(on_face, 0.0).sum(axis=-1) / math.sin(beta_b)
