@@ -218,7 +218,12 @@ def test_the_room_of_a_wheel(g, limit, usual):
         ("wall", False, "wall x", "move idler or wall x apart by 2 mm, or give it fewer teeth or a smaller shift."),
         ("neighbour", False, "x", "move idler or x apart by 2 mm, or give it fewer teeth or a smaller shift."),
         ("wheel", False, "wheel x", "move idler or wheel x apart by 2 mm, or give it fewer teeth or a smaller shift."),
-        ("wall", True, "wall x", "give idler another place by 2 mm, or give it fewer teeth or a smaller shift. `choose"),
+        (
+            "wall",
+            True,
+            "wall x",
+            "give idler another place by 2 mm, or give it fewer teeth or a smaller shift. `choose",
+        ),
         ("wheel", True, "wheel x", "give idler another place by 2 mm, or give it fewer teeth or a smaller shift."),
     ],
 )
