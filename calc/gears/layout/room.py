@@ -134,7 +134,7 @@ def most_room(
         side, angle = divmod(top, phi.size)
         if best is None or widest > best[2]:
             best = float(phi[angle]), (1.0, -1.0)[side], widest
-        phi = best[0] + step * np.linspace(-1, 1, FINE)
+        phi = np.linspace(best[0] - step, best[0] + step, FINE)
     return best
 
 

@@ -595,22 +595,23 @@ def test_every_check_of_the_step_has_its_case():
 
 
 @pytest.mark.parametrize(
-    "check, scale",
+    "make, scale",
     [
-        (envelope(0.0, 0.0), 32.0),  # outer radius
-        (envelope_length(0.0), 24.0),  # the nearest journal
-        (gear_seat(0.5 * mm), 1.0),
-        (crossing(2e-6), 24.0),  # the shorter piece
-        (hose("drain.clamp", 24.0), 24.0),  # the larger end of the hose
-        (hose("drain.clamp_din3021", hose_min=22 * mm, hose_max=24 * mm), 24.0),
-        (hose("drain.union", 25.0), 1.0),
-        (hose("drain.slope", 25.0, tilt=0.1), 5.0),
-        (holes("holes.depth", core=R), 32.0),
-        (holes("holes.width", depth=R), 10.0),
+        (lambda: envelope(0.0, 0.0), 32.0),  # outer radius
+        (lambda: envelope_length(0.0), 24.0),  # the nearest journal
+        (lambda: gear_seat(0.5 * mm), 1.0),
+        (lambda: crossing(2e-6), 24.0),  # the shorter piece
+        (lambda: hose("drain.clamp", 24.0), 24.0),  # the larger end of the hose
+        (lambda: hose("drain.clamp_din3021", hose_min=22 * mm, hose_max=24 * mm), 24.0),
+        (lambda: hose("drain.union", 25.0), 1.0),
+        (lambda: hose("drain.sleeve", 25.0, thread="M10x1"), 1.0),
+        (lambda: hose("drain.slope", 25.0, tilt=0.1), 5.0),
+        (lambda: holes("holes.depth", core=R), 32.0),
+        (lambda: holes("holes.width", depth=R), 10.0),
     ],
-    ids=lambda x: getattr(x, "id", ""),
 )
-def test_the_margin_of_a_limit_of_nothing_is_a_share_of_its_scale(check, scale):
+def test_the_margin_of_a_limit_of_nothing_is_a_share_of_its_scale(make, scale):
+    check = make()
     assert check.limit == 0.0 and check.scale == pytest.approx(scale) and check.rule.zero
 
 

@@ -111,6 +111,14 @@ def test_a_hose_smaller_than_every_clamp():
     r = drain.solve(asked(12.0, 12.5))
     assert r.clamp_nominal is None and "none grips" in r.reason
     assert verdicts(r)["clamp"] == "warn"
+    (first, *_) = drain.checks(r)
+    assert (first.value, first.limit) == pytest.approx((13.0, 12.0)) and r.smallest == 13e-3
+
+
+def test_a_clamp_of_the_standard_of_another_size_says_nothing_of_the_one_that_is_taken():
+    r = drain.solve(asked(18.5, 18.5))  # of DIN 3021 there is one of 18 mm as well, which opens to 19
+    assert (r.clamp_nominal, r.clamp_opening) == pytest.approx((17e-3, 18.5e-3))
+    assert r.clamp_opening_din3021 is r.tried_din3021 is None and "clamp_din3021" not in verdicts(r)
 
 
 def test_the_standard_is_named_where_the_source_has_no_clamp():
@@ -208,6 +216,14 @@ def test_a_sleeve_of_the_design():
     r = drain.solve(asked(22.5, 24.0, sleeves=own))
     assert (r.sleeve_bore, r.sleeve_end) == (10e-3, 17e-3)
     assert [key for key, _ in Sleeve(ring=1.0, bore=1.0, end=1.0).problems()] == ["end_mm"]
+
+
+@pytest.mark.parametrize(
+    "ring, fits", [(17.9999, False), (18.0, True), (18.05, True), (18.097, True), (18.1, True), (18.103, False)]
+)
+def test_the_ring_of_a_sleeve_is_up_to_a_tenth_wider_than_the_thread(ring, fits):
+    r = drain.solve(asked(22.5, 24.0, sleeves=(Sleeve(ring=ring / 1e3, bore=9e-3, end=16e-3),)))
+    assert (r.sleeve_bore is not None) is fits
 
 
 # --- tilted machine
