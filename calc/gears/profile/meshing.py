@@ -32,8 +32,6 @@ from .outline import CHORD_ERROR
 
 FILLET, FLANK = 129, 12  # places of the fillet's table, and points of the flank that are carried past the mate
 CORNER, ROLL = 181, 21  # positions in which the tip's corner is looked at, and the other points
-# modules between a corner and a fillet, measured along the circle, from which it is looked at more closely
-CLOSE = 0.01
 DUST: Metre = 1e-12  # below it a distance is of the last digits
 
 
@@ -113,18 +111,16 @@ def penetration(a_w: Metre, driver: Flank, driven: Flank, j_wt: Metre = 0.0) -> 
 def _deepest(a_w: Metre, flank: Flank, mate: Flank, turn: float = 0.0) -> Metre:
     """How deep points of the mate lie inside the wheel: its tip's corner in many positions, the flank in fewer.
 
-    A corner passes a fillet in a loop as narrow as that: where it comes close to one it is looked at once more.
+    A corner passes a fillet in a loop as narrow as that: where it comes closest to one it is looked at once more.
     """
     radius, angle = _seen(a_w, flank, mate, *PLACES, turn)
     short = flank.tooth_angle(radius) - angle  # by which the point is inside the tooth
     r_form, root = flank.fillet[0][-1], flank.fillet[0][0]
     near = np.where((radius < r_form) | (short * radius > DUST), short * radius, -np.inf)[:CORNER]
-    worst = int(np.argmax(near))
-    if near[worst] > -CLOSE * flank.cut.system.m_n:
-        closer = PLACES[1][worst] + AROUND
-        more = _seen(a_w, flank, mate, np.zeros(closer.size, int), closer, turn)
-        radius, angle = np.concatenate([radius, more[0]]), np.concatenate([angle, more[1]])
-        short = np.concatenate([short, flank.tooth_angle(more[0]) - more[1]])
+    closer = PLACES[1][int(np.argmax(near))] + AROUND
+    more = _seen(a_w, flank, mate, np.zeros(closer.size, int), closer, turn)
+    radius, angle = np.concatenate([radius, more[0]]), np.concatenate([angle, more[1]])
+    short = np.concatenate([short, flank.tooth_angle(more[0]) - more[1]])
     inside = (radius < flank.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
     return _depth(flank, radius[inside], angle[inside], short[inside]) if inside.any() else 0.0
 
@@ -132,29 +128,18 @@ def _deepest(a_w: Metre, flank: Flank, mate: Flank, turn: float = 0.0) -> Metre:
 def _depth(flank: Flank, radius: Array, angle: Array, short: Array) -> Metre:
     """The deepest of points inside a tooth: the way out is over the flank, the tip, the fillet or the root arc."""
     r, theta = flank.fillet
-    over_tip = flank.tip_radius - radius
-    over_flank = np.where(short > 0, short * flank.cut.base_radius, 0.0)
-    corners = r * np.exp(1j * theta)
-    half_pitch = math.pi / flank.cut.teeth
-    points = radius * np.exp(1j * angle)
-    to_fillet = _distances(points, corners)
-    to_root = (
-        np.where(angle >= theta[0], np.abs(radius - r[0]), np.abs(points - corners[0]))
-        if half_pitch > theta[0]
-        else to_fillet
-    )
-    upper = radius >= r[-1]
-    depth = np.where(upper, np.minimum(over_flank, over_tip), np.minimum(to_fillet, to_root))
-    deepest = float(depth.max())
-    return deepest if deepest > DUST else 0.0
+    over_flank = np.minimum(short * flank.cut.base_radius, flank.tip_radius - radius)
+    to_fillet = _distances(radius * np.exp(1j * angle), r * np.exp(1j * theta))
+    to_root = np.where(angle >= theta[0], np.abs(radius - r[0]), np.inf)
+    depth = np.where(radius >= r[-1], over_flank, np.minimum(to_fillet, to_root))
+    return float(depth.max())
 
 
 def _distances(points: Array, line: Array) -> Array:
     """From each point to a polyline."""
     start, way = line[:-1], np.diff(line)
-    square = np.abs(way) ** 2 + 1e-300
     gap = points[:, None] - start
-    along = np.clip((gap * way.conj()).real / square, 0.0, 1.0)
+    along = np.clip((gap / way).real, 0.0, 1.0)
     nearest: Array = np.abs(gap - along * way).min(axis=1)
     return nearest
 
