@@ -13,6 +13,7 @@ from calc.gears.profile.meshing import (
     FILLET,
     FLANK,
     _depth,
+    _distances,
     _seen,
     checks,
     flank,
@@ -122,7 +123,9 @@ def test_recorded_depths(case, depths):
     t = pair(*case)
     (m,) = t.meshes.values()
     both = [flank(t.system, t.wheels[name]) for name in ("a", "b")]
-    assert [penetration(m.centre_distance, *both, j) for j in (0.0, 1e-4)] == pytest.approx(depths, rel=1e-8)
+    for order in (1, -1):
+        found = [penetration(m.centre_distance, *both[::order], j) for j in (0.0, 1e-4)]
+        assert found == pytest.approx(depths, rel=1e-8)
 
 
 def test_a_loop_between_two_positions_is_found():
@@ -132,9 +135,18 @@ def test_a_loop_between_two_positions_is_found():
     assert depth(t) == pytest.approx(7.96332e-9, rel=1e-5)
 
 
-@pytest.mark.parametrize("outward, share", [(0.95, 0.9), (0.5, 0.97), (0.15, 0.95), (-0.01, 1.03), (-0.05, 0.9)])
-def test_the_way_out_of_a_tooth_is_the_shortest(outward, share):
-    """Of a point that stands so far from the root (0) to the tip (1), at such a share of half the tooth there: to the
+@pytest.mark.parametrize(
+    "outward, shares, digits",
+    [
+        (0.95, (0.5, 0.9), 1e-5),
+        (0.5, (0.95, 0.999), 1e-5),
+        (0.15, (0.95, 0.99), 1e-9),
+        (-0.001, (0.9, 1.03), 1e-9),
+        (-0.05, (0.9, 1.03), 1e-9),
+    ],
+)
+def test_the_way_out_of_a_tooth_is_the_shortest(outward, shares, digits):
+    """Of points that stand so far from the root (0) to the tip (1), at such shares of half the tooth there: to the
     outline, drawn in small steps."""
     t = pair(*JAMS[0])
     side = flank(t.system, t.wheels["a"])
@@ -146,9 +158,16 @@ def test_the_way_out_of_a_tooth_is_the_shortest(outward, share):
     )
     outline = np.concatenate([root, r * np.exp(1j * theta), rising * np.exp(1j * side.cut.involute(rising)), tip])
     radius = np.array([r[0] + outward * (side.tip_radius - r[0])])
-    angle = side.tooth_angle(radius) * share
-    found = _depth(side, radius, angle, side.tooth_angle(radius) - angle)
-    assert found == pytest.approx(distance(radius * np.exp(1j * angle), outline)[0], rel=1e-4)
+    for share in np.linspace(*shares, 14):
+        angle = side.tooth_angle(radius) * share
+        found = _depth(side, radius, angle, side.tooth_angle(radius) - angle)
+        assert found == pytest.approx(distance(radius * np.exp(1j * angle), outline)[0], rel=digits)
+
+
+def test_the_distance_from_a_polyline():
+    """Across a piece, to a corner, and to either end."""
+    line, points = np.array([0j, 3 + 0j, 3 + 4j]), np.array([1 - 2j, 4 - 1j, -3 - 4j, 6 + 8j, 2.9 + 1j, 0.1 - 1j])
+    assert _distances(points, line) == pytest.approx([2, math.sqrt(2), 5, 5, 0.1, 1])
 
 
 def test_a_root_that_is_too_shallow_is_entered_by_at_least_its_negative_clearance():
