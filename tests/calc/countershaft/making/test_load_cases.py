@@ -85,6 +85,9 @@ def test_what_is_given_of_the_largest_seat(order, monkeypatch):
     monkeypatch.setattr(parts, "compared", lambda *args: given.append(args[-1] and vars(args[-1])))
     made = result(cost=COST, journals=JOURNALS[::order])
     load = made.reaction_rear if order == 1 else made.reaction_front
+    middle = [JOURNALS[0], {"diameter_mm": 90.0, "length_mm": 25.0}, JOURNALS[1]]
+    result(cost=COST, journals=middle[::order], bearing_positions_mm=[-167.5, 0.0, 167.5])
+    assert given.pop()["diameter"] == 81e-3, "an outer one"
     result(cost=COST)
     assert given == [{"diameter": 81e-3, "length": 26.5e-3, "load": load}, None]
 
