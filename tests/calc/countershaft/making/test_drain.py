@@ -179,6 +179,13 @@ def test_no_union_fits(name):
     assert not any("sealed" in note for note in drain.notes(r))
 
 
+@pytest.mark.parametrize("block, own, sealed", [("M18x1.5", "", True), ("M8x1", "", False), ("M18x1.5", "M8x1", False)])
+def test_the_seal_of_the_union_that_fits(block, own, sealed):
+    unions = (Union(thread=own, bore=4e-3),) if own else ()
+    notes = drain.notes(drain.solve(asked(22.5, 24.0, block, unions=unions)))
+    assert any("is sealed by" in note for note in notes) is sealed
+
+
 def test_the_designs_own_unions_replace_those_of_the_program():
     own = (
         Union(thread="M20x1.5", bore=13e-3),
@@ -233,6 +240,12 @@ def test_the_slope_that_a_tilted_machine_leaves(tilt, verdict):
     r = drain.solve(asked(22.5, 24.0, slope=math.radians(45), tilt=None if tilt is None else math.radians(tilt)))
     assert math.degrees(r.drain_slope) == pytest.approx(45.0 - (tilt or 0.0)) and verdicts(r).get("slope") == verdict
     assert any("bore_mm" in note for note in drain.notes(r))
+
+
+@pytest.mark.parametrize("own, missing", [({}, False), ({"slope": 0.1}, True), ({"slope": 0.1, "bore": 0.01}, False)])
+def test_what_runs_off_needs_a_bore_where_there_is_a_slope(own, missing):
+    notes = drain.notes(drain.solve(asked(22.5, 24.0, **own)))
+    assert any("bore_mm" in note for note in notes) is missing
 
 
 def test_a_tilt_needs_a_slope():
