@@ -312,9 +312,9 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
         what = Text("wall {to}", to=tight.to) if tight.kind == "wall" else Text("wheel {to}", to=tight.to)
     name = Text("Clearance of {wheel} to {what}", wheel=wheel, what=what)
     move = Text("move {wheel} or {what} apart", wheel=wheel, what=what)
-    if chosen:
-        move = Text("give {wheel} another place", wheel=wheel)
     more = Text(" by {g} mm", g=mm(-tight.g)) if tight.g < 0 else ""
+    if chosen:
+        move, more = Text("give {wheel} another place", wheel=wheel), ""
     advice = Text(
         "The tip circle needs more room: {move}{missing}, or give it fewer teeth or a smaller shift.",
         move=move,
