@@ -27,7 +27,6 @@ from .result import MeshLayout
 FREE = math.inf  # the clearance of a wheel that has nothing near it
 COARSE, FINE = 180, 65  # directions of the scan, and of the one about its best
 DUST = 1e-12  # stretched or folded, the circles only touch
-NOWHERE = 1e-30  # m²: instead of the square of no distance
 
 
 class Clearance(NamedTuple):
@@ -152,13 +151,14 @@ def _clearances(
     one, two = names
     A = p + a[0] * np.exp(1j * phi)
     way = q - A
-    c2 = np.maximum(np.abs(way) ** 2, NOWHERE)
+    c2 = np.abs(way) ** 2
     u = (c2 + a[1] ** 2 - a[2] ** 2) / 2  # times c
     square = a[1] ** 2 * c2 - u**2
     v = np.sqrt(np.maximum(square, 0.0))
-    B = A + (u + sides * v) * (way / c2)
+    with np.errstate(divide="ignore", invalid="ignore"):  # on the second axis the first has no direction to it
+        B = A + (u + sides * v) * (way / c2)
     tighter = np.minimum(room.around_all(one, A, places), room.around_all(two, B, places))
-    return np.where(square >= -DUST * a[1] ** 2 * c2, tighter, -math.inf)
+    return np.where((c2 > 0) & (square >= -DUST * a[1] ** 2 * c2), tighter, -math.inf)
 
 
 # --- whether the wheels reach each other in their places, have room there, and can be put together

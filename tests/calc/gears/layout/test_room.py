@@ -130,9 +130,10 @@ def test_a_row_that_is_stretched_reaches(beyond, reaches):
         assert found[0] == pytest.approx(math.pi / 2)
 
 
-def test_a_wheel_that_would_stand_on_the_second_axis_stands_elsewhere():
-    direction, _, clearance = most_room(AROUND, {"first": 0j, "last": 0.03j}, CHAIN, (0.03, 0.02, 0.02))
-    assert math.isfinite(direction) and math.isfinite(clearance) and abs(direction - math.pi / 2) > 0.1
+def test_a_wheel_does_not_stand_on_the_second_axis():
+    """There the other one could stand in any direction."""
+    direction, _, clearance = most_room(AROUND, {"first": 0j, "last": 0.03 + 0j}, CHAIN, (0.03, 0.02, 0.02))
+    assert math.isfinite(clearance) and abs(direction) > 0.1
 
 
 @pytest.mark.parametrize(

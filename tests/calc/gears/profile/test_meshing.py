@@ -304,6 +304,7 @@ def test_a_step_is_a_share_of_the_larger_of_stock_and_protuberance(stock, protub
     assert check.scale == pytest.approx(scale)
     covering = [(("gears.protuberance_mm", pytest.approx(stock * 1e3)),)] if verdict == "warn" else []
     assert [way.changes for way in check.remedies] == covering
+    assert all("at least" in way.words for way in check.remedies)
 
 
 def test_what_the_protuberance_must_be_like_is_said_of_each_wheel():
