@@ -595,7 +595,7 @@ def test_every_check_of_the_step_has_its_case():
 
 
 @pytest.mark.parametrize(
-    "check, scale",
+    "make, scale",
     [
         (lambda: envelope(0.0, 0.0), 32.0),  # outer radius
         (lambda: envelope_length(0.0), 24.0),  # the nearest journal
@@ -604,13 +604,14 @@ def test_every_check_of_the_step_has_its_case():
         (lambda: hose("drain.clamp", 24.0), 24.0),  # the larger end of the hose
         (lambda: hose("drain.clamp_din3021", hose_min=22 * mm, hose_max=24 * mm), 24.0),
         (lambda: hose("drain.union", 25.0), 1.0),
+        (lambda: hose("drain.sleeve", 25.0, thread="M10x1"), 1.0),
         (lambda: hose("drain.slope", 25.0, tilt=0.1), 5.0),
         (lambda: holes("holes.depth", core=R), 32.0),
         (lambda: holes("holes.width", depth=R), 10.0),
     ],
 )
-def test_the_margin_of_a_limit_of_nothing_is_a_share_of_its_scale(check, scale):
-    check = check()
+def test_the_margin_of_a_limit_of_nothing_is_a_share_of_its_scale(make, scale):
+    check = make()
     assert check.limit == 0.0 and check.scale == pytest.approx(scale) and check.rule.zero
 
 
