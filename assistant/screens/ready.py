@@ -24,6 +24,7 @@ from calc.studies.described import not_counted
 from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
 from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 
+from ..actions import BY_ID
 from ..base_app import BaseApp
 from ..session.places import label_of
 from ..session.session import Session
@@ -32,8 +33,11 @@ from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import states_of, whole_of
 from ..widgets.text import fit, pad, wrap
 from .dialogs import Once
+from .workbench_panes import WorkbenchPanes
 
-REPORT, EXPORT, DRIVE = "report", "export", "drive"  # actions that the page gives beside a step's key and a check's id
+# actions that the page gives beside a step's key and a check's id
+REPORT, EXPORT, DRIVE, PALETTE = "report", "export", "drive", "palette"
+SAVE = BY_ID["save"]
 PICTURE = (90, 14)  # cells of the picture at most
 ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
 
@@ -242,8 +246,8 @@ def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
 
 
 class ReadyScreen(Once, Screen[str | None]):
-    """Gives the key of a step or the id of a check to go to, REPORT or EXPORT, or None.  `unfolded`: what is shown of
-    what is folded."""
+    """Gives the key of a step or the id of a check to go to, the id of an action, or None.  `work`: the main screen,
+    which saves; `unfolded`: what is shown of what is folded."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -251,22 +255,25 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
         Binding("e", f"give('{EXPORT}')", "Export", show=False),
         Binding("t", f"give('{DRIVE}')", "Whole drive", show=False),
+        Binding("ctrl+p,colon", f"give('{PALETTE}')", "Palette", show=False, id=PALETTE),
+        Binding(SAVE.binding, "save", "Save", show=False, id=SAVE.id),
         Binding("i", f"unfold('{NOT_COUNTED}')", "What is not counted", show=False),
         Binding("enter", "choose", "Go there", show=False),
         Binding("down,j", "move(1)", "Down", show=False),
         Binding("up,k", "move(-1)", "Up", show=False),
     ]
 
-    def __init__(self, session: Session, unfolded: str = "") -> None:
+    def __init__(self, work: WorkbenchPanes, unfolded: str = "") -> None:
         super().__init__()
-        self.session, self.unfolded = session, unfolded
+        self.work, self.session, self.unfolded = work, work.session, unfolded
 
     def compose(self) -> ComposeResult:
         yield Static(id="ready-title")
         yield Closing(self.session)
         keys = Text(
-            "{report} report · e export · t better drives · i not counted · Enter goes there · Esc goes on editing",
-            report=self.app.shown_key("report"),
+            "{report} PDF · e export · {save} save · t drives · i not counted · Enter goes · Esc back",
+            report=self.app.shown_key(REPORT),
+            save=self.app.shown_key(SAVE.id),
         )
         yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
 
@@ -293,6 +300,9 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def action_give(self, what: str) -> None:
         self.dismiss(what or None)
+
+    async def action_save(self) -> None:
+        await self.work.run_action(SAVE.does)
 
     def action_choose(self) -> None:
         self.query_one(Closing).choose()

@@ -385,7 +385,7 @@ class WorkbenchMoves(WorkbenchResults):
         from .ready import ReadyScreen
 
         self.session.solve()  # the page says what holds of the design as it is now
-        self.app.push_screen(ReadyScreen(self.session, unfolded), self._go_from_ready)
+        self.app.push_screen(ReadyScreen(self, unfolded), self._go_from_ready)
 
     async def _go_from_ready(self, to: str | None) -> None:
         if to in BY_ID:
