@@ -83,6 +83,17 @@ async def test_enter_goes_on_from_a_pane_in_which_nothing_can_be_chosen(screen: 
         assert bench.pane == "inputs" and pilot.app.focused is bench.form
 
 
+async def test_while_an_input_is_not_valid_no_older_verdict_is_told(screen: Screen) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        assert "WARN: 3 cautions  3 steps left" in screen_rows(pilot)[0]
+        await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "x")
+        await until(pilot, lambda: "input is not valid  4 steps left" in screen_rows(pilot)[0])
+        assert "WARN" not in screen_rows(pilot)[0]
+        await pilot.press("enter", "escape", "D")
+        await until(pilot, lambda: "! input is not valid; 4 steps left" in screen_rows(pilot)[0])
+
+
 async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
     screen: Screen, session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
