@@ -152,7 +152,6 @@ CENTISTOKE: SquareMetrePerSecond = 1e-6
         "positive: inside the base circle",
         iacs=IACS_FLANK,
     ),
-    names={"eps": "ε"},
 )
 def inner_curvature(d_a: Metre, d_b: Metre, eps: Number, z: Number) -> Number:
     return sqrt(d_a**2 / d_b**2 - 1) - eps * 2 * pi / z
