@@ -5,18 +5,26 @@ from dataclasses import replace
 
 import pytest
 
+from calc.design.key_results import key_results
 from calc.gears import solve
 from calc.gears.rating import source_sheet as sheet
 from calc.gears.rating import stress as s
+from calc.gears.rating.load import RatingLoad, Surroundings, rating_context
+from calc.gears.rating.mesh_strength import nominal_root
+from calc.gears.rating.solve import _side
 from calc.library.catalogue import Material, materials
 from tests.calc.gears.trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
 
 TORQUE = 1350 / (2 * math.pi * SPEED)  # 1.35 kW at 2600 rpm
 
 
-def stresses(gears, torque, solids=None):
+def whole(gears, torque, solids=None):
     outcome = solve.geometry(gears, SPEED)
-    return shown(solve.merge(outcome, solve.rating(gears, outcome.result, torque, solids or materials())))
+    return solve.merge(outcome, solve.rating(gears, outcome.result, torque, solids or materials()))
+
+
+def stresses(*given):
+    return shown(whole(*given))
 
 
 def test_source_train_at_a_consistent_load():
@@ -111,6 +119,39 @@ def test_the_edition_changes_the_root_stress_only():
 @pytest.mark.parametrize("eps_beta, expected", [(0.0, 1.0), (1.0, 1.5**-0.5), (2.5, 1.5**-0.5)])
 def test_load_distribution_of_2019_at_its_ends(eps_beta, expected):
     assert s.load_distribution(eps_beta, 1.5) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("eps_alphan, share", [(1.98, 1.0), (2.02, math.sqrt(0.5)), (2.9, math.sqrt(0.5))])
+def test_the_root_of_a_spur_pair_by_2019_carries_alone_up_to_two_pairs(eps_alphan, share):
+    gears = train([wheel("a", 30, 0.1), wheel("b", 40, 0.1)], [mesh("a", "b")], beta=0.0, ball=None)
+    t = solved(gears)
+    pair = replace(t.meshes["a_b"], transverse_contact_ratio=eps_alphan)
+    old, new = (nominal_root(t.system, pair, t.wheels["a"], 1000.0, edition) for edition in (2006, 2019))
+    assert new.sigma_F0 == pytest.approx(share * old.sigma_F0)
+
+
+@pytest.mark.parametrize("overlap, beta, reduction", [(0.5, 30, 0.125), (1, 30, 0.25), (2, 20, 1 / 6), (1, 35, 0.25)])
+def test_helix_angle_factor_of_the_root(overlap, beta, reduction):
+    """ISO 6336-3: ε_β·β/120°, ε_β up to 1 and β up to 30°; 2019 besides over cos³ β."""
+    angle = math.radians(beta)
+    assert s.helix_factor_root(overlap, angle) == pytest.approx(1 - reduction)
+    assert s.helix_factor_root_2019(overlap, angle) == pytest.approx((1 - reduction) / math.cos(angle) ** 3)
+
+
+@pytest.mark.parametrize("least, loading", [(None, "pulsating"), (0.01, "pulsating"), (-0.01, "reversed")])
+def test_a_root_is_reversed_where_the_torque_changes_its_sign(least, loading):
+    gears = r753()
+    t = solved(gears)
+    load = RatingLoad(4.0, 2.0, least, 6.0, 1.0)
+    context = rating_context(gears, t, materials(), Surroundings())
+    root = nominal_root(t.system, t.meshes["crank_central"], t.wheels["crank"], 100.0, 2006)
+    assert _side(context, "crank", root, load).loading == loading
+
+
+def test_the_safeties_are_the_first_lines_of_the_first_page():
+    values = {v.id: v for v in whole(r753(), TORQUE).values()}
+    lines = {place: v.symbol for (_, place, _), v in key_results(values).items()}
+    assert lines == {1: "S_H", 2: "S_F", 5: "ε_α", 6: "Δφ"}  # 3 and 4: the backlash
 
 
 @pytest.mark.parametrize(

@@ -176,12 +176,16 @@ def test_mean_flash_is_an_integral():
 
 
 def test_what_is_given_out_is_the_extreme_of_the_curves():
+    t = solved(r753())
     for key in ("crank_central", "central_idler", "idler_shaft"):
         found = screened(r753(), key, F_t=184.0)
         assert found.flash_temperature_max == pytest.approx(np.max(found.flash))
         assert found.contact_temperature_max == found.bulk_temperature_flash + found.flash_temperature_max
         assert found.specific_film_min * 0.6e-6 == pytest.approx(found.film_min)
         # at the points A … E only: between them the film of a helical pair can be a little thinner
+        for curve in curves(key, found):  # over the whole path of contact, in mm
+            x = curve.series[0].x
+            assert x[-1] - x[0] == pytest.approx(t.meshes[key].transverse_contact_ratio * t.system.base_pitch * 1e3)
         assert 0.97 * found.specific_film_min < np.min(found.specific_film) <= found.specific_film_min * (1 + 1e-9)
 
 
@@ -248,6 +252,8 @@ def test_light_load_is_said():
         t.system, [screened(r753(), "central_idler", F_t=6000.0, load_stage=10, permissible_film=0.3)], "mineral"
     )
     assert len(heavy) == 1 and "far below" not in heavy[0]
+    for line_load, far in ((99e3, True), (101e3, False)):
+        assert ("far below" in notes(t.system, [replace(light[0], line_load=line_load)], "mineral")[0]) == far
 
 
 def test_a_thin_film_at_low_pressure_is_put_in_its_place():
