@@ -252,7 +252,7 @@ MASSES = CheckRule(
     ),
     of_input=True,
 )
-HEAVY = 2200.0  # kg/m³: piston and rod over the cube of the bore, above which the piston is that of a diesel
+HEAVY = 2450.0  # kg/m³: piston and rod over the cube of the bore, above which the piston is that of a diesel
 LIGHT_RATIO, HEAVY_RATIO = (0.8, 1.6), (0.6, 1.15)
 
 PISTON_SPEED = CheckRule(
@@ -412,6 +412,27 @@ def _engine(design: Design) -> Iterator[Check]:
         yield from _doubted(BURNING, rise, MOST_BURNING, *in_bar)
 
 
+AXIS = CheckRule(
+    "countershaft.inputs.axis",
+    "caution",
+    "A shaft that is nearer to the crank than its throw is struck by it.",
+    Text("Distance of the shaft's axis from the crank's, over the crank radius"),
+    ">=",
+    source=Text("geometry: the crank pin turns there"),
+    advice=Text("Both numbers are in mm."),
+    moved_by=(dotted(SHAFT, CountershaftInputs.axis), dotted(ENGINE, EngineInputs.crank_radius)),
+    of_input=True,
+)
+
+
+def _countershaft(design: Design) -> Iterator[Check]:
+    shaft, engine = design.countershaft, design.engine
+    if shaft is not None and engine is not None and shaft.axis is not None:
+        away = math.hypot(*shaft.axis) / engine.crank_radius
+        in_metre = _to(CountershaftInputs.axis, tuple([1e3 * x for x in shaft.axis]), SHAFT)
+        yield from _doubted(AXIS, away, 1.0, *([(1e3 * away, (in_metre,))] if away < 1e-2 else []))
+
+
 CORE = CheckRule(
     "bearings.inputs.B.core",
     "caution",
@@ -437,7 +458,7 @@ LENGTH = CheckRule(
     of_input=True,
 )
 LENGTHS = (0.15, 2.0)
-PLAIN_JOURNALS = (5e-3, 0.4)  # m: lengths and diameters that may have been meant
+PLAIN_JOURNALS = (10e-3, 0.4)  # m: lengths and diameters that may have been meant
 
 CLEARANCE = CheckRule(
     "bearings.inputs.B.clearance",
@@ -696,6 +717,7 @@ def _mounting(design: Design) -> Iterator[Check]:
 
 CROSSED: dict[str, Callable[[Design], Iterator[Check]]] = {
     dotted(ENGINE): _engine,
+    dotted(SHAFT): _countershaft,
     dotted(BEARINGS): _bearings,
     dotted(GEARS): _gears,
     dotted(MOUNTING): _mounting,

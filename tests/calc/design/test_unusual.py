@@ -96,6 +96,14 @@ WRONG: list[tuple[str, dict[str, object], str, dict[str, object]]] = [
     # a load in kN, a viscosity in Pa·s, both given in place of what other steps give
     (SIZED, {"bearings.front.load_N": 2.4}, "bearings.inputs.front.load", {"bearings.front.load_N": 2400}),
     (SIZED, {"bearings.viscosity_mPas": 0.012}, "bearings.inputs.viscosity", {"bearings.viscosity_mPas": 12}),
+    # one place, one spring or one pressure in another unit than the others
+    (SIZED, {"countershaft.axis_mm": [0.103, 0.13]}, "countershaft.inputs.axis", {"countershaft.axis_mm": [103, 130]}),
+    (SET, {"mounting.mounts.0.position_mm": [-0.26, -0.32, -0.25]}, "mounting.inputs.front-left.place",
+     {"mounting.mounts.front-left.position_mm": [-260, -320, -250]}),
+    (SET, {"mounting.mounts.0.stiffness_N_mm": [620e3, 260e3, 260e3]}, "mounting.inputs.front-left.stiffness",
+     {"mounting.mounts.front-left.stiffness_N_mm": [620, 260, 260]}),
+    (SET, {"mounting.operation.1.peak_pressure_bar": 0.165}, "mounting.inputs.operation.rated.peak_pressure_bar",
+     {"mounting.operation.rated.peak_pressure_bar": 165}),
 ]  # fmt: skip
 
 
@@ -257,8 +265,8 @@ def test_what_is_far(key: str, near: object, far: object) -> None:
         (TWIN, "engine.rod_mass_g", "engine.inputs.masses", 420 * 0.81, 420 * 0.79),
         (TWIN, "engine.rod_mass_g", "engine.inputs.masses", 420 * 1.59, 420 * 1.61),
         (SIZED, "engine.rod_mass_g", "engine.inputs.masses", 1178 * 1.14, 1178 * 1.16),
-        (SIZED, "engine.rod_mass_g", "engine.inputs.masses", 1178 * 0.61, 1178 * 0.59),
-        (TWIN, "engine.bore_mm", "engine.inputs.masses", 76.0, 75.7),  # 0.96 kg over its cube: 2187 and 2213 kg/m³
+        (SIZED, "engine.piston_mass_g", "engine.inputs.masses", 1015 / 0.61, 1015 / 0.59),
+        (TWIN, "engine.bore_mm", "engine.inputs.masses", 73.3, 73.1),  # 0.96 kg over its cube: 2438 and 2458 kg/m³
         (SIZED, "engine.rated_speed_rpm", "engine.inputs.piston_speed", 1130.0, 1110.0),
         (SIZED, "engine.rated_speed_rpm", "engine.inputs.piston_speed", 8400.0, 8420.0),
         (SIZED, "engine.rod_length_mm", "engine.inputs.crank_ratio", 53.5 / 0.41, 53.5 / 0.43),
@@ -322,8 +330,7 @@ DOUBTED: list[tuple[str, dict[str, object], str, float, object, list[dict[str, o
     (SIZED, {"engine.bore_mm": 47.0}, "engine.inputs.stroke_ratio", 107 / 47, (0.4, 1.8), [{"engine.bore_mm": 94}]),
     (SIZED, {"engine.bore_mm": 300.0}, "engine.inputs.stroke_ratio", 107 / 300, (0.4, 1.8), []),
     (TWIN, {"engine.bore_mm": 23.5}, "engine.inputs.cylinder_pitch", 88 / 23.5, (1.0, 1.9), [{"engine.bore_mm": 47}]),
-    (TWIN, {"engine.bore_mm": 42.9}, "engine.inputs.cylinder_pitch", 88 / 42.9, (1.0, 1.9),
-     [{"engine.bore_mm": 85.8}]),
+    (TWIN, {"engine.bore_mm": 42.9}, "engine.inputs.stroke_ratio", 86 / 42.9, (0.4, 1.8), [{"engine.bore_mm": 85.8}]),
     (SIZED, {"engine.rod_cg_to_big_end_mm": 83.13}, "engine.inputs.rod_cg", 0.51, (0.1, 0.5),
      [{"engine.rod_cg_to_big_end_mm": 79.87}]),
     (SIZED, {"engine.rod_cg_to_big_end_mm": 145.07}, "engine.inputs.rod_cg", 0.89, (0.1, 0.5),
@@ -333,9 +340,10 @@ DOUBTED: list[tuple[str, dict[str, object], str, float, object, list[dict[str, o
     # power over displacement and cycles a second
     (SIZED, {"engine.rated_power_kW": 160.0}, "engine.inputs.rated_power",
      160e3 / (3 * math.pi / 4 * 0.094**2 * 0.107 * 2600 / 120) / 1e5, (1.5, 32.0), [{"engine.rated_power_kW": 117.68}]),
-    (TWIN, {"engine.bore_mm": 50.0, "engine.crank_radius_mm": 20.0, "engine.rated_speed_rpm": 1000.0,
-            "engine.rated_power_kW": 300.0}, "engine.inputs.rated_power",
-     300e3 / (2 * math.pi / 4 * 0.05**2 * 0.04 * 1000 / 120) / 1e5, (1.5, 32.0), [{"engine.rated_power_kW": 0.3}]),
+    (TWIN, {"engine.bore_mm": 50.0, "engine.crank_radius_mm": 25.0, "engine.rated_speed_rpm": 3000.0,
+            "engine.piston_mass_g": 120.0, "engine.rod_mass_g": 150.0, "engine.rated_power_kW": 1000.0},
+     "engine.inputs.rated_power", 1e6 / (2 * math.pi / 4 * 0.05**2 * 0.05 * 3000 / 120) / 1e5, (1.5, 32.0),
+     [{"engine.rated_power_kW": 1}]),
     (SET, {"engine.gas.intake_pressure_bar": 0.23, "engine.gas.peak_pressure_bar": 600.0}, "engine.inputs.gas",
      600 / (0.23 * 16.5**1.35), 6.0, [{"engine.gas.intake_pressure_bar": 2.3}]),
     (SET, {"engine.gas.intake_pressure_bar": 0.225, "engine.gas.peak_pressure_bar": 600.0}, "engine.inputs.gas",
@@ -344,7 +352,8 @@ DOUBTED: list[tuple[str, dict[str, object], str, float, object, list[dict[str, o
      280 / 16.5**1.35, 6.0, []),
     (SIZED, {"bearings.front.diameter_mm": 18.5}, "bearings.inputs.front.core", 18.5 / 36, 1.0,
      [{"bearings.front.diameter_mm": 37}]),
-    (SIZED, {"bearings.front.diameter_mm": 17.5}, "bearings.inputs.front.core", 17.5 / 36, 1.0, []),
+    (SIZED, {"bearings.front.diameter_mm": 17.5, "bearings.front.length_mm": 30.0}, "bearings.inputs.front.core",
+     17.5 / 36, 1.0, []),
     (TWIN, {"bearings.front.length_mm": 5.6}, "bearings.inputs.front.length", 0.07, (0.15, 2.0),
      [{"bearings.front.length_mm": 56}, {"bearings.front.length_mm": 142.24}]),
     (TWIN, {"bearings.front.length_mm": 0.12, "bearings.front.diameter_mm": 160.0, "bearings.hole_diameter_mm": 0.1},
