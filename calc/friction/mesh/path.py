@@ -82,16 +82,14 @@ class Cells:
         at_left = value - self.to_left * (value[..., self.before[1]] - value[..., self.before[0]])
         at_right = value + self.to_right * (value[..., self.after[1]] - value[..., self.after[0]])
         length = self.left + self.right
-        share = (_below(at_left, value) * self.left + _below(value, at_right) * self.right) / np.where(
-            length > 0, length, 1.0
-        )
-        return np.where(length > 0, share, np.where(there, 1.0, 0.0))
+        below = _below(at_left, value) * self.left + _below(value, at_right) * self.right
+        return np.divide(below, length, out=np.where(there, 1.0, 0.0), where=length > 0)
 
 
 def _below(a: Array, b: Array) -> Array:
     """The share of a line from a to b that lies below 0."""
-    size = np.abs(a) + np.abs(b)
-    return (np.maximum(-a, 0.0) + np.maximum(-b, 0.0)) / np.where(size > 0, size, 1.0)
+    size: Array = np.abs(a) + np.abs(b)
+    return np.divide(np.maximum(-a, 0.0) + np.maximum(-b, 0.0), size, out=np.zeros_like(size), where=size > 0)
 
 
 def cells(x: Array, width: Array, points: int, others: int) -> Cells:

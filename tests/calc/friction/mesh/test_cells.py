@@ -51,7 +51,7 @@ def measured(x, width, value, points):
     return shares
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(12))
 def test_any_numbers_are_cut_as_lines_between_the_positions_of_a_piece(seed):
     """Two pieces of four positions each, between which the number jumps; the mark at the end stands for nothing."""
     random = np.random.default_rng(seed)
