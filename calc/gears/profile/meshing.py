@@ -81,9 +81,9 @@ def _seen(a_w: Metre, flank: Flank, mate: Flank, carried: Array, share: Array, t
     r, place = radius[carried], reach[carried] * share  # of the point, from the line of centres
     X, Y = a_w - r * np.cos(place), -r * np.sin(place)
     pitch = 2 * math.pi / flank.cut.teeth
-    tooth = turn + pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / flank.cut.teeth)
-    off, radius = np.arctan2(Y, X) - tooth, np.hypot(X, Y)
-    angle = np.abs(off - pitch * np.rint(off / pitch))
+    space = turn - (place - theta[carried]) * (mate.cut.teeth / flank.cut.teeth)
+    off, radius = np.arctan2(Y, X) - space, np.hypot(X, Y)
+    angle = pitch / 2 - np.abs(off - pitch * np.rint(off / pitch))
     return radius, angle, (flank.tooth_angle(radius) - angle) * radius
 
 
@@ -131,8 +131,8 @@ def _depth(flank: Flank, radius: Array, angle: Array, deep: Array) -> Metre:
     r, theta = flank.fillet
     over_flank = np.minimum(deep / radius * flank.cut.base_radius, flank.tip_radius - radius)
     to_fillet = _distances(radius * np.exp(1j * angle), r * np.exp(1j * theta))
-    to_root = np.where(angle >= theta[0], np.abs(radius - r[0]), np.inf)
-    depth = np.where(radius >= r[-1], over_flank, np.minimum(to_fillet, to_root))
+    to_root = np.where(angle >= theta.max(), np.abs(radius - r.min()), np.inf)
+    depth = np.where(radius >= r.max(), over_flank, np.minimum(to_fillet, to_root))
     return float(depth.max())
 
 
