@@ -69,8 +69,9 @@ def flank(system: ToothSystem, wheel: WheelResult, shift: Number | None = None) 
     return Flank(cut, based_on(min(wheel.tip_diameter / 2, pointed), wheel.tip_diameter, wheel.pointed_diameter))
 
 
-def _seen(a_w: Metre, flank: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, Array]:
-    """Points of the mate as the wheel sees them: radius, and angle from its nearest tooth.
+def _seen(a_w: Metre, flank: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, ...]:
+    """Points of the mate as the wheel sees them: radius, angle from its nearest tooth, and how far inside that they
+    are, along the circle.
 
     `carried`: which of the mate's points; `share`: where each stands, −1 to 1 of the way that it has inside the wheel's
     tip circle. The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there,
@@ -80,9 +81,10 @@ def _seen(a_w: Metre, flank: Flank, mate: Flank, carried: Array, share: Array, t
     r, place = radius[carried], reach[carried] * share  # of the point, from the line of centres
     X, Y = a_w - r * np.cos(place), -r * np.sin(place)
     pitch = 2 * math.pi / flank.cut.teeth
-    tooth = turn + pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / flank.cut.teeth)
-    off = np.arctan2(Y, X) - tooth
-    return np.hypot(X, Y), np.abs(off - pitch * np.rint(off / pitch))
+    space = turn - (place - theta[carried]) * (mate.cut.teeth / flank.cut.teeth)
+    off, radius = np.arctan2(Y, X) - space, np.hypot(X, Y)
+    angle = pitch / 2 - np.abs(off - pitch * np.rint(off / pitch))
+    return radius, angle, (flank.tooth_angle(radius) - angle) * radius
 
 
 def _places(corner: int, flank: int) -> tuple[Array, Array]:
@@ -113,26 +115,24 @@ def _deepest(a_w: Metre, flank: Flank, mate: Flank, turn: float) -> Metre:
 
     A corner passes a fillet in a loop as narrow as that: where it comes closest to one it is looked at once more.
     """
-    radius, angle = _seen(a_w, flank, mate, *PLACES, turn)
-    short = flank.tooth_angle(radius) - angle  # by which the point is inside the tooth
-    r_form, root = flank.fillet[0][-1], flank.fillet[0][0]
-    near = np.where((radius < r_form) | (short * radius > DUST), short * radius, -np.inf)[:CORNER]
+    radius, _, deep = seen = _seen(a_w, flank, mate, *PLACES, turn)
+    radii = flank.fillet[0]
+    near = np.where((radius < radii.max()) | (deep > DUST), deep, -np.inf)[:CORNER]
     at = PLACES[1][int(np.argmax(near))]
     closer = np.linspace(at - BESIDE, at + BESIDE, 41)
     more = _seen(a_w, flank, mate, np.zeros(closer.size, int), closer, turn)
-    radius, angle = np.concatenate([radius, more[0]]), np.concatenate([angle, more[1]])
-    short = np.concatenate([short, flank.tooth_angle(more[0]) - more[1]])
-    inside = (radius < flank.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
-    return _depth(flank, radius[inside], angle[inside], short[inside]) if inside.any() else 0.0
+    radius, angle, deep = (np.concatenate(both) for both in zip(seen, more))
+    inside = (radius < flank.tip_radius) & ((deep > DUST) | (radius < radii.min() - DUST))
+    return _depth(flank, radius[inside], angle[inside], deep[inside]) if inside.any() else 0.0
 
 
-def _depth(flank: Flank, radius: Array, angle: Array, short: Array) -> Metre:
+def _depth(flank: Flank, radius: Array, angle: Array, deep: Array) -> Metre:
     """The deepest of points inside a tooth: the way out is over the flank, the tip, the fillet or the root arc."""
     r, theta = flank.fillet
-    over_flank = np.minimum(short * flank.cut.base_radius, flank.tip_radius - radius)
+    over_flank = np.minimum(deep / radius * flank.cut.base_radius, flank.tip_radius - radius)
     to_fillet = _distances(radius * np.exp(1j * angle), r * np.exp(1j * theta))
-    to_root = np.where(angle >= theta[0], np.abs(radius - r[0]), np.inf)
-    depth = np.where(radius >= r[-1], over_flank, np.minimum(to_fillet, to_root))
+    to_root = np.where(angle >= theta.max(), np.abs(radius - r.min()), np.inf)
+    depth = np.where(radius >= r.max(), over_flank, np.minimum(to_fillet, to_root))
     return float(depth.max())
 
 

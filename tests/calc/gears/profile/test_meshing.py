@@ -160,7 +160,7 @@ def test_the_way_out_of_a_tooth_is_the_shortest(outward, shares, digits):
     radius = np.array([r[0] + outward * (side.tip_radius - r[0])])
     for share in np.linspace(*shares, 14):
         angle = side.tooth_angle(radius) * share
-        found = _depth(side, radius, angle, side.tooth_angle(radius) - angle)
+        found = _depth(side, radius, angle, (side.tooth_angle(radius) - angle) * radius)
         assert found == pytest.approx(distance(radius * np.exp(1j * angle), outline)[0], rel=digits)
 
 
