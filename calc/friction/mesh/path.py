@@ -88,8 +88,9 @@ class Cells:
 
 def _below(a: Array, b: Array) -> Array:
     """The share of a line from a to b that lies below 0."""
-    size: Array = np.abs(a) + np.abs(b)
-    return np.divide(np.maximum(-a, 0.0) + np.maximum(-b, 0.0), size, out=np.zeros_like(size), where=size > 0)
+    below, size = np.maximum(-a, 0.0) + np.maximum(-b, 0.0), np.abs(a) + np.abs(b)
+    share: Array = np.divide(below, size, out=np.zeros_like(size), where=size > 0)
+    return share
 
 
 def cells(x: Array, width: Array, points: int, others: int) -> Cells:
@@ -101,7 +102,7 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     # stretches: those of a piece lie one after the other from its beginning
     dx = width.reshape(rows, -1, points)
     ends = np.cumsum(dx, axis=-1)
-    inside = x[:, : columns - others].reshape(rows, -1, points)
+    inside = x[:, : columns - others].reshape(dx.shape)
     # Gauss points lie evenly about the middle of their piece
     begin = inside.mean(axis=-1, keepdims=True) - ends[..., -1:] / 2
     left, right = inside - (begin + ends - dx), begin + ends - inside
@@ -117,7 +118,7 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
         for pair in (pair_before, pair_after)
     )
     flat = x.ravel()
-    lefts, rights = (np.hstack((side.reshape(rows, -1), nothing)).ravel() for side in (left, right))
+    lefts, rights = (np.hstack((side.reshape(width.shape), nothing)).ravel() for side in (left, right))
 
     def share(stretch: Array, pair: tuple[IndexArray, ...]) -> Array:
         apart = flat[pair[1]] - flat[pair[0]]
