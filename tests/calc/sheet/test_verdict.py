@@ -183,8 +183,8 @@ def test_what_is_worse_stands_first() -> None:
 
 
 def test_of_many_checks_the_rest_is_a_number() -> None:
-    checks = [made_check(2.0, name=Text(name)) for name in "abcde"]
-    assert with_it(checks[:3]) == "With it: a (+100 %); b (+100 %); c (+100 %)"
-    assert with_it(checks) == "With it: a (+100 %); b (+100 %); c (+100 %); 2 more"
-    assert named(checks) == "a (+100 %); b (+100 %); c (+100 %); 2 more"
-    assert named(checks[:2], 1) == "a (+100 %); 1 more"
+    checks = [made_check(0.5, name=Text(name)) for name in "abcde"]
+    assert with_it(checks[:3]) == "With it 3 failed: a (−50 %); b (−50 %); c (−50 %)"
+    assert with_it(checks) == "With it 5 failed: a (−50 %); b (−50 %); c (−50 %); 2 more"
+    assert named(checks) == "a (−50 %); b (−50 %); c (−50 %); 2 more"
+    assert named(checks[:2], 1) == "a (−50 %); 1 more"
