@@ -74,6 +74,9 @@ ACTIONS: tuple[Action, ...] = (
            Text("On a finding that is no limit: asks for the reason why it may stay open, which stands in the report; "
                 "once more takes it "
                 "back.")),
+    Action("leave_out", "", "minus", EMPTY, Text("Leave the step out"),
+           Text("In a step that the design does not have: asks why it does without it, in your words, which stand in "
+                "the report.")),
     Action("ready", "", "D", EMPTY, Text("Ready?"),
            Text("Shows the whole drive with its main numbers, what is assumed and accepted, and what is left to do.")),
     Action("not_counted", "", "i", EMPTY, Text("What is not counted"),
@@ -173,6 +176,7 @@ KEY_NAMES: dict[str, str] = {
     "left_square_bracket": "[",
     "right_square_bracket": "]",
     "colon": ":",
+    "minus": "-",
     "equals_sign": "=",
     "greater_than_sign": ">",
     "less_than_sign": "<",

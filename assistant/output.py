@@ -117,6 +117,7 @@ def _to_nowhere(stream: TextIO) -> None:
 
 CODE = 70
 KEPT = 20  # traces; older ones go
+FOLDER = "contralbero"
 
 
 def told(error: BaseException) -> int:
@@ -125,7 +126,7 @@ def told(error: BaseException) -> int:
         print(error, file=sys.stderr)
         return 2
     what = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
-    trace = _kept(error)
+    trace = kept(error)
     where = f"its trace is in {trace}" if trace is not None else "its trace could not be kept"
     print(
         f"contralbero: a fault of the program itself, no verdict: {' '.join(what.split())[:300]}; {where}",
@@ -134,7 +135,7 @@ def told(error: BaseException) -> int:
     return CODE
 
 
-def _kept(error: BaseException) -> Path | None:
+def kept(error: BaseException) -> Path | None:
     """The file with the trace: in the user's state folder, else in the one for temporary files."""
     now = datetime.now()
     words = (
@@ -154,10 +155,19 @@ def _kept(error: BaseException) -> Path | None:
 
 def _folders() -> list[Path]:
     folders = []
-    with suppress(Exception):  # it may be that which is at fault
-        from .session.recovery import state_dir
-
+    with suppress(RuntimeError):  # no home is known
         folders.append(state_dir() / "faults")
     with suppress(OSError):
         folders.append(Path(tempfile.gettempdir()))
     return folders
+
+
+def state_dir() -> Path:
+    """The user's folder for the state of programs, and ours in it; nothing is made before something is written."""
+    if given := os.environ.get("XDG_STATE_HOME"):
+        base = Path(given)
+    elif os.name == "nt":
+        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    else:
+        base = Path.home() / ".local" / "state"
+    return base / FOLDER

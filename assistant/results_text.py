@@ -12,20 +12,20 @@ from itertools import takewhile
 from typing import Any
 
 from calc.design.key_results import judged, outside
-from calc.design.model import OPTIONAL, STEPS
+from calc.design.model import OPTIONAL, STEPS, TITLES
 from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
 from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
-from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome, Table, ignored
 from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of, named, open_findings, severity, with_it
 from calc.sheet.version import VERSION
-from calc.solve import TITLES, Results
+from calc.solve import Results
 from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
+from calc.studies.ready import limits_hold
 
 # --- findings, as plain text that fits a screen
 # Limits first, then cautions, each group of one cause by its worst check; advice and what concerns the method by
@@ -84,7 +84,7 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
 def _finding(check: Check) -> Iterator[str]:
     """What is judged, its id, and what decides: how far it goes with what is not given, and what would mend it."""
     yield from _headed(check)
-    ways = sentence(check.remedies)
+    ways = check.ways_text()
     advice = ways if ways and check.advice.startswith(ways) else check.advice  # what is said beside them is for --all
     if words := [*filter(None, (_beyond(check), check.lack_in_short(), advice))]:
         yield from _wrapped_finding(SPACE.join(words))
@@ -133,7 +133,7 @@ def _judged(check: Check) -> Text:
     """`Film at the edge, front: 7.411 µm, needs ≥ 9 µm (−18 %)`."""
     template = (
         "{name}: {value}, only just {limit} ({margin})"
-        if check.narrow
+        if check.narrow and check.verdict == "warn"
         else "{name}: {value}, needs {limit} ({margin})"
         if check.kind in ("limit", "caution")
         else "{name}: {value}, should be {limit} ({margin})"
@@ -188,14 +188,15 @@ def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
         yield from _wrapped_finding(f"{told(odd, most)}  [{keys}]", f"{sign('note')}  ")
 
 
-def lost_acceptances(results: Results) -> Iterator[str]:
-    """What is accepted in vain: a limit, or no check that the design has; of a step that is not solved it may be
-    one."""
+def lost_acceptances(results: Results, step: str | None = None) -> Iterator[str]:
+    """What is accepted in vain: a limit, or no check that the design, or the step, has; of a step that is not solved it
+    may be one."""
     known = {check.id: check for check in results.checks()}
     waits = {key for key, outcome in results.outcomes.items() if outcome.state != "solved"}
     for id, _ in results.design.accepted:
         words = ignored(id, known.get(id))
-        if words and id.partition(".")[0] not in waits:
+        of_step = id.partition(".")[0]
+        if words and of_step not in waits and step in (None, of_step):
             near = [] if id in known else get_close_matches(id, known, 1)
             meant = Text("; did you mean {near}?", near=near[0]) if near else EMPTY
             yield from _wrapped_finding(words + meant, f"{sign('note')}  ")
@@ -220,6 +221,7 @@ def _width() -> int:
 # --- steps, tables and values, and all of it as JSON
 
 DIGITS = 6
+HELD = ("pass", "warn", "not_judged")  # of which it is said what was judged, and what was not used
 HEADS = {step.key: step for step in STEPS}
 WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
 LINE = 112  # of a table's note
@@ -347,7 +349,10 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
     checks = [check for outcome in shown.values() for check in outcome.checks]
-    findings = [*finding_lines(checks, everything, unusual(results.design, shown, checks)), *lost_acceptances(results)]
+    if step is None and results.verdict in HELD:
+        print(*_wrapped_finding(limits_hold(results), ""), sep="\n")
+    odd = unusual(results.design, shown, checks)
+    findings = [*finding_lines(checks, everything, odd), *lost_acceptances(results, step)]
     for line in [*findings, ""] if findings else []:
         print(line)
     for key, outcome in shown.items():
@@ -424,7 +429,7 @@ def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[st
         "name": check.name,
         "value": finite(check.value),
         "sense": check.sense,
-        "limit": list(check.limit) if isinstance(check.limit, tuple) else check.limit,
+        "limit": [*map(finite, check.limit)] if isinstance(check.limit, tuple) else finite(check.limit),
         "unit": check.unit,
         "gap": finite(check.gap),
         "scale": finite(check.scale),

@@ -20,7 +20,7 @@ from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_oil
 from .countershaft.supports import with_standing
 from .design import step_inputs as h
-from .design.model import STEPS, Design
+from .design.model import IN_SENTENCES, STEPS, TITLES, Design
 from .design.predicted import Predicted, with_measured
 from .design.unusual import with_doubts
 from .engine import solve as engine
@@ -47,7 +47,6 @@ from .sheet.value import recorded, recording
 from .sheet.verdict import Counts, State, colour_state, counts, design_state, verdict_words
 
 R = TypeVar("R")
-TITLES = {step.key: step.title for step in STEPS}
 
 
 @record
@@ -129,9 +128,9 @@ class Results:
     def words(self) -> Text:
         """`FAIL: 2 failed, 3 cautions`; of steps without a solution, or that wait, their names."""
         state = self.verdict
-        lost = [TITLES[key] for key, o in self.outcomes.items() if o.verdict == "no_solution"]
+        lost = [IN_SENTENCES[key] for key, o in self.outcomes.items() if o.verdict == "no_solution"]
         waiting = [key for key, o in self.outcomes.items() if o.verdict == "blocked"]
-        waiting_words = [Text("{step} waits", step=TITLES[key]) for key in waiting]
+        waiting_words = [Text("{step} waits", step=IN_SENTENCES[key]) for key in waiting]
         return verdict_words(state, self.counts, lost if state == "no_solution" else [*lost, *waiting_words])
 
 
@@ -157,7 +156,7 @@ def solve(
     nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what it
     gave decides all that is asked, the outcomes so far are returned."""
     kept = before.parts if before is not None and before.recorded >= recording.get() else {}
-    part = Parts(TITLES, kept, stop=stop, enough=enough)
+    part = Parts(TITLES, kept, dict(design.without), stop=stop, enough=enough)
     try:
         outcomes = steps(part, design, compared)
     except Enough:
@@ -210,7 +209,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             h.journals(design),
             gear,
             design.bearings.slope if design.bearings is not None else None,
-            design.engine.highest_speed / design.engine.rated_speed if design.engine is not None else 1.0,
+            h.overrun(design),
         )
     else:
         c = part.absent("countershaft", design.countershaft, (e, i))

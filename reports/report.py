@@ -226,7 +226,7 @@ def _step(
     title, context.chapter = context.say(step.title), step.key
     chapter = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
     reasons = {
-        "not_asked": context.text("not_asked_text", key=step.key),
+        "not_asked": outcome.reason or context.text("not_asked_text", key=step.key),
         "blocked": context.text("blocked_text", reason=outcome.reason),
         "no_solution": context.text("no_solution_text", reason=outcome.reason),
     }

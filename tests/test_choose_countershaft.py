@@ -33,7 +33,8 @@ def test_the_lightest_is_listed_first_and_one_is_written(wide):
     assert 'mode = "size"' in after and f"outer_radius_mm = {listed['rows'][1][radius]:g}" in after
     assert before.count("#") == after.count("#")
     assert wide.with_suffix(".toml.bak").read_text(encoding="utf-8") == before
-    assert f"\n\n{run('check', wide).stdout.splitlines()[0]}\n" in done.stdout  # the state of the design then
+    state = run("check", wide).stdout.splitlines()[0]
+    assert f"\n\n{state} (before: FAIL: " in done.stdout
     checked = json.loads(run("check", wide, "--json", "--step", "countershaft").stdout)
     assert checked["values"]["countershaft.couple"]["value"] == pytest.approx(572.932, abs=5e-4)
     assert checked["values"]["countershaft.eccentric_mass"]["value"] == pytest.approx(masses[1], rel=1e-9)

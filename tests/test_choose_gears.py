@@ -6,8 +6,11 @@ import re
 
 import pytest
 
+from assistant.commands import choose
+from assistant.offers import Offer
 from calc.gears.selection import search as offered
 from calc.gears.selection.search import search
+from calc.studies.shipped import engine_design
 from tests.command import run
 from tests.conftest import DESIGNS, GAMMA
 
@@ -109,6 +112,21 @@ def test_the_best_of_a_pair_below_the_usual_limits_is_the_first_row_and_is_writt
     assert [row["max |ζ_A|"] for row in rows] == pytest.approx([1.017, 0.882, 1.017, 3.353], abs=5e-4)
     assert run("choose", path, "gears", "--apply", 1).returncode == 0
     assert largest_sliding(path) == pytest.approx(0.8819, abs=5e-5)
+
+
+def test_what_a_row_makes_worse_in_the_whole_design_is_said(tmp_path, monkeypatch):
+    """Gears with the larger tips of the optimum, in a design that passes: the front seat is then too narrow for one."""
+    path = tmp_path / "new.toml"
+    path.write_text(engine_design("inline-3"), encoding="utf-8")
+    shifts = {f"gears.wheels.{wheel}.profile_shift": 0.8 for wheel in ("crank", "central", "idler", "shaft")}
+    row = Offer(1, lambda top: None, lambda n: shifts, lambda n: "now has other gears", "")
+    monkeypatch.setattr(choose, "offer_for", lambda *asked: row)
+    done = run("choose", path, "gears", "--apply", 1)
+    state, *lines = done.stdout.partition("\n\n")[2].splitlines()
+    assert state.startswith("NOT VERIFIED: ") and state.endswith(" (before: PASS)")
+    shaft = next(n for n, line in enumerate(lines) if line.startswith("Counter-shaft"))
+    assert lines[shaft].endswith("▲ warn") and "▲ warn    countershaft.gear_seat " in lines[shaft + 1]
+    assert lines[shaft + 2].startswith("Bearings")
 
 
 def test_the_whole_train_fits_the_terminal(listed):

@@ -58,7 +58,7 @@ def test_limits_stand_first_and_a_cause_by_its_worst_check():
         "▲ warn  The size of a.caution: 0.5 mm, needs ≥ 1 mm (−50 %)  [a.caution]",
         "• note  1 piece of advice: The size of a.note (−50 %)",
     ]
-    assert "With it: a.corner (−80 %)" in text and "a source" not in text and "a.holds" not in text
+    assert "With it 1 caution: a.corner (−80 %)" in text and "a source" not in text and "a.holds" not in text
 
 
 def test_everything_is_every_finding_in_full():
@@ -106,7 +106,7 @@ def test_many_of_one_cause_are_counted():
     text = printed(made("a.limit", "limit", 0.9), *many)
     assert text.endswith(f"a.{'n' * 25}1 (−50 %); 3 more")
     alone = made("a.b", "caution", 0.5, cause="a.limit").but(name=Text("The size of"))
-    assert "With it: The size of (−50 %)" in printed(made("a.limit", "limit", 0.9), alone)
+    assert "With it 1 caution: The size of (−50 %)" in printed(made("a.limit", "limit", 0.9), alone)
 
 
 def test_a_row_of_the_json_has_all_that_a_check_knows():

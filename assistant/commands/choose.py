@@ -23,11 +23,12 @@ from assistant.session.saving import asked_for, edited_text, write_asked
 from calc.design.addresses import parse_assignment
 from calc.design.disk import edit_file
 from calc.design.limits import DESIGN_BYTES
-from calc.design.model import Design
+from calc.design.model import TITLES, Design
 from calc.design.toml_file import Document, design, parse, read
+from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import COMMA, EMPTY, Text
-from calc.solve import TITLES, solve
+from calc.solve import solve
 
 
 def run_choose(asked: Namespace) -> int:
@@ -96,7 +97,8 @@ def _locked(document: Document, offer: Offer) -> Text:
 
 
 def _write(path: Path, document: Document, changes: list[str], step: str, words: str) -> None:
-    """Put a row into the file and say so; then the verdicts, the warnings of this step, and whatever fails."""
+    """Put a row into the file and say so; then the verdicts, the warnings of this step, and of the others what fails or
+    is worse than before."""
     before = document.raw.decode("utf-8")
     _, changed_design = changed(document, changes)
     text = edited_text(before, dict(parse_assignment(change) for change in changes))
@@ -106,13 +108,17 @@ def _write(path: Path, document: Document, changes: list[str], step: str, words:
         print(Text("This {changes}", changes=shut))
     for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
         print(f"A comment went with its key: {comment}")
-    results = solve(changed_design)
-    print(f"\n{results.words()}")
+    results, former = solve(changed_design), solve(design(document))
+    words, were = results.words(), former.words()
+    print("", words if words == were else Text("{words} (before: {were})", words=words, were=were), sep="\n")
+    known = {c.id: c.verdict for c in former.checks()}
     for key, outcome in results.outcomes.items():
         if key != step and outcome.state != "not_asked":
             reason = f"  {outcome.reason}" if outcome.reason else ""
             print(f"{TITLES[key]:<14} {sign(outcome.verdict)}{reason}")
-            print("".join(f"  {check_line(c, c.verdict)}\n" for c in outcome.checks if c.verdict == "fail"), end="")
+            for c in outcome.checks:
+                if c.verdict == "fail" or (c.verdict in URGENT and c.verdict != known.get(c.id)):
+                    print(f"  {check_line(c, c.verdict)}")
     print_findings(results, step)
 
 

@@ -19,6 +19,7 @@ from calc.design.model import STEPS
 from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.text import EMPTY, Amount, Text, plural
+from calc.studies.ready import OF_PROGRAM
 
 from ..base_app import BaseApp
 
@@ -229,8 +230,10 @@ class LeaveOut(Reason):
     def __init__(self, step: str, reason: str, say: Language) -> None:
         title = next(candidate.title for candidate in STEPS if candidate.key == step)
         about = Text("{step}: {reason}", step=title, reason=reason) if reason else title
-        hint = Text("Enter leaves it out with this reason, Esc goes back.")
-        super().__init__(Text("Leave this step out: why is it right?"), say(about), hint)
+        if reason in OF_PROGRAM:
+            about = Text("{step}, left out by the program so far: {reason}", step=title, reason=reason)
+        hint = Text("Enter leaves it out with the reason that you type, Esc goes back.")
+        super().__init__(Text("Leave this step out: why is it right, in your words?"), say(about), hint)
 
 
 # --- a question with two answers

@@ -24,16 +24,20 @@ from calc.studies.described import not_counted
 from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
 from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 
+from ..actions import BY_ID
 from ..base_app import BaseApp
 from ..session.places import label_of
 from ..session.session import Session
 from ..widgets.canvas import draw
 from ..widgets.item_list import Item, ItemList
-from ..widgets.steps import states_of, whole_of
+from ..widgets.steps import ready_words, states_of, verdict_of, whole_of
 from ..widgets.text import fit, pad, wrap
 from .dialogs import Once
+from .workbench_panes import WorkbenchPanes
 
-REPORT, EXPORT, DRIVE = "report", "export", "drive"  # actions that the page gives beside a step's key and a check's id
+# actions that the page gives beside a step's key and a check's id
+REPORT, EXPORT, DRIVE, PALETTE = "report", "export", "drive", "palette"
+SAVE = BY_ID["save"]
 PICTURE = (90, 14)  # cells of the picture at most
 ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
 
@@ -60,7 +64,7 @@ class Closing(ItemList):
         self.go_to(key, top=True)
 
     def build(self, width: int) -> list[Item]:
-        parts = (self._picture(width), self._numbers(width), self._left(width), *self._said(width))
+        parts = (self._picture(width), self._numbers(width), *self._steps(width), *self._said(width))
         return [item for part in parts if part for item in (*part, Item("", [Content("")]))]
 
     def _picture(self, width: int) -> list[Item]:
@@ -98,11 +102,17 @@ class Closing(ItemList):
         rows.append(Content.assemble((f"{say(Text('closest limit'))}  ", "dim"), (closest, "bold")))
         return [Item("", rows)]
 
-    def _left(self, width: int) -> list[Item]:
-        """A row for every step in which something is open."""
-        states = [(n, state) for n, state in enumerate(states_of(self.session), 1) if not state.done]
-        wide = max((len(self.app.say(state.words)) for _, state in states if state.state in SOLVED), default=0)
-        return [self._step(n, state, max(22, wide) + 2, width) for n, state in states]
+    def _steps(self, width: int) -> Iterator[list[Item]]:
+        """A row for every step that is left, and for every other in which something is open."""
+        states = list(enumerate(states_of(self.session), 1))
+        left = [(n, state) for n, state in states if not state.done]
+        open_ = [(n, state) for n, state in states if state.done and state.colour == "warn"]
+        wide = max((len(self.app.say(state.words)) for _, state in left + open_ if state.state in SOLVED), default=0)
+        findings = Text("done, with findings ({n})", n=len(open_))
+        for title, those in ((whole_of(self.session).words, left), (findings, open_)):
+            if those:
+                head = Item("", [Content.styled(self.app.say(title), "bold")])
+                yield [head, *(self._step(n, state, max(22, wide) + 2, width) for n, state in those)]
 
     def _step(self, n: int, state: StepState, wide: int, width: int) -> Item:
         """`wide`: the cells of the words."""
@@ -242,8 +252,8 @@ def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
 
 
 class ReadyScreen(Once, Screen[str | None]):
-    """Gives the key of a step or the id of a check to go to, REPORT or EXPORT, or None.  `unfolded`: what is shown of
-    what is folded."""
+    """Gives the key of a step or the id of a check to go to, the id of an action, or None.  `work`: the main screen,
+    which saves; `unfolded`: what is shown of what is folded."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -251,22 +261,25 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
         Binding("e", f"give('{EXPORT}')", "Export", show=False),
         Binding("t", f"give('{DRIVE}')", "Whole drive", show=False),
+        Binding("ctrl+p,colon", f"give('{PALETTE}')", "Palette", show=False, id=PALETTE),
+        Binding(SAVE.binding, "save", "Save", show=False, id=SAVE.id),
         Binding("i", f"unfold('{NOT_COUNTED}')", "What is not counted", show=False),
         Binding("enter", "choose", "Go there", show=False),
         Binding("down,j", "move(1)", "Down", show=False),
         Binding("up,k", "move(-1)", "Up", show=False),
     ]
 
-    def __init__(self, session: Session, unfolded: str = "") -> None:
+    def __init__(self, work: WorkbenchPanes, unfolded: str = "") -> None:
         super().__init__()
-        self.session, self.unfolded = session, unfolded
+        self.work, self.session, self.unfolded = work, work.session, unfolded
 
     def compose(self) -> ComposeResult:
         yield Static(id="ready-title")
         yield Closing(self.session)
         keys = Text(
-            "{report} report · e export · t better drives · i not counted · Enter goes there · Esc goes on editing",
-            report=self.app.shown_key("report"),
+            "{report} PDF · e export · {save} save · t drives · i not counted · Enter goes · Esc back",
+            report=self.app.shown_key(REPORT),
+            save=self.app.shown_key(SAVE.id),
         )
         yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
 
@@ -277,12 +290,12 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def on_resize(self) -> None:
         """The design and its verdict at both ends of the first row."""
-        say, signs, all_of_it = self.app.say, self.app.signs, whole_of(self.session)
-        name = self.session.design.name
-        title = f" {say(Text('Ready'))}: {name}" if all_of_it.ready else f" {name}"
-        room = max(8, self.size.width - min(len(title), self.size.width // 3) - 5)
-        words = fit(say(all_of_it.words), room)
-        end = Content.assemble((f"{signs.mark(all_of_it.state)} {words} ", signs.style(all_of_it.state)))
+        say, signs, name = self.app.say, self.app.signs, self.session.design.name
+        title = f" {say(Text('Ready'))}: {name}" if whole_of(self.session).ready else f" {name}"
+        room = max(8, self.size.width - min(len(title), self.size.width // 5) - 5)
+        words = fit(say(ready_words(self.session)), room)
+        state, colour, _ = verdict_of(self.session)
+        end = Content.assemble((f"{signs.mark(state)} {words} ", signs.style(colour)))
         start = Content.styled(fit(title, max(8, self.size.width - end.cell_length - 2)), "bold")
         gap = max(1, self.size.width - start.cell_length - end.cell_length)
         self.query_one("#ready-title", Static).update(Content.assemble(start, " " * gap, end))
@@ -293,6 +306,9 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def action_give(self, what: str) -> None:
         self.dismiss(what or None)
+
+    async def action_save(self) -> None:
+        await self.work.run_action(SAVE.does)
 
     def action_choose(self) -> None:
         self.query_one(Closing).choose()

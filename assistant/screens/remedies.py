@@ -13,7 +13,7 @@ from textual.containers import Vertical
 from textual.content import Content
 from textual.widgets import Static
 
-from calc.design.model import STEPS
+from calc.design.model import STEPS, TITLES
 from calc.design.names import named
 from calc.locale import Language
 from calc.sheet.check import Check
@@ -25,7 +25,7 @@ from ..session.saving import SaveError, free_name, write_atomic
 from ..session.session import Session
 from ..widgets.item_list import Item, ItemList
 from ..widgets.text import pad, wrap
-from .selection import TITLES, Searching
+from .selection import Searching
 
 # --- the list of remedies
 # Number, kind, change, how far it comes, and what it does to the rest.

@@ -5,7 +5,7 @@ The search runs aside and can be stopped; of the row under the cursor the whole 
 that its price in the other steps is seen."""
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
 
 from textual import work
@@ -18,7 +18,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 from textual.worker import get_current_worker
 
-from calc.design.model import OPTIONAL, STEPS
+from calc.design.model import OPTIONAL, STEPS, TITLES
 from calc.design.toml_file import design
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput, Cancelled, NoSolution
@@ -41,8 +41,6 @@ if TYPE_CHECKING:
 
 # --- a dialog whose rows a long search finds in another thread
 # How far it is, what it gives, and what each row does to every step.
-
-TITLES = {step.key: step.title for step in STEPS}
 
 Chosen = TypeVar("Chosen")
 Found = TypeVar("Found")
@@ -298,7 +296,10 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        yield offer(self.step, self.session.design, self.session.name, progress)
+        result = offer(self.step, self.session.design, self.session.name, progress)
+        # made here: some solve once more, for which the screen must neither wait nor end
+        table, beside = result.table(TOP), result.beside(TOP)
+        yield replace(result, table=lambda top: table, beside=lambda top: beside)
 
     def show_found(self, result: Offer) -> None:
         self.offer = result
@@ -344,6 +345,8 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             return Preview(number, why=none.text)
         except BadInput as bad:
             return Preview(number, why=mistakes_text(bad))
+        except Exception as error:  # a mistake of the program must not take the user's work with it
+            return Preview(number, why=mistake(error))
         answer: Answer = run(Job(0, trial, self.session.results, stop))
         return Preview(number, changes, answer.results, answer.failure)
 

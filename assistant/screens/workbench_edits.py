@@ -31,6 +31,7 @@ from ..session.solving import mistake
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
+from ..widgets.radio import Todo
 from ..widgets.steps import states_of
 from .dialogs import Accept, LeaveOut
 from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, folder_of
@@ -265,6 +266,13 @@ class WorkbenchEdits(WorkbenchMoves):
         # before the form is put in order, which would bring it back to a field
         self.set_focus(self.form, scroll_visible=False)
         self.edited()
+
+    def action_leave_out(self) -> None:
+        """Leave the step out that is shown."""
+        if self.form.query(Todo):
+            self.leave_step_out(self.step.key)
+        else:
+            self.app.tell(Text("Only a step that the design does not have can be left out."))
 
     def leave_step_out(self, step: str) -> None:
         """Ask why."""

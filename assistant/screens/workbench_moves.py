@@ -187,13 +187,17 @@ class WorkbenchMoves(WorkbenchResults):
             self.large = False
             self.set_out()
         elif self.pane != "inputs":
-            self.at_pane("inputs")
-            self.set_focus(self.form, scroll_visible=False)
+            self.leave_pane()
+
+    def leave_pane(self) -> None:
+        """Back to the form, no field of it edited."""
+        self.at_pane("inputs")
+        self.set_focus(self.form, scroll_visible=False)
 
     async def action_go_on(self) -> None:
         """Enter: choose in a list, go into the form, add an element, or on to the next field; from a finished step to
         the next."""
-        if isinstance(self.focused, ItemList):
+        if isinstance(self.focused, ItemList) and (self.focused.key or self.pane == "inputs"):
             self.focused.choose()
         elif self.focused is self.form and not self._done:
             self.form.focus_place(None)
@@ -203,6 +207,8 @@ class WorkbenchMoves(WorkbenchResults):
             self.focused.action_add()
         elif self.pane == "inputs":
             self.form.go_on()
+        else:
+            self.leave_pane()  # nothing can be chosen here: the next Enter goes on there
 
     # --- which curve, and what of it
     def action_turn_curve(self, by: int) -> None:
@@ -385,7 +391,7 @@ class WorkbenchMoves(WorkbenchResults):
         from .ready import ReadyScreen
 
         self.session.solve()  # the page says what holds of the design as it is now
-        self.app.push_screen(ReadyScreen(self.session, unfolded), self._go_from_ready)
+        self.app.push_screen(ReadyScreen(self, unfolded), self._go_from_ready)
 
     async def _go_from_ready(self, to: str | None) -> None:
         if to in BY_ID:

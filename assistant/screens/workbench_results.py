@@ -561,9 +561,13 @@ class WorkbenchResults(WorkbenchPanes):
         self.when_quiet("form", self._make_form)
 
     async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
-        """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
+        """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is.
+
+        Of a step that the design does not have the inputs are shown, which say how to go on."""
         if step is not self.step:
             self._put_back_stray()
+        if step.key not in self.session.data:
+            self.at_pane("inputs")
         idle = focus is None and isinstance(self.focused, Form)
         inside = not stay and (self.pane == "inputs" or focus is not None)
         before = self.step

@@ -17,6 +17,7 @@ from calc.design.addresses import Table, changed
 from calc.design.disk import lock
 from calc.sheet.text import Text
 
+from ..output import state_dir
 from . import numbers
 from .places import Place, described
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
@@ -77,21 +78,8 @@ def present(state: Path, path: Path) -> set[str]:
 
 # --- what is remembered
 
-FOLDER = "contralbero"
-
 RECENT = 10  # designs that are offered to be opened again
 KEPT = 8  # sessions on one file whose unsaved edits are kept; older ones go
-
-
-def state_dir() -> Path:
-    """The user's folder for the state of programs, and ours in it; nothing is made before something is written."""
-    if given := os.environ.get("XDG_STATE_HOME"):
-        base = Path(given)
-    elif os.name == "nt":
-        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    else:
-        base = Path.home() / ".local" / "state"
-    return base / FOLDER
 
 
 @dataclass(frozen=True)

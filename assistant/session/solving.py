@@ -10,6 +10,8 @@ from calc.design.model import Design
 from calc.sheet.errors import Cancelled
 from calc.sheet.text import EMPTY, Text
 
+from ..output import kept
+
 if TYPE_CHECKING:
     from calc.solve import Results
 
@@ -36,8 +38,10 @@ class Answer:
 
 
 def mistake(error: Exception) -> Text:
-    """What is told of a mistake of the program, which must not take the user's work with it."""
-    return Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
+    """What is told of a mistake of the program, which must not take the user's work with it; its trace is kept."""
+    words = Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
+    trace = kept(error)
+    return words if trace is None else Text("{mistake}; its trace is in {path}", mistake=words, path=str(trace))
 
 
 def run(job: Job) -> Answer:

@@ -14,7 +14,6 @@ from textual.message import Message
 from calc.design.key_results import judged, outside
 from calc.sheet.check import Check
 from calc.sheet.number import short
-from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
 from calc.sheet.verdict import named, open_findings, severity
@@ -315,7 +314,7 @@ class Checks(ItemList):
             tell(say(Text("outside the validity of its formula: {methods}", methods=named(beyond))))
         if lack := check.lack_text(self._label):
             tell(say(lack))
-        if advice := say(check.advice).removeprefix(say(sentence(check.remedies))).strip():
+        if advice := say(check.advice).removeprefix(say(check.ways_text())).strip():
             tell(advice)
         if check.open and check.remedies:
             ways = Name("; ").join(remedy.words for remedy in check.remedies)

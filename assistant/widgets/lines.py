@@ -22,7 +22,7 @@ from ..base_app import BaseApp
 from ..session.guide import step_of
 from ..session.places import Place, label_of, named_key
 from ..session.session import Session
-from .steps import nothing_left, states_of, whole_of
+from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of
 from .text import fit, wrap
 
 if TYPE_CHECKING:
@@ -75,8 +75,7 @@ class MessageLine(Widget):
             return urgent
         if ahead:
             return "todo", say(ahead)
-        all_of_it = whole_of(session)
-        return all_of_it.state, say(all_of_it.words)
+        return whole_of(session).state, say(ready_words(session))
 
     def _mistake(self, reasons: Mapping[Place, Text]) -> str:
         """Why an input is not accepted: of this step, else of another one."""
@@ -168,7 +167,7 @@ def _ahead(states: Sequence[StepState]) -> Text:
 
 
 # --- the first row
-# The file and its state, the verdict and how many steps are done, and how long it took.
+# The file and its state, the verdict and how many steps are left, and how long it took.
 
 FEWEST = 60  # columns in which everything can be seen
 NAME = 12  # columns of the file's name at least, where what stands behind it can be shorter
@@ -201,32 +200,27 @@ class TopLine(Widget):
         return ", ".join(parts)
 
     def _verdict(self, dim: str) -> list[tuple[str, str]]:
-        """The words of the state, and how many steps are done."""
-        session, signs, say = self.session, self.app.signs, self.app.say
-        if (results := session.results) is None:
+        """The words of the state, and whether it is ready or what is left."""
+        signs, say, all_of_it = self.app.signs, self.app.say, whole_of(self.session)
+        _, colour, words = verdict_of(self.session)
+        if not words:
             return []
-        words = say(results.words()), dim + signs.style(results.colour)
-        all_of_it = whole_of(session)
-        if all_of_it.ready:
-            return [words, (say(Text("ready")), dim + signs.style(all_of_it.state))]
-        asked = [state for state in states_of(session) if state.state != "not_asked"]
-        done = Text("{n} of {count} done", n=sum(state.done for state in asked), count=len(asked))
-        return [words, (say(done), "dim")]
+        ready = say(Text("ready")), dim + signs.style(all_of_it.state)
+        return [(say(words), dim + signs.style(colour)), ready if all_of_it.ready else (say(all_of_it.words), "dim")]
 
     def render(self) -> Content:
         session, signs, say = self.session, self.app.signs, self.app.say
         width = self.size.width
         short = width < 100
-        dim = "dim " if session.results is not None and not session.current else ""
-        if not session.valid:
-            time = say(Text("input is not valid"))
-        elif session.failure:
-            time = say(Text("not solved"))
+        unsolved = not session.valid or bool(session.failure)
+        dim = "dim " if session.results is not None and not session.current and not unsolved else ""
+        if unsolved:
+            time = ""  # the words of the state say it
         elif self.slow or not session.current:
             time = f"{signs.mark('solving')} {say(Text('solving'))}"
         else:
             time = say(Text("solved in {time}", time=Amount(session.seconds * 1000, "ms", form=".0f")))
-        time = time if short else f"{time:>18}"
+        time = time if short or unsolved else f"{time:>18}"
         if width < FEWEST:  # which must be seen
             wordings = (
                 Text("The window is too small: it needs {n} columns.", n=FEWEST),
@@ -239,9 +233,9 @@ class TopLine(Widget):
         if self.app.writing:
             verdict = [*([] if short else verdict), (say(self.app.writing), "bold")]
         before = (0 if short else 15) + (len(state) + 2 if state else 0)
-        when = (time, "dim")
-        shorter = verdict if session.current else [*verdict[:1], when]  # nobody needs to know how long it took
-        for parts in ([*verdict, when], shorter, verdict[:1] or [when]):
+        when = [(time, "dim")] if time else []
+        shorter = verdict if session.current else [*verdict[:1], *when]  # nobody needs to know how long it took
+        for parts in ([*verdict, *when], shorter, verdict[:1] or when):
             end = Content.assemble(*(piece for part in parts for piece in (part, "  ")))
             if end.cell_length + before + NAME <= width:
                 break

@@ -12,7 +12,7 @@ from textual.content import Content
 from textual.timer import Timer
 from textual.widget import Widget
 
-from calc.design.model import STEPS, Design
+from calc.design.model import TITLES, Design
 from calc.draw.drawing import Sketch
 from calc.sheet.text import EMPTY, Text
 
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 STEP, PRESSED = 20, 10  # degrees that the crank turns by itself at a time, and by a key
 RATE = 10.0  # times a second
 KEPT = 40  # drawings; a whole turn
-TITLES = {step.key: step.title for step in STEPS}
 WAITS = Text("The picture waits for the results of the step {step}.")
 FAILED = Text("The picture of this step cannot be drawn.")
 

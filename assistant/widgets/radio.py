@@ -47,7 +47,6 @@ class Todo(Radio):
     """Of a step that the design does not have: it is built by rules, or left out."""
 
     BUILD, LEAVE = "build", "leave"
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("minus", "leave", "Leave it out", show=False)]
 
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(session, step, "todo")
@@ -76,9 +75,6 @@ class Todo(Radio):
     def explained(self) -> tuple[str, str]:
         title, text = super().explained()
         return title, f"{text} {self.app.say(Text('- leaves the step out, for a reason that you type.'))}"
-
-    def action_leave(self) -> None:
-        self.post_message(self.Chosen(self, self.LEAVE))
 
 
 class Balance(Radio):

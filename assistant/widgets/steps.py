@@ -10,7 +10,7 @@ from textual.style import Style
 from textual.widget import Widget
 
 from calc.design.model import STEPS
-from calc.sheet.text import Text
+from calc.sheet.text import EMPTY, SEMICOLON, Text
 from calc.studies.ready import SOLVED, Readiness, StepState, readiness, whole
 
 from ..actions import BY_ID
@@ -35,6 +35,24 @@ def states_of(session: Session) -> tuple[StepState, ...]:
 def whole_of(session: Session) -> Readiness:
     """Whether a design under edit is ready, and what to say of it."""
     return whole(states_of(session), None if session.failure else session.results)
+
+
+def verdict_of(session: Session) -> tuple[str, str, Text]:
+    """The state of a design under edit, the state whose colour it has, and the words for it: none before it is solved.
+    Results of an earlier input say nothing of this one."""
+    if not session.valid:
+        return "invalid", "invalid", Text("input is not valid")
+    if session.failure:
+        return "fail", "fail", Text("not solved")
+    if (results := session.results) is None:
+        return "waits", "waits", EMPTY
+    return results.verdict, results.colour, results.words()
+
+
+def ready_words(session: Session) -> Text:
+    """`FAIL: 2 failed; 2 steps left`, `PASS; 31 limits hold`."""
+    words = verdict_of(session)[-1], whole_of(session).words
+    return SEMICOLON.join([part for part in words if part])
 
 
 def nothing_left(states: Sequence[StepState], key: str) -> bool:
@@ -72,7 +90,7 @@ class Steps(ItemList):
         end = signs.mark("here") if here else ""
         gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
         style = signs.style(state.colour)
-        loud = "dim" if state.done else style
+        loud = "dim" if state.colour in ("pass", "computed") else style
         words = wrap(say(state.words), room)
         if state.state not in SOLVED:  # a reason, which is told in full elsewhere
             words = [fit(say(state.words), room)]

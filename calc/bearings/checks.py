@@ -42,10 +42,8 @@ def least_film(d: float, u: float) -> float | None:
 
 # --- what is judged
 
-CLEARANCE = (
-    dotted("bearings", "B", BearingInputs.clearance),
-    dotted("bearings", "B", BearingInputs.clearance_factor),
-)
+GAP = dotted("bearings", "B", BearingInputs.clearance)
+CLEARANCE = (GAP, dotted("bearings", "B", BearingInputs.clearance_factor))
 ROUGHNESSES = (
     dotted("bearings", "B", BearingInputs.journal_roughness),
     dotted("bearings", "B", BearingInputs.housing_roughness),
@@ -251,7 +249,7 @@ TEMPERATURE_CORNER = CheckRule(
     Text("More clearance at the tight end, or more oil."),
     cause=TEMPERATURE.id,
     value_id=dotted("bearings", "B", "corners", Corners.outlet_temperature),
-    moved_by=(CLEARANCE[0], SUPPLY_TEMPERATURE, *FITS),
+    moved_by=(GAP, SUPPLY_TEMPERATURE, *FITS),
 )
 TEMPERATURE_TRUMPLER = CheckRule(
     "bearings.B.temperature_trumpler",
@@ -277,7 +275,7 @@ TEMPERATURE_RISE_USUAL = CheckRule(
     Text("More oil, or a thinner one."),
     cause=TEMPERATURE.id,
     value_id=dotted("bearings", "B", BearingResult.temperature_rise),
-    moved_by=(HOLE, SUPPLY_PRESSURE, CLEARANCE[0], OIL),
+    moved_by=(HOLE, SUPPLY_PRESSURE, GAP, OIL),
     short=Text("oil rise"),
 )
 SPECIFIC_LOAD = CheckRule(
@@ -347,7 +345,7 @@ CLEARANCE_COLD_CORNER = CheckRule(
     zero="the clearance at its reference temperature",
     cause=CLEARANCE_COLD.id,
     value_id=dotted("bearings", "B", "corners", Corners.clearance_cold),
-    moved_by=(CLEARANCE[0], *FITS),
+    moved_by=(GAP, *FITS),
     short=Text("cold gap"),
 )
 LENGTH_RATIO = CheckRule(
@@ -416,7 +414,7 @@ FIT = CheckRule(
     "µm",
     Text("ISO 286"),
     value_id=dotted("bearings", "B", BearingResult.clearance),
-    moved_by=(*FITS, CLEARANCE[0]),
+    moved_by=(*FITS, GAP),
 )
 ROUTES_SPREAD = CheckRule(
     "bearings.B.routes_spread",
@@ -425,7 +423,10 @@ ROUTES_SPREAD = CheckRule(
     Text("Spread of the routes"),
     "<=",
     "%",
-    Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution"),
+    Text(
+        "rule of this program: {most} % on the clearance as given and with the oil of the own solution",
+        most=Amount(SPREAD * 100),
+    ),
     cause="bearings.routes_spread",
     value_id=dotted("bearings", "B", BearingResult.routes_spread),
 )
@@ -451,7 +452,7 @@ FRICTION_REGIME = CheckRule(
     source=Text("Finotti 2013, 5.4.1: full film"),
     advice=Text("Outside the usual range of a full film: look at film and clearance."),
     value_id=dotted("bearings", "B", RouteResult.friction_coefficient),
-    moved_by=(CLEARANCE[0], OIL),
+    moved_by=(GAP, OIL),
 )
 FILMS = (
     FILM_EDGE,
@@ -588,7 +589,8 @@ def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
 
 
 def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
-    yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge))
+    lost = lost_at_edge(r)
+    yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge), base=lost)
     yield on_bearing(FILM_DOUBLE_LOAD, place, r.film_double_load, r.trumpler_film)
     yield on_bearing(FILM_TRUMPLER, place, r.film, r.trumpler_film)
     rule = FILM_EDGE_RANGE if r.sweep.given else FILM_EDGE_SPEEDS
@@ -601,7 +603,8 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
             speed_of_thinnest_film=Amount((r.speed_of_thinnest_film or 0.0) * 60),
         )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=edge_missing(r, edge))
+        missing = edge_missing(r, edge)
+        yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=missing, base=lost)
     if r.shear_factor is not None:
         yield on_bearing(
             FILM_EDGE_SHEARED,
@@ -609,6 +612,7 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
             r.film_sheared,
             r.kreisle_film,
             missing=edge_missing(r, r.film_sheared, unsheared=r.film_edge),
+            base=lost,
         )
     label = Text(
         "Film at the edge at {overspeed} % overspeed", overspeed=Amount(r.seat.inputs.overspeed * 100, form="g")
@@ -619,16 +623,17 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
         at=place,
         name=named_at(label, place),
         missing=edge_missing(r, r.film_overspeed),
+        base=lost,
     )
     if (h_lim := least_film(r.seat.bearing.diameter, r.surface_speed)) is not None:
-        yield on_bearing(FILM_EDGE_USUAL, place, r.film_edge, h_lim)
+        yield on_bearing(FILM_EDGE_USUAL, place, r.film_edge, h_lim, base=lost)
 
 
 def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
     """What the seat carries, the length of the bearing, and the clearance that the cold leaves."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
     lands = supply.lands(inputs)
-    groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
+    groove = bearing.length - supply.bare_length(inputs, bearing.length)
     yield from _pressure_checks(place, r, housing)
     bare = inputs.bush_material is None
     rule, limit = (SPECIFIC_LOAD, rules.SPECIFIC_LOAD) if bare else (SPECIFIC_LOAD_USUAL, rules.USUAL_SPECIFIC_LOAD)
@@ -660,6 +665,11 @@ def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterato
     else:
         limit, missing = proof_of(housing.proof_stress, p)
     yield on_bearing(FILM_PRESSURE, place, p, limit, source=strength, missing=missing)
+
+
+def lost_at_edge(r: BearingResult) -> Metre:
+    """What the slope leaves at the edge where there is no film between: known, however well the film is."""
+    return r.film_edge - r.film
 
 
 # --- what is not given
@@ -717,7 +727,15 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
         )
 
     film = edge_missing(r, c.film_edge, exact=None if exact is None else exact.film_edge)
-    yield corner_check(FILM_EDGE_CORNER, FILM_EDGE_CORNER.name, "film_edge", c.film_edge, r.kreisle_film, missing=film)
+    yield corner_check(
+        FILM_EDGE_CORNER,
+        FILM_EDGE_CORNER.name,
+        "film_edge",
+        c.film_edge,
+        r.kreisle_film,
+        missing=film,
+        base=lost_at_edge(r),
+    )
     heat = cold = None
     if exact is not None:
         hot = math.nan if c.outlet_temperature is None else c.outlet_temperature
@@ -759,8 +777,10 @@ def _lengthened(
     """The nearest length between the two; none where the least is not finite."""
 
     def ways() -> tuple[Remedy, ...]:
+        if not math.isfinite(low):
+            return ()
         key, shorter = dotted("bearings", place, BearingInputs.length), bearing.length <= low
-        length = None if not math.isfinite(low) else up(low) if shorter else down(high)
+        length = up(low) if shorter else down(high)
         return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if shorter else "<=")()
 
     return ways

@@ -26,7 +26,7 @@ from ..sheet.text import Text
 from ..sheet.units import MetrePerSecond, Newton, Watt
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
-from .checks import FILM_EDGE_STANDING, edge_missing, on_bearing
+from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
 from .inputs import IN_TITLES, IN_WORDS
 from .result import BearingResult, BearingsResult, StandingResult
@@ -110,7 +110,8 @@ def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterato
         thinnest = min(h for h in (part.film_load_peak, part.film_orbit) if h is not None)
         edge = f.film_at_edge_of_another(h_x=thinnest, h_0=bearing.film, h_edge=bearing.film_edge)
     missing = edge_missing(bearing, edge)
-    yield on_bearing(FILM_EDGE_STANDING, place, edge, bearing.kreisle_film, missing=missing)
+    lost = lost_at_edge(bearing)
+    yield on_bearing(FILM_EDGE_STANDING, place, edge, bearing.kreisle_film, missing=missing, base=lost)
 
 
 # --- the friction of a journal over a turn, where a standing load passes under the one that turns with it

@@ -90,7 +90,10 @@ def solve(
 
     `compared`: with the other routes to the film beside the one that judges.
     """
-    speed = bearings.speed if bearings.speed is not None else engine.rated_speed if engine is not None else 0.0
+    speed = bearings.speed
+    if speed is None:
+        assert engine is not None
+        speed = engine.rated_speed
     bench = engine.bench if engine is not None else ()
     results: dict[str, BearingResult] = {}
     all_checks: list[Check] = []  # of each bearing at once: they have lines of their own
@@ -214,7 +217,7 @@ def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) ->
     n_F = based_on(speed, speed, i_F) if i_F == 1 else f.load_speed(i_F=i_F, n_J=speed)
     n_h = f.effective_speed(n_J=speed, n_B=n_B, n_F=n_F)
     slides = based_on(1.0, i_B, i_F)
-    if n_B or n_F not in (0.0, speed):
+    if n_B or n_h != speed:
         slides = f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
     return OperatingPoint(load, speed, n_h, slides, inputs.supply_temperature, inputs.supply_pressure)
 
@@ -238,10 +241,11 @@ def _bearing(
     theta = SLOPE_TAKEN if slope is None else slope
     with about(Text("{place} bearing, judged", place=IN_WORDS[place])):
         hot = balanced(own_warm, seat, duty)
+        assert hot.attitude is not None and hot.largest_pressure is not None
         edge = f.film_at_edge(h_0=hot.film, theta=theta, l=l)
         # a groove parts the bearing into two lands: p, l/d and the speeds are those of the lands
         lands = supply.lands(inputs)
-        bare = l if lands == 1 else based_on(l - (inputs.groove_width or 0.0), l, inputs.groove_width)
+        bare = l if lands == 1 else based_on(supply.bare_length(inputs, l), l, inputs.groove_width)
         p = specific_load(F=load, d=d, l=bare)
         W = heat_index(F=load, n=speed, l=l)
         pv = load_times_speed(p=p, u=u)
@@ -272,7 +276,7 @@ def _bearing(
             kappa = f.full_shear_factor(hths=hths, mu_150=seat.lubricant.at(HTHS_TEMPERATURE).mu)
             thin = replace(seat, viscosity_factor=f.shear_factor(kappa=kappa, gamma=shear))
     with about(Text("{place} bearing, overspeed", place=IN_WORDS[place])):
-        n_over = f.overspeed(n=highest_speed(speed, inputs), s=inputs.overspeed)
+        n_over = f.overspeed(n=highest_speed(speed, bench, inputs), s=inputs.overspeed)
         faster = _at_speed(seat, duty, n_over, duty.supply_temperature, duty.supply_pressure)
     at_corners, over_speeds, at_twice, beside, at_shear, at_over = settled_together(
         (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty), (thin, duty), (seat, faster))
@@ -304,7 +308,7 @@ def _bearing(
         film_band=band,
         film_share_largest_load=most,
         film_share_least_friction=least_friction,
-        attitude_angle=hot.attitude or 0.0,
+        attitude_angle=hot.attitude,
         sommerfeld=hot.sommerfeld,
         friction_coefficient=hot.friction_coefficient,
         friction_power=hot.friction_power,
@@ -314,7 +318,7 @@ def _bearing(
         feed_blocked_arc=blocked,
         temperature_rise=hot.temperature_rise,
         outlet_temperature=outlet,
-        film_pressure_max=hot.largest_pressure or 0.0,
+        film_pressure_max=hot.largest_pressure,
         clearance=seat.clearance,
         clearance_hot=hot.clearance,
         clearance_cold=cold,
@@ -384,7 +388,7 @@ def _at_speed(seat: BearingCase, duty: OperatingPoint, n: RevPerSecond, T_in: Ce
 
 def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio: Number) -> Radian | None:
     """Over which angles the film holds the supply back; asked where the load sweeps over a hole or pocket."""
-    if inputs.supply == "groove" or supply.keeps_its_angle(inputs) or duty.supply_pressure <= 0:
+    if inputs.supply == "groove" or supply.keeps_its_angle(inputs) or not duty.supply_pressure:
         return None
     eps = hot.eccentricity
     theta_m = short.angle_of_largest_pressure(eps=eps)

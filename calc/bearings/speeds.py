@@ -35,6 +35,7 @@ class Sweep:
     thinnest: int | None  # the row
     thinnest_speed: float | None
     rated: float
+    governing: float  # the highest speed that governs
     bench: bool  # its rows are those of the engine's bench run
     given: bool  # the engine runs at these speeds: they are not assumed
     lost: float | None  # of those that govern and ask for more than the rated one, the first that no film carries
@@ -63,7 +64,7 @@ class Sweep:
             return EMPTY
         speed, oil = Amount(self.speeds[last] * 60, form=".0f"), Amount(self.temperatures[last], form=".1f")
         fastest = Text("{speeds} rpm, whose oil comes at {temperatures} °C", speeds=speed, temperatures=oil)
-        above = self.bench and self.speeds[last] > self.rated * (1 + 1e-9)
+        above = self.speeds[last] > self.governing * (1 + 1e-9)
         unloaded = Text(" (above the rated speed: run without load, it does not govern)") if above else ""
         return Text(
             "The {place} bearing's film is thinnest at {thinnest_speed} rpm, {thinnest_film} µm with oil of "
@@ -104,19 +105,21 @@ def at_speeds(
     )
 
 
-def highest_speed(rated: RevPerSecond, inputs: BearingsInputs) -> RevPerSecond:
-    """Of those that are judged."""
-    return rated if inputs.speed_range is None else max(rated, inputs.speed_range[1])
+def highest_speed(rated: RevPerSecond, bench: tuple[BenchPoint, ...], inputs: BearingsInputs | None) -> RevPerSecond:
+    """Of those that the engine runs at: rated, on the bench, or in the range that is given."""
+    given = inputs.speed_range[1:] if inputs is not None and inputs.speed_range is not None else ()
+    return max([rated, *(row.speed for row in bench), *given])
 
 
 def sweep(
     rated: float, inputs: BearingsInputs, bench: tuple[BenchPoint, ...], at: OperatingPoint[Any], film: Film[Array]
 ) -> Sweep:
-    """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not
-    govern."""
+    """`at`, `film`: the points.  On bench rows above the rated speed the engine gives no torque: where the load is not
+    that of turning masses, they are shown and do not govern."""
     speeds, temperatures, pressures = at.speed, at.supply_temperature, at.supply_pressure
     h_0, rises, power = film.film, film.temperature_rise, film.friction_power
-    governs = speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9)
+    all_govern = inputs.speed_range is not None or inputs.load_speed_ratio == TURNING
+    governs = speeds <= (np.inf if all_govern else rated * (1 + 1e-9))
     governing = np.where(governs, h_0, np.nan)
     thinnest = None if np.isnan(governing).all() else int(np.nanargmin(governing))
     at_thinnest = None
@@ -135,8 +138,9 @@ def sweep(
         thinnest,
         at_thinnest,
         rated,
+        float(np.max(speeds[governs])),
         inputs.speed_range is None and bool(bench),
-        inputs.speed_range is not None or any(row.speed <= rated * (1 + 1e-9) for row in bench),
+        inputs.speed_range is not None or any(all_govern or row.speed <= rated * (1 + 1e-9) for row in bench),
         min(lost.tolist(), key=lambda speed: abs(speed - rated), default=None),
     )
 

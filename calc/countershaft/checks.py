@@ -89,10 +89,8 @@ STIFFNESS = (
     dotted("countershaft", CountershaftInputs.core_radius),
     dotted("countershaft", CountershaftInputs.bearing_positions),
 )
-FILLET_AND_CORE = (
-    dotted("countershaft", CountershaftInputs.fillet_radius),
-    dotted("countershaft", CountershaftInputs.core_radius),
-)
+FILLET_RADIUS = (dotted("countershaft", CountershaftInputs.fillet_radius),)
+FILLET_AND_CORE = (*FILLET_RADIUS, dotted("countershaft", CountershaftInputs.core_radius))
 LARGER_CORE = Text("A larger core where the moment is largest, or a shorter span.")
 LARGER_FILLET = Text("A larger fillet. {advice}", advice=LARGER_CORE)
 
@@ -224,7 +222,7 @@ FILLET = CheckRule(
     "in",
     source=Text("range of the notch factor ({peterson})", peterson=fatigue.PETERSON),
     advice=Text("Outside it the notch stress is an extrapolation."),
-    moved_by=FILLET_AND_CORE[:1],
+    moved_by=FILLET_RADIUS,
     weakens=((FATIGUE, 1.5), (FATIGUE_RESERVE, 1.5)),
 )
 FILLET_ROOM = CheckRule(
@@ -237,7 +235,7 @@ FILLET_ROOM = CheckRule(
     Text("geometry: a fillet takes its radius of the length of the thinner piece"),
     Text("Or set the shoulders further apart."),
     zero="the fillet radius",
-    moved_by=FILLET_AND_CORE[:1],
+    moved_by=FILLET_RADIUS,
 )
 BENDS_OUT, RIGID_FROM = 1.2, 1.5  # first critical speed over the highest of the shaft
 ENDLESS, RESERVE = 1.0, 1.5  # safety against fatigue
@@ -474,7 +472,7 @@ def _outline_checks(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterat
     yield OUTLINE_FORCE(force, LEFT_OVER * max(shaft_result.force, todo.one_force))
 
 
-def bending_checks(bent: Bending, material: Material, fastest: Number = 1.0) -> Iterator[Check]:
+def bending_checks(bent: Bending, material: Material, fastest: Number) -> Iterator[Check]:
     """Stress and speed of the shaft; the slopes are judged with the journals.
 
     `fastest`: the highest speed of the engine over that at which the shaft is bent."""
@@ -517,8 +515,7 @@ def _fatigue_checks(bent: Bending, material: Material) -> Iterator[Check]:
     }
     keys = [key for key, lacks in lacking.items() if lacks]
     advice = _give(material) if keys else Text("Give the radius of the fillets.")
-    keys = keys or [FILLET_AND_CORE[0]]
-    missing = Missing(tuple(keys), (), "none", "none")
+    missing = Missing(tuple(keys) or FILLET_RADIUS, (), "none", "none")
     yield FATIGUE(None, ENDLESS, advice=advice, missing=missing)
 
 

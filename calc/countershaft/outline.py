@@ -282,12 +282,9 @@ def narrowness(e: Metre, R: Metre, r_0: Metre) -> Number:
 @formula("γ", Text("{sector}", sector=SECTOR), shows="γ from sin γ/γ, Newton", names={"t": "sin γ/γ"})
 def half_angle(t: Number) -> Radian:
     """The half-angle of a sector, 0 < t < 1."""
-    gamma = math.sqrt(6 * (1 - t)) if t > 0.4 else math.pi * (1 - t)
-    for _ in range(50):
-        step = (math.sin(gamma) - t * gamma) / (math.cos(gamma) - t)
-        gamma -= step
-        if abs(step) < 1e-15:
-            break
+    gamma = math.pi  # sin γ − t·γ bends down: from here each step stops short of its root
+    while (nearer := gamma - (math.sin(gamma) - t * gamma) / (math.cos(gamma) - t)) < gamma:
+        gamma = nearer
     return gamma
 
 
@@ -397,7 +394,7 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
         subject = Text("sector of mass {name}", name=mass.name)
         with about(subject):
             t = narrowness(e=mass.radius, R=R, r_0=r_0)
-            if not 1e-6 < t < 1:
+            if not 0 < t < 1:
                 raise _no_sector(mass, R, r_0, t)
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=sector_area(gamma=gamma, R=R, r_0=r_0))
@@ -438,7 +435,7 @@ def assembled(
         solid.append(_turned(middle, d, width, "gear", Text("gear on the shaft")))
     solid.sort(key=lambda piece: piece.start)
 
-    start, end = min(solid[0].start, positions[0]), max(solid[-1].end, positions[-1])
+    start, end = solid[0].start, solid[-1].end
     for z in (extra.z for extra in shaft.extras):
         start, end = min(start, 2 * z - start), max(end, 2 * z - end)
     r_0 = shaft.core_radius or 0.0
@@ -538,10 +535,10 @@ def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass,
 def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> KilogramMetre2:
     """Moment of inertia of the whole shaft about its axis."""
     gamma = gathered(math.pi if piece.half_angle is None else piece.half_angle for piece in shape.pieces)
-    core = gathered(0.0 if piece.half_angle is None else piece.core_radius for piece in shape.pieces)
     l, _ = _extent(shape)
     m, e = column(extras, "mass"), column(extras, "radius")
-    I_p = polar_moment(gamma=gamma, R=column(shape.pieces, "outer_radius"), r_0=core)
+    R, r_0 = column(shape.pieces, "outer_radius"), column(shape.pieces, "core_radius")
+    I_p = polar_moment(gamma=gamma, R=R, r_0=r_0)
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 

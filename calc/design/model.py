@@ -17,7 +17,7 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..mounting.inputs import MountingInputs
 from ..sheet.quantity import day, dotted, given, inputs, integer, keys, reasons, table, tables, text, unknown
 from ..sheet.step import Step
-from ..sheet.text import Amount, Text
+from ..sheet.text import Amount, Small, Text
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
 
 SCHEMA = 1
@@ -32,6 +32,8 @@ STEPS = (
     Step("mounting", Text("Mounting"), MountingInputs, optional=True),
 )
 STEP_KEYS = tuple(step.key for step in STEPS)
+TITLES = {step.key: step.title for step in STEPS}
+IN_SENTENCES = {key: Small(title) for key, title in TITLES.items()}
 STEP_LIST = ", ".join(STEP_KEYS)
 OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
 NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")

@@ -11,6 +11,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
 from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
+from ..bearings.speeds import highest_speed
 from ..countershaft.result import CountershaftResult
 from ..countershaft.supports import Gear, ShaftDrive
 from ..engine.inputs import EngineInputs
@@ -70,6 +71,12 @@ def shaft_axis(design: Design) -> complex | None:
     """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
     place = design.countershaft.axis if design.countershaft is not None else None
     return based_on(complex(*place), place) if place is not None else None
+
+
+def overrun(design: Design) -> float:
+    """The highest speed that the engine runs at, over its rated one."""
+    engine = design.engine
+    return highest_speed(engine.rated_speed, engine.bench, design.bearings) / engine.rated_speed if engine else 1.0
 
 
 def journals(design: Design) -> tuple[tuple[float, float], ...]:

@@ -6,6 +6,7 @@ What is a little outside is said in a note. What is far outside, or does not fit
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from statistics import median
 from typing import Any
 
 from ..bearings.inputs import BearingInputs, BearingsInputs
@@ -14,7 +15,7 @@ from ..engine.gas import COMPRESSION, INTAKE, GasInputs
 from ..engine.inputs import EngineInputs
 from ..gears.inputs import GearsInputs
 from ..gears.wheel_inputs import Wheel
-from ..mounting.inputs import MountingInputs
+from ..mounting.inputs import Mount, MountingInputs, Point
 from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import Quantity, described, dotted, given
 from ..sheet.record import record
@@ -33,7 +34,7 @@ DEGREE = 180 / math.pi
 # radians or turns a second.
 SLIPS: dict[str, tuple[float, ...]] = {
     "mm": (1000.0, 10.0, 25.4),
-    "rpm": (30 / math.pi, 60.0, 1000.0, 10.0, 2 * math.pi),
+    "rpm": (30 / math.pi, 60.0, 1000.0, 10.0),
     "°": (DEGREE,),
     "%": (100.0,),
     "": (100.0, 10.0, 1000.0),
@@ -244,10 +245,14 @@ MASSES = CheckRule(
         "rule of thumb, from the engines of this program: 1.07 to 1.43; 0.86 to 1.13 with the heavy pistons of diesels"
     ),
     advice=Text("Look whether piston and rod are swapped, or in another unit."),
-    moved_by=(dotted(ENGINE, EngineInputs.piston_mass), dotted(ENGINE, EngineInputs.rod_mass)),
+    moved_by=(
+        dotted(ENGINE, EngineInputs.piston_mass),
+        dotted(ENGINE, EngineInputs.rod_mass),
+        dotted(ENGINE, EngineInputs.bore),
+    ),
     of_input=True,
 )
-HEAVY = 2200.0  # kg/m³: piston and rod over the cube of the bore, above which the piston is that of a diesel
+HEAVY = 2450.0  # kg/m³: piston and rod over the cube of the bore, above which the piston is that of a diesel
 LIGHT_RATIO, HEAVY_RATIO = (0.8, 1.6), (0.6, 1.15)
 
 PISTON_SPEED = CheckRule(
@@ -375,10 +380,6 @@ def _engine(design: Design) -> Iterator[Check]:
     assert engine is not None
     D, r, L, a = engine.bore, engine.crank_radius, engine.rod_length, engine.cylinder_pitch
     n, piston, rod, X = engine.rated_speed, engine.piston_mass, engine.rod_mass, engine.rod_cg_to_big_end
-    if piston and rod:
-        heavy = (piston + rod) / D**3 > HEAVY
-        swapped = (_to(EngineInputs.piston_mass, rod, ENGINE), _to(EngineInputs.rod_mass, piston, ENGINE))
-        yield from _doubted(MASSES, rod / piston, HEAVY_RATIO if heavy else LIGHT_RATIO, (piston / rod, swapped))
     speeds = [(4 * r * x, (_to(EngineInputs.rated_speed, x, ENGINE),)) for x in (n * 30 / math.pi, n * 60)]
     yield from _doubted(PISTON_SPEED, 4 * r * n, PISTON_SPEEDS, *speeds)
     yield from _doubted(CRANK, r / L, CRANK_RATIOS, (r / 2 / L, (_to(EngineInputs.crank_radius, r / 2, ENGINE),)))
@@ -386,6 +387,10 @@ def _engine(design: Design) -> Iterator[Check]:
     yield from _doubted(STROKE, 2 * r / D, STROKE_RATIOS, (r / D, diameter))
     if engine.layout == "inline" and engine.cylinders > 1:
         yield from _doubted(PITCH, a / D, PITCHES, (a / (2 * D), diameter))
+    if piston and rod:
+        heavy = (piston + rod) / D**3 > HEAVY
+        swapped = (_to(EngineInputs.piston_mass, rod, ENGINE), _to(EngineInputs.rod_mass, piston, ENGINE))
+        yield from _doubted(MASSES, rod / piston, HEAVY_RATIO if heavy else LIGHT_RATIO, (piston / rod, swapped))
     if X:
         yield from _doubted(ROD_CG, X / L, ROD_CGS, (1 - X / L, (_to(EngineInputs.rod_cg_to_big_end, L - X, ENGINE),)))
     angles = engine.crank_angles
@@ -403,7 +408,29 @@ def _engine(design: Design) -> Iterator[Check]:
         drawn = gas.intake_pressure if gas.intake_pressure is not None else INTAKE
         rise = gas.peak_pressure / (drawn * gas.compression_ratio**COMPRESSION)
         intake = _to(GasInputs.intake_pressure, 10 * drawn, ENGINE, EngineInputs.gas)
-        yield from _doubted(BURNING, rise, MOST_BURNING, (rise / 10, (intake,)))
+        in_bar: list[Reading] = [] if gas.intake_pressure is None else [(rise / 10, (intake,))]
+        yield from _doubted(BURNING, rise, MOST_BURNING, *in_bar)
+
+
+AXIS = CheckRule(
+    "countershaft.inputs.axis",
+    "caution",
+    "A shaft that is nearer to the crank than its throw is struck by it.",
+    Text("Distance of the shaft's axis from the crank's, over the crank radius"),
+    ">=",
+    source=Text("geometry: the crank pin turns there"),
+    advice=Text("Both numbers are in mm."),
+    moved_by=(dotted(SHAFT, CountershaftInputs.axis), dotted(ENGINE, EngineInputs.crank_radius)),
+    of_input=True,
+)
+
+
+def _countershaft(design: Design) -> Iterator[Check]:
+    shaft, engine = design.countershaft, design.engine
+    if shaft is not None and engine is not None and shaft.axis is not None:
+        away = math.hypot(*shaft.axis) / engine.crank_radius
+        in_metre = _to(CountershaftInputs.axis, tuple([1e3 * x for x in shaft.axis]), SHAFT)
+        yield from _doubted(AXIS, away, 1.0, *([(1e3 * away, (in_metre,))] if away < 1e-2 else []))
 
 
 CORE = CheckRule(
@@ -431,6 +458,7 @@ LENGTH = CheckRule(
     of_input=True,
 )
 LENGTHS = (0.15, 2.0)
+PLAIN_JOURNALS = (10e-3, 0.4)  # m: lengths and diameters that may have been meant
 
 CLEARANCE = CheckRule(
     "bearings.inputs.B.clearance",
@@ -496,8 +524,8 @@ def _bearings(design: Design) -> Iterator[Check]:
         yield from _journal(place, bearing, shaft.core_radius if shaft is not None else None)
     p, mu = bearings.supply_pressure, bearings.viscosity
     if p:
-        in_mega = (10 * p, (_to(BearingsInputs.supply_pressure, 10 * p, BEARINGS),))
-        yield from _doubted(PRESSURE, p, LEAST_PRESSURE, in_mega)
+        mega = 10 * p
+        yield from _doubted(PRESSURE, p, LEAST_PRESSURE, (mega, (_to(BearingsInputs.supply_pressure, mega, BEARINGS),)))
     if mu is not None:
         scaled = [(x, (_to(BearingsInputs.viscosity, x, BEARINGS),)) for x in (1e3 * mu, 1e-3 * mu)]
         yield from _doubted(VISCOSITY, mu, VISCOSITIES, *scaled)
@@ -510,11 +538,12 @@ def _journal(place: str, bearing: BearingInputs, core: float | None) -> Iterator
         yield from _doubted(CORE, d / (2 * core), 1.0, (d / core, doubled), at=place)
     sizes = [
         (ratio, (_to(field, x, BEARINGS, place),))
-        for slip in (10.0, 1000.0, 25.4)
+        for slip in (10.0, 0.1, 1000.0, 0.001, 25.4, 1 / 25.4)
         for ratio, field, x in (
             (slip * l / d, BearingInputs.length, slip * l),
             (l / (slip * d), BearingInputs.diameter, slip * d),
         )
+        if PLAIN_JOURNALS[0] <= x <= PLAIN_JOURNALS[1]
     ]
     yield from _doubted(LENGTH, l / d, LENGTHS, *sizes, at=place)
     if g is not None:
@@ -567,15 +596,17 @@ def _gears(design: Design) -> Iterator[Check]:
     gears, engine = design.gears, design.engine
     assert gears is not None
     module, b = gears.module, gears.face_width
-    yield from _doubted(FACE, b / module, FACES, (10 * b / module, (_to(GearsInputs.face_width, 10 * b, GEARS),)))
+    wider = 10 * b
+    yield from _doubted(FACE, b / module, FACES, (wider / module, (_to(GearsInputs.face_width, wider, GEARS),)))
     for wheel in gears.wheels:
         if (b_w := wheel.face_width) is not None:
-            wider = (_to(Wheel.face_width, 10 * b_w, GEARS, GearsInputs.wheels, wheel.name),)
-            yield from _doubted(WHEEL_FACE, b_w / module, FACES, (10 * b_w / module, wider), at=wheel.name)
+            wider = 10 * b_w
+            to_wider = (_to(Wheel.face_width, wider, GEARS, GearsInputs.wheels, wheel.name),)
+            yield from _doubted(WHEEL_FACE, b_w / module, FACES, (wider / module, to_wider), at=wheel.name)
     P, rated = gears.power, engine.rated_power if engine is not None else None
     if P is not None and rated is not None:
-        in_watt = (P * 1e-3 / rated, (_to(GearsInputs.power, P * 1e-3, GEARS),))
-        yield from _doubted(GEAR_POWER, P / rated, 1.0, in_watt)
+        watt = P * 1e-3
+        yield from _doubted(GEAR_POWER, P / rated, 1.0, (watt / rated, (_to(GearsInputs.power, watt, GEARS),)))
 
 
 MASS = CheckRule(
@@ -621,6 +652,32 @@ BOUNCE = CheckRule(
 FREQUENCIES = (1.0, 100.0)  # Hz
 
 
+PLACE = CheckRule(
+    "mounting.inputs.N.place",
+    "caution",
+    "What is so near the origin and not in it is given in another unit.",
+    Text("Distance from the middle of the crank"),
+    ">=",
+    "mm",
+    source=Text("the origin is in the crank, where no mount has room"),
+    advice=Text("Positions are in mm."),
+    of_input=True,
+)
+NEAREST = 5e-3  # m
+
+UNLIKE = CheckRule(
+    "mounting.inputs.N.stiffness",
+    "caution",
+    "The mounts of an engine share its weight: one that is a hundred times as stiff as the others is in another unit.",
+    Text("Stiffness over that of the other mounts"),
+    "in",
+    source=MAKERS,
+    advice=Text("Stiffness is in N/mm."),
+    of_input=True,
+)
+SHARES = (0.02, 50.0)  # of the median
+
+
 def _mounting(design: Design) -> Iterator[Check]:
     mounting, engine = design.mounting, design.engine
     assert mounting is not None and engine is not None
@@ -628,12 +685,29 @@ def _mounting(design: Design) -> Iterator[Check]:
     scaled = [(x / litres, (_to(MountingInputs.mass, x, MOUNTING),)) for x in (1e3 * m, 1e-3 * m)]
     yield from _doubted(MASS, m / litres, PER_LITRE, *scaled)
     if J := mounting.inertia:
-        furthest = max(J, key=lambda x: abs(math.log(x / m / (RADII[0] * RADII[1]))))
+        furthest = max(J, key=lambda x: _times(math.sqrt(x / m), RADII, "mm"))
         readings: list[Reading] = [
             (math.sqrt(furthest * x / m), (_to(MountingInputs.inertia, tuple([each * x for each in J]), MOUNTING),))
             for x in (1e-3, 1e-4, 1e-6)
         ]
         yield from _doubted(GYRATION, math.sqrt(furthest / m), RADII, *readings)
+    for array, places in ((MountingInputs.mounts, mounting.mounts), (MountingInputs.points, mounting.points)):
+        for place in places:
+            if (r := math.hypot(*place.position)) > 0:
+                in_metre = tuple([1e3 * x for x in place.position])
+                field = Mount.position if isinstance(place, Mount) else Point.position
+                reading = (1e3 * r, (_to(field, in_metre, MOUNTING, array, place.name),))
+                for check in _doubted(PLACE, r, NEAREST, reading, at=place.name):
+                    yield check.but(moved_by=(dotted(MOUNTING, array, place.name, field),))
+    for mount in mounting.mounts:
+        others = median([sum(other.stiffness) for other in mounting.mounts])
+        share = sum(mount.stiffness) / others if others else 1.0
+        key = (MOUNTING, MountingInputs.mounts, mount.name)
+        slipped = [
+            (share * x, (_to(Mount.stiffness, tuple([x * k for k in mount.stiffness]), *key),)) for x in (1e-3, 1e3)
+        ]
+        for check in _doubted(UNLIKE, share, SHARES, *slipped, at=mount.name):
+            yield check.but(moved_by=(dotted(*key, Mount.stiffness), dotted(MOUNTING, MountingInputs.mounts)))
     if k := sum(sum(mount.stiffness) / len(mount.stiffness) for mount in mounting.mounts):
         yield from _doubted(BOUNCE, math.sqrt(k / m) / (2 * math.pi), FREQUENCIES)
 
@@ -643,6 +717,7 @@ def _mounting(design: Design) -> Iterator[Check]:
 
 CROSSED: dict[str, Callable[[Design], Iterator[Check]]] = {
     dotted(ENGINE): _engine,
+    dotted(SHAFT): _countershaft,
     dotted(BEARINGS): _bearings,
     dotted(GEARS): _gears,
     dotted(MOUNTING): _mounting,
@@ -655,7 +730,12 @@ def doubts(design: Design, step: str) -> tuple[Check, ...]:
     far = [_far_check(step, outlier) for outlier in _of_step(design, step) if outlier.far]
     known = {key for check in far for key in check.moved_by}
     crossed = CROSSED[step](design) if step in CROSSED else ()
-    return (*far, *(check for check in crossed if known.isdisjoint(check.moved_by)))
+    alone = []  # of those that share an input the one that knows what was meant
+    for check in sorted(crossed, key=lambda check: not check.remedies):
+        if known.isdisjoint(check.moved_by):
+            alone.append(check)
+            known.update(check.moved_by)
+    return (*far, *alone)
 
 
 def with_doubts(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:

@@ -444,11 +444,6 @@ class EngineInputs:
     )
 
     @property
-    def highest_speed(self) -> float:
-        """Of the crank: the rated speed, or a row of the bench run above it."""
-        return max([self.rated_speed, *(row.speed for row in self.bench)])
-
-    @property
     def unlike_masses(self) -> bool:
         """Whether the masses differ from cylinder to cylinder."""
         return any(

@@ -181,7 +181,7 @@ def solve(
     with untraced():
         angles = _positions(crank)
         worst = _stress_of_all(crank, angles)
-    stress = np.nanmax(worst[..., :2], (0, 2))
+    stress = worst[..., :2].max((0, 2))
     k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
     at = zip(POSITIONS.values(), (based_on(float(angles[0, k]), *crank.load), item(firing[k])))
     largest, top = [_position(crank, k, epsilon, words) for words, epsilon in at]
@@ -346,8 +346,8 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
         "rule of this program: as the weakest structural steels; the strength of {name} is not known",
         name=throw.material,
     )
-    for i, place in enumerate(PLACES):
-        nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
+    for place, stresses in zip(PLACES, largest.reshape(2, 2).T):
+        nominal, notch = (based_on(float(stress), *crank.load, throw) for stress in stresses)
         strength, unknown = proof_of(proof, nominal)
         yield STRESS[place](nominal, strength, source=assumed if unknown else source, missing=unknown)
         if proof is not None and place in crank.notch:

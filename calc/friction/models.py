@@ -50,6 +50,8 @@ SMOOTH: Metre = 1e-6  # roughness up to which they hold, from memory
 RUNS_IN_MPA = tuple(Amount(p / 1000000.0, form="g") for p in RUNS)
 SMOOTH_IN_UM = Amount(SMOOTH * 1000000.0, form="g")
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, ISO/TR 13989-2, as in public code
+LEAST: Number = 0.01  # within which Benedict and Kelley's friction is kept
+MOST: Number = 0.2
 HELD = 0.5  # share of the path on which Benedict and Kelley's bounds may hold
 
 XU = Text("Xu and Kahraman 2005")
@@ -110,9 +112,9 @@ def benedict_kelley(w: NewtonPerMetre, eta_0: PascalSecond, V_s: MetrePerSecond,
                     * (V_T / METRE_PER_SECOND) ** 2
                 )
             ),
-            0.01,
+            LEAST,
         ),
-        0.2,
+        MOST,
     )
 
 
@@ -291,7 +293,7 @@ def of_xu_kahraman(c: MeshCase, P: Watt, H_V: Number) -> Regression | None:
 def of_benedict_kelley(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     w, w_f = _load(c, P)
     mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=based_on(2 * c.motion.u_e, c.motion.u_e))
-    bounded = (mu <= 0.01) | (mu >= 0.2)
+    bounded = (mu <= LEAST) | (mu >= MOST)
     share = float(np.mean(along(np.where(bounded, c.path.weight, 0.0)) / along(c.path.weight)))
     held = Text("held at its bounds on {share} % of the path", share=Amount(share * 100, form=".0f"))
     return _summed(c, P, w, mu, held if share > HELD else EMPTY)

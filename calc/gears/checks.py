@@ -7,7 +7,7 @@ from functools import partial
 
 from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import dotted
-from ..sheet.remedy import Change, Remedy, by_key, change, remedy
+from ..sheet.remedy import Change, Remedy, by_key, change, remedy, up, up_um
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
 from . import limits as p
@@ -266,11 +266,11 @@ def _clearance_checks(
     wheel, mate = (driver, driven) if tight == "driver" else (driven, driver)
     usual, needed, enough = (share * system.m_n for share in (p.TIP_CLEARANCE, p.ABOVE_FILLET, p.USUAL_ABOVE_FILLET))
     quarter = p.QUARTER * system.m_n
-    missing = math.ceil(max(0.0, usual - at_root[low]) * 1e6 - 1e-6) / 1e3
+    missing = up_um(usual - at_root[low]) / 1e3
     tips = [mesh.driven if side == "driver" else mesh.driver for side, c in at_root.items() if c - at_root[low] < 1e-6]
 
     def shorter() -> tuple[Remedy, ...]:
-        return (remedy(*(_cut(tip, cuts, missing) for tip in tips)),) if missing else ()
+        return (remedy(*(_cut(tip, cuts, missing) for tip in tips)),) if missing > 0 else ()
 
     clearance = Text("Tip clearance {pair}", pair=mesh.title)
     start = Text("Start of contact above the fillet {pair}", pair=mesh.title)
@@ -321,7 +321,7 @@ def _eased(
     reach = wheel.form_diameter / 2 + enough
     rho = math.sqrt(max(reach**2 - (wheel.base_diameter / 2) ** 2, 0.0))
     left = math.hypot(mate.base_diameter / 2, max(mesh.line_of_action - rho, 0.0))
-    cut = math.ceil((mate.tip_diameter / 2 - left) * 1e5 - 1e-6) / 1e2
+    cut = up(mate.tip_diameter / 2 - left)
     return (remedy(_cut(mate.name, cuts, cut)),) if cut > 0 else ()
 
 
@@ -339,7 +339,7 @@ def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
     s_an, value_id = wheel.tip_thickness_normal, dotted("gears", name, WheelResult.tip_thickness_normal)
     if wheel.tip_thickness_normal_min is not None:
         s_an, value_id = wheel.tip_thickness_normal_min, f"{value_id}_min"
-    enough = math.ceil(wheel.undercut_limit * 1e4 - 1e-9) / 1e4
+    enough = math.ceil(wheel.undercut_limit * 1e4) / 1e4
     yield UNDERCUT(
         wheel.profile_shift,
         wheel.undercut_limit,

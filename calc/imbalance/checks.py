@@ -172,22 +172,16 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
     forward = Text(
         "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
     )
-    if abs(rho - 1) > 1e-9:
+    if rho != 1:
         forward = Text(
             "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass on "
             "the crank (rotating_balance_fraction 1, crank_balance_fraction 0.5)."
         )
-    elif (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
+    elif (turned := _turned(result)) > TURNED and kappa == 0.5:
         forward = Text(
             "The offset turns it away from the pins: counterweights turned by {degrees}° from opposite them take it.",
             degrees=Amount(degrees(turned)),
         )
-    phase = Amount(round(degrees(result.required_couple_phase), 3), "°")
-    counter = Text(
-        "One shaft at −ω takes it: {required_couple} N·m at {phase}",
-        required_couple=Amount(result.required_couple),
-        phase=phase,
-    ) + (Text("; add [countershaft].") if not shaft else ".")
     shafts = result.remedy.get("second_order_shafts")
     two = (
         Text(
@@ -200,6 +194,11 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
 
     force, couple = FIRST * result.one_force, FIRST * result.one_couple
     if not shaft:
+        counter = Text(
+            "One shaft at −ω takes it: {required_couple} N·m at {phase}",
+            required_couple=Amount(result.required_couple),
+            phase=Amount(round(degrees(result.required_couple_phase), 3), "°"),
+        ) + Text("; add [countershaft].")
         yield BACKWARD_COUPLE(first.couple_backward, couple, advice=counter)
         yield BACKWARD_FORCE(first.force_backward, force)
     yield FORWARD_COUPLE(first.couple_forward, couple, advice=forward)
@@ -245,7 +244,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
     turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
     if turns_forward:
         done = Text("as designed")
-        if abs(kappa - 0.5) >= 1e-9:
+        if kappa != 0.5:
             done = Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
         proposed.append(
             Text(
@@ -296,14 +295,13 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
                 left=left,
             )
         )
-    if (
-        result.webs is not None
-        and result.webs.missing_forward_couple is not None
-        and result.webs.unbalances_couple is None
-    ):
-        missing = _what(result.webs.missing_forward_force or 0.0, result.webs.missing_forward_couple, *first)
+    webs = result.webs
+    if webs is not None and webs.missing_forward_couple is not None and webs.unbalances_couple is None:
+        assert webs.missing_forward_force is not None
+        assert webs.missing_forward_couple_phase is not None
+        missing = _what(webs.missing_forward_force, webs.missing_forward_couple, *first)
         if missing:
-            direction = Amount(round(degrees(result.webs.missing_forward_couple_phase or 0.0), 3), "°")
+            direction = Amount(round(degrees(webs.missing_forward_couple_phase), 3), "°")
             proposed.append(
                 Text(
                     "Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}), because the "
@@ -326,7 +324,7 @@ def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float]) -> 
     rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
     if not rest:
         return Text("take all")
-    if abs(rho - 1) > 1e-9:
+    if rho != 1:
         share = Amount(rho, form="g")
         return Text(
             "take all but {rest} (the rotating masses are balanced to a share of {share} only)", rest=rest, share=share
@@ -360,8 +358,8 @@ def _one_speed(shafts: dict[str, BalanceShaft]) -> Amount | None:
 
 
 def _count(what: Text) -> int:
-    """Of the things that `_what` has named: two where they are joined."""
-    return 1 if {"force", "couple"} & what.parts.keys() else 2
+    """Of the things that `_what` has named: of two joined ones the text has a part for each."""
+    return len(what.parts)
 
 
 def _what(force: float, couple: float, least_force: float, least_couple: float) -> Text:

@@ -114,7 +114,8 @@ def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Ba
             return None
         p_f, p_b = (based_on(complex(*place), place) for place in (forward, backward))
         F_f, F_b = based_on(F_f, F_f, n), based_on(F_b, F_b, n)
-        t_n = based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n)
+        t_n = e.torque.reaction_harmonics[n - 1]
+        t_n = based_on(t_n, t_n, n)
         Dh = height_difference(h_f=based_on(forward[0], forward, n), h_b=backward[0])
         T_S = pair_moment(p_f=p_f, F_f=F_f, p_b=p_b, F_b=F_b)
         T = roll_together(T_S=T_S, t_n=t_n)

@@ -324,7 +324,9 @@ class Operation:
     """A speed at which the engine runs, and its gas there where it differs from that of [engine.gas]."""
 
     name: str = text("Name", help="Letters, digits and -.")
-    speed: float = quantity("Speed", "rpm", up_to=30000, symbol="n", help="Of the crank.", repair="asked")
+    speed: float = quantity(
+        "Speed", "rpm", up_to=30000, symbol="n", rule_of_thumb=(300, 13000), help="Of the crank.", repair="asked"
+    )
     hours: float | None = quantity(
         "Hours a day", default=None, within=(0, DAY), symbol="T", help="For the daily exposure."
     )
@@ -334,6 +336,7 @@ class Operation:
         default=None,
         up_to=1000,
         symbol="p_max",
+        rule_of_thumb=(10, 220),
         help="At this speed, absolute; left out: that of [engine.gas].",
     )
     intake_pressure: float | None = quantity(
@@ -342,6 +345,7 @@ class Operation:
         default=None,
         up_to=100,
         symbol="p_in",
+        rule_of_thumb=(0.3, 3.5),
         help="At this speed, absolute; left out: that of [engine.gas].",
     )
     exhaust_pressure: float | None = quantity(
@@ -350,6 +354,7 @@ class Operation:
         default=None,
         up_to=100,
         symbol="p_ex",
+        rule_of_thumb=(1, 4),
         help="At this speed, absolute; left out: that of [engine.gas].",
     )
     crankcase_pressure: float | None = quantity(

@@ -130,7 +130,7 @@ class CheckRule:
         elements = (at,) if isinstance(at, str) else at
         names = dict(zip(LETTER.findall(self.id), elements, strict=True))
         if "M" in names:
-            names["DRIVER"], names["DRIVEN"] = names["M"].split("_", 1)
+            names["DRIVER"], names["DRIVEN"] = names["M"].split("_")
         return names if index is None else names | {INDEX: str(index)}
 
     def __call__(
@@ -171,7 +171,9 @@ class CheckRule:
         else:
             bound = linked(shown(limit), link_of(limit))
 
-        def end(number: End) -> End:
+        def end(number: End | None) -> End:
+            if number is None:  # nothing could be computed there, which is no value that holds
+                return math.nan
             return shown(number) if isinstance(number, (int, float)) and math.isfinite(number) else number
 
         keys = [_filled(key, names) for key in self.moved_by] if moved_by is None else moved_by
@@ -199,7 +201,8 @@ class CheckRule:
         ways = () if remedies is None or this_check.holds else remedies()
         if not ways:
             return this_check
-        return this_check.but(remedies=ways, advice=SPACE.join(filter(None, (sentence(ways), this_check.advice))))
+        repaired = this_check.but(remedies=ways)
+        return repaired.but(advice=SPACE.join(filter(None, (repaired.ways_text(), this_check.advice))))
 
 
 # --- one check
@@ -292,7 +295,7 @@ class Check:
         if isinstance(self.limit, tuple):
             low, high = self.limit
             to_low, to_high = value - low, high - value
-            return (to_low, low) if to_low <= to_high else (to_high, high)
+            return (to_high, high) if to_high < to_low or math.isnan(to_high) else (to_low, low)
         return (value - self.limit if self.sense in (">=", ">") else self.limit - value), self.limit
 
     @property
@@ -340,7 +343,7 @@ class Check:
     def share(self) -> float | None:
         """The value over its nearest limit, 1 at it; None where that says nothing."""
         limit = self.nearest[1]
-        ratio = self.value / limit if limit else -1.0
+        ratio = self.value / limit if limit else math.nan
         return ratio if ratio >= 0 else None
 
     @cached_property
@@ -430,6 +433,10 @@ class Check:
             for last, some in together.items()
         ]
         return Text("Not given: {keys}. {ends}", keys=SEMICOLON.join(keys), ends=self.ends_text())
+
+    def ways_text(self) -> Text:
+        """What would make it hold, with which its advice begins; empty where nothing is known."""
+        return sentence(self.remedies, verified=self.at_worst != "none")
 
     def ends_text(self) -> Text:
         """How far the value goes with all that is not given."""

@@ -66,9 +66,12 @@ def remedy(*changes: Change, effect: Text = EMPTY) -> Remedy:
     return Remedy(tuple((change.key, change.value) for change in changes), effect, words)
 
 
-def sentence(remedies: tuple[Remedy, ...]) -> Text:
-    """Each of them would do."""
-    return Text("To pass: {ways}.", ways=alternatives([way.words for way in remedies])) if remedies else EMPTY
+def sentence(remedies: tuple[Remedy, ...], *, verified: bool = True) -> Text:
+    """Each of them would do; `verified`: for good, and not only by what is taken for an input that is not given."""
+    if not remedies:
+        return EMPTY
+    ways = alternatives([way.words for way in remedies])
+    return Text("To pass: {ways}." if verified else "To hold as taken: {ways}; give the rest as well.", ways=ways)
 
 
 def by_key(
@@ -86,6 +89,11 @@ def down(length: float) -> float:
 def up(length: float) -> float:
     """A length [m] in mm, to 0.01 mm above."""
     return math.ceil(length * 1e5 - 1e-6) / 1e2
+
+
+def up_um(length: float) -> int:
+    """A length [m] in µm, to 1 µm above."""
+    return math.ceil(length * 1e6 - 1e-6)
 
 
 # --- changes of a design as data

@@ -8,7 +8,7 @@ import numpy as np
 
 from .errors import Cancelled, NoSolution
 from .step import Outcome
-from .text import Text
+from .text import EMPTY, Text
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -23,19 +23,20 @@ class Parts:
     """`part("engine", engine.solve, …)` calls `engine.solve(…)`; the type checker holds the arguments against its
     signature.
 
-    `titles`: of the steps by key, in their order; `before`: what an earlier solve kept; `stop` is asked before each
-    part whether nobody waits for the results any more, then Cancelled is raised; `enough` after each part whether its
-    outcome decides all that is asked."""
+    `titles`: of the steps by key, in their order; `before`: what an earlier solve kept; `left_out`: the steps that the
+    design does without, each with its reason; `stop` is asked before each part whether nobody waits for the results any
+    more, then Cancelled is raised; `enough` after each part whether its outcome decides all that is asked."""
 
     def __init__(
         self,
         titles: Mapping[str, Text],
         before: Mapping[str, Kept],
+        left_out: Mapping[str, str],
         *,
         stop: Callable[[], bool],
         enough: Callable[[Outcome[object]], bool] | None,
     ) -> None:
-        self.titles, self.before, self.stop, self.enough = titles, before, stop, enough
+        self.titles, self.before, self.left_out, self.stop, self.enough = titles, before, left_out, stop, enough
         self.kept: dict[str, Kept] = {}
         self.last: dict[str, Outcome[object]] = {}
 
@@ -66,7 +67,8 @@ class Parts:
         """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after`
         without result."""
         if inputs is None:
-            return Outcome(key, "not_asked")
+            reason = self.left_out.get(key)
+            return Outcome(key, "not_asked", reason=Text("left out: {reason}", reason=reason) if reason else EMPTY)
         late = {outcome.key: outcome.state for outcome in after if outcome.state != "solved"}
         waiting = [
             Text("{step} (not given: add the table [{key}])", step=title, key=other)

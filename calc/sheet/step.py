@@ -245,10 +245,10 @@ def judged(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], 
     by_key = {outcome.key: _stretched(outcome) for outcome in outcomes}
     if not reasons:
         return by_key
-    solved = [key for key, outcome in by_key.items() if outcome.state == "solved"]
-    for key in solved:
+    with_checks = [key for key, outcome in by_key.items() if outcome.state == "solved" or outcome.checks]
+    for key in with_checks:
         # with the first of them what is of no step, or of one without checks
-        others = (id for id, _ in reasons if key == solved[0] and id.partition(".")[0] not in solved)
+        others = (id for id, _ in reasons if key == with_checks[0] and id.partition(".")[0] not in with_checks)
         mine = {id: reason for id, reason in reasons if id.startswith(f"{key}.")} | dict.fromkeys(others, "")
         by_key[key] = _accepted(by_key[key], mine) if mine else by_key[key]
     return by_key

@@ -149,8 +149,9 @@ def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
 
 
 def with_it(checks: Sequence[Check], most: int = 3) -> Text:
-    """What else of a group is open beside its worst."""
-    return Text("With it: {names}", names=named(checks, most))
+    """What else of a group is open beside its worst: as what it counts, and by name."""
+    numbers = COMMA.join([words for _, words in counts(checks).words])
+    return Text("With it {numbers}: {names}", numbers=numbers, names=named(checks, most))
 
 
 def named(checks: Sequence[Check], most: int = 3) -> Text:

@@ -6,13 +6,12 @@ from collections.abc import Callable, Iterator
 from math import degrees
 
 from ..bearings.inputs import BearingInputs
-from ..design.model import STEPS, Design
+from ..design.model import TITLES, Design
 from ..engine.formulas import stroke
 from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import COMMA, Amount, Name, Text, plural
 
-TITLES = {step.key: step.title for step in STEPS}
 LAYOUTS = {"inline": Text("inline"), "vee": Text("vee"), "boxer": Text("boxer")}
 DASH = Text(" – ")
 

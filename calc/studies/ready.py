@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 # --- the state of each step
 
 SOLVED = ("fail", "not_verified", "not_judged", "computed", "warn", "pass")
-DONE = ("pass", "computed", "not_judged", "not_asked")  # by their colours
 LEFT = ("todo", "needs", "waits", "blocked", "no_solution", "fail", "not_verified")  # while one is, nothing is ready
 
 
@@ -33,8 +32,8 @@ class StepState:
 
     @property
     def done(self) -> bool:
-        """Whether nothing is open in it."""
-        return self.colour in DONE
+        """Whether it keeps nothing from being ready; cautions may be open."""
+        return self.state not in LEFT
 
 
 def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ()) -> tuple[StepState, ...]:
@@ -75,7 +74,8 @@ def _state(step: Step, data: Table, wrong: int, outcome: Outcome[object] | None)
 
 @record
 class Readiness:
-    """`state`: the sign and colour that it has; `words`: what is left, or what was judged and what was not used."""
+    """`state`: the sign and colour that it has; `words`: what is left, or what was judged and what was not used, beside
+    the state of the design."""
 
     ready: bool
     state: str
@@ -85,15 +85,13 @@ class Readiness:
 def whole(states: Sequence[StepState], results: "Results | None") -> Readiness:
     """A design is ready where its limits were judged and hold, nothing is to do, and nothing is left out that no person
     has left out.  `states`: of its steps, with these results."""
-    if left := sum(state.state in LEFT for state in states) or results is None:
+    if left := sum(not state.done for state in states) or results is None:
         return Readiness(False, "todo", plural("{n} step left", "{n} steps left", n=left))
     if steps := _titles(step for step, reason in results.design.without if reason in OF_PROGRAM):
         return Readiness(False, "todo", Text("left out by the program: {steps}", steps=steps))
-    state, counts = results.verdict, results.counts
-    if state not in ("pass", "warn"):
-        return Readiness(False, state, results.words())
-    held = limits_hold(results)
-    return Readiness(True, state, SEMICOLON.join((results.words(), held)) if counts.words else held)
+    if results.verdict not in ("pass", "warn"):
+        return Readiness(False, results.verdict, Text("no limit judges it"))
+    return Readiness(True, results.verdict, limits_hold(results))
 
 
 def limits_hold(results: "Results") -> Text:
@@ -103,8 +101,9 @@ def limits_hold(results: "Results") -> Text:
     reasons = dict(design.without)
     by_you = _titles(step for step, reason in reasons.items() if reason not in OF_PROGRAM)
     by_program = _titles(step for step, reason in reasons.items() if reason in OF_PROGRAM)
-    unused = _titles(s.key for s in STEPS if s not in design.asked() and s.key not in reasons)
-    parts = [plural("{n} limit holds", "{n} limits hold", n=results.counts.held)]
+    unused = _titles(s.key for s in STEPS if not (s.optional or s in design.asked() or s.key in reasons))
+    held = plural("{n} limit holds", "{n} limits hold", n=results.counts.held)
+    parts = [held if results.counts.limits else Text("no limit is judged")]
     parts += [Text("left out by you: {steps}", steps=by_you)] if by_you else []
     parts += [Text("left out by the program: {steps}", steps=by_program)] if by_program else []
     parts += [Text("not used: {steps}", steps=unused)] if unused else []

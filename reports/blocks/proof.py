@@ -18,7 +18,6 @@ from calc.sheet.check import Check, CheckRule
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.number import RANGE
-from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text, with_unit
 from calc.sheet.units import UNITS
@@ -364,7 +363,7 @@ def _advice(context: Context, checks: Sequence[Check]) -> str:
     """What would mend each of the checks, then what else is advised, each sentence once."""
     remedies, others = [], []
     for check in checks:
-        advice, ways = context.say(check.advice), context.say(sentence(check.remedies))
+        advice, ways = context.say(check.advice), context.say(check.ways_text())
         if ways and advice.startswith(ways):
             remedies.append(ways)
             advice = advice.removeprefix(ways).strip()

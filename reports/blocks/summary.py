@@ -187,7 +187,7 @@ class Mended(NamedTuple):
     its words, and what is left, with the reason."""
 
     changes: Text
-    passes: bool
+    nothing_fails: bool
     state: str
     words: Text
     left: tuple[tuple[Text, Text], ...]
@@ -202,7 +202,7 @@ def mended(context: Context) -> Mended | None:
     after = repair.results
     return Mended(
         repair.words,
-        repair.passes,
+        repair.nothing_fails,
         after.verdict,
         after.words(),
         tuple((unmended.name, unmended.why) for unmended in repair.left[:3]),
@@ -214,7 +214,7 @@ def _nearest(context: Context, nearest: Mended) -> list[Block]:
     title = "nearest_title" if nearest.state in ("pass", "warn") else "nearest_no_fail"
     blocks = heading(context.words[title], SECTION, gap=9.0, after=0.0)
     if nearest.changes:
-        template = "nearest_passes" if nearest.passes else "nearest_part"
+        template = "nearest_nothing_fails" if nearest.nothing_fails else "nearest_part"
         blocks += paragraph(
             context.text(template, changes=nearest.changes, state=context.say(nearest.words)), CELL, gap=1.0
         )
@@ -284,7 +284,7 @@ def _steps(context: Context) -> list[Block]:
         sign = sign_cell(context, outcome.verdict, outcome.colour)
         worst = closest(outcome.checks) if outcome.state == "solved" else None
         if worst is None:
-            words = outcome.reason if outcome.state in ("blocked", "no_solution") else "–"
+            words = outcome.reason or "–"
             rows.append((title, sign, Cell(words, NOTE), "", "", ""))
             continue
         cells = (

@@ -69,7 +69,7 @@ WORDS: dict[str, Text] = {
     "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
     "governing": Text("Closest limit: {name}, {value}, needs {limit}"), "key_results": Text("Key results"),
     "nearest_title": Text("Nearest passing design"),
-    "nearest_passes": Text("No limit fails with: {changes}. Then {state}."),
+    "nearest_nothing_fails": Text("No limit fails with: {changes}. Then {state}."),
     "nearest_no_fail": Text("Nearest design in which no limit fails"),
     "nearest_part": Text("A part of the way: {changes}. Then {state}."),
     "nearest_left": Text("{name}: nothing was found, {why}."),

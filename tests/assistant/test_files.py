@@ -7,10 +7,12 @@ from typing import Any
 import pytest
 from textual.widgets import Input
 
+from assistant.screens.palette import Palette
+from assistant.screens.ready import ReadyScreen
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from tests.assistant.conftest import Screen, solved
-from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, work
+from tests.assistant.driving import go_to, rows, screen_rows, settled, strike, told, type_in, until, work
 
 
 # --- files
@@ -27,6 +29,22 @@ async def test_saving(screen: Screen, light: Session) -> None:
         await pilot.pause()
         assert "not saved" in told(pilot) and light.home.read_bytes() == saved
         assert "No report" in told(pilot)
+
+
+async def test_saving_on_the_closing_page(screen: Screen, light: Session) -> None:
+    """It stays there; the palette goes on in the main screen."""
+    async with screen(size=(80, 24)) as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "95")
+        await pilot.press("enter", "escape", "D")
+        await until(pilot, lambda: isinstance(pilot.app.screen, ReadyScreen))
+        await strike(pilot, "ctrl+s")
+        await until(pilot, lambda: str(light.home) in told(pilot))
+        assert b"bore_mm = 95.0\n" in light.home.read_bytes() and isinstance(pilot.app.screen, ReadyScreen)
+        assert "^s save" in screen_rows(pilot)[-1] and screen_rows(pilot)[-1].rstrip().endswith("Esc back")
+        await strike(pilot, "ctrl+p")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Palette))
+        assert [type(screen) for screen in pilot.app.screen_stack] == [Workbench, Palette]
 
 
 async def test_save_as(screen: Screen, tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ from assistant.widgets.curve_pane import CurvePane, Pane
 from assistant.widgets.field import Cells
 from assistant.widgets.form import Form
 from assistant.widgets.headings import ArrayHeading
+from assistant.widgets.radio import Todo
 from calc.design.model import STEPS
 from calc.sheet.verdict import grouped
 from calc.studies.repair.nearest import NearestRemedy, remedy
@@ -64,6 +65,33 @@ async def test_before_the_first_step_is_nothing_and_after_the_last_the_closing_p
         await strike(pilot, "escape")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
         assert work(pilot).number == 6
+
+
+async def test_enter_goes_on_from_a_pane_in_which_nothing_can_be_chosen(screen: Screen) -> None:
+    """A step that is not built opens with its inputs; from its empty plot Enter leads back to them."""
+    async with screen(size=(80, 24)) as pilot:
+        bench = work(pilot)
+        await strike(pilot, "f9")
+        await until(pilot, lambda: bench.pane == "curve")
+        await strike(pilot, "5")
+        await until(pilot, lambda: bench.number == 5)
+        await settled(pilot)
+        assert bench.pane == "inputs" and isinstance(pilot.app.focused, Todo)
+        bench.action_to_view("curve")
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert bench.pane == "inputs" and pilot.app.focused is bench.form
+
+
+async def test_while_an_input_is_not_valid_no_older_verdict_is_told(screen: Screen) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        assert "WARN: 3 cautions  3 steps left" in screen_rows(pilot)[0]
+        await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "x")
+        await until(pilot, lambda: "input is not valid  4 steps left" in screen_rows(pilot)[0])
+        assert "WARN" not in screen_rows(pilot)[0]
+        await pilot.press("enter", "escape", "D")
+        await until(pilot, lambda: "! input is not valid; 4 steps left" in screen_rows(pilot)[0])
 
 
 async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(

@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 from textual.messages import ExitApp
 
+from assistant.output import state_dir
 from assistant.screens.workbench_results import KEEP
-from assistant.session.recovery import RECENT, Edits, Memory, Settings, state_dir
+from assistant.session.recovery import RECENT, Edits, Memory, Settings
 from assistant.session.session import EXAMPLE, Session
 from calc.sheet.errors import BadInput
 from tests.assistant.conftest import NOON, Screen

@@ -4,17 +4,22 @@ heard."""
 
 import threading
 from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NoReturn
 
 import pytest
 from textual.app import ComposeResult
 from textual.widgets import Static
 
-from assistant.screens.selection import Searching
+from assistant.offers import Offer
+from assistant.screens import selection
+from assistant.screens.selection import Choosing, Searching
+from assistant.screens.workbench import Workbench
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.text import Text
 from tests.assistant.conftest import Screen
-from tests.assistant.driving import strike, until
+from tests.assistant.driving import strike, until, work
 
 
 class Letters(Searching[str | None, str]):
@@ -77,7 +82,11 @@ async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
         (ZeroDivisionError("by nought"), "the program made a mistake: ZeroDivisionError: by nought"),
     ],
 )
-async def test_why_it_ends(screen: Screen, error: Exception, words: str) -> None:
+async def test_why_it_ends(
+    screen: Screen, error: Exception, words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+
     def search(progress: Progress) -> Iterator[str]:
         yield "a"
         raise error
@@ -87,6 +96,30 @@ async def test_why_it_ends(screen: Screen, error: Exception, words: str) -> None
         pilot.app.push_screen(shown)
         await until(pilot, lambda: bool(shown.letters) and not shown.searching)
         assert words in shown.state and shown.letters == ["a"]
+
+
+async def test_a_fault_in_a_table_of_rows_does_not_end_the_session(
+    screen: Screen, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is said in the dialog, with the file that has its trace."""
+
+    def broken(top: int) -> NoReturn:
+        raise KeyError("rise")
+
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    monkeypatch.setattr(
+        selection, "offer", lambda *asked: Offer(1, broken, lambda n: {}, lambda n: Text("row"), Text("hint"))
+    )
+    async with screen() as pilot:
+        shown = Choosing(work(pilot).session, "engine")
+        pilot.app.push_screen(shown)
+        await until(pilot, lambda: shown.is_mounted and not shown.searching)
+        (trace,) = tmp_path.glob("contralbero/faults/*.txt")
+        said = str(shown.query_one("#choosing-state", Static).content)
+        assert said == f"Nothing to choose: the program made a mistake: KeyError: 'rise'; its trace is in {trace}"
+        assert "in broken" in trace.read_text(encoding="utf-8")
+        await strike(pilot, "escape")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
 
 
 async def test_an_earlier_search_is_stopped_and_no_longer_heard(screen: Screen) -> None:

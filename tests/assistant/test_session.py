@@ -161,7 +161,10 @@ def test_answers_to_older_questions_are_dropped(session: Session) -> None:
     assert session.job() is None
 
 
-def test_a_mistake_of_the_program_is_a_message(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_mistake_of_the_program_is_a_message(
+    session: Session, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     session.solve()
     before = session.results
     monkeypatch.setattr("calc.solve.solve", lambda *_: 1 / 0)

@@ -115,7 +115,6 @@ def smooth() -> Iterable[tuple[str, Function, list[float]]]:
         yield f"Y_NT of {kind}", partial(life.root_life, kind), [N for N, _ in knees]
     for kind in ("Eh", *life.FLANK_CURVES):
         yield f"Z_NT of {kind}", partial(life.flank_life, kind), [N for N, _ in life.flank_knees(kind)]
-    yield "Z_NT with some pitting", lambda N: life.flank_life("Eh", N, True), [N for N, _ in life.STEEL_PITTING]
     for structural, rows in ((1.0, root_strength.SLIP_ST), (0.0, root_strength.SLIP_V)):
         slip = partial(lambda s, R: root_strength.slip_layer(R_p=R, structural=s), structural)
         yield f"slip layer {structural:g}", slip, [R * 1e6 for R, _ in rows]

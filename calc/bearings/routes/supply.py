@@ -6,7 +6,7 @@ from math import pi
 from typing import Any
 
 from ...library.lubricant import OilState
-from ...sheet.arrays import Array
+from ...sheet.arrays import Value
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text
 from ...sheet.value import based_on
@@ -34,7 +34,7 @@ def lands(inputs: BearingsInputs) -> int:
     return 1 if start >= LOADED_HALF and end <= 2 * pi - LOADED_HALF else 2
 
 
-def bare_length(inputs: BearingsInputs, l: Array) -> Array:
+def bare_length(inputs: BearingsInputs, l: Value) -> Value:
     """The lengths that carry, of any shape: without the groove where it parts the film into two lands."""
     return l if lands(inputs) == 1 else l - _given(inputs.groove_width)
 

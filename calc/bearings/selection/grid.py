@@ -13,11 +13,23 @@ import numpy as np
 
 from ...library.journal_rules import heat_index, specific_load
 from ...sheet.arrays import Array, BoolArray, IndexArray
+from ...sheet.check import CheckRule
 from ...sheet.quantity import described
 from ...sheet.record import record
 from ...sheet.search import Judged, least, multiples
 from ...sheet.units import Metre, Radian
 from .. import formulas as f
+from ..checks import (
+    FILM_DOUBLE_LOAD,
+    FILM_EDGE,
+    FILM_EDGE_TRUMPLER,
+    HEAT_INDEX,
+    LENGTH_RATIO_USUAL,
+    SPECIFIC_LOAD,
+    TEMPERATURE,
+    TEMPERATURE_RISE_USUAL,
+    TRANSITION,
+)
 from ..corners import widths
 from ..inputs import BearingInputs
 from ..routes import supply
@@ -34,9 +46,9 @@ FEW = 4  # steps beyond the least that must be left when cold, whatever the wide
 USUAL_FACTORS = described(BearingInputs.clearance_factor).usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
 APART = math.log(1.1)  # between the lengths that are solved
 KEPT = 1e-4  # a margin of a film or its heat below this may be one of the cubic's making
-OF_HEAT = ("temperature", "temperature_rise")
-OF_LOAD = ("specific_load", "heat_index")
-OF_FILM = ("film_edge", "film_edge_trumpler", "film_double_load", *OF_HEAT, "transition")
+OF_HEAT = (TEMPERATURE, TEMPERATURE_RISE_USUAL)
+OF_LOAD = (SPECIFIC_LOAD, HEAT_INDEX)
+OF_FILM = (FILM_EDGE, FILM_EDGE_TRUMPLER, FILM_DOUBLE_LOAD, *OF_HEAT, TRANSITION)
 
 
 @record
@@ -47,11 +59,11 @@ class CandidateField:
     variant: Variant
     states: States
 
-    def judged(self, slope: Radian) -> dict[str, Judged]:
-        """Every rule on every candidate, by its key."""
-        known: dict[Radian, dict[str, Judged]] = self.__dict__.setdefault("_judged", {})
+    def judged(self, slope: Radian) -> dict[CheckRule, Judged]:
+        """Every rule on every candidate, by its declaration."""
+        known: dict[Radian, dict[CheckRule, Judged]] = self.__dict__.setdefault("_judged", {})
         if slope not in known:
-            known[slope] = {limit.rule.key: limit for limit in judge(self.task, self.states, slope)}
+            known[slope] = {limit.rule.declared: limit for limit in judge(self.task, self.states, slope)}
         return known[slope]
 
     def passing(self, slope: Radian) -> BoolArray:
@@ -59,7 +71,7 @@ class CandidateField:
         known: dict[Radian, BoolArray] = self.__dict__.setdefault("_passing", {})
         if slope not in known:
             every = self.judged(slope).items()
-            known[slope] = np.all([limit.margin >= (KEPT if key in OF_FILM else 0.0) for key, limit in every], axis=0)
+            known[slope] = np.all([limit.margin >= (KEPT if rule in OF_FILM else 0.0) for rule, limit in every], axis=0)
         return known[slope]
 
     def wanted(self, slope: Radian) -> tuple[bool, BoolArray]:
@@ -69,13 +81,14 @@ class CandidateField:
         kept = every & (clearance_limit.margin >= 0)
         return not kept.any(), kept if kept.any() else every
 
-    def _least(self, slope: Radian, *keys: str) -> Array:
-        return least(limit for key, limit in self.judged(slope).items() if key in keys)
+    def _least(self, slope: Radian, *rules: CheckRule) -> Array:
+        judged = self.judged(slope)
+        return least(judged[rule] for rule in rules)
 
     def holds(self, slope: Radian) -> bool:
         """Whether some candidate keeps the rules on the film that smoother surfaces do not help, whatever its heat and
         size."""
-        return bool((self._least(slope, "film_edge_trumpler", "film_double_load", "transition") >= 0).any())
+        return bool((self._least(slope, FILM_EDGE_TRUMPLER, FILM_DOUBLE_LOAD, TRANSITION) >= 0).any())
 
     def hot(self, slope: Radian) -> bool:
         """Whether some candidate has no film or too little oil: a wider clearance, or a thinner oil, may then help the
@@ -124,7 +137,7 @@ def alike(task: BearingTask, other: BearingTask) -> bool:
 def lengths(task: BearingTask, in_room: bool = False) -> Array:
     """Whole steps within the usual l/d, where asked those in the room alone, and the design's own."""
     inputs, d = task.seat.inputs, task.seat.bearing.diameter
-    usual = task.rules["length_ratio_usual"].check.limit
+    usual = task.rules[LENGTH_RATIO_USUAL].check.limit
     assert isinstance(usual, tuple)
     lands = supply.lands(inputs)
     lost = (inputs.groove_width or 0.0) if lands == 2 else 0.0
@@ -143,7 +156,7 @@ def _bearable(task: BearingTask, l: Array) -> Array:
     inputs, duty = task.seat.inputs, task.duty
     p = specific_load(F=duty.load, d=task.seat.bearing.diameter, l=supply.bare_length(inputs, l))
     W = heat_index(F=duty.load, n=duty.speed, l=l)
-    carries = least([task.rules["specific_load"].on(p), task.rules["heat_index"].on(W)]) >= 0
+    carries = least([task.rules[SPECIFIC_LOAD].on(p), task.rules[HEAT_INDEX].on(W)]) >= 0
     return l[carries] if carries.any() else l[-1:]
 
 

@@ -15,6 +15,7 @@ from ...sheet.record import record
 from ...sheet.search import first, governing, least
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kelvin, Metre, Number, Radian, Watt
+from ..checks import FILM_DOUBLE_LOAD, FILM_EDGE, TEMPERATURE_RISE_USUAL
 from ..inputs import PLACES
 from .grid import CandidateField
 from .states import BearingTask, Index, States, check_of, judge, mckee, solved, usual
@@ -123,7 +124,7 @@ def picks(task: BearingTask, length: Sequence[float], clearance: Sequence[float]
 
 
 def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
-    limits = {limit.rule.key: limit for limit in judge(task, films, slope)}
+    limits = {limit.rule.declared: limit for limit in judge(task, films, slope)}
     worst, psi = governing(limits.values(), 0), usual(task, films.clearance)
     state = worst.where if isinstance(worst.where, Text) else int(np.broadcast_to(worst.where, (1,))[0])
     corner = state if isinstance(state, Text) else task.states[state].name if state > 0 else EMPTY
@@ -132,9 +133,9 @@ def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
         float(films.length[0]),
         float(films.clearance[0]),
         float(films.power[0]),
-        float(limits["film_edge"].value[0]) * 1e-6,
-        float(limits["film_double_load"].value[0]) * 1e-6,
-        float(limits["temperature_rise"].value[0]),
+        float(limits[FILM_EDGE].value[0]) * 1e-6,
+        float(limits[FILM_DOUBLE_LOAD].value[0]) * 1e-6,
+        float(limits[TEMPERATURE_RISE_USUAL].value[0]),
         float(mckee(task, films)[0]),
         float(least(limits.values())[0]),
         tuple(check_of(limit, 0) for limit in limits.values()),
@@ -229,7 +230,7 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
     able = []
     for variant, fields in every:
         films = [
-            [f.judged(slopes[place])["film_edge"].value[f.passing(slopes[place])] for f in fields[place]]
+            [f.judged(slopes[place])[FILM_EDGE].value[f.passing(slopes[place])] for f in fields[place]]
             for place in PLACES
         ]
         sides = [np.concatenate(side) * 1e-6 for side in films if side]
@@ -265,7 +266,7 @@ def _least_with(
     """The least power with at least this film, and whose it is; None: there is none."""
     best: tuple[Watt, CandidateField, Index] | None = None
     for field in fields:
-        kept = field.passing(slope) & (field.judged(slope)["film_edge"].value * 1e-6 >= film)
+        kept = field.passing(slope) & (field.judged(slope)[FILM_EDGE].value * 1e-6 >= film)
         if (index := first(kept, field.states.power)) is not None and (
             best is None or field.states.power[index] < best[0]
         ):

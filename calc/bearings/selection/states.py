@@ -21,9 +21,8 @@ from ...library import journal_rules
 from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, Num
-from ...sheet.check import DEGREES, Check
+from ...sheet.check import DEGREES, Check, CheckRule
 from ...sheet.linked_array import column
-from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.search import Judged, judged
 from ...sheet.text import Amount, Small, Text
@@ -93,8 +92,16 @@ def size(length: Metre, clearance: Metre) -> Text:
 LEAST_COLD: Metre = 20e-6
 OWN = Text("rule of this program for choosing")
 RISES = Text("Finotti 2013, 5.5.2: 15 to 20 °C; for choosing the lower")
-READ = (FILM_EDGE, FILM_DOUBLE_LOAD, TEMPERATURE, HEAT_INDEX, TRANSITION, CLEARANCE_COLD_CORNER)
-USUAL = "clearance_usual"
+READ = (
+    FILM_EDGE,
+    FILM_DOUBLE_LOAD,
+    TEMPERATURE,
+    HEAT_INDEX,
+    TRANSITION,
+    CLEARANCE_COLD,
+    CLEARANCE_COLD_CORNER,
+    CLEARANCE_USUAL,
+)
 
 Index = int | tuple[np.intp, ...]  # of one of many candidates
 
@@ -103,8 +110,11 @@ Index = int | tuple[np.intp, ...]  # of one of many candidates
 class BearingRule:
     """One constraint: the check that it is taken from, or made of."""
 
-    key: str
     check: Check
+
+    @property
+    def declared(self) -> CheckRule:
+        return self.check.rule
 
     def on(self, value: Num, limit: Num | None = None, where: object = -1) -> Judged:
         """Candidates by this rule, from values in SI; `limit`, in SI as well, where it is that of each candidate.
@@ -124,22 +134,18 @@ def check_of(judgement: Judged, index: Index) -> Check:
     return replace(check, value=float(np.broadcast_to(judgement.value, shape)[index]), limit=limit)
 
 
-def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
-    """The constraints of one bearing, by their key, from the checks of a solved design."""
-    own_id = dotted("bearings", place)
-    known = {
-        c.rule.id: c.but(missing=(), taken=(), at_best=None, at_worst=None)
-        for c in checks
-        if c.id.startswith(f"{own_id}.")
-    }
-    asked = {rule.id.rpartition(".")[2]: known[rule.id] for rule in READ}
-    trumpler, nought = known[FILM_DOUBLE_LOAD.id].nearest[1], math.nan  # what is judged are the candidates
-    asked |= {
-        "specific_load": on_bearing(SPECIFIC_LOAD, place, nought, journal_rules.SPECIFIC_LOAD),
-        "length_ratio": on_bearing(LENGTH_RATIO, place, nought, journal_rules.LENGTH_RATIO),
-        "length_ratio_usual": on_bearing(LENGTH_RATIO_USUAL, place, nought, journal_rules.USUAL_LENGTH_RATIO),
-        "film_edge_trumpler": on_bearing(FILM_EDGE_TRUMPLER, place, nought, UNITS["µm"].inside(trumpler)),
-        "temperature_rise": TEMPERATURE_RISE_USUAL(
+def rules(place: str, checks: Iterable[Check]) -> dict[CheckRule, BearingRule]:
+    """The constraints of one bearing, by the declarations of their checks, from the checks of a solved design."""
+    by_id = {c.id: c for c in checks}
+    known = {rule: by_id[rule.of(place)].but(missing=(), taken=(), at_best=None, at_worst=None) for rule in READ}
+    known[CLEARANCE_COLD] = known[CLEARANCE_COLD].but(sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN)
+    trumpler, nought = known[FILM_DOUBLE_LOAD].nearest[1], math.nan  # what is judged are the candidates
+    made = (
+        on_bearing(SPECIFIC_LOAD, place, nought, journal_rules.SPECIFIC_LOAD),
+        on_bearing(LENGTH_RATIO, place, nought, journal_rules.LENGTH_RATIO),
+        on_bearing(LENGTH_RATIO_USUAL, place, nought, journal_rules.USUAL_LENGTH_RATIO),
+        on_bearing(FILM_EDGE_TRUMPLER, place, nought, UNITS["µm"].inside(trumpler)),
+        TEMPERATURE_RISE_USUAL(
             nought,
             RISE[0],
             at=place,
@@ -147,10 +153,8 @@ def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
             source=RISES,
             advice=TEMPERATURE.advice,
         ),
-        "clearance_cold": known[CLEARANCE_COLD.id].but(sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN),
-        USUAL: known[CLEARANCE_USUAL.id],
-    }
-    return {key: BearingRule(key, check) for key, check in asked.items()}
+    )
+    return {check.rule: BearingRule(check) for check in (*known.values(), *made)}
 
 
 # --- how long the journals may be beside the sectors, as far as the shaft is known
@@ -263,7 +267,7 @@ class BearingTask:
     place: str
     seat: BearingCase
     duty: OperatingPoint
-    rules: dict[str, BearingRule]
+    rules: dict[CheckRule, BearingRule]
     room: JournalRoom
     speed_factor: float
     length: Metre
@@ -288,8 +292,7 @@ class BearingTask:
         """The same journal at another diameter, under the same load; its room is that of the one it was made for."""
         rules, asked = self.rules, UNITS["µm"].shown(f.trumpler_film(d=d))
         changed = {
-            key: replace(rules[key], check=replace(rules[key].check, limit=asked))
-            for key in ("film_double_load", "film_edge_trumpler")
+            rule: BearingRule(rules[rule].check.but(limit=asked)) for rule in (FILM_DOUBLE_LOAD, FILM_EDGE_TRUMPLER)
         }
         seat = replace(self.seat, bearing=replace(self.seat.bearing, diameter=d))
         factor = speed_factor(f.surface_speed(d=d, n=self.sliding_speed))
@@ -303,14 +306,14 @@ class BearingTask:
 
     def smoother(self) -> Iterator["BearingTask"]:
         """The same with its own surfaces, then with ever smoother ones."""
-        bearing, film = self.seat.bearing, self.rules["film_edge"]
+        bearing, film = self.seat.bearing, self.rules[FILM_EDGE].check
         yield self
         for level, (Ra_1, Ra_2) in enumerate(smoother(bearing.journal_roughness, bearing.housing_roughness), 1):
             asked = film_asked(self.seat.inputs, Ra_1, Ra_2)
-            rule = replace(film, check=replace(film.check, limit=UNITS["µm"].shown(asked)))
+            rule = BearingRule(film.but(limit=UNITS["µm"].shown(asked)))
             surfaces = replace(bearing, journal_roughness=Ra_1, housing_roughness=Ra_2)
             yield replace(
-                self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, "film_edge": rule}, level=level
+                self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, FILM_EDGE: rule}, level=level
             )
 
 
@@ -389,29 +392,29 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
         hottest, warmest = rise.max(axis=0), _where(rise, "max")
         outlet = f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest)
         judged = [
-            rule["film_edge"].on(edge, where=_where(films, "min")),
-            rule["film_edge_trumpler"].on(edge, where=_where(films, "min")),
-            rule["film_double_load"].on(doubled.min(axis=0), where=_where(doubled, "min") + once),
-            rule["temperature_rise"].on(hottest, where=warmest),
-            rule["temperature"].on(outlet, where=warmest),
-            rule["specific_load"].on(p),
-            rule["heat_index"].on(heat_index(F=duty.load, n=duty.speed, l=l)),
-            rule["length_ratio"].on(ratio),
-            rule["length_ratio_usual"].on(ratio),
-            rule["transition"].on(np.full(np.shape(least), duty.effective_speed), least, _where(n_T, "max")),
-            rule["clearance_cold"].on(left, where=TIGHT if task.corners else -1),
+            rule[FILM_EDGE].on(edge, where=_where(films, "min")),
+            rule[FILM_EDGE_TRUMPLER].on(edge, where=_where(films, "min")),
+            rule[FILM_DOUBLE_LOAD].on(doubled.min(axis=0), where=_where(doubled, "min") + once),
+            rule[TEMPERATURE_RISE_USUAL].on(hottest, where=warmest),
+            rule[TEMPERATURE].on(outlet, where=warmest),
+            rule[SPECIFIC_LOAD].on(p),
+            rule[HEAT_INDEX].on(heat_index(F=duty.load, n=duty.speed, l=l)),
+            rule[LENGTH_RATIO].on(ratio),
+            rule[LENGTH_RATIO_USUAL].on(ratio),
+            rule[TRANSITION].on(np.full(np.shape(least), duty.effective_speed), least, _where(n_T, "max")),
+            rule[CLEARANCE_COLD].on(left, where=TIGHT if task.corners else -1),
         ]
-        return judged if task.corners else [*judged, rule["clearance_cold_corner"].on(cold, where=TIGHT)]
+        return judged if task.corners else [*judged, rule[CLEARANCE_COLD_CORNER].on(cold, where=TIGHT)]
 
 
 def usual(task: BearingTask, clearance: Array) -> Judged:
     """The relative clearance against what is usual."""
-    return task.rules[USUAL].on(f.relative_clearance(g=clearance, d=task.seat.bearing.diameter))
+    return task.rules[CLEARANCE_USUAL].on(f.relative_clearance(g=clearance, d=task.seat.bearing.diameter))
 
 
 def without_rise(task: BearingTask) -> Judged:
     """The outlet temperature of oil that leaves as it enters."""
-    return task.rules["temperature"].on(f.outlet_temperature(T_in=task.duty.supply_temperature, Delta_T=0.0))
+    return task.rules[TEMPERATURE].on(f.outlet_temperature(T_in=task.duty.supply_temperature, Delta_T=0.0))
 
 
 def _where(numbers: Array, way: str) -> IndexArray:

@@ -7,13 +7,27 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...library.journal_rules import RISE
+from ...sheet.check import Check, CheckRule
 from ...sheet.number import short
 from ...sheet.record import record
 from ...sheet.search import beside
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed, plural
 from ...sheet.units import Watt
-from ..checks import CLEARANCE_COLD
+from ..checks import (
+    CLEARANCE_COLD,
+    CLEARANCE_COLD_CORNER,
+    FILM_DOUBLE_LOAD,
+    FILM_EDGE,
+    FILM_EDGE_TRUMPLER,
+    HEAT_INDEX,
+    LENGTH_RATIO,
+    LENGTH_RATIO_USUAL,
+    SPECIFIC_LOAD,
+    TEMPERATURE,
+    TEMPERATURE_RISE_USUAL,
+    TRANSITION,
+)
 from ..inputs import IN_WORDS, PLACES
 from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
@@ -30,19 +44,19 @@ EXPLAIN = Text(
     "advice). margin: the "
     "least of all rules, and by which."
 )
-RULES = {
-    "film_edge": Name("h_edge"),
-    "film_edge_trumpler": Name("h_edge T"),
-    "film_double_load": Name("h_2F"),
-    "temperature": Text("outlet"),
-    "temperature_rise": Text("rise"),
-    "specific_load": Name("p"),
-    "heat_index": Text("heat"),
-    "length_ratio": Name("l/d"),
-    "length_ratio_usual": Name("l/d"),
-    "transition": Text("speed"),
-    "clearance_cold": Text("cold g"),
-    "clearance_cold_corner": Text("cold g"),
+RULES: dict[CheckRule, Text] = {
+    FILM_EDGE: Name("h_edge"),
+    FILM_EDGE_TRUMPLER: Name("h_edge T"),
+    FILM_DOUBLE_LOAD: Name("h_2F"),
+    TEMPERATURE: Text("outlet"),
+    TEMPERATURE_RISE_USUAL: Text("rise"),
+    SPECIFIC_LOAD: Name("p"),
+    HEAT_INDEX: Text("heat"),
+    LENGTH_RATIO: Name("l/d"),
+    LENGTH_RATIO_USUAL: Name("l/d"),
+    TRANSITION: Text("speed"),
+    CLEARANCE_COLD: Text("cold g"),
+    CLEARANCE_COLD_CORNER: Text("cold g"),
 }
 CORNERS = {  # where the name is longer than a column can bear
     WIDEST: Text("widest fit, thinner oil"),
@@ -143,7 +157,7 @@ def _cells(number: str, row: BearingRow, wide: bool, extra: Text) -> Cells:
     films = (row.film * 1e6, min(pick.film_double_load for pick in row.both) * 1e6, max(pick.rise for pick in row.both))
     mckee = () if wide and extra else (min(pick.mckee for pick in row.both),)
     numbers = (_rounded(x, 3) for x in (*films, *mckee, round(worse.margin * 100, 1)))
-    by = Text("{rule} {letter}", rule=RULES[_key(worse)], letter=letter)
+    by = Text("{rule} {letter}", rule=_short_name(worse.governing), letter=letter)
     cells: Cells = (*_first_cells(number, row, wide), _rounded(row.power, 4), *numbers, by)
     return (*cells, _too_long(row) if extra == TOO_LONG else _asks(row)) if extra else cells
 
@@ -171,8 +185,9 @@ def _asks(row: BearingRow) -> Text:
     return COMMA.join([*words, *(["/".join(row.variant.fits)] if row.variant.fits else [])])
 
 
-def _key(pick: Pick) -> str:
-    return pick.governing.id.rsplit(".", 1)[1]
+def _short_name(check: Check) -> Text:
+    """Its word in a column, else its name."""
+    return RULES.get(check.rule, check.name)
 
 
 def _rounded(number: float, digits: int = 6) -> float | None:
@@ -291,7 +306,7 @@ def _outcome(choices: BearingsFound, row: BearingRow, neighbour: Neighbour) -> C
     if neighbour.instead.margin < 0:
         digits = 4 if f"≥ {short(c.value)} {c.unit}" != c.limit_text() else 6  # a miss that four digits would hide
         corner = neighbour.instead.corner
-        return _key(neighbour.instead), value_of(c, digits), c.limit_text(), CORNERS.get(corner, corner)
+        return _short_name(c), value_of(c, digits), c.limit_text(), CORNERS.get(corner, corner)
     more = Amount(abs(neighbour.more), "W", form=".2g")
     words = Text("passes, {power} less", power=more)
     if neighbour.more >= 0:

@@ -157,7 +157,7 @@ def _widest_union(drain: OilDrain) -> tuple[tuple[Union, ...], Metre | None]:
 def _widest_sleeve(drain: OilDrain) -> tuple[Metre | None, Metre | None]:
     """Bore and end of the sleeve that goes on the union; None where no ring fits its thread."""
     diameter = thread(drain.thread)[0]
-    fitting = tuple(s for s in drain.sleeves or sleeves() if -1e-9 < s.ring - diameter <= RING + 1e-9)
+    fitting = tuple(s for s in drain.sleeves or sleeves() if 0 <= round(s.ring - diameter, 9) <= RING)
     if not fitting:
         return None, None
     bore = widest_sleeve(bores=tuple(sleeve.bore for sleeve in fitting), designation=drain.thread)
@@ -327,9 +327,9 @@ def checks(choice: DrainResult) -> Iterator[Check]:
 
 def run_off_check(result: DrainResult) -> Check | None:
     """Of a drain that takes the bearings' oil."""
-    if result.drain_flow is None or result.drain_run_off is None:
+    if (runs_off := result.drain_run_off) is None:
         return None
-    return of_drain(RUN_OFF(result.drain_flow, result.drain_run_off, at=result.drain.element), result.drain)
+    return of_drain(RUN_OFF(result.drain_flow, runs_off, at=result.drain.element), result.drain)
 
 
 def of_drain(drain_check: Check, drain: OilDrain) -> Check:

@@ -120,8 +120,8 @@ def making(
         bolted = bolts.solve(shaft.bolts, result.force_vector, result.couple_vector, shaft.bearing_positions, support)
         step.checks += bolts.checks(bolted)
         step.notes += bolts.notes(shaft.bolts, bolted)
-    if shaft.support is not None and support is not None:
-        step.checks += support_checks(shaft.support, support)
+    if shaft.support is not None:
+        step.checks += support_checks(shaft.support, materials[shaft.support.material])
     count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
     kinds = based_on(float(len(shaft.parts)), shaft.parts) if shaft.parts else None
     drains = _drains(step)

@@ -226,14 +226,13 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     square = np.abs(deviation) ** 2
     x, best, lowest = np.zeros((masses, shafts)), np.zeros((masses, shafts)), square.max(0)
     weight, step = np.full(shafts, 0.5), 0.25  # of the front plane
-    for sweep in range(2 * SWEEPS):
-        if not 0 < sweep < SWEEPS:
-            pulls = pull[1] + weight * (pull[0] - pull[1])
+    for sweep in range(1, 2 * SWEEPS + 1):
+        pulls = pull[1] + weight * (pull[0] - pull[1])
         for i in range(masses):
             back, more = matrix[1, i], matrix[0, i] - matrix[1, i]
             wanted = x[i] + (pulls[i] - back @ x - weight * (more @ x)) / (back[i] + weight * more[i])
             x[i] = np.minimum(np.maximum(wanted, least), most)
-        if sweep >= SWEEPS - 1:
+        if sweep >= SWEEPS:
             front, rear = (square[j] + ((matrix[j] @ x - 2 * pull[j]) * x).sum(0) for j in (0, 1))
             now = np.maximum(front, rear)
             best, lowest = np.where(now < lowest, x, best), np.minimum(now, lowest)
@@ -277,14 +276,14 @@ def scattered(
             taken[out] = target.omega**2 * _joint(arms, drilled_off)
             after.append(target.residual(couple - taken, timing))
     of = (scatter, masses, extras, target)
-    shares = [based_on(int(count) / scatter.shafts, *of, holes) for count in counts]
+    within, *others = (based_on(int(count) / scatter.shafts, *of, holes) for count in counts)
     residual = based_on(np.sort(np.concatenate(before)), *of)
     drilled = based_on(np.sort(np.concatenate(after)), *of, holes) if after else None
     parts |= _percentiles("residual_couple", Text("as made"), residual, tuple(PERCENTILES))
-    parts |= dict(zip(SHARES if holes is not None else SHARES[:1], shares))
+    parts |= dict(zip(SHARES, (within, *others) if holes is not None else (within,)))
     if drilled is not None:
         parts |= _percentiles("drilled_couple", Text("after drilling"), drilled, ("median", "95"))
-    to_drill = based_on(1 - shares[0], shares[0])
+    to_drill = based_on(1 - within, within)
     return ScatterResult(**parts, share_to_drill=to_drill, residual=residual, drilled=drilled, impossible=impossible)
 
 
@@ -349,9 +348,12 @@ def curves(spread: ScatterResult, limit: NewtonMetre) -> tuple[Curve, ...]:
     """The cumulative distribution of the couple that is left over, lying: couple over the share of shafts that stay
     below it."""
     share = np.linspace(0, 1, SHOWN)
-    at = np.maximum(np.ceil(share * spread.residual.size).astype(int) - 1, 0)
     rows = ((Text("as made"), spread.residual), (Text("after drilling"), spread.drilled))
-    series = tuple(Series(label, 100 * share, ordered[at]) for label, ordered in rows if ordered is not None)
+    series = tuple(
+        Series(label, 100 * share, np.array([percentile.function(C=ordered, p=p) for p in share]))
+        for label, ordered in rows
+        if ordered is not None
+    )
     words = (
         Text("Couple left over, as production scatters"),
         Text("share of shafts that stay below, %"),

@@ -221,7 +221,7 @@ def hole_checks(
         yield HOLES_DEPTH(holes.depth, height, scale=R, remedies=no_larger(Holes.depth, height))
     if sectors and masses:
         yield HOLES_ROW(math.ceil(holes.count / masses) * holes.diameter, _shortest(sectors))
-        half_angle = min(sector.half_angle or 0.0 for sector in sectors)
+        half_angle = min(sector.half_angle for sector in sectors if sector.half_angle is not None)
         chord = 2 * max(R - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
         less = no_larger(Holes.diameter, chord)
         yield HOLES_WIDTH(holes.diameter, chord, scale=holes.diameter, remedies=less)

@@ -192,7 +192,6 @@ def ehl_rolling_power(
 
 # --- one mesh
 
-MICROMETRE: Metre = 1e-6
 # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are
 # found
 SKIN = 1e-8

@@ -82,16 +82,15 @@ class Cells:
         at_left = value - self.to_left * (value[..., self.before[1]] - value[..., self.before[0]])
         at_right = value + self.to_right * (value[..., self.after[1]] - value[..., self.after[0]])
         length = self.left + self.right
-        share = (_below(at_left, value) * self.left + _below(value, at_right) * self.right) / np.where(
-            length > 0, length, 1.0
-        )
-        return np.where(length > 0, share, np.where(there, 1.0, 0.0))
+        below = _below(at_left, value) * self.left + _below(value, at_right) * self.right
+        return np.divide(below, length, out=np.where(there, 1.0, 0.0), where=length > 0)
 
 
 def _below(a: Array, b: Array) -> Array:
     """The share of a line from a to b that lies below 0."""
-    size = np.abs(a) + np.abs(b)
-    return (np.maximum(-a, 0.0) + np.maximum(-b, 0.0)) / np.where(size > 0, size, 1.0)
+    below, size = np.maximum(-a, 0.0) + np.maximum(-b, 0.0), np.abs(a) + np.abs(b)
+    share: Array = np.divide(below, size, out=np.zeros_like(size), where=size > 0)
+    return share
 
 
 def cells(x: Array, width: Array, points: int, others: int) -> Cells:
@@ -103,7 +102,7 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     # stretches: those of a piece lie one after the other from its beginning
     dx = width.reshape(rows, -1, points)
     ends = np.cumsum(dx, axis=-1)
-    inside = x[:, : columns - others].reshape(rows, -1, points)
+    inside = x[:, : columns - others].reshape(dx.shape)
     # Gauss points lie evenly about the middle of their piece
     begin = inside.mean(axis=-1, keepdims=True) - ends[..., -1:] / 2
     left, right = inside - (begin + ends - dx), begin + ends - inside
@@ -119,11 +118,11 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
         for pair in (pair_before, pair_after)
     )
     flat = x.ravel()
-    lefts, rights = (np.hstack((side.reshape(rows, -1), nothing)).ravel() for side in (left, right))
+    lefts, rights = (np.hstack((side.reshape(width.shape), nothing)).ravel() for side in (left, right))
 
     def share(stretch: Array, pair: tuple[IndexArray, ...]) -> Array:
         apart = flat[pair[1]] - flat[pair[0]]
-        return np.where(apart > 0, stretch / np.where(apart > 0, apart, 1.0), 0.0)
+        return np.divide(stretch, apart, out=np.zeros_like(stretch), where=apart > 0)
 
     to_left, to_right = share(lefts, before), share(rights, after)
     return Cells(left=lefts, right=rights, before=before, after=after, to_left=to_left, to_right=to_right)
@@ -215,7 +214,7 @@ def contact_length(s: Metres, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b
     """s: how far the line of one tooth has come since it entered at A; the others follow and precede it by base
     pitches."""
     cycle = np.asarray(s) % p_bt
-    teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt) + 1)
+    teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt))
     way = cycle[..., None] + teeth * p_bt
     on_face = np.minimum(way, g_alpha) - np.maximum(way - g_beta, 0.0)
     length: Array = np.maximum(on_face, 0.0).sum(axis=-1) / math.sin(beta_b)

@@ -316,11 +316,11 @@ def traction(
     at = Contact(oil, motion, film, w, w_f, p_m, b_H, s, lam, xi)
     rigid = film.rigid
     if not np.any(rigid > 0):
-        return _elastic(at, np.ones_like(rigid), x, subject)
+        return _elastic(at, x, subject)
     thin = _rigid(at)
     if not np.any(rigid < 1):
         return thin
-    thick = _elastic(at, np.where(rigid < 1, 1.0, 0.0), x, subject)
+    thick = _elastic(at, x, subject)
 
     def mixed(by_thin: Array, by_thick: Array) -> Array:
         return based_on(rigid * by_thin + (1 - rigid) * by_thick, film.rigid, by_thin, by_thick)
@@ -338,9 +338,9 @@ def _rigid(c: Contact) -> Traction:
     return c.traction(mu_IR, c.oil.eta_0, a, epsilon, R_th)
 
 
-def _elastic(c: Contact, there: Array, x: Array, subject: str) -> Traction:
-    """Oil sheared between the flattened flanks, at the temperature that this makes.  `there`: 0 where no part of a
-    stretch is elastic."""
+def _elastic(c: Contact, x: Array, subject: str) -> Traction:
+    """Oil sheared between the flattened flanks, at the temperature that this makes; where no part of a stretch is
+    elastic, at that of the teeth."""
     oil, m, film, s = c.oil, c.motion, c.film, c.surfaces
     epsilon, R_th = _heat(c, c.b_H)
     p_f = film_pressure(xi=c.xi, p_m=c.p_m) if s.relieved else c.p_m
@@ -359,6 +359,7 @@ def _elastic(c: Contact, there: Array, x: Array, subject: str) -> Traction:
         return c.traction(mu_f, eta, c.b_H, epsilon, R_th)
 
     with untraced():
+        there = np.asarray(film.rigid < 1)
         most = friction(xi=c.xi, mu_s=s.mu_s, mu_f=oil.Lambda)
         highest = oil.T_m + there * most * c.w * m.V_s * R_th
         T_f = settled(lambda T: oil.T_m + there * (at(T).T_f - oil.T_m), oil.T_m, highest, x, subject)

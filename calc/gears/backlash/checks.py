@@ -9,9 +9,9 @@ from ...sheet.check import THIN_MARGIN, Check, CheckRule, End, Missing
 from ...sheet.functions import cos, sin
 from ...sheet.quantity import dotted
 from ...sheet.record import record
-from ...sheet.remedy import Change, Remedy, change, remedy
+from ...sheet.remedy import Change, Remedy, change, remedy, up_um
 from ...sheet.text import COMMA, Amount, Name, Text
-from ...sheet.units import Metre, Number
+from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import untraced
 from ..inputs import GearsInputs, Mesh
 from ..result import MeshResult, WheelResult
@@ -152,8 +152,7 @@ def checks(gears: GearsInputs, of: JudgedMesh, housing: str | None, chance: Chan
     m, play = of.m, of.play
     still = _not_given(gears, m)  # at 20 °C
     name = Text("Smallest backlash {pair} by its tolerances and runout", pair=m.name)
-    # the slope is least where the wheels stand closest
-    slope = 2 * math.sqrt(1 - (m.touching / m.closest) ** 2) * math.cos(m.system.base_helix_angle)
+    slope = _slope(m, math.acos(m.touching / m.closest))  # it is least where the wheels stand closest
     least = play.backlash_min_runout
     at_best = _without_runout(m, m.mesh.centre_tolerance)
     yield _no_jam(BACKLASH, of, name, least, _missing(m, still, at_best, least), slope=slope)
@@ -247,23 +246,23 @@ def _temperature_checks(gears: GearsInputs, of: JudgedMesh, missing: Mapping[str
         at: AtState,
         place: Text,
         lack: Mapping[str, Text],
-        states: tuple[int, ...],
+        state: int,
         value_id: str | None = None,
     ) -> Check:
         source = Text("geometry, teeth must not jam at any temperature: {where}, with runout", where=place)
-        # backlash per centre distance at 20 °C; it rises with the distance: what it asks for at the closest is enough
-        slope = 2 * sin(at.pressure_angle) * cos(m.system.base_helix_angle) * at.centre_growth
-        best, worst = (partial(_end, gears, of, states, best=best) for best in (True, False))
+        slope = _slope(m, at.pressure_angle) * at.centre_growth
+        best, worst = (partial(_end, gears, of, state, best=best) for best in (True, False))
         lacking = _missing(m, lack, best, worst)
         return _no_jam(rule, of, name, at.backlash, lacking, source, slope, at.wheel_growth, value_id)
 
     name = Text("Smallest backlash {name}, cold", name=m.name)
     without_wheels = {key: word for key, word in missing.items() if key != WARMER}
-    yield no_jam_at(BACKLASH_COLD, name, cold, at_start, without_wheels, (0,))
+    yield no_jam_at(BACKLASH_COLD, name, cold, at_start, without_wheels, 0)
     name = Text("Smallest backlash {name}, warm", name=m.name)
-    yield no_jam_at(BACKLASH_WARM, name, tight, where, missing, (1, 2), tight_id)
+    # of both its states the one with warmer wheels, which never have more play
+    yield no_jam_at(BACKLASH_WARM, name, tight, where, missing, 2, tight_id)
     name = Text("Smallest backlash {name}, warming up", name=m.name)
-    yield no_jam_at(BACKLASH_WARMING, name, warming, still_cold, missing, (3,))
+    yield no_jam_at(BACKLASH_WARMING, name, warming, still_cold, missing, 3)
 
 
 # --- what is not given
@@ -322,18 +321,22 @@ def _missing(
     return Missing(tuple(lack), tuple(lack.values()), at_best, at_worst)
 
 
-def _end(gears: GearsInputs, of: JudgedMesh, states: tuple[int, ...], *, best: bool) -> Metre:
-    """The smallest backlash over some of the states with what is not given at one end."""
+def _end(gears: GearsInputs, of: JudgedMesh, state: int, *, best: bool) -> Metre:
+    """The smallest backlash in one of the thermal states with what is not given at one end."""
     m = of.m
     warmer = 0.0 if best and gears.wheels_warmer is None else gears.warmer
     e = m.least_eccentricity if best else m.eccentricity
     a = narrowest.function(m.mesh.centre_distance, m.mesh.centre_tolerance) - e
-    thermal = t.states(gears, warmer)
-    backlashes = [min(t.smallest(m, alpha, thermal[i], a) for i in states) for alpha in of.housings]
+    backlashes = [t.smallest(m, alpha, t.states(gears, warmer)[state], a) for alpha in of.housings]
     return max(backlashes) if best else min(backlashes)
 
 
 # --- what would just pass
+
+
+def _slope(m: BacklashCase, pressure_angle: Radian) -> Number:
+    """Backlash per centre distance at 20 °C.  It rises with the distance: what it asks for at the closest is enough."""
+    return 2 * sin(pressure_angle) * cos(m.system.base_helix_angle)
 
 
 def _freed(m: BacklashCase, short: Metre, slope: Number | None = None, growth: Number = 1.0) -> tuple[Remedy, ...]:
@@ -344,7 +347,7 @@ def _freed(m: BacklashCase, short: Metre, slope: Number | None = None, growth: N
     """
     if not short > 0:
         return ()
-    less = math.ceil(short / growth * 1e6 - 1e-6)
+    less = up_um(short / growth)
     thick = max((m.driver, m.driven), key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
     # the field of the allowance stays as wide as it is
     ends = [round(end * 1e6 - less, 6) for end in thick.allowance or (0.0, 0.0)]
@@ -352,12 +355,14 @@ def _freed(m: BacklashCase, short: Metre, slope: Number | None = None, growth: N
         change(Wheel, dotted("gears", GearsInputs.wheels, thick.name, Wheel.span_allowance), ends, place=thick.name),
         effect=Text("{less} µm more off the span of its teeth", less=less),
     )
-    held = 0.0 if slope is None else m.mesh.centre_tolerance - short / slope
-    return (off, remedy(*_tolerance(m, math.floor(held * 1e6)))) if held > 1e-6 and not m.inputs.stack else (off,)
+    if slope is None or m.inputs.stack:
+        return (off,)
+    held = math.floor((m.mesh.centre_tolerance - short / slope) * 1e6)
+    return (off, remedy(*_tolerance(m, held))) if held > 0 else (off,)
 
 
 def _wider(m: BacklashCase, reach: Metre) -> tuple[Remedy, ...]:
-    return (remedy(*_tolerance(m, math.ceil(reach * 1e6 - 1e-6), ">=")),)
+    return (remedy(*_tolerance(m, up_um(reach), ">=")),)
 
 
 def _tolerance(m: BacklashCase, tolerance: float, bound: str = "") -> list[Change]:

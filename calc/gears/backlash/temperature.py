@@ -92,10 +92,10 @@ def housing_open(gears: GearsInputs, m: BacklashCase) -> bool:
 def housings(
     gears: GearsInputs, m: BacklashCase, alpha: Expansions, materials: Mapping[str, Material]
 ) -> tuple[Expansions, ...]:
-    """The one that is given; one that nobody names grows as the driver at one end, as aluminium at the other."""
-    if not housing_open(gears, m):
-        return (alpha,)
-    return replace(alpha, centres=alpha.driver), replace(alpha, centres=materials[ALUMINIUM].expansion)
+    """The one that is given, or is taken; where nobody names it, also those that grow as the driver and as
+    aluminium."""
+    ends = (alpha.driver, materials[ALUMINIUM].expansion) if housing_open(gears, m) else ()
+    return alpha, *(replace(alpha, centres=end) for end in ends)
 
 
 def grown(m: BacklashCase, alpha: Expansions, T_housing: Value, T_wheels: Value) -> Grown[Value]:

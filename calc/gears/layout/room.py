@@ -25,7 +25,7 @@ from . import formulas as f
 from .result import MeshLayout
 
 FREE = math.inf  # the clearance of a wheel that has nothing near it
-COARSE, FINE, ROUNDS = 180, 65, 1  # directions of the first scan, of a refinement, and how many of those
+COARSE, FINE = 180, 65  # directions of the scan, and of the one about its best
 DUST = 1e-12  # stretched or folded, the circles only touch
 
 
@@ -54,10 +54,7 @@ class Room:
 
     def around(self, wheel: str, p: complex, places: dict[str, complex]) -> Metre:
         """The smallest clearance of a wheel at a point; `places`: of the other wheels."""
-        r_s = self.swept[wheel]
-        free = [f.wall_distance.function(p, a, b) - r_s for _, a, b in self.walls]
-        free += [abs(p - q) - r_s - r for _, q, r in (*self.neighbours, *self.others(wheel, places))]
-        return min(free, default=FREE)
+        return float(self.around_all(wheel, np.array(p), places))
 
     def around_all(self, wheel: str, p: ComplexArray, places: dict[str, complex]) -> Array:
         """The same for points of any shape."""
@@ -125,9 +122,9 @@ def most_room(
     first, one, two, last = chain
     p, q = places[first], places[last]
     toward = math.atan2((q - p).imag, (q - p).real)
-    phi: Array = toward + 2 * math.pi / COARSE * np.arange(COARSE, dtype=float)
     step, best = 2 * math.pi / COARSE, None
-    for _ in range(1 + ROUNDS):
+    phi: Array = toward + step * np.arange(COARSE, dtype=float)
+    for _ in range(2):
         clearance = _clearances(room, places, (one, two), p, q, phi, a)
         top = int(clearance.argmax())
         widest = float(clearance.flat[top])
@@ -136,8 +133,7 @@ def most_room(
         side, angle = divmod(top, phi.size)
         if best is None or widest > best[2]:
             best = float(phi[angle]), (1.0, -1.0)[side], widest
-        phi = best[0] + step * np.linspace(-1, 1, FINE)
-        step *= 2 / (FINE - 1)
+        phi = np.linspace(best[0] - step, best[0] + step, FINE)
     return best
 
 
@@ -155,13 +151,14 @@ def _clearances(
     one, two = names
     A = p + a[0] * np.exp(1j * phi)
     way = q - A
-    c2 = np.maximum(way.real**2 + way.imag**2, DUST * a[1] ** 2)
+    c2 = np.abs(way) ** 2
     u = (c2 + a[1] ** 2 - a[2] ** 2) / 2  # times c
     square = a[1] ** 2 * c2 - u**2
     v = np.sqrt(np.maximum(square, 0.0))
-    B = A + (u + sides * v) * (way / c2)
+    with np.errstate(divide="ignore", invalid="ignore"):  # on the second axis the first has no direction to it
+        B = A + (u + sides * v) * (way / c2)
     tighter = np.minimum(room.around_all(one, A, places), room.around_all(two, B, places))
-    return np.where(square >= -DUST * a[1] ** 2 * c2, tighter, -math.inf)
+    return np.where((c2 > 0) & (square >= -DUST * a[1] ** 2 * c2), tighter, -math.inf)
 
 
 # --- whether the wheels reach each other in their places, have room there, and can be put together
@@ -315,9 +312,9 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
         what = Text("wall {to}", to=tight.to) if tight.kind == "wall" else Text("wheel {to}", to=tight.to)
     name = Text("Clearance of {wheel} to {what}", wheel=wheel, what=what)
     move = Text("move {wheel} or {what} apart", wheel=wheel, what=what)
-    if chosen:
-        move = Text("give {wheel} another place", wheel=wheel)
     more = Text(" by {g} mm", g=mm(-tight.g)) if tight.g < 0 else ""
+    if chosen:
+        move, more = Text("give {wheel} another place", wheel=wheel), ""
     advice = Text(
         "The tip circle needs more room: {move}{missing}, or give it fewer teeth or a smaller shift.",
         move=move,

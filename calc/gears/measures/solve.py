@@ -133,7 +133,7 @@ def spans(system: ToothSystem, wheel: WheelResult) -> tuple[Span, ...]:
     with untraced():
         W_0 = m.span(system.m_n, system.alpha_n, 0.0, z, system.transverse_pressure_angle, wheel.profile_shift)
         low, high = ((2 * rho / math.cos(beta_b) - W_0) / p_bn for rho in (wheel.form_curvature, wheel.tip_curvature))
-        first, last = max(1, math.floor(low)), max(1, min(math.ceil(high), z))
+        first, last = max(1, math.floor(low)), min(math.ceil(high), z)
         counts = sorted({*range(first, last + 1), round(wheel.span_teeth)})
         return tuple(_span(system, wheel, K) for K in counts)
 
@@ -145,7 +145,7 @@ def _span(system: ToothSystem, wheel: WheelResult, K: int) -> Span:
     )
     d_W, b_W = m.span_contact_diameter(wheel.base_diameter, W_K, beta_b), m.span_width(W_K, beta_b)
     fault = Text("needs a wider face") if wheel.face_width <= b_W else EMPTY
-    if W_K <= 0 or d_W <= wheel.form_diameter:
+    if d_W <= wheel.form_diameter:
         fault = Text("touches below the form circle")
     elif d_W >= wheel.tip_diameter:
         fault = Text("misses the tip circle")
@@ -322,14 +322,17 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
 
 def _ball_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> Iterator[Check]:
     name, D_M = wheel.name, wheel.ball_diameter
-    balls = _touching_ball(system, wheel, wheel.form_diameter), _touching_ball(system, wheel, wheel.tip_diameter)
+    alphas = (
+        f.pressure_angle_at.function(wheel.base_diameter, d_y) for d_y in (wheel.form_diameter, wheel.tip_diameter)
+    )
+    least, most = (ball_at(system, wheel, alpha_yt) for alpha_yt in alphas)
 
     def other_ball() -> tuple[Remedy, ...]:
         fits = wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball
         per_wheel = remedy(change(GearsInputs, BALL_DIAMETER, None), effect=Text("each wheel then has its own"))
         return remedy(change(GearsInputs, BALL_DIAMETER, float(f"{fits * 1e3:.4g}"))), per_wheel
 
-    yield BALL(D_M, balls, at=name, name=Text("Measuring ball of {name}", name=name), remedies=other_ball)
+    yield BALL(D_M, (least, most), at=name, name=Text("Measuring ball of {name}", name=name), remedies=other_ball)
     if wheel.over_balls is not None:
         label, proud = Text("Balls of {name} above its tip", name=name), (wheel.over_balls - wheel.tip_diameter) / 2
         yield BALL_PROUD(proud, 0.0, at=name, name=label, scale=D_M, remedies=other_ball)
@@ -337,11 +340,6 @@ def _ball_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult)
         label = Text("Ball of {name} above the root", name=name)
         above = sizes.over_one_ball - D_M - wheel.root_diameter / 2
         yield BALL_ROOT(above, 0.0, at=name, name=label, scale=D_M, remedies=other_ball)
-
-
-def _touching_ball(system: ToothSystem, wheel: WheelResult, d_y: Metre) -> Metre:
-    """Diameter of the ball that touches on a circle."""
-    return ball_at(system, wheel, math.acos(min(wheel.base_diameter / d_y, 1.0)))
 
 
 def ball_at(system: ToothSystem, wheel: WheelResult, alpha_yt: Radian) -> Metre:
@@ -408,7 +406,7 @@ def _advice(system: ToothSystem, wheel: WheelResult, key: str, sizes: MeasuresRe
     tip = Text(
         "It is taken {chordal_height} mm below a tip circle of {tip_diameter} mm", chordal_height=h_c, tip_diameter=d_a
     )
-    psi = math.asin(wheel.chordal_thickness * math.cos(system.beta) ** 3 / (wheel.teeth * system.m_n))
+    psi = m.angle_of_chord.function(s_c=wheel.chordal_thickness, z_v=wheel.virtual_teeth, m_n=system.m_n)
     # the flank leans by so much against the middle of the tooth
     more = Amount(math.tan(system.alpha_n - psi) * 0.1, form=".3f")
     return Text("{tip}; a tip circle smaller by 0.1 mm makes the chord read {more} mm more.", tip=tip, more=more)
@@ -505,12 +503,12 @@ def _ideal_balls(system: ToothSystem, wheel: WheelResult, working: Iterable[tupl
 def _limits(system: ToothSystem, wheel: WheelResult) -> dict[str, Metre]:
     """The allowance of the thickness, and the sizes at both of its ends."""
     limits: dict[str, Metre] = {}
-    if wheel.allowance is None or wheel.ends is None:
+    if wheel.ends is None:
         return limits
     m_n, alpha_n, z_v = system.m_n, system.alpha_n, wheel.virtual_teeth
-    for end, side, E_W in zip(("max", "min"), ("upper", "lower"), wheel.allowance):
+    extremes = ("max", "upper", Text("thickest")), ("min", "lower", Text("thinnest"))
+    for (end, side, extreme), E_W in zip(extremes, wheel.allowance or ()):
         tooth = wheel.ends[end]
-        extreme = Text("thickest") if end == "max" else Text("thinnest")
         with about(Text("measures of {name}, {text} tooth", name=wheel.name, text=extreme)):
             E_sn = m.thickness_allowance(E_W=E_W, alpha_n=alpha_n)
             limits[f"thickness_allowance_{side}"] = E_sn

@@ -32,8 +32,6 @@ from .outline import CHORD_ERROR
 
 FILLET, FLANK = 129, 12  # places of the fillet's table, and points of the flank that are carried past the mate
 CORNER, ROLL = 181, 21  # positions in which the tip's corner is looked at, and the other points
-# modules between a corner and a fillet, measured along the circle, from which it is looked at more closely
-CLOSE = 0.01
 DUST: Metre = 1e-12  # below it a distance is of the last digits
 
 
@@ -71,19 +69,22 @@ def flank(system: ToothSystem, wheel: WheelResult, shift: Number | None = None) 
     return Flank(cut, based_on(min(wheel.tip_diameter / 2, pointed), wheel.tip_diameter, wheel.pointed_diameter))
 
 
-def _seen(a_w: Metre, flank: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, Array]:
-    """Points of the mate as the wheel sees them: radius, and angle from its nearest tooth.
+def _seen(a_w: Metre, flank: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, ...]:
+    """Points of the mate as the wheel sees them: radius, angle from its nearest tooth, and how far inside that they
+    are, along the circle.
 
     `carried`: which of the mate's points; `share`: where each stands, −1 to 1 of the way that it has inside the wheel's
     tip circle. The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there,
     turned by `turn`."""
     radius, theta = mate.points
-    reach = np.arccos(np.clip((a_w**2 + radius**2 - flank.tip_radius**2) / (2 * a_w * radius), -1.0, 1.0))
+    reach = np.arccos(np.minimum((a_w**2 + radius**2 - flank.tip_radius**2) / (2 * a_w * radius), 1.0))
     r, place = radius[carried], reach[carried] * share  # of the point, from the line of centres
     X, Y = a_w - r * np.cos(place), -r * np.sin(place)
     pitch = 2 * math.pi / flank.cut.teeth
-    tooth = turn + pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / flank.cut.teeth)
-    return np.hypot(X, Y), np.abs((np.arctan2(Y, X) - tooth + pitch / 2) % pitch - pitch / 2)
+    space = turn - (place - theta[carried]) * (mate.cut.teeth / flank.cut.teeth)
+    off, radius = np.arctan2(Y, X) - space, np.hypot(X, Y)
+    angle = pitch / 2 - np.abs(off - pitch * np.rint(off / pitch))
+    return radius, angle, (flank.tooth_angle(radius) - angle) * radius
 
 
 def _places(corner: int, flank: int) -> tuple[Array, Array]:
@@ -93,7 +94,7 @@ def _places(corner: int, flank: int) -> tuple[Array, Array]:
 
 
 PLACES = _places(CORNER, ROLL)
-AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each side
+BESIDE = 4 / (CORNER - 1)  # the share of two positions
 
 
 @formula(
@@ -104,57 +105,42 @@ AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each 
 )
 def penetration(a_w: Metre, driver: Flank, driven: Flank, j_wt: Metre = 0.0) -> Metre:
     """In the transverse plane; 0 where the outlines only touch.  `j_wt`: backlash of these outlines, one flank of which
-    is in contact."""
-    r_w = [a_w * wheel.cut.teeth / (driver.cut.teeth + driven.cut.teeth) for wheel in (driver, driven)]
-    sides = (0.0,) if j_wt <= 0 else (j_wt / 2, -j_wt / 2)
-    return max(max(_deepest(a_w, driver, driven, j / r_w[0]), _deepest(a_w, driven, driver, j / r_w[1])) for j in sides)
+    is in contact: that which is carried past the other wheel."""
+    pairs, a_t = ((driver, driven), (driven, driver)), a_w / (driver.cut.teeth + driven.cut.teeth)
+    return max(_deepest(a_w, wheel, mate, j_wt / 2 / (a_t * wheel.cut.teeth)) for wheel, mate in pairs)
 
 
-def _deepest(a_w: Metre, flank: Flank, mate: Flank, turn: float = 0.0) -> Metre:
+def _deepest(a_w: Metre, flank: Flank, mate: Flank, turn: float) -> Metre:
     """How deep points of the mate lie inside the wheel: its tip's corner in many positions, the flank in fewer.
 
-    A corner passes a fillet in a loop as narrow as that: where it comes close to one it is looked at once more.
+    A corner passes a fillet in a loop as narrow as that: where it comes closest to one it is looked at once more.
     """
-    radius, angle = _seen(a_w, flank, mate, *PLACES, turn)
-    short = flank.tooth_angle(radius) - angle  # by which the point is inside the tooth
-    r_form, root = flank.fillet[0][-1], flank.fillet[0][0]
-    near = np.where((radius < r_form) | (short * radius > DUST), short * radius, -np.inf)[:CORNER]
-    worst = int(np.argmax(near))
-    if near[worst] > -CLOSE * flank.cut.system.m_n:
-        closer = PLACES[1][worst] + AROUND
-        more = _seen(a_w, flank, mate, np.zeros(closer.size, int), closer, turn)
-        radius, angle = np.concatenate([radius, more[0]]), np.concatenate([angle, more[1]])
-        short = np.concatenate([short, flank.tooth_angle(more[0]) - more[1]])
-    inside = (radius < flank.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
-    return _depth(flank, radius[inside], angle[inside], short[inside]) if inside.any() else 0.0
+    radius, _, deep = seen = _seen(a_w, flank, mate, *PLACES, turn)
+    radii = flank.fillet[0]
+    near = np.where((radius < radii.max()) | (deep > DUST), deep, -np.inf)[:CORNER]
+    at = PLACES[1][int(np.argmax(near))]
+    closer = np.linspace(at - BESIDE, at + BESIDE, 41)
+    more = _seen(a_w, flank, mate, np.zeros(closer.size, int), closer, turn)
+    radius, angle, deep = (np.concatenate(both) for both in zip(seen, more))
+    inside = (radius < flank.tip_radius) & ((deep > DUST) | (radius < radii.min() - DUST))
+    return _depth(flank, radius[inside], angle[inside], deep[inside]) if inside.any() else 0.0
 
 
-def _depth(flank: Flank, radius: Array, angle: Array, short: Array) -> Metre:
+def _depth(flank: Flank, radius: Array, angle: Array, deep: Array) -> Metre:
     """The deepest of points inside a tooth: the way out is over the flank, the tip, the fillet or the root arc."""
     r, theta = flank.fillet
-    over_tip = flank.tip_radius - radius
-    over_flank = np.where(short > 0, short * flank.cut.base_radius, 0.0)
-    corners = r * np.exp(1j * theta)
-    half_pitch = math.pi / flank.cut.teeth
-    points = radius * np.exp(1j * angle)
-    to_fillet = _distances(points, corners)
-    to_root = (
-        np.where(angle >= theta[0], np.abs(radius - r[0]), np.abs(points - corners[0]))
-        if half_pitch > theta[0]
-        else to_fillet
-    )
-    upper = radius >= r[-1]
-    depth = np.where(upper, np.minimum(over_flank, over_tip), np.minimum(to_fillet, to_root))
-    deepest = float(depth.max())
-    return deepest if deepest > DUST else 0.0
+    over_flank = np.minimum(deep / radius * flank.cut.base_radius, flank.tip_radius - radius)
+    to_fillet = _distances(radius * np.exp(1j * angle), r * np.exp(1j * theta))
+    to_root = np.where(angle >= theta.max(), np.abs(radius - r.min()), np.inf)
+    depth = np.where(radius >= r.max(), over_flank, np.minimum(to_fillet, to_root))
+    return float(depth.max())
 
 
 def _distances(points: Array, line: Array) -> Array:
     """From each point to a polyline."""
     start, way = line[:-1], np.diff(line)
-    square = np.abs(way) ** 2 + 1e-300
     gap = points[:, None] - start
-    along = np.clip((gap * way.conj()).real / square, 0.0, 1.0)
+    along = np.clip((gap / way).real, 0.0, 1.0)
     nearest: Array = np.abs(gap - along * way).min(axis=1)
     return nearest
 

@@ -90,7 +90,7 @@ class StrengthClass:
 @cache
 def _rows() -> dict[str, str]:
     """The text of every row by its name, not yet parsed."""
-    return {row.split('"', 2)[1]: row for row in text_of_table(FILE).split("\n[[row]]")[1:]}
+    return {row.split('"')[1]: row for row in text_of_table(FILE).split("\n[[row]]")[1:]}
 
 
 @cache
@@ -217,7 +217,7 @@ def _unknown(name: str) -> NoSolution:
     if usual := classes_of(name):
         why = Text("it is a steel, not a class: its strength depends on the heat treatment")
         return NoSolution(what, why, Text("choose {or_}", or_=_or(usual)))
-    near = difflib.get_close_matches(name, class_names(), 3, 0.4) or class_names()
+    near = difflib.get_close_matches(name, class_names()) or class_names()
     return NoSolution(what, Text("there is no such class"), Text("the nearest: {or_}", or_=_or(near)))
 
 

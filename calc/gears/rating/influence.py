@@ -38,9 +38,9 @@ class WheelOfPair:
     wheel: WheelResult
     E: Pascal
     density: KilogramPerMetre3
-    kind: str = "Eh"
-    sigma_Hlim: Pascal = 1500e6
-    inner_diameter: Metre = 0.0
+    kind: str
+    sigma_Hlim: Pascal
+    inner_diameter: Metre
 
 
 Pair = tuple[WheelOfPair, WheelOfPair]  # the wheel with fewer teeth, which is wheel 1 of the standard, and the other
@@ -86,7 +86,7 @@ def influence(
     such floor, and with it the peak of the load over the face width would fall with the load in place of with its root.
     Both are shown."""
     pair = (driver, driven) if driver.wheel.teeth <= driven.wheel.teeth else (driven, driver)
-    one, two = pair[0].wheel, pair[1].wheel
+    one, two = (side.wheel for side in pair)
     name = Text("mesh {pair}", pair=mesh.title)
     if not F_t > 0 or not K_A > 0:
         raise NoSolution(

@@ -277,7 +277,7 @@ def firing_order(cylinders: int, strokes: int) -> Number:
 
 RZ_PER_RA = 6.0  # ISO 6336-2: Ra = Rz/6
 USUAL_RZ: Metre = 4e-6  # of ground flanks, where no roughness is given
-REFERENCE_NU: SquareMetrePerSecond = 100e-6  # ISO 6336-2: Z_L is 1 at 100 mm²/s at 40 °C
+REFERENCE_NU: SquareMetrePerSecond = 100e-6  # of an engine oil; Z_L is 1 at 167.5 mm²/s, which is 100 mm²/s at 50 °C
 
 
 @formula("Ra", "ISO 6336-2: mean relation", unit="µm")

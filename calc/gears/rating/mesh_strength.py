@@ -10,7 +10,6 @@ from functools import cache
 
 from ...library.catalogue import Material
 from ...sheet.errors import NoSolution
-from ...sheet.functions import pi
 from ...sheet.quantity import Described, Stated
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
@@ -126,17 +125,16 @@ def film_factors(sigma_Hlim: Pascal, load: MeshLoad, d_b1: Metre, d_b2: Metre) -
 
 def single_pair(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad) -> Number:
     """Z_B or Z_D of a wheel.  Outside 1 < ε_α < 2 no point has single contact: 1 (rule of this program)."""
-    d_a, d_b, z, eps_alpha = wheel.tip_diameter, wheel.base_diameter, wheel.teeth, load.eps_alpha
-    d_am, d_bm, z_m = mate.tip_diameter, mate.base_diameter, mate.teeth
-    if not 1 < eps_alpha < 2:
+    if not 1 < load.eps_alpha < 2:
         return 1.0
-    if (d_a / d_b) ** 2 - 1 <= (2 * pi / z) ** 2 or (d_am / d_bm) ** 2 - 1 <= ((eps_alpha - 1) * 2 * pi / z_m) ** 2:
+    t = iso6336.inner_curvature(wheel.tip_diameter, wheel.base_diameter, 1.0, wheel.teeth)
+    t_m = iso6336.inner_curvature(mate.tip_diameter, mate.base_diameter, load.eps_alpha - 1, mate.teeth)
+    if min(t, t_m) <= 0:
         raise NoSolution(
             Text("single pair factor Z_B, Z_D: the inner point of single contact lies on the base circle"),
             advice=Text("give more teeth, a larger profile shift, or cut less off the tip"),
         )
-    M = iso6336.curvature_ratio(load.alpha_wt, d_a, d_b, z, d_am, d_bm, z_m, eps_alpha)
-    return iso6336.single_pair_factor(M, load.eps_beta)
+    return iso6336.single_pair_factor(iso6336.curvature_ratio(load.alpha_wt, t, t_m), load.eps_beta)
 
 
 def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: FlankFilm) -> ContactStrength:
@@ -148,7 +146,7 @@ def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: Fl
     sigma_H = iso6336.contact_stress_of_wheel(Z_BD, load.sigma_H0, load.K_H)
     sigma_HG = iso6336.pitting_limit(of.sigma_Hlim, Z_NT, film.Z_L, film.Z_v, film.Z_R, Z_W)
     sigma_HP = iso6336.permissible_contact_stress(sigma_HG, S_H_LEAST)
-    S_H = iso6336.contact_safety(sigma_HG, sigma_H) if sigma_H > 0 else None
+    S_H = iso6336.contact_safety(sigma_HG, sigma_H) if sigma_H else None
     return ContactStrength(Z_BD, Z_NT, Z_W, sigma_H, sigma_HG, sigma_HP, S_H)
 
 
@@ -167,7 +165,7 @@ def _bending(wheel: WheelStrength, load: MeshLoad) -> RootStrength:
     sigma_F = iso6336.root_stress_of_wheel(wheel.sigma_F0, Y_B, Y_DT, load.K_F)
     sigma_FG = iso6336.root_limit(of.sigma_Flim, iso6336.TEST_GEAR, Y_NT, Y_drelT, Y_RrelT, Y_X, Y_M)
     sigma_FP = iso6336.permissible_root_stress(sigma_FG, S_F_LEAST)
-    S_F = iso6336.bending_safety(sigma_FG, sigma_F) if sigma_F > 0 else None
+    S_F = iso6336.bending_safety(sigma_FG, sigma_F) if sigma_F else None
     return RootStrength(Y_B, Y_DT, Y_NT, Y_drelT, Y_RrelT, Y_X, Y_M, sigma_F, sigma_FG, sigma_FP, S_F)
 
 
@@ -277,7 +275,7 @@ def section(system: ToothSystem, wheel: WheelResult) -> ToothSection:
     theta = s.tangent_angle(G, z_n, s.tool_corner_angle(z_n, E, system.m_n))
     chord = s.root_chord(z_n, theta, G, system.rho_aP0)
     rho_F = s.fillet_radius(system.rho_aP0, G, theta, z_n)
-    if chord <= 0 or rho_F <= 0:
+    if min(chord, rho_F) <= 0:
         raise _outside(wheel, Text("the teeth have no section at the 30° tangents"))
     return ToothSection(z_n, G, theta, chord, s.notch_parameter(chord, rho_F))
 

@@ -5,9 +5,10 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from ...sheet.number import short
 from ...sheet.text import COMMA, Amount, Text, plural
-from ...sheet.units import NewtonPerMetre, Number
+from ...sheet.units import Number
 from ..result import ToothSystem
 from .classes import classes_of
+from .dynamic import LIGHT
 from .load import UNEVEN, RatingContext, RatingLoad
 from .result import Influence, MeshRating, MeshStrength
 from .screening.load import Screening
@@ -15,7 +16,6 @@ from .screening.scuffing import LOAD_STAGE, PERMISSIBLE_FILM
 from .strength import LONGEST, endurance, flank_knees, root_knees
 
 TESTED = Text("modules of 3 to 11 mm and 8 to 60 m/s")
-LIGHT: NewtonPerMetre = 100e3  # of line load, ISO 6336-1: below, its load factors are no longer proportional
 
 
 def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping[str, RatingLoad]) -> tuple[Text, ...]:
@@ -180,10 +180,10 @@ def screening_notes(system: ToothSystem, screened: list[Screening], base: str) -
     """What the screening of all meshes rests on; `base` is the base stock of the oil."""
     if not screened:
         return
-    loads = [s.line_load / 1e3 for s in screened]
+    loads = [s.line_load for s in screened]
     light = Text(
         ", and the line loads of {span} N/mm, with all load factors, are far below those of the tests.",
-        span=_span(loads),
+        span=_span([w / 1e3 for w in loads]),
     )
     yield Text(
         "Film against micropitting and flash temperature against scuffing are a screening, not a rating: that of "
@@ -191,7 +191,7 @@ def screening_notes(system: ToothSystem, screened: list[Screening], base: str) -
         tested=TESTED,
         m_n=Amount(system.m_n * 1e3),
         span=_span([s.pitch_line_speed for s in screened]),
-    ) + (light if max(loads) < LIGHT / 1e3 else ".")
+    ) + (light if max(loads) < LIGHT else ".")
     if not all(s.load_stage_given for s in screened):
         yield Text(
             "No FZG load stage of the oil is given: stage {load_stage} of the test A/8.3/90 is assumed for its "

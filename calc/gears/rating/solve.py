@@ -138,7 +138,7 @@ def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapp
         torque=load.rated,
         forms={wheel: root.form for wheel, root in roots.items()},
     )
-    rated = F_t > 0 and mesh.driver in context.classes and mesh.driven in context.classes
+    rated = F_t and {mesh.driver, mesh.driven} <= context.classes.keys()
     return _loaded(context, mesh, load, rating, roots) if rated else rating
 
 

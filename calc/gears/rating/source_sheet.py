@@ -208,7 +208,7 @@ def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum
             continue
         speed = EMPTY
         if driver.teeth != first.teeth:
-            force = rating.tangential_force * _share(rating) if rating.torque else 0.0
+            force = rating.tangential_force * _share(rating)
             speed = Text(
                 " With the first wheel's speed entered for {name}, its tangential force is {tangential_force} N "
                 "instead of {force} N.",

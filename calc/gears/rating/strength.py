@@ -30,7 +30,6 @@ LONGEST = 1e10  # cycles: the end of the tables
 
 Knees = tuple[tuple[float, float], ...]  # (cycles, factor), rising cycles
 STEEL: Knees = ((1e5, 1.6), (5e7, 1.0), (LONGEST, 0.85))
-STEEL_PITTING: Knees = ((6e5, 1.6), (1e7, 1.3), (1e9, 1.0), (LONGEST, 0.85))
 NITRIDED: Knees = ((1e5, 1.3), (2e6, 1.0), (LONGEST, 0.85))
 NITROCARBURISED: Knees = ((1e5, 1.1), (2e6, 1.0), (LONGEST, 0.85))
 FLANK_CURVES = {
@@ -92,19 +91,17 @@ def contacts_per_turn(driven: int, drives: int) -> int:
     return max(driven, drives, 1)
 
 
-def flank_knees(kind: str, pitting: bool = False) -> Knees:
-    """The flank's curve; `pitting`: some of it may be borne, which only the curve of steel knows."""
-    curve = FLANK_CURVES.get(kind, STEEL)
-    return STEEL_PITTING if pitting and curve is STEEL else curve
+def flank_knees(kind: str) -> Knees:
+    return FLANK_CURVES.get(kind, STEEL)
 
 
 def root_knees(kind: str) -> Knees:
     return ROOT_CURVES.get(kind, ROOT_THROUGH)
 
 
-def flank_life(kind: str, N_L: Number | None = None, pitting: bool = False) -> Number:
+def flank_life(kind: str, N_L: Number | None = None) -> Number:
     """Z_NT; without a number of cycles that of the endurance limit, 1."""
-    knees = flank_knees(kind, pitting)
+    knees = flank_knees(kind)
     N_L = endurance(knees) if N_L is None else N_L
     line = segment(knees, N_L)
     return flank_life_factor(Z_1=line.Y_1, N_1=line.N_1, N_L=N_L, p=line.p)
@@ -139,7 +136,6 @@ SOFT: Pascal = 850e6  # σ_Hlim between which the film factors change
 SPAN: Pascal = 350e6
 RADIUS: Metre = 10e-3  # of relative curvature, of the test gears
 ROUGHNESS: Metre = 3e-6  # Rz of the test gears
-ROUGHEST_FLANK: Metre = 16e-6  # Rz_H that counts
 THICK: SquareMetrePerSecond = 134e-6
 FAST: MetrePerSecond = 32.0
 PER_SECOND: MetrePerSecond = 1.0
@@ -150,18 +146,27 @@ CENTISTOKE: SquareMetrePerSecond = 1e-6
 
 
 @formula(
+    "tan α_i",
+    Text(
+        "{iacs}: curvature over d_b/2 where the wheel's inner single contact is, ε base pitches from the tip; not "
+        "positive: inside the base circle",
+        iacs=IACS_FLANK,
+    ),
+)
+def inner_curvature(d_a: Metre, d_b: Metre, eps: Number, z: Number) -> Number:
+    return sqrt(d_a**2 / d_b**2 - 1) - eps * 2 * pi / z
+
+
+@formula(
     "M_BD",
     Text(
         "{iacs}: curvature at the wheel's inner point of single contact against the pitch point; index m: mate",
         iacs=IACS_FLANK,
     ),
+    names={"t": "tan α_i", "t_m": "tan α_im"},
 )
-def curvature_ratio(
-    alpha_wt: Radian, d_a: Metre, d_b: Metre, z: Number, d_am: Metre, d_bm: Metre, z_m: Number, eps_alpha: Number
-) -> Number:
-    return tan(alpha_wt) / sqrt(
-        (sqrt(d_a**2 / d_b**2 - 1) - 2 * pi / z) * (sqrt(d_am**2 / d_bm**2 - 1) - (eps_alpha - 1) * 2 * pi / z_m)
-    )
+def curvature_ratio(alpha_wt: Radian, t: Number, t_m: Number) -> Number:
+    return tan(alpha_wt) / sqrt(t * t_m)
 
 
 @formula(
@@ -252,17 +257,14 @@ def equivalent_roughness(
 @formula(
     "Z_W",
     Text(
-        "{iacs}: work hardening of a soft flank by a surface-hardened one; HBW counts from 130 to 470, Rz_H from "
-        "3 to 16 µm; not below 1",
+        "{iacs}: work hardening of a soft flank by a surface-hardened one; HBW counts from 130, Rz_H from 3 µm; not "
+        "below 1",
         iacs=IACS_FLANK,
     ),
 )
 def work_hardening_by_hard(HBW: Number, Rz_H: Metre) -> Number:
-    return largest(
-        (1.2 - (smallest(largest(HBW, 130.0), 470.0) - 130) / 1700)
-        * (ROUGHNESS / smallest(largest(Rz_H, ROUGHNESS), ROUGHEST_FLANK)) ** 0.15,
-        1.0,
-    )
+    """The ends at 470 HBW and 16 µm make no difference: past them it is 1."""
+    return largest((1.2 - (largest(HBW, 130.0) - 130) / 1700) * (ROUGHNESS / largest(Rz_H, ROUGHNESS)) ** 0.15, 1.0)
 
 
 @formula(
@@ -360,12 +362,7 @@ SLIP_ST = ((300.0, 0.0833), (400.0, 0.0445))
 SLIP_V = ((500.0, 0.0281), (600.0, 0.0194), (800.0, 0.0064), (1000.0, 0.0014))
 HARDENED = ("V", "GTS", "GGG(perl.)", "Eh", "IF")  # groups of Y_RrelT
 IRON = ("GG", "GGG(ferr.)")
-SIZE = {
-    "St": (1.03, 0.006, 0.85),
-    "V": (1.03, 0.006, 0.85),
-    "GTS": (1.03, 0.006, 0.85),
-    "GGG(perl.)": (1.03, 0.006, 0.85),
-}
+SIZE = dict.fromkeys(("St", "V", "GTS", "GGG(perl.)"), (1.03, 0.006, 0.85))
 SIZE |= dict.fromkeys(IRON, (1.075, 0.015, 0.70))
 SIZE_HARDENED = (1.05, 0.010, 0.80)  # Eh, IF and the nitrided
 LOADING = {"pulsating": 1.0, "reversed": 0.7}
@@ -381,7 +378,7 @@ def thin_rim_factor(h_t: Metre, s_R: Metre) -> Number:
 
 @formula(
     "Y_DT",
-    Text("{iacs}: deep tooth factor of accuracy grades up to 4, 2.05 < ε_αn; not below 0.7", iacs=IACS_ROOT),
+    Text("{iacs}: deep tooth factor of accuracy grades up to 4; 1 up to ε_αn = 2.05, not below 0.7", iacs=IACS_ROOT),
     names={"eps_alphan": "ε_αn"},
 )
 def deep_tooth(eps_alphan: Number) -> Number:
@@ -519,7 +516,7 @@ def solid_rim() -> Number:
     return 1.0
 
 
-@formula("Y_DT", Text("{iacs}: accuracy grades above 4, or ε_αn up to 2.05", iacs=IACS_ROOT), shows="1")
+@formula("Y_DT", Text("{iacs}: accuracy grades above 4", iacs=IACS_ROOT), shows="1")
 def usual_tooth() -> Number:
     return 1.0
 
@@ -552,7 +549,7 @@ def rim_factor(wheel: str, h_t: Metre, s_R: Metre | None) -> Number:
 
 def deep_tooth_factor(grade: int, eps_alphan: Number) -> Number:
     """Y_DT: only precise teeth (ISO 1328-1 grade 4 or better) of high contact ratio share the load."""
-    return deep_tooth(eps_alphan=eps_alphan) if grade <= 4 and eps_alphan > 2.05 else usual_tooth()
+    return deep_tooth(eps_alphan=eps_alphan) if grade <= 4 else usual_tooth()
 
 
 def loading_of(driven: int, drives: int, reverses: bool = False) -> str:

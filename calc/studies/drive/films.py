@@ -265,14 +265,14 @@ def _films(
     wanted = (*ALWAYS, *advice)
     with np.errstate(all="ignore"):
         judged = {
-            finding.rule.key: finding.margin
+            finding.rule.declared: finding.margin
             for finding in judge(task, states, 0.0)
-            if finding.rule.check.rule in wanted
+            if finding.rule.declared in wanted
         }
     shape = states.film.shape[1:]
     kept = np.ones(shape, dtype=bool)
-    for key, margin in judged.items():
-        kept &= np.broadcast_to(margin, shape) >= (KEPT if key in OF_FILM else 0.0)
+    for rule, margin in judged.items():
+        kept &= np.broadcast_to(margin, shape) >= (KEPT if rule in OF_FILM else 0.0)
     if SUPPLY_RANGE in advice and (width := _supply_width(task)) is not None:
         kept &= (width / length >= SUPPLY_WIDTH[0]) & (width / length <= SUPPLY_WIDTH[1])
     thin, thin_twice = (

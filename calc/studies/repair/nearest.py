@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from ...countershaft.checks import ENVELOPE, ENVELOPE_LENGTH, RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.outline import CROSSING, MASS_SHAPE
+from ...design.model import IN_SENTENCES
 from ...design.names import words
 from ...design.toml_file import Document
 from ...gears.checks import (
@@ -28,7 +29,7 @@ from ...sheet.step import Outcome
 from ...sheet.text import COMMA, Text
 from ...solve import Results
 from . import sizing, teeth
-from .state import ORDER, TITLES, RepairState, broken, first_repaired, is_mended, repaired, state_of, warned
+from .state import ORDER, RepairState, broken, first_repaired, is_mended, repaired, state_of, warned
 from .trials import one_number
 
 ROUNDS = 3  # through the steps: one may undo a little of an earlier one
@@ -80,7 +81,7 @@ class Nearest:
     results: Results
 
     @property
-    def passes(self) -> bool:
+    def nothing_fails(self) -> bool:
         """Whether no limit of the whole design fails any more."""
         return not any(o.verdict in ("fail", "no_solution", "blocked") for o in self.results.outcomes.values())
 
@@ -248,7 +249,7 @@ class _Step:
     def _left(self, state: RepairState) -> tuple[Unmended, ...]:
         step = self.step
         if state.unsolved(step):
-            return (Unmended(step, step, TITLES[step], self.why.get(step, state.outcome(step).reason)),)
+            return (Unmended(step, step, IN_SENTENCES[step], self.why.get(step, state.outcome(step).reason)),)
         nothing = Text("nothing was found that repairs it")
         return tuple(Unmended(step, c.id, c.name, self.why.get(c.id, nothing)) for c in state.failing(step))
 

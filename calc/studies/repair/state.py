@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from ...design.addresses import value_at
 from ...design.locks import locked
-from ...design.model import STEPS, Design
+from ...design.model import IN_SENTENCES, Design
 from ...design.toml_file import Document, design
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, InputError, NoSolution
@@ -15,14 +15,13 @@ from ...sheet.progress import Progress
 from ...sheet.remedy import Changes
 from ...sheet.search import Trial, first_good
 from ...sheet.step import Outcome
-from ...sheet.text import Small, Text
+from ...sheet.text import Text
 from ...sheet.value import recorded
 from ...sheet.verdict import severity
 from ...solve import Results, solve
 
 # in which steps are repaired: that of solving
 ORDER = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction", "mounting")
-TITLES = {step.key: Small(step.title) for step in STEPS}
 
 
 @dataclass(frozen=True)
@@ -188,7 +187,7 @@ def first_repaired(
         return Trial(after, 4 * bool(whole and after.failing(step)) + 2 * bool(later) + narrow)
 
     different = list({tuple(map(str, way.items())): way for way in ways if way}.values())
-    best = first_good(different, tried, progress, TITLES[step], most)
+    best = first_good(different, tried, progress, IN_SENTENCES[step], most)
     if best.result is None:
         raise NoSolution(best.why or Text("nothing is left to change"))
     return best.result

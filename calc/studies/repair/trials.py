@@ -10,6 +10,7 @@ from math import inf, isnan, nan
 
 from ...design.addresses import value_at
 from ...design.locks import locked
+from ...design.model import IN_SENTENCES
 from ...sheet.check import THIN_MARGIN, Check
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, tell
@@ -18,7 +19,7 @@ from ...sheet.search import Budget, crossing
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from .levers import Lever, free_keys, levers, named_keys
-from .state import ORDER, TITLES, RepairState, broken, repaired
+from .state import ORDER, RepairState, broken, repaired
 
 PROBE = 0.02  # relative change by which a number is moved to see what it does
 STEP = 0.01  # least relative change from one that is tried to the next
@@ -150,7 +151,7 @@ def one_number(
 ) -> RepairState:
     """All these checks by one number.  Each is moved a little, to see how far it would have to go; the most promising
     are then moved until the checks hold.  Raises NoSolution where no single one helps, or not within the budget."""
-    trials = Trials(state, step, checks, budget, progress, checks[0].name if checks else TITLES[step])
+    trials = Trials(state, step, checks, budget, progress, checks[0].name if checks else IN_SENTENCES[step])
     named = named_keys(state, checks)
     free = [key for keys in free_keys(state, step, checks) for key in keys if _given(state, key) and key not in named]
     numbers = [(last, lever) for last, keys in enumerate((named, free)) for lever in _one_by_one(state, keys)]

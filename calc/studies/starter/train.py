@@ -18,12 +18,10 @@ from ...friction.result import FrictionResult
 from ...gears import formulas as g
 from ...gears.inputs import GearsInputs, Mesh
 from ...gears.rating.checks import SCUFFING
-from ...gears.rating.load import usual_application_factor
 from ...gears.result import TrainResult
 from ...gears.wheel_inputs import Wheel
 from ...sheet.check import THIN_MARGIN, URGENT
 from ...sheet.errors import BadInput, NoSolution
-from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Radian
@@ -38,6 +36,7 @@ SMALLEST = 1.25e-3
 # crank and shaft, central, idler; those of the R753IE4 first
 WHEELS = ((25, 36, 39), (25, 31, 33), (21, 31, 34), (21, 26, 29), (20, 23, 27))
 FACES = (7.5, 6.0)  # modules
+WIDER = (9.0, 10.5, 12.0)  # where no train is strong enough for what nobody knows of the engine's irregularity
 FLANKS = (0.8, 0.4, 0.3, 0.2)  # Ra in µm: ground, finely ground, and then polished
 BORE = 0.6  # of the reference diameter
 ALLOWANCE = (-30, -40)  # µm: at least
@@ -45,7 +44,6 @@ THINNER = 5  # µm: the steps in which teeth get thinner
 GRADE = 7
 TOLERANCE = 40  # µm
 HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
-APPLICATION_FACTOR = dotted("gears", GearsInputs.application_factor)
 MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
 OF_FLANKS = (SCUFFING, MESH_MODELS)  # checks that finer flanks help
 TRAIN = Text("a train to begin with")
@@ -103,7 +101,6 @@ def gears_and_friction(document: Document, results: Results) -> list[Section]:
 
 def _passing(document: Document, results: Results) -> tuple[list[Section], list[Section]]:
     why: list[Text] = []
-    evenly: tuple[Train, list[Section]] | None = None  # the first that passes with an engine that turns evenly
     power = None if "bearings" in document.data else MUCH
     known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
     for train in _trains(results.design):
@@ -119,13 +116,8 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
             if not stopping and all(outcome.state == "solved" for outcome in outcomes if outcome.state != "not_asked"):
                 return wheels, losses
             why += [Text("{check}", check=c.name) for c in stopping[:1]]
-            if evenly is None and all(APPLICATION_FACTOR in c.missing and c.holds for c in stopping):
-                evenly = train, losses
             if not all(c.rule in OF_FLANKS for c in stopping):
                 break  # finer flanks do not help
-    if evenly is not None:
-        train, losses = evenly
-        return _loaded(document, results, train, losses, power, evenly=True)[0], losses
     raise NoSolution(
         TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]")
     )
@@ -137,15 +129,13 @@ def _loaded(
     train: Train,
     losses: list[Section],
     power: float | None,
-    evenly: bool = False,
 ) -> tuple[list[Section], float | None, Results]:
     """The tables of a train, its power in kW, and the whole with it.
 
-    `power`: None where plain bearings close the balance; else what is tried first, and then changed to what is lost.
-    `evenly`: whether a flywheel is assumed that lets the engine turn evenly."""
+    `power`: None where plain bearings close the balance; else what is tried first, and then changed to what is lost."""
     solved_design, allowance = results.design, ALLOWANCE
     for _ in range(3):
-        wheels = _gears(solved_design, train, power, allowance, evenly)
+        wheels = _gears(solved_design, train, power, allowance)
         results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
         balance = results.result(FrictionResult)
         delivered = balance.delivered_power if balance is not None else None
@@ -183,7 +173,8 @@ def _trains(design: Design) -> Iterator[Train]:
     else:
         seat = math.inf
     away = math.hypot(*shaft.axis) if shaft is not None and shaft.axis is not None else 0.0
-    for smaller, teeth, face in product(range(len(MODULES) - 1), WHEELS, FACES):
+    sizes = range(len(MODULES) - 1), WHEELS
+    for smaller, teeth, face in (*product(*sizes, FACES), *product(*sizes, WIDER)):
         modules = [
             module for module in MODULES if (module <= USUAL or teeth != WHEELS[0]) and tip(teeth[0], module) < seat
         ]
@@ -199,9 +190,7 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
     return crank, central, idler
 
 
-def _gears(
-    design: Design, train: Train, power: float | None, allowance: tuple[int, int], evenly: bool
-) -> list[Section]:
+def _gears(design: Design, train: Train, power: float | None, allowance: tuple[int, int]) -> list[Section]:
     crank, central, idler = train.teeth
     usual, module = (
         "assumed: fewer, below the main resonance of the teeth",
@@ -220,10 +209,6 @@ def _gears(
         GearsInputs.accuracy_grade: (GRADE, "assumed: shaved or ground; the runout of the teeth goes with it"),
         GearsInputs.housing_material: (housing, "assumed: the block, as of the bearings"),
     }
-    if evenly:
-        with untraced():
-            K_A = usual_application_factor()
-        rows[GearsInputs.application_factor] = (K_A, "assumed: a flywheel that lets the engine turn evenly")
     if power is not None:
         assumed = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
         rows[GearsInputs.power] = (power, assumed)

@@ -4,12 +4,13 @@
 from textual.pilot import Pilot
 from textual.widgets import Input
 
-from assistant.screens.dialogs import Accept
+from assistant.screens.dialogs import Accept, LeaveOut
 from assistant.screens.explain import Explain
 from assistant.screens.workbench import Workbench
 from assistant.widgets.radio import Balance
 from assistant.widgets.steps import states_of
 from calc.design.model import STEPS
+from calc.studies.ready import NO_PLAIN
 from tests.assistant.action_tests import (
     FIRST_CHECK,
     SECOND,
@@ -165,6 +166,27 @@ async def accept(pilot: Pilot[int], do: Do) -> None:
     checks.go_to("countershaft.residual")
     await do()
     await until(pilot, lambda: "is a limit, which nobody can accept" in told(pilot))
+
+
+@deed
+async def leave_out(pilot: Pilot[int], do: Do) -> None:
+    """In a step that the design does not have, from the form too; what the program left out needs words of the user."""
+    await do()
+    await until(pilot, lambda: "Only a step that the design does not have" in told(pilot))
+    session = work(pilot).session
+    session.leave_out("bearings", NO_PLAIN)
+    work(pilot).edited()
+    await work(pilot).open_step(STEPS[3])
+    await still(pilot)
+    assert pilot.app.focused is work(pilot).form
+    await do()
+    asked = await over(pilot, LeaveOut)
+    assert asked.query_one(Input).value == "" and "left out by the program so far" in text(pilot)
+    await strike(pilot, "enter")
+    await until(pilot, lambda: "A reason is needed" in text(pilot))
+    await strike(pilot, *"on rollers", "enter")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
+    assert session.data["without"] == {"bearings": "on rollers"}
 
 
 # --- copying

@@ -163,18 +163,20 @@ async def trouble(pilot: Pilot[int], do: Do) -> None:
 
 @deed
 async def ready(pilot: Pilot[int], do: Do) -> None:
-    """The closing page tells the numbers and what is left; Enter goes there, Esc back."""
+    """The closing page tells the numbers and, as the title does, what is left; Enter goes there, Esc back."""
+    assert "WARN: 3 cautions  3 steps left" in screen_rows(pilot)[0]
     await do()
     await over(pilot, ReadyScreen)
     assert re.search(r"couple for the shaft +573 → 0 N·m", text(pilot)) and re.search(
         r"3 Counter-shaft +WARN: 2 cautions", text(pilot)
     )
-    assert "3 steps left" in text(pilot) and re.search(r"○ 4 Bearings +to do", text(pilot))
+    assert "WARN: 3 cautions; 3 steps left" in screen_rows(pilot)[0] and "done, with findings (2)" in text(pilot)
+    assert re.search(r"○ 4 Bearings +to do", text(pilot))
     await back(pilot)
     await do()
     await over(pilot, ReadyScreen)
-    await strike(pilot, "down", "enter")  # below the step that was left
-    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).number == 3)
+    await strike(pilot, "down", "enter")  # the second of those that are left
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).number == 5)
 
 
 @deed

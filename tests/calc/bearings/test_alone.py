@@ -1,11 +1,14 @@
 """Bearings without a shaft, an engine or gears: load and speed given."""
 
 import math
+from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
+from calc.bearings.solve import _load, _slope, operating_point, solve_film
 from calc.design.toml_file import Document, design
-from calc.sheet.errors import BadInput
+from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
 
 
@@ -125,6 +128,63 @@ def test_a_bush_that_turns_makes_the_sliding_speed():
     r = solve(design(alone(bush_speed_ratio=5.0))).outcomes["bearings"].result.bearings["front"]
     assert r.surface_speed == pytest.approx(3.141592653589793 * 0.06 * 25 * 4)
     assert r.shear_rate == pytest.approx(r.surface_speed / r.film)
+
+
+@pytest.mark.parametrize(
+    ("bush", "load", "effective", "slides"),
+    [
+        # of the journal's speed; the shear over it by the speed of journal on bush
+        (0.0, 0.0, 1.0, 1.0),
+        (0.0, 1.0, 1.0, 1.0),
+        (0.0, 0.25, 0.5, 2.0),
+        (0.5, 0.0, 1.5, 1 / 3),
+        (0.5, 1.0, 0.5, 1.0),
+        (-0.5, 1.0, 1.5, 1.0),
+        (0.5, 0.25, 1.0, 0.5),
+    ],
+)
+def test_the_effective_speed_is_that_of_both_surfaces_against_the_load(bush, load, effective, slides):
+    """|n_J + n_B − 2·n_F|, and |n_J − n_B| over it."""
+    inputs = replace(design(alone()).bearings, bush_speed_ratio=bush, load_speed_ratio=load)
+    point = operating_point(inputs, 3000.0, 25.0)
+    assert (point.effective_speed, point.sliding_ratio) == (pytest.approx(25 * effective), pytest.approx(slides))
+    assert (point.load, point.speed, point.supply_pressure) == (3000.0, 25.0, pytest.approx(2e5))
+
+
+def test_a_groove_parts_the_bearing_into_two_lands():
+    r = solve(design(alone(**GROOVE, load_speed_ratio=1.0))).outcomes["bearings"].result.bearings["front"]
+    assert r.specific_load == pytest.approx(3000 / (0.06 * 0.026)) and r.length_ratio == pytest.approx(13 / 60)
+    assert r.feed_blocked_arc is None
+
+
+def test_a_shaft_without_a_reaction_loads_no_bearing():
+    bearing, shaft = replace(design(alone()).bearings.front, load=None), SimpleNamespace
+    assert _load("front", bearing, shaft(reaction_front=0.5, reaction_rear=7.0)) == 0.5
+    assert _load("rear", bearing, shaft(reaction_front=0.5, reaction_rear=7.0)) == 7.0
+    for none in (None, shaft(reaction_front=0.0, reaction_rear=7.0)):
+        with pytest.raises(NoSolution, match="carries no load"):
+            _load("front", bearing, none)
+
+
+def test_a_slope_is_given_for_both_bearings_or_for_each():
+    shaft = SimpleNamespace(slope_front=3e-4, slope_rear=4e-4)
+    inputs = design(alone()).bearings
+    for slope, front, rear in (((1e-4,), 1e-4, 1e-4), ((1e-4, 2e-4), 1e-4, 2e-4), (None, 3e-4, 4e-4)):
+        with_slope = replace(inputs, slope=slope)
+        assert (_slope("front", with_slope, shaft), _slope("rear", with_slope, shaft)) == (front, rear)
+    assert _slope("front", inputs, None) is None
+
+
+def test_a_film_from_python_is_that_of_the_step():
+    """By default a hole of 4 mm at 3 bar, and a load that turns with the shaft."""
+    of = dict(diameter=0.06, length=0.03, clearance=80e-6, load=3000.0, speed=25.0)
+    film = solve_film(**of, oil="SAE 30", supply_temperature=60.0)
+    document = alone(load_speed_ratio=1.0, supply_pressure_bar=3.0, hole_diameter_mm=4.0)
+    r = solve(design(document)).outcomes["bearings"].result.bearings["front"]
+    assert (film.film, film.oil_flow) == (pytest.approx(r.film), pytest.approx(r.oil_flow))
+    assert (r.attitude_angle, r.film_pressure_max) == (film.attitude, pytest.approx(film.largest_pressure))
+    cold = solve_film(**of, oil="SAE 30", supply_temperature=60.0, housing="EN AC-43100", warm=False)
+    assert cold.clearance == pytest.approx(80e-6)
 
 
 def test_shear_thinning_is_a_matter_of_multigrades():

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.bearings.checks import checks
+from calc.bearings.solve import _slope_checks
 from calc.design.toml_file import design
 from calc.library.catalogue import materials
 from calc.solve import solve
@@ -80,6 +81,26 @@ def test_what_a_slope_given_too_small_hides_is_told(gamma):
     assert len(told) == 2
     for id, edge in told.items():
         assert edge == pytest.approx(left_out[id.split(".")[1]].film_edge * 1e6, rel=1e-9)
+
+
+def test_each_slope_given_is_held_against_that_of_its_end(gamma_results):
+    results = gamma_results.outcomes["bearings"].result.bearings
+    shaft, inputs = gamma_results.outcomes["countershaft"].result, gamma_results.design.bearings
+    for slope in ((3e-4,), (3e-4, 4e-4)):
+        front, rear = _slope_checks(replace(inputs, slope=slope), shaft, results)
+        assert (front.value, rear.value) == (pytest.approx(0.3), pytest.approx(slope[-1] * 1e3))
+        assert (front.limit, rear.limit) == pytest.approx((shaft.slope_front * 1e3, shaft.slope_rear * 1e3))
+    assert list(_slope_checks(replace(inputs, slope=None), shaft, results)) == []
+    assert list(_slope_checks(inputs, None, results)) == []
+
+
+def test_the_material_that_the_design_has_is_marked_and_the_clearance_is_as_made(gamma_results):
+    outcome = gamma_results.outcomes["bearings"]
+    (bushes,) = (x for x in outcome.tables if x.id == "bushes")
+    assert [row[0] for row in bushes.rows if "chosen" in str(row[0])] == ["EN AC-43100, chosen"]
+    (usual,) = (c for c in outcome.checks if c.id == "bearings.front.clearance_usual")
+    front = gamma_results.design.bearings.front
+    assert usual.value == pytest.approx(outcome.result.bearings["front"].clearance / front.diameter * 1e3)
 
 
 def test_a_slope_given_against_a_shaft_that_nothing_bends(gamma):
@@ -239,9 +260,16 @@ def test_a_row_of_the_bench_that_hardly_loads_the_film_is_a_gap(gamma):
     assert r.speed_of_thinnest_film * 60 == pytest.approx(2497)
 
 
-def test_rows_above_the_rated_speed_never_govern(gamma):
-    r = outcome(gamma, engine__rated_speed_rpm=800.0).result.bearings["front"]
-    assert r.speed_of_thinnest_film * 60 <= 800 + 1e-6
+def test_rows_above_the_rated_speed_govern_where_masses_are_the_load(gamma):
+    """Without torque a gear's force is gone, and the force of turning masses is larger than ever."""
+    slower = gamma.with_value("engine.rated_speed_rpm", 800.0)
+    r = outcome(slower).result.bearings["front"]
+    assert r.sweep.given and max(r.sweep.speeds) * 60 == pytest.approx(2646)
+    assert r.thinnest_film == pytest.approx(min(r.sweep.films))
+    for place in ("front", "rear"):
+        slower = slower.with_value(f"bearings.{place}.load_N", 500.0)
+    r = outcome(slower, bearings__load_speed_ratio=0.0).result.bearings["front"]
+    assert r.speed_of_thinnest_film * 60 <= 800 + 1e-6 and max(r.sweep.speeds) * 60 == pytest.approx(2646)
 
 
 def test_a_housing_held_back_by_three_quarters_still_has_its_balance(gamma):

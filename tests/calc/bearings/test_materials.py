@@ -126,6 +126,14 @@ def test_a_bare_seat_is_told_of_emergency_running():
 
 
 @pytest.mark.parametrize("name", bearing_materials())
+def test_emergency_running_is_asked_to_be_fair(name):
+    """1 poor, 2 fair, 3 good, 4 excellent."""
+    number = {"poor": 1, "fair": 2, "good": 3, "excellent": 4}[bearing_materials()[name].emergency_running]
+    check = found(name)["material_emergency_running"]
+    assert (check.value, check.limit, check.verdict) == (number, 2, "pass" if number > 1 else "note")
+
+
+@pytest.mark.parametrize("name", bearing_materials())
 def test_a_check_stands_only_where_the_row_has_the_number_and_never_fails(name):
     m = bearing_materials()[name]
     hard = found(name, p=1e9, pv=1e12, T_hot=999.0, hardness=1.0)
@@ -152,6 +160,8 @@ def test_a_limit_itself_passes():
     at = found("SnSb8Cu4", p=m.specific_load, pv=m.pv, T_hot=m.temperature, hardness=m.journal_hardness)
     assert {c.verdict for c in at.values()} == {"pass"} and len(at) == 5
     assert (at["material_pv"].limit, at["material_pv"].unit) == (16.0, "MPa·m/s")
+    # what a stretched formula adds to the temperature counts from that of the oil
+    assert {key: c.base for key, c in at.items() if c.base} == {"material_temperature": 110.0}
 
 
 def test_turns_of_the_load():

@@ -3,13 +3,20 @@
 one."""
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 
 from calc.bearings import loads as rotating_load
 from calc.bearings.routes.thermal_balance import settled
+
+
+@dataclass
+class Duty:
+    load: object
+    speed: object
+
 
 STEPS = 720
 PLACES = ("front", "rear")
@@ -54,6 +61,14 @@ def test_friction_by_the_load_itself_grows_by_a_quarter_of_the_square():
     exact = float(np.mean(np.abs(1 + 0.2 * np.exp(1j * theta))))
     assert found == pytest.approx(1 + 0.2**2 / 4)
     assert exact - found == pytest.approx(0.2**4 / 64, rel=0.02)
+
+
+def test_the_loads_beside_are_a_twentieth_apart():
+    seat, duties = rotating_load.loads_beside(None, Duty(load=np.array([1000.0, 2000.0]), speed=np.array([40.0, 50.0])))
+    assert duties.load == pytest.approx(np.array([[950.0, 1000.0, 1050.0], [1900.0, 2000.0, 2100.0]]))
+    assert duties.speed.shape == (2, 1) and seat is None
+    duties = rotating_load.loads_beside(None, Duty(load=1000.0, speed=40.0))[1]
+    assert duties.load == pytest.approx([950.0, 1000.0, 1050.0]) and duties.speed == 40.0
 
 
 # --- a journal

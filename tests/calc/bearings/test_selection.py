@@ -7,6 +7,18 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from calc.bearings.checks import (
+    CLEARANCE_COLD,
+    FILM_DOUBLE_LOAD,
+    FILM_EDGE,
+    FILM_EDGE_TRUMPLER,
+    HEAT_INDEX,
+    LENGTH_RATIO,
+    LENGTH_RATIO_USUAL,
+    SPECIFIC_LOAD,
+    TEMPERATURE,
+    TEMPERATURE_RISE_USUAL,
+)
 from calc.bearings.corners import corner_points, corners
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.thermal_balance import balanced, settled
@@ -28,9 +40,10 @@ from calc.bearings.selection.tables import (
 from calc.bearings.selection.variants import closer_fits, tasks, tied, variants
 from calc.countershaft.inputs import Section
 from calc.design.step_inputs import bearings_case
-from calc.design.toml_file import design, read
+from calc.design.toml_file import design, parse, read
 from calc.sheet.search import least
 from calc.solve import solve
+from calc.studies.shipped import engine_design
 from tests.conftest import DESIGNS
 
 
@@ -53,26 +66,13 @@ def test_the_rules_have_the_limits_of_the_checks(source):
     checks = {c.id: c for c in source.results.checks()}
     for place in ("front", "rear"):
         rules = task_of(source, place).rules
-        for key in (
-            "film_edge",
-            "film_double_load",
-            "temperature",
-            "specific_load",
-            "heat_index",
-            "length_ratio",
-            "length_ratio_usual",
-        ):
-            known = checks.get(f"bearings.{place}.{key}")
-            if known is None:  # of the ratio l/d one alone is made
-                assert key == "length_ratio" and rules[key].check.limit == (0.2, 1.0)
-                continue
-            assert (rules[key].check.limit, rules[key].check.sense, rules[key].check.unit) == (
-                known.limit,
-                known.sense,
-                known.unit,
-            )
-        assert rules["film_edge_trumpler"].check.limit == checks[f"bearings.{place}.film_double_load"].limit
-        assert rules["temperature_rise"].check.limit == 15 and rules["clearance_cold"].check.limit == pytest.approx(20)
+        for rule in (FILM_EDGE, FILM_DOUBLE_LOAD, TEMPERATURE, SPECIFIC_LOAD, HEAT_INDEX, LENGTH_RATIO_USUAL):
+            known, asked = checks[rule.of(place)], rules[rule].check
+            assert (asked.limit, asked.sense, asked.unit) == (known.limit, known.sense, known.unit)
+        assert LENGTH_RATIO.of(place) not in checks and rules[LENGTH_RATIO].check.limit == (0.2, 1.0)
+        assert rules[FILM_EDGE_TRUMPLER].check.limit == checks[FILM_DOUBLE_LOAD.of(place)].limit
+        assert rules[TEMPERATURE_RISE_USUAL].check.limit == 15
+        assert rules[CLEARANCE_COLD].check.limit == pytest.approx(20)
 
 
 @pytest.mark.parametrize(
@@ -88,11 +88,11 @@ def test_a_candidate_is_what_the_step_finds(source, place, length, clearance):
     assert states.flow[0] == pytest.approx(film.oil_flow, rel=1e-6)
     slope = slopes_of(source, source.results)[place]
     eight = corners(seat, task.duty, slope, settled(*corner_points(seat, task.duty)))
-    value = {one.rule.key: one.value[0] for one in judge(task, states, slope)}
-    assert value["film_edge"] == pytest.approx(eight.film_edge * 1e6, rel=1e-5)
-    assert value["film_double_load"] == pytest.approx(eight.film_double_load * 1e6, rel=1e-5)
-    assert value["temperature"] == pytest.approx(eight.outlet_temperature, rel=1e-5)
-    assert value["clearance_cold"] == pytest.approx(eight.clearance_cold * 1e6, rel=1e-5)
+    value = {one.rule.declared: one.value[0] for one in judge(task, states, slope)}
+    assert value[FILM_EDGE] == pytest.approx(eight.film_edge * 1e6, rel=1e-5)
+    assert value[FILM_DOUBLE_LOAD] == pytest.approx(eight.film_double_load * 1e6, rel=1e-5)
+    assert value[TEMPERATURE] == pytest.approx(eight.outlet_temperature, rel=1e-5)
+    assert value[CLEARANCE_COLD] == pytest.approx(eight.clearance_cold * 1e6, rel=1e-5)
 
 
 @pytest.mark.parametrize("temperature, pressure", [(120.0, 4e5), (60.0, 1e5), (5.0, 4e5)])
@@ -207,6 +207,15 @@ def test_the_tables_have_a_cell_for_every_column(found):
         choices_table(found, 1).title.startswith("Bearings that keep every rule of the search")
         and beyond_table(found, 50) is None
     )
+
+
+@pytest.mark.slow
+def test_a_new_design_is_the_nearest_row_by_the_rise_of_its_oil():
+    """Its bearings are made so wide that the oil warms by no more; the steps beside it end at the rise as well."""
+    found = search(bearings_case(design(parse(engine_design("inline-3").encode(), "inline-3")), solve))
+    now, first, *_ = choices_table(found, 5).rows
+    assert now[-1] == first[-1] == "rise R" and found.rows[0].change == 0
+    assert "rise" in {row[3] for row in neighbours_table(found).rows}
 
 
 def test_what_ties_the_diameters(tight, source, sized):
@@ -382,7 +391,7 @@ def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_resu
     )
     some = tasks(bearings_case(alone, solve))
     assert [round(t.seat.bearing.diameter * 1e3, 6) for t in some["front"]] == [59.5, 50.5, 68.5, 77.5, 86.5]
-    limits = [t.rules["film_double_load"].check.limit for t in some["front"]]
+    limits = [t.rules[FILM_DOUBLE_LOAD].check.limit for t in some["front"]]
     assert limits == pytest.approx([5.08 + 0.04 * d for d in (59.5, 50.5, 68.5, 77.5, 86.5)])
 
 

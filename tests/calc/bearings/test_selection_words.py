@@ -7,9 +7,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from calc.bearings.selection.ranking import closest
+from calc.bearings.checks import MCKEE, on_bearing
+from calc.bearings.selection.ranking import closest, picks
 from calc.bearings.selection.search import fields_of, nothing
-from calc.bearings.selection.tables import _diameters, hidden, notes, rows_of, summary
+from calc.bearings.selection.tables import RULES, _diameters, choices_table, hidden, notes, rows_of, summary
+from calc.bearings.suitability import CLEARANCE_USUAL
 from calc.sheet.search import least
 
 
@@ -46,6 +48,21 @@ def test_where_nothing_passes_the_nearest_is_named_with_what_stops_it(found, thi
     )
     assert said.advice == worse.governing.advice and (f"corner: {worse.corner}" in said.tried) == bool(worse.corner)
     assert "no bearing is left to look at" in str(nothing([], found.slopes[0]))
+
+
+def test_whatever_is_worst_in_a_row_has_a_word(found):
+    """Every rule, at the corners and as given, has one that fits its column; a check without one has its name."""
+    first = found.rows[0]
+    tasks = (first.front.task, replace(first.front.task, corners=False))
+    checks = [c for task in tasks for c in picks(task, [0.03], [80e-6], 0.0)[0].checks]
+    assert {c.rule for c in checks} == set(RULES) == set(first.front.task.rules) - {CLEARANCE_USUAL}
+
+    def by(check):
+        worst = replace(first, front=replace(first.front, governing=check, margin=-1.0))
+        return choices_table(replace(found, now=None, rows=(worst,)), 1).rows[0][-1]
+
+    assert all(by(check) == f"{RULES[check.rule]} F" and len(by(check)) <= 10 for check in checks)
+    assert by(on_bearing(MCKEE, "front", 100.0, 150.0)) == "McKee number, cP·rpm/psi, front F"
 
 
 # --- notes

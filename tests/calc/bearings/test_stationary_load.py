@@ -40,12 +40,30 @@ def test_the_orbit_takes_something_of_the_film_and_grows_with_the_force(gamma_re
 
 def test_a_force_as_large_as_half_the_load_has_no_orbit_of_first_order(gamma_results):
     outcome = gamma_results.outcomes["bearings"]
-    found = (
-        with_standing(outcome, Standing(stationary_front=1000.0, stationary_rear=1000.0))
-        .result.bearings["front"]
-        .standing
+    half = outcome.result.bearings["front"].load / 2
+    under, over = (
+        with_standing(outcome, Standing(stationary_front=F, stationary_rear=F)).result.bearings["front"].standing
+        for F in (0.99 * half, 1.01 * half)
     )
-    assert found.film_orbit is None and found.film_load_peak is not None
+    assert under.film_orbit is not None
+    assert over.film_orbit is None and over.film_load_peak is not None
+
+
+def test_nothing_stands_beside_a_load_that_nobody_knows(gamma_results):
+    outcome = gamma_results.outcomes["bearings"]
+    for stands in (None, Standing(stationary_front=40.0), Standing(stationary_rear=40.0)):
+        assert with_standing(outcome, stands) is outcome
+
+
+def test_a_load_that_does_not_turn_has_no_speed_of_equal_loads(gamma_results):
+    outcome = gamma_results.outcomes["bearings"]
+    front = outcome.result.bearings["front"]
+    seat = replace(front.seat, inputs=replace(front.seat.inputs, load_speed_ratio=0.0))
+    bearings = outcome.result.bearings | {"front": replace(front, seat=seat)}
+    stood = replace(outcome, result=replace(outcome.result, bearings=bearings))
+    found = with_standing(stood, Standing(stationary_front=40.0, stationary_rear=40.0)).result.bearings
+    assert found["front"].standing.speed_of_equal_loads is None
+    assert found["rear"].standing.speed_of_equal_loads is not None
 
 
 def test_at_the_speed_of_equal_loads_both_are_equal(gamma_results):

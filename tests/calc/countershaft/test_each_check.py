@@ -536,7 +536,7 @@ IDS = [f"{n}-{case[0]}" for n, case in enumerate(CASES)]
 
 def fillet_room(radius):
     bending = replace(SOLVED.bending, fillet=radius * mm, fillet_room=2.5 * mm)
-    return only(of_shaft.bending_checks(bending, STEEL), "fillet_room")
+    return only(of_shaft.bending_checks(bending, STEEL, 1.0), "fillet_room")
 
 
 CENTRE = 2 / 3 * (R**3 - CORE**3) / (R**2 - CORE**2)  # radius of the centre of gravity of the narrowest sector
@@ -595,22 +595,23 @@ def test_every_check_of_the_step_has_its_case():
 
 
 @pytest.mark.parametrize(
-    "check, scale",
+    "make, scale",
     [
-        (envelope(0.0, 0.0), 32.0),  # outer radius
-        (envelope_length(0.0), 24.0),  # the nearest journal
-        (gear_seat(0.5 * mm), 1.0),
-        (crossing(2e-6), 24.0),  # the shorter piece
-        (hose("drain.clamp", 24.0), 24.0),  # the larger end of the hose
-        (hose("drain.clamp_din3021", hose_min=22 * mm, hose_max=24 * mm), 24.0),
-        (hose("drain.union", 25.0), 1.0),
-        (hose("drain.slope", 25.0, tilt=0.1), 5.0),
-        (holes("holes.depth", core=R), 32.0),
-        (holes("holes.width", depth=R), 10.0),
+        (lambda: envelope(0.0, 0.0), 32.0),  # outer radius
+        (lambda: envelope_length(0.0), 24.0),  # the nearest journal
+        (lambda: gear_seat(0.5 * mm), 1.0),
+        (lambda: crossing(2e-6), 24.0),  # the shorter piece
+        (lambda: hose("drain.clamp", 24.0), 24.0),  # the larger end of the hose
+        (lambda: hose("drain.clamp_din3021", hose_min=22 * mm, hose_max=24 * mm), 24.0),
+        (lambda: hose("drain.union", 25.0), 1.0),
+        (lambda: hose("drain.sleeve", 25.0, thread="M10x1"), 1.0),
+        (lambda: hose("drain.slope", 25.0, tilt=0.1), 5.0),
+        (lambda: holes("holes.depth", core=R), 32.0),
+        (lambda: holes("holes.width", depth=R), 10.0),
     ],
-    ids=lambda x: getattr(x, "id", ""),
 )
-def test_the_margin_of_a_limit_of_nothing_is_a_share_of_its_scale(check, scale):
+def test_the_margin_of_a_limit_of_nothing_is_a_share_of_its_scale(make, scale):
+    check = make()
     assert check.limit == 0.0 and check.scale == pytest.approx(scale) and check.rule.zero
 
 
@@ -671,6 +672,141 @@ def test_a_check_of_a_further_drain_names_it_with_its_values_and_keys():
     assert str(other.name) == f"{first.name}, middle" and other.rule is first.rule
 
 
+def judged(shaft=None, todo=None, journals=((59 * mm, 24 * mm), (65 * mm, 26 * mm)), gear=GEAR, **result):
+    """All checks of the step, of inputs and results in place of those of the design."""
+    inputs = replace(ASKED.countershaft, **(shaft or {}))
+    checks = of_shaft.checks(inputs, replace(TODO, **(todo or {})), replace(SOLVED, **result), journals, gear)
+    return {check.id.removeprefix("countershaft."): check for check in checks}
+
+
+SIZED = {"mode": "size", "half_length": 0.1, "bearing_positions": (-0.17, 0.17), "outer_radius": R}
+FIT = ("envelope", "gear_seat", "envelope_length")
+
+
+@pytest.mark.parametrize(
+    "shaft, changes, ids",
+    [
+        (SIZED, {}, FIT),
+        (SIZED | {"half_length": None}, {}, FIT[:2]),
+        (SIZED | {"mode": "given"}, {}, ()),
+        (SIZED | {"mode": "given", "radial_clearance": 0.1 * mm}, {}, FIT[:2]),
+        (SIZED, {"gear": None}, ("envelope", "envelope_length")),
+        (SIZED | {"outer_radius": None}, {"outline": None}, FIT[1:]),
+        (SIZED, {"outline": None}, FIT),
+        (SIZED, {"journals": ()}, ()),
+    ],
+)
+def test_what_of_the_fit_is_judged(shaft, changes, ids):
+    """A sized shaft must go through, a given one where a clearance is asked for; as far as its parts are known."""
+    assert tuple(id for id in judged({"radial_clearance": None} | shaft, **changes) if id in FIT) == ids
+
+
+def test_a_sized_shaft_without_a_clearance_must_just_go_through():
+    assert judged(SIZED | {"radial_clearance": None})["envelope"].limit == 0.0
+
+
+def test_how_it_would_fit():
+    """Of seats of 59 and 65 mm the larger, less 0.2 mm; the journals begin 157 mm from mid-shaft."""
+    checks = judged(SIZED | {"radial_clearance": 0.2 * mm, "outer_radius": 33 * mm, "half_length": 0.16}, outline=None)
+    assert "Outer radius of the sectors at most 32.3 mm" in checks["envelope"].advice
+    assert checks["envelope"].remedies[0].changes == (("countershaft.outer_radius_mm", pytest.approx(32.3)),)
+    assert checks["envelope_length"].remedies[0].changes == (("countershaft.half_length_mm", pytest.approx(157.0)),)
+    # sections are as wide as they are given
+    wide = SimpleNamespace(pieces=(replace(OPPOSED[0], outer_radius=34 * mm),))
+    check = judged(SIZED | {"radial_clearance": 0.2 * mm}, outline=wide)["envelope"]
+    assert check.verdict == "fail" and not check.remedies
+    (smaller,) = fillet_room(2.6).remedies
+    assert (
+        smaller.changes == (("countershaft.fillet_radius_mm", pytest.approx(2.5)),) and "at most 2.5" in smaller.words
+    )
+    assert fillet_room(2.6).zero_scale == pytest.approx(2.6)
+
+
+def test_keys_of_the_fillet():
+    assert (
+        fillet_room(2.6).moved_by == bent("fillet", step_over_fillet=1.0).moved_by == ("countershaft.fillet_radius_mm",)
+    )
+
+
+AIM = "Aim at {} at {}°: the {} of {} grows with mass{}"
+REACH = "{} turn against the shaft, and no mass on it takes them: "
+CRANK = REACH + "that is for the counterweights of the crank (see the imbalance)."
+SECOND_SHAFT = REACH + "a mirrored second shaft does (pair)."
+ALIKE = "Balance the masses against each other (mass times radius), so that only a couple remains."
+COUPLE = AIM.format("800.0 N·m", "-90.0", "couple", "{}", ", radius and arm.").replace("-", "−")
+FORCE = AIM.format("900 N", "0.0", "force", "the shaft", " and radius.")
+
+
+@pytest.mark.parametrize(
+    "couple, against, left_over, shaft, advice",
+    [
+        (800j, 0j, 50.0, {}, COUPLE.format("the shaft")),
+        (800j, 0j, 50.0, {"pair": "yes"}, COUPLE.format("each of both shafts")),
+        # 5 % of 800 N·m may be left, on either side
+        (800j, 39j, 50.0, {}, COUPLE.format("the shaft")),
+        (800j, 100j, 139.0, {}, CRANK.format("100 N·m")),
+        (800j, 100j, 141.0, {}, COUPLE.format("the shaft") + " " + CRANK.format("100 N·m")),
+        (800j, 100j, 139.0, {"speed_ratio": -2}, SECOND_SHAFT.format("100 N·m")),
+        (800j, 100j, 139.0, {"speed_ratio": 1}, SECOND_SHAFT.format("100 N·m")),
+        (800j, 100j, 139.0, {"speed_ratio": -2, "pair": "yes"}, COUPLE.format("each of both shafts")),
+    ],
+)
+def test_what_would_leave_less_of_the_couple(couple, against, left_over, shaft, advice):
+    todo = dict(order=1, C=couple, C_against=against, F=0j, F_against=900j, one_couple=1000.0, one_force=1000.0)
+    check = judged(shaft, todo, residual_order_1_couple=left_over)["residual"]
+    assert check.limit == pytest.approx(40.0) and check.advice == advice
+
+
+@pytest.mark.parametrize(
+    "force, against, left_over, advice",
+    [
+        (-900 + 0j, 0j, 60.0, FORCE),
+        (51j, 0j, 60.0, AIM.format("51 N", "−90.0", "force", "the shaft", " and radius.")),
+        (49j, 0j, 60.0, ALIKE),
+        (-900 + 0j, 100j, 149.0, CRANK.format("100 N")),
+        (-900 + 0j, 100j, 151.0, FORCE + " " + CRANK.format("100 N")),
+        (49j, 100j, 151.0, ALIKE + " " + CRANK.format("100 N")),
+    ],
+)
+def test_what_would_leave_less_of_the_force(force, against, left_over, advice):
+    todo = dict(order=1, F=force, F_against=against, C=0j, C_against=900j, one_couple=1000.0, one_force=1000.0)
+    check = judged({}, todo, residual_order_1_force=left_over)["residual_force"]
+    assert check.limit == pytest.approx(50.0) and check.advice == advice
+
+
+def test_what_is_not_left_at_all():
+    check = judged({}, dict(order=1), residual_order_1_force=None)["residual_force"]
+    assert (check.value, check.verdict) == (0.0, "pass")
+
+
+@pytest.mark.parametrize("couple, force", [(None, 1.0), (1.0, None), (None, None)])
+def test_sections_are_judged_where_couple_and_force_are_known(couple, force):
+    assert not {"outline", "outline_force"} & set(
+        judged(outline_couple_deviation=couple, outline_force_deviation=force)
+    )
+
+
+def test_of_an_unknown_steel_neither_fillet_nor_its_life_is_known():
+    bending = replace(SOLVED.bending, speed=50.0, notch_stress=1 * MPa, fatigue_safety=None)
+    steel = replace(STEEL, proof_stress=None, tensile_strength=None)
+    checks = {c.id.removeprefix("countershaft."): c for c in of_shaft.bending_checks(bending, steel, 1.0)}
+    assert "notch_stress" not in checks and checks["fatigue"].missing == ("material.tensile_strength_MPa",)
+    steel = replace(STEEL, kind="other", tensile_strength=None)
+    checks = {c.id.removeprefix("countershaft."): c for c in of_shaft.bending_checks(bending, steel, 1.0)}
+    assert checks["fatigue"].missing == ("material.tensile_strength_MPa", "material.kind")
+
+
+@pytest.mark.parametrize("name", ["fillet", "fillet_room", "notch_stress", "step_over_fillet"])
+def test_a_shaft_without_a_fillet_is_not_judged_by_one(name):
+    numbers = dict(fillet=1.5 * mm, fillet_room=2.5 * mm, notch_stress=1 * MPa, step_over_fillet=1.0) | {name: None}
+    bending = replace(SOLVED.bending, speed=50.0, **numbers)
+    checks = {c.rule for c in of_shaft.bending_checks(bending, STEEL, 1.0)}
+    rules = {"notch_stress": of_shaft.NOTCH_STRESS, "step_over_fillet": of_shaft.FILLET}
+    assert {of_shaft.NOTCH_STRESS, of_shaft.FILLET, of_shaft.FILLET_ROOM} - checks == {
+        rules.get(name, of_shaft.FILLET_ROOM)
+    }
+
+
 # --- what is not given, and what is outside its validity
 
 
@@ -690,7 +826,7 @@ def test_a_fillet_that_is_not_given_leaves_fatigue_not_verified():
     assert (fatigue.verdict, fatigue.missing) == ("not_verified", ("countershaft.fillet_radius_mm",))
     assert fatigue.advice == "Give the radius of the fillets."
     still = replace(SOLVED.bending, bending_stress=0.0, fatigue_safety=None)
-    assert not [c for c in of_shaft.bending_checks(still, STEEL) if c.rule is of_shaft.FATIGUE], "nothing bends it"
+    assert not [c for c in of_shaft.bending_checks(still, STEEL, 1.0) if c.rule is of_shaft.FATIGUE], "nothing bends it"
 
 
 @pytest.mark.parametrize(

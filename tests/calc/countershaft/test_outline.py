@@ -1,13 +1,17 @@
 """The outline: given as sections, or put together from what is known; and what is said where it can not be."""
 
 import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from calc.countershaft.inputs import EccentricMass
+from calc.countershaft import outline as o
+from calc.countershaft.inputs import EccentricMass, Extra
 from calc.countershaft.outline import MASS_SHAPE, NoOutline, Piece, half_angle, narrowness, outline, sectors_of
 from calc.design.toml_file import design
 from calc.sheet.errors import BadInput
+from calc.sheet.value import trace
 from calc.solve import solve
 from tests.calc.countershaft.shafts import FRONT, JOURNALS, REAR, document, outcome, result, verdicts
 
@@ -175,13 +179,262 @@ def test_a_sector_is_found_from_its_centre_of_gravity(degrees):
     assert (piece.start + piece.end) / 2 == pytest.approx(0.02) and piece.angle == 0.3
 
 
+@pytest.mark.parametrize("t", [1e-300, 1e-9, 0.5, 1 - 1e-9, 1 - 2**-53])
+def test_any_share_has_its_half_angle(t):
+    """From all but the whole circle to all but nothing: sin γ/γ = 1 − γ²/6 + …"""
+    gamma = half_angle(t=t)
+    assert 0 < gamma <= math.pi and math.sin(gamma) / gamma == pytest.approx(t, abs=1e-15)
+
+
 def test_a_hairline_is_no_shaft():
+    """0.2 % of the largest radius."""
     piece = Piece(0.0, 0.1, 0.05, 0.0, None, 0.0, "full")
     with pytest.raises(NoOutline, match="too thin"):
-        outline((piece, Piece(0.1, 0.2, 0.00009, 0.0, None, 0.0, "core")), True)
-    assert outline((piece, Piece(0.1, 0.2, 0.00011, 0.0, None, 0.0, "core")), True).area[1] == pytest.approx(
-        math.pi * 0.00011**2
+        outline((piece, Piece(0.1, 0.2, 0.0000999, 0.0, None, 0.0, "core")), True)
+    assert outline((piece, Piece(0.1, 0.2, 0.0001001, 0.0, None, 0.0, "core")), True).area[1] == pytest.approx(
+        math.pi * 0.0001001**2
     )
+
+
+@pytest.mark.parametrize("short, plain", [(1.4999e-9, True), (1.5001e-9, False)])
+def test_a_sector_all_but_closed_is_no_eccentric_one(short, plain):
+    """2/3·sin γ·R³ against a billionth of R³, of the largest piece."""
+    pieces = (
+        Piece(0.0, 0.1, 0.03, 0.0, None, 0.0, "full"),
+        Piece(0.1, 0.2, 0.04, 0.0, math.pi - short, 0.0, "sector"),
+        Piece(0.2, 0.3, 0.02, 0.0, None, 0.0, "full"),
+    )
+    assert outline(pieces, False).plain is plain
+
+
+# --- what its pieces weigh, by quadrature
+RINGS, RAYS = 400, 720
+RHO = 7860.0
+
+
+def section(R, r_0=0.0, half=180):
+    """Of a sector of half angle `half` [°] on a core: area, static moment, second moment about its own centre in the
+    plane of symmetry, polar moment about the axis; from rings and rays."""
+    r = (np.arange(RINGS) + 0.5) * R / RINGS
+    ray = (np.arange(RAYS) + 0.5) * 360 / RAYS - 180
+    there = (np.abs(ray) < half) | (r[:, None] < r_0)
+    dA = there * r[:, None] * R / RINGS * 2 * math.pi / RAYS
+    x = r[:, None] * np.cos(np.radians(ray))
+    area, moment = dA.sum(), (dA * x).sum()
+    return area, moment, (dA * x**2).sum() - moment**2 / area, (dA * r[:, None] ** 2).sum()
+
+
+SHAFT = (
+    Piece(-0.06, -0.03, 0.02, 0.0, None, 0.0, "full"),
+    Piece(-0.03, 0.02, 0.04, 0.015, math.radians(70), 0.7, "sector"),
+    Piece(0.02, 0.09, 0.032, 0.012, math.radians(110), -2.0, "sector"),
+)
+SLICED = [section(0.02), section(0.04, 0.015, 70), section(0.032, 0.012, 110)]
+LENGTHS, MIDDLES = np.array([0.03, 0.05, 0.07]), np.array([-0.045, -0.005, 0.055])
+AREA, MOMENT, INERTIA, POLAR = (np.array(column) for column in zip(*SLICED))
+MOMENT = MOMENT * np.exp(1j * np.array([0.0, 0.7, -2.0]))
+FURTHER = (
+    Extra(name="a", mass=0.2, radius=0.03, angle=0.0, z=0.05),
+    Extra(name="b", mass=-0.1, radius=0.02, angle=1.0, z=-0.04),
+)
+
+
+def test_sections_of_the_pieces():
+    shape = outline(SHAFT, False)
+    assert shape.area == pytest.approx(AREA, rel=1e-4)
+    assert shape.inertia == pytest.approx(INERTIA, rel=1e-4)
+    assert shape.moment[1:] == pytest.approx(MOMENT[1:], rel=1e-4) and shape.moment[0] == 0
+    assert (shape.start, shape.end, shape.plain) == (-0.06, 0.09, False)
+    assert [piece.length for piece in SHAFT] == pytest.approx(LENGTHS)
+
+
+@pytest.mark.parametrize("extras", [(), FURTHER])
+def test_mass_centre_inertia_force_and_couple(extras):
+    shape = outline(SHAFT, False)
+    m, e, z = (np.array([getattr(extra, name) for extra in extras]) for name in ("mass", "radius", "z"))
+    mass = RHO * (AREA * LENGTHS).sum() + m.sum()
+    centre = (RHO * (AREA * LENGTHS * MIDDLES).sum() + (m * z).sum()) / mass
+    inertia = RHO * (POLAR * LENGTHS).sum() + (m * e**2).sum()
+    assert o.weighed(shape, RHO, extras) == pytest.approx((mass, centre), rel=1e-4)
+    assert o.turning_inertia(shape, RHO, extras) == pytest.approx(inertia, rel=1e-4)
+    omega, F_x, C_x = 100.0, 30 - 20j, 1 + 2j
+    force = omega**2 * RHO * (MOMENT * LENGTHS).sum() + F_x
+    couple = omega**2 * RHO * (MOMENT * LENGTHS * MIDDLES).sum() + C_x
+    assert o.vectors_of(shape, RHO, omega, F_x, C_x) == pytest.approx((force, couple), rel=1e-4)
+
+
+def test_a_sector_by_itself():
+    """Without the core."""
+    half, R, r_0, b = math.radians(70), 0.04, 0.015, 0.05
+    (area, moment, *_), (core, *_) = SLICED[1], section(0.015)
+    A, S = o.sector_area(gamma=half, R=R, r_0=r_0), o.sector_moment(gamma=half, R=R, r_0=r_0)
+    assert o.sector_mass(rho=RHO, A=A, b=b) == pytest.approx(RHO * (area - core) * b, rel=1e-4)
+    assert o.sector_unbalance(rho=RHO, S=S, b=b) == pytest.approx(RHO * moment * b, rel=1e-4)
+    assert o.centre_of_gravity(S=S, A=A) == pytest.approx(moment / (area - core), rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    "mass, radius, words",
+    [
+        (0.999, 0.0, None),
+        (1.001, 0.0, "the further elements take away 1.236 kg, needs < 1.235 kg"),
+        (0.1, math.sqrt(0.999 / 2 / 0.1), None),
+        (0.1, math.sqrt(1.001 / 2 / 0.1), "the further elements take away 617.9 kg·mm², needs < 617.3 kg·mm²"),
+    ],
+)
+@pytest.mark.parametrize("beside", [(), (Extra(name="a", mass=0.5, radius=0.05, angle=0.0, z=0.0),)])
+def test_holes_of_a_plain_shaft(mass, radius, words, beside):
+    """A cylinder of m and m·R²/2; what is added elsewhere fills no hole."""
+    R = math.sqrt(1e-3)
+    shape = outline((Piece(0.0, 0.05, R, 0.0, None, 0.0, "full"),), False)
+    whole = 7860 * math.pi * 1e-3 * 0.05
+    share = mass / 2
+    holes = [Extra(name="h", mass=-share * whole, radius=radius * R, angle=0.0, z=0.0)] * 2
+    if words is None:
+        o.hollowed(shape, 7860.0, (*holes, *beside))
+        return
+    with pytest.raises(NoOutline) as none:
+        o.hollowed(shape, 7860.0, (*holes, *beside))
+    assert none.value.reason == words
+
+
+# --- put together, piece by piece
+INPUTS = design(document(core_radius_mm=15.0)).countershaft
+SEATS = (0.0595, 0.0275), (0.081, 0.0265)
+
+
+def core(start, end):
+    return Piece(start, end, 0.015, 0.0, None, 0.0, "core")
+
+
+def turned(start, end, R, what):
+    return Piece(start, end, R, 0.0, None, 0.0, what)
+
+
+def sector(start, end):
+    return Piece(start, end, 0.0403, 0.015, 1.2, 0.3, "sector")
+
+
+JOURNAL_1, JOURNAL_2 = turned(-0.18125, -0.15375, 0.02975, "journal"), turned(0.15425, 0.18075, 0.0405, "journal")
+MIDDLE = (core(-0.15375, -0.152), sector(-0.152, -0.001), core(-0.001, 0.15425))
+
+
+def at(*places):
+    return {"extras": tuple(Extra(name="x", mass=0.1, radius=0.01, angle=0.0, z=z) for z in places)}
+
+
+def rows(pieces):
+    return [(round(p.start, 9), round(p.end, 9), round(p.outer_radius, 9), *list(vars(p).values())[3:]) for p in pieces]
+
+
+@pytest.mark.parametrize(
+    "sectors, changes, gear, pieces",
+    [
+        ([sector(-0.152, -0.001)], {}, None, [JOURNAL_1, *MIDDLE, JOURNAL_2]),
+        # without a place the gear stands against the front journal
+        (
+            [sector(-0.152, -0.001)],
+            {},
+            (0.058, 0.015),
+            [turned(-0.19625, -0.18125, 0.029, "gear"), JOURNAL_1, *MIDDLE, JOURNAL_2],
+        ),
+        (
+            [sector(-0.152, -0.001)],
+            {"gear_z": -0.2},
+            (0.058, 0.015),
+            [turned(-0.2075, -0.1925, 0.029, "gear"), core(-0.1925, -0.18125), JOURNAL_1, *MIDDLE, JOURNAL_2],
+        ),
+        (
+            [sector(-0.152, -0.001)],
+            {"gear_z": 0.2},
+            (0.058, 0.015),
+            [JOURNAL_1, *MIDDLE, JOURNAL_2, core(0.18075, 0.1925), turned(0.1925, 0.2075, 0.029, "gear")],
+        ),
+        # a stub around what is overhung, as far beyond as before it
+        (
+            [sector(-0.152, -0.001)],
+            at(-0.19, 0.2),
+            None,
+            [core(-0.19875, -0.18125), JOURNAL_1, *MIDDLE, JOURNAL_2, core(0.18075, 0.21925)],
+        ),
+        ([sector(-0.152, -0.001)], at(-0.18, 0.0, 0.18), None, [JOURNAL_1, *MIDDLE, JOURNAL_2]),
+        ([], {}, None, [JOURNAL_1, core(-0.15375, 0.15425), JOURNAL_2]),
+        # what is nearer than a micrometre touches, and may reach in as far
+        (
+            [sector(-0.1537492, 0.1542508)],
+            {},
+            None,
+            [JOURNAL_1, sector(-0.1537492, 0.1542508), JOURNAL_2],
+        ),
+        (
+            [sector(-0.1537508, 0.1542492)],
+            {},
+            None,
+            [JOURNAL_1, sector(-0.1537508, 0.1542492), JOURNAL_2],
+        ),
+        (
+            [sector(-0.1537488, 0.1542488)],
+            {},
+            None,
+            [JOURNAL_1, core(-0.15375, -0.1537488), sector(-0.1537488, 0.1542488), core(0.1542488, 0.15425), JOURNAL_2],
+        ),
+    ],
+)
+def test_pieces_of_an_assembled_shaft(sectors, changes, gear, pieces):
+    with trace() as lines:
+        shape = o.assembled(replace(INPUTS, **changes), sectors, SEATS, gear)
+    assert rows(shape.pieces) == rows(pieces) and shape.derived
+    subjects = ["journal 1", "journal 2"] + (["gear on the shaft"] if gear else [])
+    assert list(dict.fromkeys(line.about for line in lines if line.about))[: len(subjects)] == subjects
+
+
+def test_pieces_of_given_sections():
+    """In their order along the shaft; what is not said is none."""
+    shape = o.given(design(document(masses=HALVES, sections=SECTIONS[::-1])).countershaft)
+    half = math.radians(90.0)
+    assert rows(shape.pieces) == rows(
+        [
+            turned(-0.18125, -0.15375, 0.02975, "full"),
+            turned(-0.15375, -0.152, 0.015, "full"),
+            Piece(-0.152, -0.001, 0.0403, 0.015, half, math.radians(210.0), "sector"),
+            turned(-0.001, 0.001, 0.015, "full"),
+            Piece(0.001, 0.152, 0.0403, 0.015, half, math.radians(30.0), "sector"),
+            turned(0.152, 0.15425, 0.015, "full"),
+            turned(0.15425, 0.18075, 0.0405, "full"),
+        ]
+    )
+
+
+@pytest.mark.parametrize(
+    "core_radius, R, journals, missing",
+    [
+        (None, 0.04, SEATS, "core_radius_mm"),
+        (0.015, None, SEATS, "outer_radius_mm"),
+        (0.015, 0.04, (), "[bearings] or [[countershaft.journals]]"),
+        (None, None, (), "core_radius_mm and outer_radius_mm and [bearings] or [[countershaft.journals]]"),
+    ],
+)
+def test_what_an_outline_needs(core_radius, R, journals, missing):
+    with pytest.raises(NoOutline) as none:
+        o.known(replace(INPUTS, core_radius=core_radius), R, journals)
+    assert none.value.reason == f"give [[countershaft.sections]], or {missing}"
+    assert o.known(INPUTS, 0.04, SEATS) == (0.04, 0.015)
+
+
+@pytest.mark.parametrize(
+    "radius, within",
+    [(0.0, ""), (0.03, " (it stays below 29.39 mm)"), (0.0294, " (it stays below 29.39 mm)"), (0.0293, None)],
+)
+def test_a_mass_that_no_sector_has(radius, within):
+    """2/3·(40³ − 15³)/(40² − 15²) = 29.39 mm for the narrowest."""
+    mass = EccentricMass(name="a", mass=1.0, radius=radius, angle=0.0, z=0.0)
+    if within is None:
+        assert sectors_of((mass,), RHO, 0.04, 0.015)
+        return
+    with pytest.raises(NoOutline) as none:
+        sectors_of((mass,), RHO, 0.04, 0.015)
+    place = f"from 15 to 40 mm has its centre of gravity at {radius * 1e3:g} mm{within}"
+    assert none.value.reason == f"mass a: no sector {place}"
 
 
 def test_the_gear_stands_where_it_is_put_or_against_the_front_journal(gamma):

@@ -1,6 +1,7 @@
 """The crank throw beside statics: equilibrium, work, a case by hand, and the notch factors beside another source's
 fit."""
 
+import itertools
 import math
 from dataclasses import replace
 
@@ -9,9 +10,10 @@ import pytest
 
 from calc.engine import throw, torque
 from calc.engine import throw_strength as t
-from calc.engine.gas import GasInputs
+from calc.engine.gas import GasInputs, PressurePoint
 from calc.engine.inputs import ThrowInputs
 from calc.engine.torque import prepare
+from calc.library import fatigue
 from calc.library.catalogue import materials
 from calc.sheet.quantity import published
 from calc.sheet.value import leaves, link_of, trace
@@ -119,6 +121,14 @@ def test_the_largest_tangential_force_is_that_of_a_fine_scan(changes, gas):
     assert abs(found.largest_tangential.tangential_force) == pytest.approx(np.abs(force).max(), rel=1e-6)
 
 
+def test_the_largest_tangential_force_may_stand_at_a_corner_of_the_table():
+    """A parabola through its neighbours has its top beside it."""
+    bars = {0: 2, 40: 20, 41: 120, 44: 100, 80: 5, 140: 2} | {degrees: 1 for degrees in range(180, 720, 50)}
+    points = [PressurePoint(angle=math.radians(degrees), pressure=bar * 1e5) for degrees, bar in bars.items()]
+    *_, (found, *_) = solved(single(rated_speed=5.0), GasInputs(pressure=tuple(points)))
+    assert math.degrees(found.largest_tangential.crank_angle) == pytest.approx(41.0, abs=1e-9)
+
+
 def test_the_throw_with_the_largest_stress_governs():
     """Four cylinders: each looked at in both positions; the one in the table with the largest stress is shown."""
     *_, (found, _, notes, tables) = solved(dict(cylinders=4, firing_order=(1, 3, 4, 2)))
@@ -130,6 +140,65 @@ def test_the_throw_with_the_largest_stress_governs():
     assert rows[f"cylinder {found.cylinder}"] == pytest.approx(shown, rel=1e-12)
     assert any(f"cylinder {found.cylinder} governs" in note for note in notes)
     assert found.fatigue is not None and not any("fatigue is not judged" in note for note in notes)
+
+
+@pytest.mark.parametrize(
+    "stress, governs",
+    [
+        ([[9, 1], [1, 2], [1, 2]], 1),
+        ([[1, 1], [1, 9], [5, 5]], 2),  # of the journal too
+        ([[9.9, 9.9], [10, 1], [9, 9]], 2),  # by little
+        ([[1, 1], [10 - 1e-10, 1], [10, 1]], 2),  # of equal ones the first
+    ],
+)
+@pytest.mark.parametrize("position", [0, 1])
+def test_the_throw_with_the_largest_nominal_stress_is_shown(monkeypatch, stress, governs, position):
+    """In either position; the fillets, which are not given here, do not count."""
+    worst = np.full((2, 3, 4), np.nan)
+    worst[1 - position, :, :2], worst[position, :, :2] = 0.5, stress
+    monkeypatch.setattr(throw, "_stress_of_all", lambda crank, angles: worst)
+    assert solved()[3][0].cylinder == governs
+
+
+def test_what_the_tables_show():
+    """Forces in N, angles in degrees, stresses in MPa, of both positions and of pin and journal."""
+    *_, (result, _, _, (forces, stresses, _)) = solved()
+    positions = result.largest_tangential, result.top_dead_centre
+    numbers = [
+        (math.degrees(p.crank_angle), p.gas_force, p.inertia_force, p.piston_force, p.rod_force) for p in positions
+    ]
+    assert [row[1:6] for row in forces.rows] == numbers
+    numbers = [(p.side_thrust, p.tangential_force, p.radial_force) for p in positions]
+    assert [row[6:9] for row in forces.rows] == numbers
+    numbers = [(p.reaction_front, p.reaction_rear, p.torque_in_front) for p in positions]
+    assert [row[9:] for row in forces.rows] == numbers
+    sections = [section for p in positions for section in (p.pin, p.journal)]
+    assert [row[1:3] for row in stresses.rows] == [(s.bending_moment, s.torsion) for s in sections]
+    in_mega = [(s.bending_stress, s.torsion_stress, s.von_mises, s.notch_stress) for s in sections]
+    assert np.array([row[3:] for row in stresses.rows]) == pytest.approx(np.array(in_mega) / 1e6)
+
+
+@pytest.mark.parametrize("count, firing_order", [(1, None), (2, (1, 2))])
+def test_what_compares_throws_is_there_from_two_throws_on(count, firing_order):
+    *_, (_, checks, notes, tables) = solved(dict(cylinders=count, firing_order=firing_order))
+    several = count > 1
+    assert ("throws" in {table.id for table in tables}) == several
+    assert ("engine.throw.span" in {check.id for check in checks}) == several
+    assert any("governs" in note for note in notes) == several
+
+
+def test_forces_on_every_pin_over_the_cycle():
+    """Torque over crank radius; without gas every half degree of a turn."""
+    engine, e, fires = engine_of(**V6)
+    shared, in_front = throw.pins(engine, e)
+    crank = throw._Throw(engine, e, fires, None, ThrowInputs(**SIZES))
+    assert crank.epsilon == pytest.approx(np.radians(np.arange(0.0, 360.1, 0.5)))
+    F_t, F_r, T_v = throw._forces_over_the_cycle(crank)
+    _, T, _ = torque.at(engine, e, None, fires, crank.epsilon[:, None])
+    assert F_t * engine.crank_radius == pytest.approx(T @ shared.T)
+    assert T_v == pytest.approx(T @ in_front.T)
+    each = crank.rod(fires, crank.epsilon[:, None]).radial_force
+    assert F_r == pytest.approx(each + each[:, [1, 0, 3, 2, 5, 4]])
 
 
 def test_nothing_passes_through_the_first_throw():
@@ -149,13 +218,66 @@ def test_two_rods_on_a_pin():
         **{**V6, "bank_angle": math.pi / 3, "crank_angles": tuple(math.radians(a) for a in (0, -60, 240, 180, 120, 60))}
     )
     assert throw.pins(*split[:2])[0].sum(1).tolist() == [1] * 6
-    assert sorted(throw.pins(*split[:2])[1].sum(1).tolist()) == [0, 1, 2, 3, 4, 5]
+    assert throw.pins(*split[:2])[1].sum(1).tolist() == [0, 1, 2, 3, 4, 5]
     found, _, notes, _ = throw.solve(engine, e, fires, GAS, ThrowInputs(**SIZES), materials())
     assert any("same pin" in note for note in notes)
     top = found.top_dead_centre
     assert top.radial_force != pytest.approx(
         top.rod_force - e.rotating_mass * engine.crank_radius * e.angular_speed**2, rel=1e-3
     )
+
+
+def test_notch_factors_of_norton():
+    """Figures of the shaft with a shoulder fillet, D/d = 2: A·(r/d)^b, at r/d = 0.01 and 0.1."""
+    for factor, A, b in ((t.notch_bending, 0.90879, -0.28598), (t.notch_torsion, 0.86331, -0.23865)):
+        assert [factor(rho_d=0.1), factor(rho_d=0.01)] == pytest.approx([A * 10**-b, A * 100**-b], rel=1e-9)
+
+
+# --- fatigue
+def swinging(seed, shift, size):
+    """Forces [N] and torques [N·m] of four cylinders at thirty angles: random, of some kilonewtons."""
+    rng = np.random.default_rng(seed)
+    F_t, F_r, T_v = (rng.normal(shift, 1.0, (30, 4)) * size for size in size)
+    return F_t, F_r, T_v
+
+
+@pytest.mark.parametrize(
+    "forces, sizes, place",
+    [
+        (swinging(1, 0.0, (2e4, 4e4, 300.0)), {}, "pin"),
+        (swinging(2, 2.0, (4e4, 1e4, 300.0)), {}, "pin"),
+        (swinging(3, -1.0, (2e4, 4e4, 900.0)), dict(journal_diameter=0.045), "journal"),
+        (swinging(4, 1.0, (1e4, 1e4, 2e3)), dict(pin_diameter=0.070, journal_diameter=0.060), "journal"),
+    ],
+)
+def test_the_worst_point_of_all_fillets(forces, sizes, place):
+    """Point by point, each 7.5°: the pin's fillet half a journal and a web from the journal's middle, that of the
+    journal half a journal; half of the throw's own torque in the pin, all of it in the journal."""
+    sizes, r, steel = ThrowInputs(**{**SIZES, **sizes}), 0.05, materials()["42CrMo4"]
+    bears = fatigue.strength(steel)
+    notch = {"pin": (0.05, 2.1, 1.7), "journal": (0.05, 1.9, 1.6)}
+    F_t, F_r, T_v = forces
+    points = []
+    for name, arm, d, share in (
+        ("pin", sizes.journal_length / 2 + sizes.web_thickness, sizes.pin_diameter, 0.5),
+        ("journal", sizes.journal_length / 2, sizes.journal_diameter, 1.0),
+    ):
+        _, K_b, K_t = notch[name]
+        for k, angle in itertools.product(range(4), np.radians(np.arange(24) * 7.5)):
+            force = F_r[:, k] * math.cos(angle) + F_t[:, k] * math.sin(angle)
+            sigma = K_b * 32 / (math.pi * d**3) * arm * force / 2
+            tau = K_t * 16 / (math.pi * d**3) * (share * F_t[:, k] * r + T_v[:, k])
+            a, m = (
+                math.hypot((sigma.max() + of * sigma.min()) / 2, math.sqrt(3) * (tau.max() + of * tau.min()) / 2)
+                for of in (-1, 1)
+            )
+            points.append((fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=bears.sensitivity), a, m, name, k + 1))
+    worst = max(points)
+    result = t.judged(forces, notch, sizes, r, steel, ())
+    numbers = result.fatigue_equivalent, result.fatigue_amplitude, result.fatigue_mean
+    assert numbers == pytest.approx(worst[:3]) and (result.place, result.cylinder) == worst[3:]
+    assert result.place == place and result.wanted == bears.safety
+    assert result.fatigue_safety == pytest.approx(bears.bearable / worst[0])
 
 
 @pytest.mark.parametrize("r_d", [0.04, 0.06, 0.1, 0.2])
@@ -244,6 +366,8 @@ def test_of_a_material_without_known_strength_the_fillets_are_not_judged(materia
         "fatigue": "not_verified",
     }
     assert any(f"proof stress of {material}" in note for note in notes)
+    *_, (_, _, notes, _) = solved(material=material, fillet_radius=None)
+    assert not any(f"proof stress of {material}" in note for note in notes)
 
 
 def test_inertia_alone_is_said():

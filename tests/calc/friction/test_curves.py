@@ -4,6 +4,7 @@
 import numpy as np
 import pytest
 
+from calc.friction.mesh.loss import Local
 from calc.friction.mesh.mixed import BOUNDARY, MIXED, regimes
 from tests.calc.friction.pairs import closed, r753
 
@@ -27,6 +28,16 @@ def test_curves_run_along_the_path():
     assert line.y[0] == pytest.approx(BOUNDARY, rel=0.1) and 10 ** line.x[0] < MIXED[0] and line.y[-1] < 0.2 * BOUNDARY
 
 
+def test_film_and_friction_are_drawn_where_a_twentieth_of_the_load_is_carried():
+    """Pressure goes with the root of the load: √0.049 and √0.05 of the largest."""
+    column = np.array([1.0, 2.0, 3.0])
+    same = dict.fromkeys(("x", "lam", "xi", "mu", "q", "T_f", "w", "V_s", "b_H", "De"), column)
+    local = Local(p_H=8e8 * np.sqrt([0.049, 0.05, 1.0]), h=column, **same)
+    for name in ("h", "lam", "mu"):
+        assert local.drawn(name) == pytest.approx([np.nan, 2.0, 3.0], nan_ok=True)
+    assert local.drawn("q") == pytest.approx(column)
+
+
 def test_the_shear_that_an_oil_bears():
     """Both models meet at no pressure, 2·Λ/α; under pressure the judged one has a smaller α.  Warmer oil bears more
     before it thins."""
@@ -41,11 +52,11 @@ def test_the_shear_that_an_oil_bears():
 @pytest.mark.parametrize(
     "lam, said",
     [
-        ((0.1, 0.2), "boundary"),
+        ((0.1, 0.29), "boundary"),
         ((0.1, 1.0), "boundary to mixed"),
-        ((1.0, 2.0), "mixed"),
+        ((0.31, 3.45), "mixed"),
         ((1.0, 9.0), "mixed to full-film"),
-        ((4.0, 9.0), "full-film"),
+        ((3.55, 9.0), "full-film"),
     ],
 )
 def test_the_kind_of_lubrication(lam, said):

@@ -5,7 +5,8 @@ from dataclasses import replace
 
 import pytest
 
-from calc.gears.checks import SAME_RATIO, checks, speed_ratio_check
+from calc.gears.checks import checks, speed_ratio_check
+from calc.gears.limits import above_fillet, mm
 from tests.calc.gears.trains import SPEED, r753, solved
 
 GEARS = r753()
@@ -102,8 +103,27 @@ def test_the_mate_of_the_tighter_root_is_cut(low, cut):
     check = with_mesh(**{**roomy, f"tip_clearance_{low}": 0.2e-3})[f"gears.{PAIR}.tip_clearance"]
     (way,) = check.remedies
     assert way.changes == ((f"gears.wheels.{cut}.tip_shortening_mm", 0.3 if cut == "idler" else 0.1),)
-    both = with_mesh(tip_clearance_driver=0.2e-3, tip_clearance_driven=0.2e-3)[f"gears.{PAIR}.tip_clearance"]
-    assert len(both.remedies[0].changes) == 2
+    assert f"of {cut} at least" in way.words
+    for beside, tips in ((0.99e-6, 2), (1.01e-6, 1)):  # less than 1 µm beside it, the other tip is as bad
+        pair = {"tip_clearance_driver": 0.2e-3, "tip_clearance_driven": 0.2e-3 + beside}
+        assert len(with_mesh(**pair)[f"gears.{PAIR}.tip_clearance"].remedies[0].changes) == tips
+
+
+def test_a_tip_that_jams_with_room_on_the_drawing_is_not_cut():
+    """Its tolerances are what jams."""
+    roomy = {"tip_clearance_driver": 0.3e-3, "tip_clearance_driven": 0.4e-3}
+    jams, close = (
+        with_mesh(**{**roomy, **less}, tip_clearance_min=-1e-6)[f"gears.{PAIR}.tip_clearance_least"]
+        for less in ({}, {"tip_clearance_driver": 0.2992e-3})
+    )
+    assert jams.remedies == () and close.remedies[0].changes == (("gears.wheels.shaft.tip_shortening_mm", 0.001),)
+
+
+@pytest.mark.parametrize("limit, enough", [(0.12341, 0.1235), (-0.56789, -0.5678)])
+def test_the_shift_that_just_avoids_an_undercut(limit, enough):
+    check = with_wheel(undercut_limit=limit, profile_shift=limit - 0.1)["gears.shaft.undercut"]
+    assert check.remedies[0].changes == (("gears.wheels.shaft.profile_shift", enough),)
+    assert "at least" in check.remedies[0].words
 
 
 @pytest.mark.parametrize("tight, mate", [("driver", "shaft"), ("driven", "idler")])
@@ -131,8 +151,8 @@ def test_a_cut_that_is_asked_for_is_enough():
 # --- the train
 def test_the_speed_ratio_is_kept_to_a_billionth():
     turning = replace(TRAIN, speed_ratio=-1.0)
-    inside, outside = (speed_ratio_check(turning, -1.0 - off) for off in (0.9e-9, 1.1e-9))
-    assert (inside.verdict, outside.verdict) == ("pass", "fail") and SAME_RATIO == 1e-9
+    inside, outside = (speed_ratio_check(turning, -1.0 - off) for off in (0.99e-9, 1.01e-9))
+    assert inside.holds and outside.verdict == "fail"
     assert "number of meshes" in outside.source and inside.role == "self"
     assert speed_ratio_check(turning, -1.0 - 0.99e-12).value == 0.0
     assert speed_ratio_check(turning, -1.0 - 1.01e-12).value == pytest.approx(1.01e-12, rel=1e-3)
@@ -160,3 +180,15 @@ def test_the_speed_ratio_is_that_of_the_last_wheel_to_the_crank(wanted, crank, v
     assert "crank 25 → central 36 → idler 39 → shaft 25" in check.advice and "by 3 meshes" in check.advice
     assert advice in check.advice
     assert check.moved_by == tuple(f"gears.wheels.{w}.teeth" for w in ("shaft", "idler", "central", "crank"))
+
+
+# --- limits
+@pytest.mark.parametrize("rho_a, reached", [(2e-3, 13.0), (7e-3, 12.0), (7.5e-3, 11.5)])
+def test_where_the_tip_of_the_mate_arrives(rho_a, reached):
+    """In mm: on the involute by Pythagoras, past the base circle along the line of action."""
+    c_F = above_fillet(d_b=24e-3, T=7e-3, rho_a=rho_a, d_Ff=22e-3)
+    assert c_F == pytest.approx((reached - 11.0) * 1e-3)
+
+
+def test_a_length_in_a_sentence_is_in_millimetres():
+    assert str(mm(12.5e-3)) == "12.5" and str(mm(12.5e-3, ".2f")) == "12.50"

@@ -304,8 +304,17 @@ def test_a_part_that_has_no_solution_fails(part):
     outcome = solve.without(solve.geometry(r753(), SPEED), getattr(solve, part.upper()), Text("too close"))
     check = outcome.checks[-1]
     assert (check.id, check.verdict) == (f"gears.train.{part}", "fail")
-    assert (check.kind, check.role, check.zero_scale) == ("limit", "self", 1.0)
+    assert (check.kind, check.role, check.limit, check.zero_scale) == ("limit", "self", 0.0, 1.0)
     assert str(check.source) == "the part has no values" and str(check.advice) == "too close."
+
+
+def test_two_wheels_with_nothing_but_their_size_are_of_the_usual_tool():
+    """20°, no helix, a tool of 1.25 with a tip of 0.38, one turn a second."""
+    pair = solve.solve_pair((25, 39), normal_module=2e-3, face_width=15e-3)
+    wheels = [wheel("driver", 25, 0.0), wheel("driven", 39, 0.0)]
+    given = train(wheels, [mesh("driver", "driven")], beta=0.0, tool=(1.25, 0.38), ball=None)
+    ours, theirs = ({v.id: v.shown for v in published(t, "gears")} for t in (pair, solve.geometry(given, 1.0).result))
+    assert ours == theirs and len(ours) > 50
 
 
 def test_teeth_whose_power_nobody_knows_are_not_verified():
@@ -313,4 +322,5 @@ def test_teeth_whose_power_nobody_knows_are_not_verified():
     check = outcome.checks[-1]
     assert (check.id, check.verdict, outcome.verdict) == ("gears.train.rating", "not_verified", "not_verified")
     assert (check.missing, check.at_best, check.at_worst) == (("gears.power_kW",), "none", "none")
+    assert (check.limit, check.zero_scale) == (0.0, 1.0)
     assert "without a torque no tooth is rated" in check.source and "no power" in outcome.notes

@@ -3,6 +3,7 @@ time."""
 
 import cmath
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
-from calc.imbalance.shaft_pair import pair_moment
+from calc.imbalance.shaft_pair import ShaftPair, pair_moment, pair_table
 from tests.calc.imbalance.engines import R753
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))
@@ -141,6 +142,26 @@ def test_the_wrong_shaft_on_top_is_advised_against():
         assert (made.value <= made.limit) is passes and made.kind == "advice"
 
 
+@pytest.mark.parametrize("n, name, left", [(1, "first_order_pair", 11.0), (2, "second_order_shafts", 12.0)])
+def test_the_table_of_the_pair(n, name, left):
+    """Lengths in mm, phases in degrees, and of the remedy the force of the order that the shafts are for."""
+    numbers = dict(
+        force_forward=1.0,
+        force_backward=2.0,
+        height_difference=0.12,
+        roll_torque=3.0,
+        roll_torque_phase=math.radians(40.0),
+        reaction=5.0,
+        reaction_phase=math.radians(-60.0),
+        roll_left=7.0,
+    )
+    remedy = {name: SimpleNamespace(order_1_force=11.0, order_2_force=12.0)}
+    (row,) = pair_table(ShaftPair(**numbers, height_difference_of_least_roll=0.05), n, remedy).rows
+    assert row[0] == f"±{n}"
+    assert row[1:] == pytest.approx((1.0, 2.0, left, 120.0, 3.0, 40.0, 5.0, -60.0, 7.0, 50.0))
+    assert pair_table(ShaftPair(**numbers), n, remedy).rows[0][-1] is None
+
+
 def test_without_places_or_forces_there_is_no_pair():
     bare = outcome(**FOUR)[1]
     assert bare.result.shaft_pair is None and not [t for t in bare.tables if t.id == "shaft_pair"]
@@ -150,5 +171,32 @@ def test_without_places_or_forces_there_is_no_pair():
     assert outcome((0.1, 0.09), (0.0, -0.09), n=1, **FOUR)[1].result.shaft_pair is None
 
 
+V_TWIN = dict(
+    layout="vee",
+    cylinders=2,
+    firing_order=None,
+    crank_angles=(0.0, 0.0),
+    bank_of_cylinder=(0, 1),
+    axial_positions=(0.0, 0.0),
+)
+
+
+def test_one_shaft_of_a_pair_may_have_nothing_to_carry():
+    """Two cylinders of a vee of 60° on one pin: cos(3·30°) = 0 of the second order turns backward."""
+    shafts = pair((0.03, 0.04), (0.0, -0.07), **V_TWIN, bank_angle=math.radians(60.0))
+    assert shafts.force_backward == 0.0
+    assert shafts.roll_torque == pytest.approx(0.05 * shafts.force_forward) and shafts.roll_torque > 1.0
+
+
+def test_a_force_across_does_not_mind_the_height():
+    """In a vee of 90° the second order of both cylinders on a pin lies across: cos(45°) = −cos(3·45°)."""
+    shafts = pair((0.1, 0.04), (0.0, -0.04), **V_TWIN, bank_angle=math.radians(90.0))
+    assert shafts.force_forward == pytest.approx(shafts.force_backward) and shafts.force_forward > 1000.0
+    assert shafts.height_difference_of_least_roll is None
+
+
 def test_one_place_needs_the_other():
+    alone = ImbalanceInputs(forward_shaft_axis=(0.1, 0.09), shaft_pair_order=2)
+    inputs = EngineInputs(**{**R753, **FOUR})
+    assert imbalance.values(alone, inputs, engine.solve(inputs).result).shaft_pair is None
     assert [key for key, _ in ImbalanceInputs(forward_shaft_axis=(0.1, 0.0)).problems()] == ["backward_shaft_axis_mm"]

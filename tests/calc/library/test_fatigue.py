@@ -63,7 +63,7 @@ def test_what_is_not_known_is_not_verified(unknown, missing):
         fillet_radius=2e-3,
     )
     assert bent.fatigue_safety is None
-    (judged,) = [c for c in bending_checks(bent, unknown) if c.rule in (FATIGUE, FATIGUE_RESERVE)]
+    (judged,) = [c for c in bending_checks(bent, unknown, 1.0) if c.rule in (FATIGUE, FATIGUE_RESERVE)]
     assert (judged.rule, judged.verdict, judged.missing) == (FATIGUE, "not_verified", missing)
 
 
@@ -86,7 +86,7 @@ def test_a_shaft_between_standstill_and_full_speed():
     assert one.fatigue_safety == pytest.approx(one.fatigue_strength / one.fatigue_amplitude)
     # the bent shaft loads itself a little
     assert bent(2 * OMEGA).fatigue_safety == pytest.approx(one.fatigue_safety / 4, rel=1e-3)
-    judged = {c.rule: c for c in bending_checks(one, HARD)}
+    judged = {c.rule: c for c in bending_checks(one, HARD, 1.0)}
     assert (judged[FATIGUE].verdict, judged[FATIGUE].kind, judged[FATIGUE].limit) == ("pass", "limit", 1.0)
     reserve = judged[FATIGUE_RESERVE]
     assert (reserve.verdict, reserve.kind, reserve.limit) == ("pass", "caution", 1.5)

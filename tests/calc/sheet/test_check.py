@@ -48,6 +48,12 @@ def test_a_margin_is_the_gap_over_its_scale(value, sense, limit, unit, scale, ma
         (-8.7, ">=", 0.0, "µm", 100.0, "−8.7 µm"),
         (116.5, "<=", 135.0, "°C", None, "+18.5 K"),
         (2871.4, ">", 0.0, "W", 3000.0, "+2871 W"),
+        (1000.4, ">", 0.0, "W", 3000.0, "+1000 W"),
+        (999.4, ">", 0.0, "W", 3000.0, "+999 W"),
+        (1.004, ">=", 1.0, "", None, "+0.4 %"),
+        (1000.5, ">=", 1.0, "", None, "+99950 %"),
+        (1001.5, ">=", 1.0, "", None, "beyond +99999 %"),
+        (-1000.5, ">=", 1.0, "", None, "beyond −99999 %"),
         (0.5, "in", (0.0, 1.0), "", None, "+50 %"),
         (math.nan, ">=", 1.0, "", None, "no number"),
     ],
@@ -80,6 +86,8 @@ NO, HOLDS, NONE = None, "holds", "none"
         ("limit", 0.0, ">=", 0.0, "mm", 37.0, NO, NO, True, "pass"),
         ("limit", 0.0, ">=", 0.0, "mm", 37.0, NO, NO, False, "warn"),
         ("limit", 0.0, ">", 0.0, "mm", 37.0, NO, NO, True, "fail"),
+        ("limit", 0.0, "<", 0.0, "mm", 37.0, NO, NO, True, "fail"),
+        ("limit", 0.0, "<=", 0.0, "mm", 37.0, NO, NO, True, "pass"),
         ("limit", 0.5, "in", (0.2, 1.0), "", NO, NO, NO, False, "pass"),
         ("limit", 0.21, "in", (0.2, 1.0), "", NO, NO, NO, False, "warn"),
         ("limit", 0.1, "in", (0.2, 1.0), "", NO, NO, NO, False, "fail"),
@@ -148,6 +156,64 @@ def test_utilisation_is_demand_over_capacity(value, sense, limit, demand, utilis
     assert made_check(value, sense, limit, rule_of={"demand": demand}).utilisation == utilisation
 
 
+@pytest.mark.parametrize(
+    "value, sense, limit, share",
+    [
+        (7.4, ">=", 9.0, 7.4 / 9),
+        (6.0, "<=", 5.0, 1.2),
+        (1.1, "in", (0.2, 1.0), 1.1),
+        (0.3, "in", (0.2, 1.0), 1.5),
+        (0.0, ">=", 9.0, 0.0),
+        (-1.0, ">=", 9.0, None),
+        (2.0, ">=", 0.0, None),
+    ],
+)
+def test_a_share_is_of_the_nearest_limit(value, sense, limit, share):
+    assert made_check(value, sense, limit, zero_scale=1.0).share == (None if share is None else pytest.approx(share))
+
+
+A, B, FRONT, IDLER = (
+    "bearings.slope_mrad",
+    "gears.module_mm",
+    "gears.wheels.front.runout_um",
+    "gears.wheels.idler.runout_um",
+)
+TAKEN = (Text("0.1 mrad"), Text("IT7"))
+
+
+@pytest.mark.parametrize(
+    "value, missing, taken, best, worst, words, in_short",
+    [
+        (2.0, (), (), NO, NO, "", ""),
+        (2.0, (A,), TAKEN, 2.0, 1.2, "Assumed: 0.1 mrad; IT7.", "Assumed: 0.1 mrad; IT7."),
+        (2.0, (A, B), TAKEN, 2.0, 1.2, "Assumed: 0.1 mrad; IT7.", "Assumed: 0.1 mrad; IT7."),
+        (2.0, (A,), (), HOLDS, 2.0, f"Not given: {A}.", f"Not given: {A}."),
+        (2.0, (), (), 2.0, 0.5, "At best 2, at worst 0.5.", "At best 2, at worst 0.5."),
+        (
+            2.0,
+            (A, B),
+            TAKEN,
+            HOLDS,
+            NONE,
+            f"Not given: {A}, {B}; taken: 0.1 mrad; IT7. At best it can not fail, at worst nobody knows.",
+            f"Not given: {A}; module_mm. At best it can not fail, at worst nobody knows.",
+        ),
+        (
+            2.0,
+            (FRONT, A, IDLER),
+            TAKEN,
+            2.0,
+            0.5,
+            f"Not given: {FRONT}, {A}, {IDLER}; taken: 0.1 mrad; IT7. At best 2, at worst 0.5.",
+            f"Not given: runout_um of front, idler; {A}. At best 2, at worst 0.5.",
+        ),
+    ],
+)
+def test_what_is_not_given_in_words(value, missing, taken, best, worst, words, in_short):
+    check = made_check(value, id="gears.front.name", missing=missing, taken=taken, at_best=best, at_worst=worst)
+    assert (check.lack_text(), check.lack_in_short()) == (words, in_short)
+
+
 # --- what is declared, and what is made of it
 
 
@@ -167,7 +233,8 @@ def test_a_declaration_fills_its_letters_and_shows_si_in_its_unit():
     assert (check.id, check.value, check.limit) == ("bearings.front.edge_corner", 7.4, 9.0)
     assert (check.limit_text(), check.margin_text(), check.name) == ("≥ 9 µm", "−18 %", "Film")
     assert (check.cause, check.value_id) == ("bearings.front.edge", "bearings.front.corners.edge")
-    assert check.limit_id == "bearings.front.least"
+    assert check.limit_id == "bearings.front.least" and check.base == 0
+    assert edge(7.4e-6, (5e-6, 9e-6), at="front", sense="in").limit == (5.0, 9.0)
     assert check.moved_by == ("bearings.front.length_mm", "bearings.journal_fit")
     with pytest.raises(ValueError):
         edge(7.4e-6, 9e-6)  # of which bearing?
@@ -250,6 +317,23 @@ def test_a_stretched_formula_weakens_what_stands_on_it():
     assert verdicts(back, low)[0] == ("pass", None, ()), "a wheel of another mesh"
     assert verdicts(calm, low, rough)[0] == ("pass", None, ())
     assert verdicts(safety(0.9, 1.0, at="front"), low)[0][0] == "fail"
+    assert verdicts(safety(2.5, 1.0, at="idler"), low, load(1.0, 2.0, at="idler_rear"))[0][1] == 1.25, "once a wheel"
+
+
+@pytest.mark.parametrize("sense, worst", [(">=", 4.0 / 1.3), (">", 4.0 / 1.3), ("<=", 4.0 * 1.3), ("<", 4.0 * 1.3)])
+def test_what_is_weakened_goes_towards_its_limit(sense, worst):
+    film = rule("caution", id="bearings.B.film", sense=sense)
+    oil = rule("method", id="bearings.oil", weakens=((film, 1.3),))  # of all bearings
+    assert stretched((film(4.0, 4.0, at="rear"), oil(1.0, 2.0)))[0].at_worst == pytest.approx(worst)
+
+
+def test_one_wheel_of_a_mesh_weakens_its_own_checks():
+    safety = rule("limit", id="gears.W.safety")
+    notch = rule("method", id="gears.M.trial_W", weakens=((safety, 1.3),))
+    front, idler, _ = stretched(
+        (safety(2.6, 1.0, at="front"), safety(2.6, 1.0, at="idler"), notch(1.0, 2.0, at=("front_idler", "front")))
+    )
+    assert (front.at_worst, idler.at_worst) == (pytest.approx(2.0), None)
 
 
 def test_what_is_weakened_counts_from_its_base_and_from_the_unfavourable_end():

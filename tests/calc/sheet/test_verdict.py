@@ -12,8 +12,11 @@ from calc.sheet.verdict import (
     design_state,
     findings_of,
     grouped,
+    named,
+    severity,
     step_state,
     verdict_words,
+    with_it,
 )
 from tests.made_checks import made_check
 
@@ -158,3 +161,30 @@ def test_a_group_stands_where_its_worst_check_does() -> None:
     assert [[c.id for c in group] for group in groups] == [["fails", "corner", "holds"], ["far"], ["note"]]
     assert findings_of(groups) == "3 findings (5 checks)"
     assert findings_of(groups[1:2]) == "1 finding"
+
+
+def test_what_is_worse_stands_first() -> None:
+    ordered = [
+        made_check(0.9, kind="caution", rule_of={"of_input": True}, id="doubt"),
+        made_check(math.nan, id="no number"),
+        made_check(0.2, id="missed by far"),
+        made_check(0.9, id="missed"),
+        of(LIMIT, "physics", "not_verified", id="not verified"),
+        made_check(1.01, id="narrow"),
+        of(CAUTION, "", "not_verified", id="not verified either"),
+        made_check(0.2, kind="caution", id="caution"),
+        made_check(0.1, kind="advice", id="note"),
+        made_check(2.0, kind="caution", rule_of={"of_input": True}, id="no doubt"),
+        made_check(2.0, id="holds"),
+        made_check(3.0, id="holds by far"),
+        of(CAUTION, "", "accepted", id="accepted"),
+    ]
+    assert [c.id for c in sorted(reversed(ordered), key=severity)] == [c.id for c in ordered]
+
+
+def test_of_many_checks_the_rest_is_a_number() -> None:
+    checks = [made_check(0.5, name=Text(name)) for name in "abcde"]
+    assert with_it(checks[:3]) == "With it 3 failed: a (−50 %); b (−50 %); c (−50 %)"
+    assert with_it(checks) == "With it 5 failed: a (−50 %); b (−50 %); c (−50 %); 2 more"
+    assert named(checks) == "a (−50 %); b (−50 %); c (−50 %); 2 more"
+    assert named(checks[:2], 1) == "a (−50 %); 1 more"

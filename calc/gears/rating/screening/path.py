@@ -23,6 +23,7 @@ from ...result import MeshResult, ToothSystem, WheelResult
 
 ISO_PATH = Text("ISO/TR 13989-1:2000 and ISO/TR 15144-1:2014")
 POINTS = 21  # samples of each of the three parts of the path
+ALONE: Number = 1.0  # share of the load of a pair that nothing helps
 LIGHTEST = 1e-9  # share of the load
 BESIDE = 1e-12  # how far beside B and D, of their place, the samples of the shared load stand
 FINEST: Number = 7.0  # the finest accuracy grade of which the load sharing still takes notice
@@ -50,12 +51,12 @@ def load_share(rho_1: Metre, rho_A: Metre, rho_B: Metre, rho_D: Metre, rho_E: Me
     1."""
     base = (max(Q, FINEST) - 2) / 15
     if not rho_A < rho_B <= rho_D:
-        return 1.0 + 0.0 * rho_1
+        return ALONE + 0.0 * rho_1
     before, after = base + (rho_1 - rho_A) / (rho_B - rho_A) / 3, base + (rho_E - rho_1) / (rho_E - rho_D) / 3
     if isinstance(rho_1, float):
-        return min(before if rho_1 < rho_B else after if rho_1 > rho_D else 1.0, 1.0)
-    share = np.where(rho_1 < rho_B, before, np.where(rho_1 > rho_D, after, 1.0))
-    return np.clip(share, LIGHTEST, 1.0)  # the last digits of a contact ratio of 1 would make it nothing, or less
+        return min(before if rho_1 < rho_B else after if rho_1 > rho_D else ALONE, ALONE)
+    share = np.where(rho_1 < rho_B, before, np.where(rho_1 > rho_D, after, ALONE))
+    return np.clip(share, LIGHTEST, ALONE)  # the last digits of a contact ratio of 1 would make it nothing, or less
 
 
 @formula(
@@ -149,10 +150,8 @@ class Path:
         """Places from A to E, close beside B and D on both sides, where the load jumps."""
         inner = sorted((min(max(self.B, self.A), self.E), min(max(self.D, self.A), self.E)))
         ends = (self.A, *inner, self.E)
-        steps = np.arange(POINTS) / (POINTS - 1)
-        parts = [a + (b - a) * steps for a, b in pairwise(ends)]
-        for part, end in zip(parts, ends[1:]):
-            part[-1] = end  # to its last digit: on which side of B and D a sample stands decides its load
+        parts = [np.linspace(a, b, POINTS) for a, b in pairwise(ends)]
+        # to the last digit: on which side of B and D a sample stands decides its load
         parts[0][-1] *= 1 - BESIDE
         parts[2][0] *= 1 + BESIDE
         return based_on(np.concatenate(parts), self.A, self.B, self.D, self.E)

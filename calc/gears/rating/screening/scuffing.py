@@ -51,7 +51,6 @@ ONE_KELVIN: Kelvin = 1.0
 EIGHTY: Celsius = 80.0
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, beyond which friction falls no further
 DEFLECTION: Metre = 50e-6
-STIFFNESS: Pascal = 20e9  # mesh stiffness 20 N/(mm·µm), mean of ISO 6336-1 for steel, from memory
 NAMES = {"T_oil": "Θ_oil", "T_flm": "Θ_flm", "T_M": "Θ_M", "T_fl": "Θ_fl,max", "T_S": "Θ_S", "T_B": "Θ_B,max"}
 LOAD_STAGE: Number = 10.0  # rule of this program: engine oils usually pass beyond it
 
@@ -124,7 +123,7 @@ def flash_temperature(
 )
 def mean_flash_temperature(T_fl: Kelvins, rho_1: Metres) -> Kelvin:
     flash, place = np.asarray(T_fl), np.asarray(rho_1)
-    area = np.sum((flash[1:] + flash[:-1]) * np.diff(place), -1) / 2
+    area = np.sum((flash[1:] + flash[:-1]) * np.diff(place)) / 2
     return float(area / (place[-1] - place[0]))
 
 
@@ -226,22 +225,22 @@ def screening(
     oil: OilBath,
     materials: Mapping[str, Material],
     roughness: tuple[Metre, Metre],
-    load_factor: Number = 1.0,
-    application_factor: Number = 1.0,
-    accuracy_grade: Number = 7,
-    mates: Number = 1,
-    load_stage: Number | None = None,
-    structural_factor: Number = 1.0,
-    mesh_stiffness: Pascal = STIFFNESS,
-    permissible_film: Number | None = None,
+    load_factor: Number,
+    application_factor: Number,
+    accuracy_grade: Number,
+    mates: Number,
+    load_stage: Number | None,
+    structural_factor: Number,
+    mesh_stiffness: Pascal,
+    permissible_film: Number | None,
 ) -> Screening:
     """Film and flash temperature of a mesh.
 
     F_t is the nominal tangential force at the reference circle; `load_factor` is K_A·K_V·K_Hβ·K_Hα,
     `application_factor` K_A alone; `oil` from `oil_bath`, once for all meshes; `roughness` Ra of driver and driven;
-    `mates` the most that one of both wheels has (2 for an idler); `load_stage` that of the FZG test A/8.3/90 at which
-    the oil scuffs; `structural_factor` X_W of the steel (1 case-hardened,
-    1.5 nitrided); `permissible_film` λ_GFP from a test of the oil.
+    `mates` the most that one of both wheels has (2 for an idler); `structural_factor` X_W of the steel; `load_stage`
+    that of the FZG test A/8.3/90 at which the oil scuffs and `permissible_film` λ_GFP from a test of the oil, where
+    None those of the rules of this program.
     """
     title, alpha_t = mesh.title, system.transverse_pressure_angle
     for what, number in (

@@ -111,6 +111,14 @@ def test_a_hose_smaller_than_every_clamp():
     r = drain.solve(asked(12.0, 12.5))
     assert r.clamp_nominal is None and "none grips" in r.reason
     assert verdicts(r)["clamp"] == "warn"
+    (first, *_) = drain.checks(r)
+    assert (first.value, first.limit) == pytest.approx((13.0, 12.0)) and r.smallest == 13e-3
+
+
+def test_a_clamp_of_the_standard_of_another_size_says_nothing_of_the_one_that_is_taken():
+    r = drain.solve(asked(18.5, 18.5))  # of DIN 3021 there is one of 18 mm as well, which opens to 19
+    assert (r.clamp_nominal, r.clamp_opening) == pytest.approx((17e-3, 18.5e-3))
+    assert r.clamp_opening_din3021 is r.tried_din3021 is None and "clamp_din3021" not in verdicts(r)
 
 
 def test_the_standard_is_named_where_the_source_has_no_clamp():
@@ -171,6 +179,13 @@ def test_no_union_fits(name):
     assert not any("sealed" in note for note in drain.notes(r))
 
 
+@pytest.mark.parametrize("block, own, sealed", [("M18x1.5", "", True), ("M8x1", "", False), ("M18x1.5", "M8x1", False)])
+def test_the_seal_of_the_union_that_fits(block, own, sealed):
+    unions = (Union(thread=own, bore=4e-3),) if own else ()
+    notes = drain.notes(drain.solve(asked(22.5, 24.0, block, unions=unions)))
+    assert any("is sealed by" in note for note in notes) is sealed
+
+
 def test_the_designs_own_unions_replace_those_of_the_program():
     own = (
         Union(thread="M20x1.5", bore=13e-3),
@@ -210,6 +225,14 @@ def test_a_sleeve_of_the_design():
     assert [key for key, _ in Sleeve(ring=1.0, bore=1.0, end=1.0).problems()] == ["end_mm"]
 
 
+@pytest.mark.parametrize(
+    "ring, fits", [(17.9999, False), (18.0, True), (18.05, True), (18.097, True), (18.1, True), (18.103, False)]
+)
+def test_the_ring_of_a_sleeve_is_up_to_a_tenth_wider_than_the_thread(ring, fits):
+    r = drain.solve(asked(22.5, 24.0, sleeves=(Sleeve(ring=ring / 1e3, bore=9e-3, end=16e-3),)))
+    assert (r.sleeve_bore is not None) is fits
+
+
 # --- tilted machine
 @pytest.mark.parametrize("tilt, verdict", [(None, None), (30.0, "pass"), (45.0, "fail"), (60.0, "fail")])
 def test_the_slope_that_a_tilted_machine_leaves(tilt, verdict):
@@ -217,6 +240,12 @@ def test_the_slope_that_a_tilted_machine_leaves(tilt, verdict):
     r = drain.solve(asked(22.5, 24.0, slope=math.radians(45), tilt=None if tilt is None else math.radians(tilt)))
     assert math.degrees(r.drain_slope) == pytest.approx(45.0 - (tilt or 0.0)) and verdicts(r).get("slope") == verdict
     assert any("bore_mm" in note for note in drain.notes(r))
+
+
+@pytest.mark.parametrize("own, missing", [({}, False), ({"slope": 0.1}, True), ({"slope": 0.1, "bore": 0.01}, False)])
+def test_what_runs_off_needs_a_bore_where_there_is_a_slope(own, missing):
+    notes = drain.notes(drain.solve(asked(22.5, 24.0, **own)))
+    assert any("bore_mm" in note for note in notes) is missing
 
 
 def test_a_tilt_needs_a_slope():

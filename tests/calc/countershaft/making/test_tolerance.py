@@ -79,10 +79,16 @@ def test_the_shares_of_the_planes_are_bounded(z_S, front, rear):
         (0.9 * HALF, "near one bearing"),
         (1.1 * HALF, "overhangs the rear"),
         (-1.1 * HALF, "overhangs the front"),
+        (0.39 * HALF, ""),
+        (0.41 * HALF, "0.7 to 0.3"),
+        (-0.39 * HALF, ""),
+        (-0.41 * HALF, "0.7 to 0.3"),
     ],
 )
-def test_a_share_that_is_not_the_static_load_is_said(z_S, words):
-    said = list(notes(z_S, -HALF, HALF))
+@pytest.mark.parametrize("off", [0.0, 0.5])
+def test_a_share_that_is_not_the_static_load_is_said(z_S, words, off):
+    """Nearer to a bearing than 0.3 of their distance, wherever the middle of the shaft is."""
+    said = list(notes(off + z_S, off - HALF, off + HALF))
     assert len(said) == (2 if words else 1)
     assert words in said[-1]
 

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from calc.bearings.film.table import film_at
 from calc.bearings.routes.routes import own_cold
 from calc.friction.inputs import PlainBearing
 from calc.friction.losses import bearings as p
@@ -63,7 +64,29 @@ def test_too_much_load_has_no_film():
         p.plain_bearing_power(bush(), np.array([0.0, 100.0, 1e6]), SPEED, ETA)
 
 
-@pytest.mark.parametrize("length", [2e-3, 60e-3])
+def test_the_film_ends_at_an_eccentricity_of_98_percent():
+    """At 0.979 there is one, and a load 5 % above that of 0.98 has none."""
+    one, b, psi = bush(), 0.8, 40 / 25e3
+
+    def load(S):
+        return ETA * SPEED * one.diameter * one.length / (S * psi**2)
+
+    assert p.plain_bearing_power(one, load(film_at(0.979, b).sommerfeld), SPEED, ETA) > petroff(one)
+    with pytest.raises(NoSolution, match="no film carries"):
+        p.plain_bearing_power(one, 1.05 * load(film_at(0.98, b).sommerfeld), SPEED, ETA)
+
+
+def test_without_load_the_journal_is_pushed_square_to_it():
+    """ε → 0: the attitude comes to a right angle, Sommerfeld 1904."""
+    assert p.attitude(eps=0.0, b=0.8) == pytest.approx(math.pi / 2)
+
+
+@pytest.mark.parametrize("length", [0.101, 1.99])
+def test_a_length_from_a_tenth_to_two_diameters_is_taken(length):
+    assert p.plain_bearing_power(bush(length=length * 25e-3), 1.0, SPEED, ETA) > 0
+
+
+@pytest.mark.parametrize("length", [2e-3, 0.099 * 25e-3, 2.01 * 25e-3, 60e-3])
 def test_a_length_outside_the_table_is_refused(length):
     with pytest.raises(
         NoSolution, match=r"plain bearing idler; its length is .* diameters; choose a length between 0.1 and 2"

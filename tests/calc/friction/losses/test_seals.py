@@ -25,10 +25,17 @@ def test_simrit_is_a_torque_by_the_square_of_the_diameter():
 
 @pytest.mark.parametrize(
     "T, nu_40, expected",
-    [(80.0, 220e-6, 146e-7), (100.0, 100e-6, 91e-7), (100.0, 46e-6, 63e-7), (90.0, 100e-6, 107e-7)],
+    [
+        (80.0, 220e-6, 146e-7),
+        (100.0, 100e-6, 91e-7),
+        (100.0, 46e-6, 63e-7),
+        (90.0, 100e-6, 107e-7),
+        (60.0, 5e-6, 7.97e-7),
+    ],
 )
 def test_linke_by_hand(T, nu_40, expected):
-    """Calculated by hand from the published equation, three oils by their ISO VG."""
+    """Calculated by hand from the published equation, three oils by their ISO VG, and one of 5 mm²/s: lg 5.8 = 0.76343,
+    lg lg 5.8 = −0.11723, 145 − 96 − 41.03 = 7.97."""
     assert per_square(linke(T_oil=T, nu_40=nu_40, d_sh=D, n=N)) == pytest.approx(expected, abs=0.5e-7)
 
 
@@ -40,6 +47,7 @@ def test_simrit_lies_within_linke_between_80_and_100_degrees():
 def test_hot_and_thin_oil_drags_less():
     cold, hot, thin = (linke(T_oil=T, nu_40=nu, d_sh=D, n=N) for T, nu in ((60.0, 1e-4), (100.0, 1e-4), (60.0, 3e-5)))
     assert hot < cold and thin < cold
+    assert linke(T_oil=100.0, nu_40=5e-6, d_sh=D, n=N) == 0.0
     assert linke(T_oil=60.0, nu_40=1e-4, d_sh=2 * D, n=2 * N) == pytest.approx(8 * cold)
 
 

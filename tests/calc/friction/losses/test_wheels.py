@@ -11,7 +11,7 @@ import pytest
 from calc.friction.inputs import Dip, Jet, OtherLoss, PlainBearing, RollingBearing, Seal
 from calc.friction.losses import bearings as plain_bearings
 from calc.friction.losses import bearings as rolling_bearings
-from calc.friction.losses.wheels import speeds_of, unloaded
+from calc.friction.losses.wheels import carrying, speeds_of, unloaded
 from calc.friction.power_balance import most_force
 from calc.solve import solve
 from tests.calc.friction.documents import changed, design, gamma
@@ -49,6 +49,14 @@ def test_every_kind_of_loss_sums_over_the_wheels():
     ):
         each = [values.get(f"{name}.{of_wheel}", 0.0) for name in ("crank", "central", "idler", "shaft")]
         assert values[f"{kind}_loss"] == pytest.approx(sum(each), rel=1e-12), kind
+
+
+def test_a_wheel_without_other_losses_has_none():
+    said = friction(other_losses=(OtherLoss(name="central", power=3.0),))
+    wheels = unloaded(said, r753(), lubricant(), 80.0, 30.0)
+    assert {name: wheel.other_loss for name, wheel in wheels.items()} == dict(
+        crank=0.0, central=3.0, idler=0.0, shaft=0.0
+    )
 
 
 def test_each_mesh_carries_the_wheels_behind_it():
@@ -133,6 +141,15 @@ def test_without_places_a_bush_carries_the_largest_that_its_teeth_can_push():
     most = most_force(meshes, {key: values[f"{key}.power_in"] for key in meshes}, speeds)
     assert most["idler"] == pytest.approx(values["idler.bearing_force"], rel=1e-9)
     assert most["crank"] == pytest.approx(forces[0], rel=1e-12)
+
+
+def test_where_no_teeth_push_the_bush_carries_nothing():
+    bush = EVERYTHING["plain_bearings"][0]
+    said = friction(plain_bearings=(bush,))
+    wheels = unloaded(said, r753(), lubricant(), 80.0, 30.0)
+    F, P = carrying(said, wheels, "shaft", lubricant(), 80.0, {})["idler"]
+    assert F == 0.0
+    assert P == plain_bearings.plain_bearing_power(bush, 0.0, wheels["idler"].speed, lubricant().at(80.0).mu)
 
 
 def test_a_given_load_counts_instead_of_the_teeth():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from calc.friction.mesh import film as f
-from calc.friction.mesh.loss import case, ehl_rolling_power, rigid_rolling_power, solve_mesh
+from calc.friction.mesh.loss import case, ehl_rolling_power, rigid_rolling_power, rolling_estimate, solve_mesh
 from calc.friction.mesh.traction import rigid_fluid_friction
 from tests.calc.friction.pairs import friction, lubricant, oil, r753, spur_pair
 
@@ -119,6 +119,19 @@ def test_ehl_rolling_grows_with_speed():
     assert fast / slow == pytest.approx(2**1.658)
 
 
+def test_ehl_rolling_by_ratios():
+    """4.318/α·(G·U)^0.658·W^0.0126·R·Φ·u_e, at 1 and at powers of ten; where a rigid film governs it is not counted."""
+
+    def q(**said):
+        return ehl_rolling_power(**{**dict.fromkeys(("alpha", "G", "U", "W", "R", "Phi", "u_e"), 1.0), **said})
+
+    assert q() == 4.318
+    exponents = [math.log10(q(**{x: 10.0}) / q()) for x in ("alpha", "G", "U", "W", "R", "Phi", "u_e")]
+    assert exponents == pytest.approx([-1, 0.658, 0.658, 0.0126, 1, 1, 1])
+    s, q_E, r = np.array([1.0, 2.0, 4.0]), np.array([3.0, 5.0, 7.0]), np.array([0.0, 0.25, 1.0])
+    assert rolling_estimate(s=s, q_E=q_E, r=r) == pytest.approx(3 + 7.5)
+
+
 # --- regimes
 GROUPS = dict(U=1e-11, W=1e-5)
 
@@ -187,6 +200,8 @@ def test_light_load_is_rigid_heavy_load_is_ehl():
     assert shares[-1] == 0.0
     assert shares == sorted(shares, reverse=True)
     assert leads == sorted(leads)
+    # where no film is elastic nothing is left to estimate
+    assert solve_mesh(c, 10.0, True).rolling_estimate is None and solve_mesh(c, 100.0, False).rolling_estimate > 0
 
 
 def test_by_regime_the_film_is_never_thinner_than_the_source_has_it():

@@ -7,6 +7,7 @@ import pytest
 from calc.friction.mesh import loss as many
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.loss import case, solve_mesh
+from calc.friction.mesh.path import path
 from calc.sheet.errors import NoSolution
 from tests.calc.friction.pairs import friction, lubricant, r753, spur_pair
 
@@ -50,6 +51,32 @@ def test_the_coarse_path_is_as_good_as_it_says(kind, tolerance):
         many.losses(friction(), mesh, lubricant(), T, N, P, by_regime=False, **more).loss for more in ({}, fine)
     )
     assert coarse == pytest.approx(fine, rel=tolerance)
+
+
+def test_how_coarse_the_path_of_many_points_is():
+    """12 Gauss points on each piece of a spur path; 2 on those of 5 strips of a helical one."""
+    spur, helical = (many.losses(friction(), mesh, lubricant(), 60.0, 25.0, 100.0).local.x for mesh in MESHES.values())
+    assert spur.size == 4 * 12 + 5
+    strip = path(MESHES["helical"], points=2, strips=5)
+    assert helical == pytest.approx(strip.in_the_middle(strip.x))
+
+
+@pytest.mark.parametrize("T, liquid", [(-61.0, False), (-59.0, True), (399.0, True), (401.0, False), (np.nan, False)])
+def test_the_oil_of_many_points_is_liquid(T, liquid):
+    try:
+        many.losses(friction(), MESHES["spur"], lubricant(), T, 25.0, 100.0)
+        refused = ""
+    except NoSolution as none:
+        refused = str(none)
+    assert ("a temperature of a liquid oil is needed" in refused) == (not liquid)
+
+
+def test_a_point_that_fails_is_counted_from_where_its_part_begins():
+    """500 are solved at once."""
+    P = np.full(502, 100.0)
+    P[501] = 1e12
+    with pytest.raises(NoSolution, match=r"operating point 1.*\(counted from operating point 500\)"):
+        many.losses(friction(), MESHES["spur"], lubricant(), 60.0, 25.0, P, points=1)
 
 
 def test_numbers_and_arrays_mix():

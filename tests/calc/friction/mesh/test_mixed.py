@@ -9,7 +9,8 @@ import pytest
 from calc.friction.mesh import mixed, traction
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
-from tests.calc.friction.pairs import reference
+from calc.sheet.errors import NoSolution
+from tests.calc.friction.pairs import friction, reference, spur_pair
 
 PRESSURE = reference("friction_measured.toml")["pressure"]
 
@@ -36,6 +37,11 @@ def test_doleschel_counts_the_mean_roughness():
     """Two flanks of 0.8 µm: σ is √2 of it."""
     sigma = mixed.combined_roughness(Ra_1=0.8e-6, Ra_2=0.8e-6)
     assert mixed.LOAD_SHARES["doleschel"].solid(1.0, sigma, 0.8e-6) == pytest.approx((1 - math.sqrt(2) / 2) ** 2)
+
+
+def test_flanks_as_smooth_as_nothing_are_named_in_micrometres():
+    with pytest.raises(NoSolution, match="flank roughness; 2·10⁻²⁰⁰ µm is so small that its square is 0"):
+        mixed.surfaces_of(friction(flank_roughness=(2e-206,)), spur_pair())
 
 
 def test_the_film_carries_its_part_of_the_pressure():

@@ -10,6 +10,7 @@ import pytest
 from calc.friction.mesh.loss import case, loss_factor, solve_mesh
 from calc.friction.mesh.path import (
     _legendre,
+    floored_line_load,
     line_load,
     linear_load_sharing,
     motion,
@@ -103,6 +104,11 @@ def test_ohlendorf_is_exact_where_two_pairs_share_half_and_half():
     assert H_V == pytest.approx(0.098764, abs=1e-6)
 
 
+def test_film_and_pressure_see_a_hundredth_of_the_load():
+    w = np.array([0.0, 9.9, 10.1, 1000.0])
+    assert floored_line_load(w=w, w_max=1000.0) == pytest.approx([10.0, 10.0, 10.1, 1000.0])
+
+
 # --- helical
 @pytest.mark.parametrize("name", r753())
 def test_the_lines_carry_the_whole_force(name):
@@ -156,6 +162,16 @@ def test_strips_of_a_helical_pair_are_fine_enough(b, by_regime):
     assert coarse.film_min == pytest.approx(fine.film_min, rel=5e-3)
 
 
+def test_how_many_positions_a_path_has():
+    """40 Gauss points on each of the four pieces of a spur path and A … E; 21 strips across a helical face, with 3 on
+    each piece."""
+    spur, helical = path(spur_pair()), path(r753()["idler_shaft"])
+    assert spur.x.size == spur.per_strip == 4 * 40 + 5
+    assert helical.x.size == 21 * helical.per_strip
+    assert helical.per_strip - 5 == 3 * (path(r753()["idler_shaft"], points=1).per_strip - 5)
+    assert helical.in_the_middle(helical.x) == pytest.approx(np.sort(helical.x.reshape(21, -1)[10]))
+
+
 # --- what can not mesh
 @pytest.mark.parametrize(
     "mesh",
@@ -172,6 +188,28 @@ def test_strips_of_a_helical_pair_are_fine_enough(b, by_regime):
 def test_teeth_that_do_not_mesh_are_refused(mesh):
     with pytest.raises(NoSolution, match="path of contact"):
         path(mesh)
+
+
+@pytest.mark.parametrize("ratio, meshes", [(0.99, False), (1.01, True), (1.99, True), (2.01, False)])
+def test_spur_teeth_share_their_load_between_one_pair_and_two(ratio, meshes):
+    """Both tips by the factor that gives the transverse contact ratio (ρ_E − ρ_A)/p_bt."""
+    mesh = spur_pair()
+    two = mesh.driver, mesh.driven
+    C_F = math.sqrt(mesh.centre_distance**2 - sum(wheel.base_radius for wheel in two) ** 2)
+
+    def contact(factor):
+        ends = (math.sqrt((wheel.tip_radius * factor) ** 2 - wheel.base_radius**2) for wheel in two)
+        return (sum(ends) - C_F) / (2 * math.pi * mesh.driver.base_radius / mesh.driver.teeth)
+
+    low, high = 0.97, 1.03
+    for _ in range(50):
+        middle = (low + high) / 2
+        low, high = (middle, high) if contact(middle) < ratio else (low, middle)
+    if meshes:
+        assert path(tips(mesh, low, low)).epsilon_alpha == pytest.approx(ratio)
+    else:
+        with pytest.raises(NoSolution, match=f"ε_α = {ratio}.*a contact ratio from 1 to 2"):
+            path(tips(mesh, low, low))
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -1.0, 0.0])

@@ -2,6 +2,7 @@
 """Friction and film temperature: the fixed point against two other ways to it, its failure, and the error function."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -103,6 +104,12 @@ def test_a_response_without_a_number_is_not_an_answer():
         t.settled(lambda T: np.where(x > 0.015, np.nan, 40.0), 40.0, np.array([50.0, 50.0]), x, "mesh")
 
 
+def test_a_response_that_jumps_over_itself_has_no_temperature():
+    """Above 50 °C as cold as the teeth, below it 60 °C."""
+    with pytest.raises(NoSolution, match=r"10 mm from T₁: off by −10 K after 60 passes"):
+        t.settled(lambda T: np.where(T < 50, 60.0, 40.0), 40.0, np.array([60.0]), np.array([0.01]), "mesh")
+
+
 def test_a_response_that_jumps_is_met_from_inside_its_bracket():
     """A steep fall: the secant alone would leave the bracket."""
     steep = t.settled(lambda T: 40 + 60 / (1 + np.exp(3 * (T - 70))), 40.0, np.array([100.0]), np.array([0.01]), "mesh")
@@ -133,6 +140,43 @@ def test_both_bodies_see_one_flash_temperature():
     B_1, B_2 = (t.transient_resistance(t.STEEL_DIFFUSIVITY, 1e-4, u, t.STEEL_CONDUCTIVITY) for u in (2.0, 5.0))
     share = t.heat_partition(B_1, B_2, 0.0, 0.0)
     assert share * B_1 == pytest.approx((1 - share) * B_2)
+
+
+def test_the_temperatures_by_hand():
+    """B = √(χ·a/u)/(2·a·k) and R_th = 1.06·ε·B_1 + h/(16·a·k_f); ε with bodies that resist."""
+    B = t.transient_resistance(a_th=1e-5, a=1e-4, u=10.0, k_s=50.0)
+    assert B == pytest.approx(1e-3)
+    R_th = t.film_resistance(epsilon=0.5, B_1=2e-3, h=1.6e-6, a=1e-4, k_f=0.1)
+    assert R_th == pytest.approx(1.06e-3 + 10e-3)
+    assert t.heat_partition(B_1=1.0, B_2=2.0, M_1=3.0, M_2=4.0) == pytest.approx((2.12 + 4) / (3.18 + 7))
+
+
+def test_the_rigid_film_by_hand():
+    """a_IR = √(2·R·h₀); De = η·u_e/(2·a·1 GPa)."""
+    assert t.sheared_half_width(R=0.02, h_0=1e-6) == pytest.approx(2e-4)
+    assert t.deborah(eta=1.0, u_e=10.0, a=1e-4) == pytest.approx(5e-5)
+
+
+def test_the_heat_goes_into_steel():
+    """The friction source's: 46 W/(m·K), 7830 kg/m³, 465 J/(kg·K)."""
+    c = SimpleNamespace(
+        surfaces=SimpleNamespace(M_1=0.0, M_2=0.0),
+        motion=SimpleNamespace(u_1=4.0, u_2=9.0),
+        film=SimpleNamespace(h=1e-6),
+        oil=SimpleNamespace(k_f=0.14),
+    )
+    epsilon, R_th = t._heat(c, 1e-4)
+    B_1, B_2 = (math.sqrt(46 / (7830 * 465) * 1e-4 / u) / (2e-4 * 46) for u in (4.0, 9.0))
+    assert epsilon == pytest.approx(B_2 / (B_1 + B_2))
+    assert R_th == pytest.approx(1.06 * B_1 * B_2 / (B_1 + B_2) + 1e-6 / (16e-4 * 0.14))
+
+
+def test_a_film_hotter_than_the_laws_of_the_oil_is_none():
+    """1500 °C: the density of the oil comes to 0 at 1553."""
+    x, highest = np.array([0.01, 0.02]), np.array([2000.0, 2000.0])
+    assert t.settled(lambda T: np.array([60.0, 1499.0]), 40.0, highest, x, "mesh") == pytest.approx([60.0, 1499.0])
+    with pytest.raises(NoSolution, match="20 mm from T₁ it would be above 1500 °C, where the laws of the oil end"):
+        t.settled(lambda T: np.array([60.0, 1501.0]), 40.0, highest, x, "mesh")
 
 
 def test_solid_friction_zero_leaves_the_fluid():

@@ -89,6 +89,31 @@ def test_the_design_says_how_the_oil_comes():
     assert spray > submerged > 40
 
 
+@pytest.mark.parametrize(
+    "slope, third", [(0.5, 20.0), (0.89, 10 / 0.11), (0.95, 105.0), (-0.97, 10 / 1.97), (-1.05, 10 - 10.5 / 2)]
+)
+def test_a_temperature_is_found_by_secant_steps(slope, third):
+    """T = 10 + slope·T from 0: first what follows from 0, then the place where the line through both meets T, its
+    slope held between −1 and what a step may trust, here 0.9."""
+    tried = []
+
+    def at(T):
+        tried.append(T)
+        return 10 + slope * T - T, "state"
+
+    assert loss._steadied(at, 0.0, 0.9, lambda gap, reason: NoSolution(reason)) == "state"
+    assert tried[:3] == pytest.approx([0.0, 10.0, third]) and tried[-1] == pytest.approx(10 / (1 - slope))
+
+
+@pytest.mark.parametrize(
+    "gap, words", [(2e-8, "off by 2·10⁻⁸ K after 100 passes"), (1400.0, "above 1500 °C, where the laws of the oil end")]
+)
+def test_a_temperature_that_is_not_found_says_why(gap, words):
+    with pytest.raises(NoSolution) as caught:
+        loss._steadied(lambda T: (gap, ""), 0.0, 0.9, lambda left, reason: NoSolution(reason))
+    assert words in str(caught.value)
+
+
 def test_an_estimate_that_does_not_settle_names_mesh_and_residual(monkeypatch):
     monkeypatch.setattr(loss, "PASSES", 1)
     with pytest.raises(

@@ -13,7 +13,7 @@ from calc.friction import models as r
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
-from calc.friction.mesh.path import contact_length, motion, path
+from calc.friction.mesh.path import contact_length, line_load, motion, path
 from calc.library.contact import half_width, hertz_pressure, relative_radius, sum_of_speeds
 from calc.library.contact import ohlendorf_loss_factor as ohlendorf
 from calc.library.lubricant import Lubricant
@@ -170,14 +170,20 @@ def test_the_speed_from_which_tests_of_gears_hold(of):
     assert "line load" in both and "; sum of speeds" in both
 
 
-def test_the_pressures_of_xu_and_kahraman_s_runs():
-    highest = {
-        P: float(solve_mesh(*pinion(P), False).pressure_max) for P in (100.0, 8000.0, 13000.0, 200000.0, 300000.0)
-    }
-    for P, p_H in highest.items():
-        outside = r.of_xu_kahraman(*pinion(P, flank_roughness=(0.3e-6,)), 0.1).outside
-        assert ("pressure up to" in outside) == (not 0.5e9 <= p_H <= 2.5e9), (P, p_H)
-    assert min(highest.values()) < 0.5e9 < max(highest.values())
+@pytest.mark.parametrize("of", [r.of_schlenk, r.of_niemann])
+@pytest.mark.parametrize("v, outside", [(49.9, ""), (50.1, "pitch line 50.1 m/s, tests up to 50")])
+def test_the_pitch_line_up_to_which_tests_of_gears_hold(of, v, outside):
+    pair = spur_pair()
+    n = v / (2 * math.pi * pair.centre_distance * 38 / (38 + 76))
+    assert of(*pinion(power_of(2e5, n), n), 0.1).outside == outside
+
+
+@pytest.mark.parametrize("p_H, inside", [(0.497e9, False), (0.503e9, True), (2.49e9, True), (2.51e9, False)])
+def test_the_pressures_of_xu_and_kahraman_s_runs(p_H, inside):
+    """0.5 to 2.5 GPa at the most; the power for a pressure by Hertz: its square."""
+    P = 10e3 * (p_H / solve_mesh(*pinion(10e3), False).pressure_max) ** 2
+    outside = r.of_xu_kahraman(*pinion(P, flank_roughness=(0.3e-6,)), 0.1).outside
+    assert ("pressure up to" in outside) == (not inside)
 
 
 @pytest.mark.parametrize("Ra, says", [(0.7e-6, False), (0.72e-6, True)])
@@ -190,6 +196,34 @@ def test_the_roughness_of_xu_and_kahraman_s_runs(Ra, says):
 def test_xu_and_kahraman_end_at_two_micrometres():
     smooth, rough = (r.of_xu_kahraman(*pinion(20000.0, flank_roughness=(Ra,)), 0.1) for Ra in (1.41e-6, 1.42e-6))
     assert smooth is not None and rough is None
+
+
+def of_benedict_and_kelley(P, n=25.0, T=20.0):
+    """Their friction along the path, kept within its bounds, with what each position weighs and slides."""
+    c, P = pinion(P, n, T)
+    w = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
+    eta, V_s, V_T = c.oil.eta_0 * 1e3, np.maximum(c.motion.V_s, 1e-9), c.motion.u_1 + c.motion.u_2
+    mu = np.clip(0.0127 * np.log10(29.66 * w[1] / (eta * V_s * V_T**2)), 0.01, 0.2)
+    return c, mu, c.path.weight, w[0] * c.motion.V_s
+
+
+def test_benedict_and_kelley_along_the_path():
+    """The mean of their friction, weighted by load and sliding; the sum of the speeds is that of both flanks."""
+    for P in (300.0, 20000.0):
+        c, mu, s, slid = of_benedict_and_kelley(P)
+        found = r.of_benedict_kelley(c, P, 0.1)
+        assert found.loss == pytest.approx(np.sum(s * slid * mu), rel=1e-12)
+        assert found.friction_mean == pytest.approx(np.sum(s * slid * mu) / np.sum(s * slid), rel=1e-12)
+
+
+@pytest.mark.parametrize("P, expected", [(187.0, 0.533), (199.0, 0.501), (211.0, 0.484), (219.0, 0.468)])
+def test_benedict_and_kelley_s_bounds_may_hold_on_half_of_the_path(P, expected):
+    """Outside from one half on."""
+    c, mu, s, _ = of_benedict_and_kelley(P)
+    share = np.sum(s[(mu == 0.01) | (mu == 0.2)]) / np.sum(s)
+    held = f"held at its bounds on {100 * share:.0f} % of the path"
+    assert share == pytest.approx(expected, abs=5e-4)
+    assert r.of_benedict_kelley(c, P, 0.1).outside == (held if expected > 0.5 else "")
 
 
 def test_benedict_and_kelley_say_where_their_bounds_hold():
@@ -215,6 +249,16 @@ def test_the_table_names_what_does_not_run():
     row = next(row for row in table.rows if row[0].startswith("Xu and Kahraman"))
     assert row[1] is None and row[-1] == "runs away: not shown"
     assert len(table.rows) == 2 + len(r.MODELS)
+
+
+@pytest.mark.parametrize("lead, outside", [(0.99, True), (1.01, False), (1.9, False)])
+def test_the_table_says_where_a_rigid_film_governs(lead, outside):
+    """Of the friction source's EHL film alone, which then is not the thickest."""
+    mesh = closed(shaft_power=None, power=20000.0, speed=25.0, T=60.0, meshes=ONLY).result.meshes["pinion_gear"]
+    rows = r.table(
+        "key", "title", replace(mesh.judged, lead_at_pitch=lead), mesh.judged, 0.1, mesh.published_models
+    ).rows
+    assert rows[0][-1] == "" and rows[1][-1] == ("outside: a rigid isoviscous film governs" if outside else "")
 
 
 # --- side by side

@@ -20,6 +20,12 @@ def test_xu_kahraman():
     assert r.xu_kahraman(f=f, p_H=1e9, S=0.2, u_e=10.0, eta_0=0.01, R=0.01) == pytest.approx(0.013668, abs=5e-7)
 
 
+def test_the_exponent_of_the_pressure():
+    """1.03303 beside e^f, which knows the pressure as well."""
+    low, high = (r.xu_kahraman(f=-4.0, p_H=p, S=0.2, u_e=10.0, eta_0=0.01, R=0.01) for p in (0.25e9, 2.5e9))
+    assert math.log10(high / low) == pytest.approx(1.03303)
+
+
 def test_benedict_kelley():
     """Self-computed: 1e5 N/m, 20 mPa·s, 2 m/s sliding, 10 m/s sum."""
     assert r.benedict_kelley(w=1e5, eta_0=0.02, V_s=2.0, V_T=10.0) == pytest.approx(0.03645, abs=5e-6)
@@ -28,6 +34,9 @@ def test_benedict_kelley():
 def test_benedict_kelley_stays_within_its_bounds():
     assert r.benedict_kelley(w=1e5, eta_0=0.02, V_s=0.0, V_T=10.0) <= 0.2
     assert r.benedict_kelley(w=1.0, eta_0=0.02, V_s=2.0, V_T=100.0) == 0.01
+    least, most = (r.benedict_kelley(w=10**x / 29.66, eta_0=1e-3, V_s=1.0, V_T=1.0) for x in (0.8, 15.7))
+    assert (least, most) == pytest.approx((0.0127 * 0.8, 0.0127 * 15.7))
+    assert r.benedict_kelley(w=10**15.8 / 29.66, eta_0=1e-3, V_s=1.0, V_T=1.0) == 0.2
 
 
 def test_schlenk_on_fzg_gears():
@@ -69,6 +78,20 @@ def test_windage_in_the_mist_of_the_tests_is_the_published_form():
     ours = a.windage(b=15e-3, r=42e-3, n=5000 / 60, eta_m=eta_m, rho_m=rho_0, rho_0=rho_0)
     published = 2.82e-7 * 1e3 * (1 + 2.3 * 15 / 42) * 5000**2.8 * 0.042**4.6 * (0.028 * state.mu * 1e3 + 0.019) ** 0.2
     assert ours == pytest.approx(published, rel=3e-3)
+
+
+def test_the_mist_of_the_tests_by_hand():
+    """One part of oil in 34.25 of air of 1.2 kg/m³, which adds 0.019 mPa·s to the mist."""
+    rho_0 = a.mist_of_the_tests(rho_oil=800.0)
+    assert rho_0 == pytest.approx((800 + 34.25 * 1.2) / 35.25)
+    share = a.oil_share(rho_m=rho_0, rho_oil=800.0)
+    assert share == pytest.approx(1 / 35.25)
+    assert a.mist_viscosity(s_oil=share, eta_oil=0.0, eta_air=a.AIR_VISCOSITY) == pytest.approx(0.019e-3)
+
+
+def test_windage_grows_as_the_power_0_8_of_the_density():
+    thin, thick = (a.windage(b=0.015, r=0.04, n=30.0, eta_m=2e-5, rho_m=rho, rho_0=24.0) for rho in (2.4, 24.0))
+    assert math.log10(thick / thin) == pytest.approx(0.8)
 
 
 def test_air_holds_no_oil_and_no_mist_more_than_oil():

@@ -1,5 +1,6 @@
 """Each check of the backlash just inside and just outside its limit, and with what is not given at both of its ends."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -98,11 +99,69 @@ def test_what_the_guide_advises_just_passes():
     assert (short.verdict, there.verdict) == ("note", "pass") and there.gap < 1
 
 
+def test_the_guide_asks_for_whole_micrometres():
+    """What is short by 5 µm loses 5 µm of its span, and by a little more than that 6 µm."""
+    for low, less in ((102.0, 5), (101.999, 6)):
+        check = judged(mesh={"backlash_min": low * UM}, backlash_recommended=107 * UM)["backlash_guide"]
+        assert check.remedies[0].changes[0][1] == [-60 - less, -70 - less]
+
+
+def slope_at(m, T):
+    """Backlash per centre distance at 20 °C, all in steel but a housing of cast iron, where the wheels stand closest;
+    and how much the wheels grow."""
+    wheels, housing = (1 + SOLIDS[name].expansion * (T - 20) for name in ("steel", "EN-GJL-250"))
+    angle = math.acos(m.touching * wheels / (m.closest * housing))
+    return 2 * math.sin(angle) * math.cos(m.system.base_helix_angle) * housing, wheels
+
+
+@pytest.mark.parametrize("T, id", [(20.0, "backlash"), (-60.0, "backlash_cold"), (100.0, "backlash_warm")])
+def test_what_would_just_pass_is_exact(T, id):
+    """To a hundredth of a micrometre: of the span by the growth of the wheels, of the tolerance of 55 µm by the slope
+    there; beyond what makes the margin wide enough."""
+    gears = replace(changed(given(lowest_temperature=-60.0, wheels_warmer=0.0), stack=()), running_temperature=100.0)
+    (m,) = cases(gears, solved(gears))
+    slope, growth = slope_at(m, T)
+    plain = judged(gears)[id]
+
+    def ways(short):
+        j_bn = -short + 0.05 * plain.zero_scale * UM
+        values = {"backlash_min_runout": j_bn} if id == "backlash" else {"state": dict.fromkeys(STATES[id], j_bn)}
+        return [way.changes[0][1] for way in judged(gears, **values)[id].remedies]
+
+    for over, less in ((-0.01, 41), (0.01, 42)):
+        assert ways((41 + over) * growth * UM)[0] == [-60 - less, -70 - less]
+    for held, tolerance in ((25.99, 25), (26.01, 26), (1.01, 1)):
+        assert ways((55 - held) * slope * UM)[1] == tolerance
+    assert len(ways((55 - 0.99) * slope * UM)) == 1  # no tolerance is small enough
+
+
+def test_the_worst_of_what_is_not_given_is_freed():
+    """35.3 µm short in a housing of aluminium, where the one that is taken lacks 14 µm."""
+    shaved = {"span_allowance": (-20 * UM, -30 * UM)}
+    gears = changed(given(housing_material=None), wheels={"central": shaved, "idler": shaved})
+    check = judged(gears)["backlash_cold"]
+    assert -check.value + 0.05 * check.zero_scale < 15 and check.at_worst == pytest.approx(-35.27, abs=0.01)
+    assert check.remedies[0].changes[0][1] == [-56, -66]
+
+
+@pytest.mark.parametrize("thin, thick", [("central", "idler"), ("idler", "central")])
+def test_the_thicker_of_both_teeth_is_thinned(thin, thick):
+    for ends, new in (((-40 * UM, -50 * UM), [-45, -55]), (None, [-5, -5])):
+        gears = changed(
+            given(), wheels={thin: {"span_allowance": (-60 * UM, -70 * UM)}, thick: {"span_allowance": ends}}
+        )
+        check = judged(gears, mesh={"backlash_min": 102 * UM}, backlash_recommended=107 * UM)["backlash_guide"]
+        assert check.remedies[0].changes == ((f"gears.wheels.{thick}.span_allowance_um", new),)
+
+
 @pytest.mark.parametrize(("rss", "verdict"), [(55.0, "pass"), (55.01, "warn")])
 def test_the_parts_between_the_centres(rss, verdict):
     check = judged(centre_tolerance_rss=rss * UM)["stack"]
     assert (check.verdict, check.kind, check.limit) == (verdict, "caution", pytest.approx(55))
     assert "must hold what its parts add up to" in check.source
+    if not check.holds:
+        (way,) = check.remedies
+        assert way.changes == (("gears.meshes.0.tolerance_um", 56),) and "at least 56 µm" in way.words
     assert "stack" not in judged(changed(given(), tolerance=None))
 
 
@@ -199,6 +258,12 @@ def test_all_that_is_missing_goes_to_its_ends_together():
     worst = judged(replace(gears, wheels_warmer=20.0, housing_material="steel"))
     at_ends(lacking["backlash_warm"], best["backlash_warm"], worst["backlash_warm"])
     assert len(lacking["backlash_warm"].missing) == 3
+
+
+@pytest.mark.parametrize("share, material, idle", [(None, "steel", True), (0.5, "steel", False), (None, None, False)])
+def test_a_support_that_carries_no_mesh_is_said(share, material, idle):
+    play = played(replace(changed(given(), support_share=share), support_material=material), "EN-GJL-250")
+    assert any("acts on no mesh" in note for note in play.notes) is idle
 
 
 def test_a_train_has_all_of_them():

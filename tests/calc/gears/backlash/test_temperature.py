@@ -52,6 +52,8 @@ def test_a_cold_start_takes_the_backlash_of_an_aluminium_housing():
     check = next(c for c in play.checks if c.id == "gears.central_idler.backlash_cold")
     assert check.verdict == "not_verified" and check.kind == "limit" and check.missing == ("gears.housing_material",)
     assert check.at_best == pytest.approx(plain * (1 - 50 * 11.5e-6) * 1e6), "the housing grows as the driver"
+    assert check.at_worst == pytest.approx(cold.backlash_cold * 1e6), "what is taken grows more than the aluminium"
+    check = next(c for c in alone(housing="iron")[0].checks if c.id == "gears.central_idler.backlash_cold")
     assert check.at_worst == pytest.approx(alone(housing="EN AC-43100")[1].backlash_cold * 1e6)
 
 

@@ -1,5 +1,6 @@
 """Each check of the measures just inside and just outside its limit."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -94,6 +95,14 @@ def test_a_ball_does_not_lie_on_the_root(above, verdict):
     assert check.margin == pytest.approx(above / (3.5 * MM))
 
 
+@pytest.mark.parametrize("preferred, diameter", [(3.25 * MM, 3.25), (None, 3.457)])
+def test_a_ball_that_does_not_fit_is_changed_or_left_out(preferred, diameter):
+    wheel = {"ball_diameter": ball(FORM) - LITTLE, "preferred_ball": preferred, "ideal_ball": 3.4567 * MM}
+    other, own = judged(wheel)["ball"].remedies
+    assert other.changes == (("gears.ball_diameter_mm", diameter),)
+    assert own.changes == (("gears.ball_diameter_mm", None),) and own.effect == "each wheel then has its own"
+
+
 def test_a_ball_that_the_program_chose_is_not_judged():
     assert {"ball", "ball_proud", "ball_root"} <= judged().keys()
     assert not {"ball", "ball_proud", "ball_root"} & judged({"ball_given": False}).keys()
@@ -119,6 +128,26 @@ def test_routes_agree_within_the_field_of_the_allowance(apart, verdict):
     check = judged(**routes, measured_over_balls=tooth(thickness=3 * MM + 1 * UM))["measured_spread"]
     assert (check.verdict, check.kind) == (verdict, "method") and check.value == pytest.approx(apart)
     assert "differ by more than the whole field" in check.source
+
+
+def test_how_a_size_is_taken_is_said():
+    """The chord by hand: its half angle on the virtual wheel leans the flank against the middle of the tooth."""
+    keys = "measured_span", "measured_over_balls", "measured_over_pins", "measured_chordal_thickness"
+    sizes = {**dict.fromkeys(keys, tooth()), "over_pins": 91.234 * MM, "over_two_pins": 91.111 * MM}
+    span, balls, pins, chord = (judged({"ball_diameter": 3.5 * MM}, **sizes)[key].advice for key in keys)
+    assert span.startswith("It is taken over 5 teeth.")
+    assert balls == "It is taken with 3.5 mm in diameter. Half of the runout can hide in it."
+    assert pins.endswith("faces parallel to the axis. Two pins under a free micrometer read 0.123 mm less.")
+    psi = math.asin(WHEEL.chordal_thickness * math.cos(math.radians(21.916)) ** 3 / (39 * 2 * MM))
+    assert chord.endswith(f"makes the chord read {math.tan(math.radians(20) - psi) * 0.1:.3f} mm more.")
+    for none in ("over_pins", "over_two_pins"):
+        assert judged(**{**sizes, none: None})["measured_over_pins"].advice.endswith("faces parallel to the axis.")
+
+
+def test_one_route_has_no_spread():
+    assert "measured_spread" not in judged(measured_span=tooth())
+    both = judged(measured_span=tooth(), measured_over_pins=tooth(thickness=2.999 * MM))
+    assert both["measured_spread"].value == pytest.approx(1.0)
 
 
 def test_an_allowance_without_a_field_has_a_margin():

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from calc.gears.measures.formulas import PREFERRED
+from calc.gears.measures.formulas import PREFERRED, thickness_allowance
 from calc.gears.measures.solve import checks, measures
 from calc.gears.solve import geometry
 from calc.sheet.quantity import published
@@ -68,6 +68,14 @@ def test_allowances_are_thickness_over_the_cosines():
     assert found.transverse_allowance_lower == pytest.approx(-30e-6 / across, rel=1e-12)
 
 
+def test_each_limit_says_of_which_tooth_it_is():
+    with trace() as lines:
+        of(pair_1(), "idler")
+    allowances = {line.about: line.value for line in lines if line.formula is thickness_allowance}
+    assert allowances["measures of idler, thickest tooth"] == pytest.approx(-20e-6 / math.cos(math.radians(20)))
+    assert allowances["measures of idler, thinnest tooth"] == pytest.approx(-30e-6 / math.cos(math.radians(20)))
+
+
 def test_sizes_at_the_limits_are_those_of_the_thinned_wheel():
     gears = pair_1()
     thin = replace(gears.wheels[1], profile_shift=None)
@@ -94,6 +102,10 @@ def test_spans_of_the_idler():
     assert rows["5"][1] == pytest.approx(27.708, abs=0.5e-3) and rows["5"][-1] == "chosen"  # Finotti 2013, Table 4.4
     assert rows["6"][1] == pytest.approx(33.613, abs=0.5e-3) and rows["6"][-1] == "best"  # Table 4.20
     assert rows["5"][2:4] == pytest.approx((rows["5"][1] - 0.03, rows["5"][1] - 0.02), abs=1e-12)
+    d_b = geometry(gears, SPEED).result.wheels["idler"].base_diameter
+    base = math.asin(math.sin(math.radians(21.916)) * math.cos(math.radians(20)))
+    assert rows["5"][4] == pytest.approx(math.hypot(d_b * 1e3, rows["5"][1] * math.cos(base)))
+    assert rows["5"][5] == pytest.approx(rows["5"][1] * math.sin(base))
     assert rows["3"][-1] == "touches below the form circle" and rows["8"][-1] == "misses the tip circle"
 
 

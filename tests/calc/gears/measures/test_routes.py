@@ -2,6 +2,7 @@
 tooth."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -10,7 +11,7 @@ from hypothesis import strategies as st
 
 from calc.gears import formulas as f
 from calc.gears.measures import formulas as m
-from calc.gears.measures.solve import measured, measures, spans
+from calc.gears.measures.solve import Span, best, measured, measures, spans
 from calc.gears.solve import geometry
 from calc.sheet.errors import NoSolution
 from tests.calc.gears.trains import SPEED, mesh, reference, train, wheel
@@ -72,6 +73,49 @@ def test_every_span_is_one_base_pitch_longer_and_touches_where_it_says(said):
     assert len([s for s in found if s.contact_diameter <= a.form_diameter]) <= 1 + (found[0].K == a.span_teeth)
 
 
+@pytest.mark.parametrize(
+    "z, x, beta, chosen",
+    [(39, 0.2, 21.9, 5), (60, 0.0, 0.0, 7), (25, 0.4, 10.0, 9), (8, 0.5, 0.0, 2), (5, 0.7, 0.0, 1)],
+)
+def test_the_spans_that_touch_one_more_to_each_side_and_the_one_that_is_chosen(z, x, beta, chosen):
+    """Between 1 and the number of teeth; where each touches by Pythagoras."""
+    system, _, a = solve(z, x, beta=beta, span=chosen, ball=None)
+    p_bn = math.pi * system.m_n * math.cos(system.alpha_n)
+    lengths = [a.span_length + (K - chosen) * p_bn for K in range(1, z + 1)]
+    circles = [math.hypot(a.base_diameter, W * math.cos(system.base_helix_angle)) for W in lengths]
+    touching = [K for K, d_W in enumerate(circles, 1) if a.form_diameter < d_W < a.tip_diameter]
+    wanted = {*touching, max(touching[0] - 1, 1), min(touching[-1] + 1, z), chosen}
+    found = spans(system, a)
+    assert [s.K for s in found] == sorted(wanted)
+    assert [s.contact_diameter for s in found] == pytest.approx([circles[K - 1] for K in sorted(wanted)])
+    assert [s.K for s in found if not s.fault] == touching
+
+
+@pytest.mark.parametrize("d_V, K", [(50.4, 4), (55.1, 5), (54.9, 4), (70.0, 5), (20.0, 4), (55.0, 4)])
+def test_the_best_span_touches_nearest_to_its_circle(d_V, K):
+    row = [
+        Span(K, 0.0, d_W, 0.0, fault) for K, d_W, fault in ((3, 40, "low"), (4, 50, ""), (5, 60, ""), (6, 70, "high"))
+    ]
+    assert best(tuple(row), d_V).K == best(tuple(row[::-1]), d_V).K == K
+    assert best((row[0], row[3]), d_V) is None
+
+
+@pytest.mark.parametrize(("z", "x", "K"), [(39, 0.426, 5), (39, 0.427, 6), (60, 0.853, 8), (60, 0.854, 9)])
+def test_the_best_span_changes_where_two_touch_as_near_to_the_circle_of_the_shift(z, x, K):
+    system, given_, a = solve(z, x, beta=0.0)
+    off = [abs(s.contact_diameter - (z + 2 * x) * 2e-3) for s in spans(system, a)]
+    assert sorted(off)[1] - sorted(off)[0] < 5e-6
+    assert measures(system, given_, a)[0].best_span_teeth == K
+
+
+@pytest.mark.parametrize(("beta_K", "loose"), [(44.9, True), (45.1, False)])
+def test_pins_that_lie_steeper_than_45_degrees_are_not_measured_loose(beta_K, loose):
+    system, given_, a = solve(25, 0.2, beta=25.0)
+    alpha_K = math.acos(math.tan(system.base_helix_angle) / math.tan(math.radians(beta_K)))
+    found = measures(system, given_, replace(a, seat=replace(a.seat, alpha_K=alpha_K)))[0]
+    assert (found.over_two_pins is not None) is loose
+
+
 @given(wheels(), st.floats(0.2, 5))
 @settings(max_examples=25, deadline=None)
 def test_sizes_scale_with_the_module(said, scale):
@@ -131,6 +175,28 @@ def test_a_published_size_gives_back_the_shift_of_its_example(name, route, said,
 
 # --- sizes of no tooth
 @pytest.mark.parametrize(
+    ("route", "z", "beta", "share"),
+    [
+        ("measured_over_balls", 24, 0.0, 1.0),
+        ("measured_over_balls", 25, 0.0, math.cos(math.pi / 50)),
+        ("measured_over_balls", 25, 15.0, math.cos(math.pi / 50)),
+        ("measured_over_pins", 25, 0.0, math.cos(math.pi / 50)),
+        ("measured_over_pins", 25, 15.0, 1.0),
+        ("measured_over_pins", 24, 15.0, 1.0),
+    ],
+)
+def test_the_least_size_over_balls_and_pins(route, z, beta, share):
+    """Where their centres stand on the base circle; of an odd number of teeth they are not opposite, but pins of a
+    helical wheel are."""
+    _, _, a = solve(z, 0.2, beta=beta)
+    least = a.base_diameter * share + a.ball_diameter
+    with pytest.raises(NoSolution, match=f"with 3.5 mm in diameter it is at least {least * 1e3:.4f} mm"):
+        solve(z, 0.2, beta=beta, sizes={route: least - 1e-7})
+    _, _, thin = solve(z, 0.2, beta=beta, sizes={route: least + 1e-7})
+    assert getattr(thin.measures, route).normal_thickness > 0
+
+
+@pytest.mark.parametrize(
     ("route", "size", "words"),
     [
         ("measured_span", 0.017, "at a pitch of 6.283 mm"),
@@ -144,6 +210,19 @@ def test_a_size_of_no_tooth_has_no_solution(route, size, words):
     with pytest.raises(NoSolution, match=words) as raised:
         solve(25, 0.2, sizes={route: size}, span=4)
     assert f"gears.wheels.a.{route}_mm" in raised.value.what
+
+
+@pytest.mark.parametrize(("less", "hint"), [(2, "over 2 teeth, not 4"), (3, "over 1 teeth, not 4"), (4, "compare it")])
+def test_a_span_over_fewer_teeth_is_recognised(less, hint):
+    """One base pitch shorter for each tooth; over none there is no span."""
+    _, _, a = solve(25, 0.2, span=4)
+    pitch = math.pi * 2e-3 * math.cos(math.radians(20))
+    with pytest.raises(NoSolution) as raised:
+        solve(25, 0.2, sizes={"measured_span": a.span_length - less * pitch}, span=4)
+    assert hint in raised.value.advice
+    with pytest.raises(NoSolution) as raised:
+        solve(25, 0.2, sizes={"measured_chordal_thickness": 0.007}, span=4)
+    assert raised.value.advice.startswith("compare it with the computed chordal thickness")
 
 
 def test_a_span_over_another_number_of_teeth_is_recognised():

@@ -12,6 +12,8 @@ from calc.gears.curves import pitch_point_view
 from calc.gears.profile.meshing import (
     FILLET,
     FLANK,
+    _depth,
+    _distances,
     _seen,
     checks,
     flank,
@@ -64,12 +66,14 @@ def distance(points, line):
     return np.abs(gap - along * way).min(axis=1)
 
 
-def deepest(t, positions=41):
-    """Of the corners of either polygon inside the other, over one pitch."""
+def deepest(t, positions=41, turn=0.0):
+    """Of the corners of either polygon inside the other, over one pitch; `turn`: of the driven one about its axis."""
     (m,) = t.meshes.values()
     driver, driven, found = t.wheels["a"], t.wheels["b"], 0.0
     for roll in np.linspace(-0.5, 0.5, positions) * 2 * np.pi / driver.teeth:
         below, above = pitch_point_view(m, *((w, regions(t.system, w, 4e-7)) for w in (driver, driven)), roll)
+        axis = 1j * m.working_diameter_driven / 2
+        above = axis + (above - axis) * np.exp(1j * turn)
         far = 2 * t.system.m_n
         for points, line, away in ((above, below, -1j), (below, above, 1j)):
             near = points[np.abs(points.imag) < far]
@@ -86,6 +90,84 @@ def test_the_depth_is_that_of_the_whole_polygons(case):
     t = pair(*case)
     assert depth(t) > 10 * CHORD_ERROR
     assert deepest(t) == pytest.approx(depth(t), rel=0.01, abs=6e-7)
+
+
+def test_with_backlash_one_flank_is_in_contact():
+    """Half of it further to one side, as whole polygons see it; and the train's own, of axes that are too far apart."""
+    t = pair(*JAMS[1])
+    (m,) = t.meshes.values()
+    both, j = [flank(t.system, t.wheels[name]) for name in ("a", "b")], 5e-5
+    turned = max(deepest(t, 21, side * j / m.working_diameter_driven) for side in (1, -1))
+    assert turned == pytest.approx(penetration(m.centre_distance, *both, j), rel=0.01)
+    apart = solved(
+        train([wheel("a", 20, 0.0), wheel("b", 20, 0.0)], [mesh("a", "b", 40.02)], beta=0.0, tool=JAMS[0][4])
+    )
+    both, a_w = [flank(apart.system, apart.wheels[name]) for name in ("a", "b")], apart.meshes["a_b"].centre_distance
+    alpha, alpha_w = math.radians(20), math.acos(40 / 40.02 * math.cos(math.radians(20)))
+    loose = 2 * a_w * (math.tan(alpha_w) - alpha_w - math.tan(alpha) + alpha)
+    assert depth(apart) == pytest.approx(penetration(a_w, *both, loose))
+    assert depth(apart) > 1.1 * penetration(a_w, *both)
+
+
+RECORDED = [
+    (2.3395050372435717e-05, 5.725370849082487e-05),
+    (1.6057824909402968e-05, 5.452325294484933e-05),
+    (1.4543446705094594e-04, 1.662003511547845e-04),
+    (1.3290205035477091e-05, 5.310180679503053e-05),
+]
+
+
+@pytest.mark.parametrize("case, depths", [*zip(JAMS, RECORDED)])
+def test_recorded_depths(case, depths):
+    """Recorded: without backlash and with 0.1 mm of it."""
+    t = pair(*case)
+    (m,) = t.meshes.values()
+    both = [flank(t.system, t.wheels[name]) for name in ("a", "b")]
+    for order in (1, -1):
+        found = [penetration(m.centre_distance, *both[::order], j) for j in (0.0, 1e-4)]
+        assert found == pytest.approx(depths, rel=1e-8)
+
+
+def test_a_loop_between_two_positions_is_found():
+    """Recorded: where the corner stands the tips are clear of the fillets, between two of these places by 8 nm not."""
+    wheels = [wheel(name, 20, 0.0, cut=0.0606) for name in ("a", "b")]
+    t = solved(train(wheels, [mesh("a", "b")], beta=0.0, tool=(1.05, 0.38)))
+    assert depth(t) == pytest.approx(7.96332e-9, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    "outward, shares, digits",
+    [
+        (0.95, (0.5, 0.9), 1e-5),
+        (0.5, (0.95, 0.999), 1e-5),
+        (0.15, (0.95, 0.99), 1e-9),
+        (-0.001, (0.9, 1.03), 1e-9),
+        (-0.05, (0.9, 1.03), 1e-9),
+    ],
+)
+def test_the_way_out_of_a_tooth_is_the_shortest(outward, shares, digits):
+    """Of points that stand so far from the root (0) to the tip (1), at such shares of half the tooth there: to the
+    outline, drawn in small steps."""
+    t = pair(*JAMS[0])
+    side = flank(t.system, t.wheels["a"])
+    r, theta = side.fillet
+    rising = np.linspace(r[-1], side.tip_radius, 4001)
+    root, tip = (
+        R * np.exp(1j * np.linspace(*ends, 4001))
+        for R, ends in ((r[0], (math.pi / 20, theta[0])), (side.tip_radius, (side.tooth_angle(rising[-1:])[0], 0.0)))
+    )
+    outline = np.concatenate([root, r * np.exp(1j * theta), rising * np.exp(1j * side.cut.involute(rising)), tip])
+    radius = np.array([r[0] + outward * (side.tip_radius - r[0])])
+    for share in np.linspace(*shares, 14):
+        angle = side.tooth_angle(radius) * share
+        found = _depth(side, radius, angle, (side.tooth_angle(radius) - angle) * radius)
+        assert found == pytest.approx(distance(radius * np.exp(1j * angle), outline)[0], rel=digits)
+
+
+def test_the_distance_from_a_polyline():
+    """Across a piece, to a corner, and to either end."""
+    line, points = np.array([0j, 3 + 0j, 3 + 4j]), np.array([1 - 2j, 4 - 1j, -3 - 4j, 6 + 8j, 2.9 + 1j, 0.1 - 1j])
+    assert _distances(points, line) == pytest.approx([2, math.sqrt(2), 5, 5, 0.1, 1])
 
 
 def test_a_root_that_is_too_shallow_is_entered_by_at_least_its_negative_clearance():
@@ -222,6 +304,7 @@ def test_a_step_is_a_share_of_the_larger_of_stock_and_protuberance(stock, protub
     assert check.scale == pytest.approx(scale)
     covering = [(("gears.protuberance_mm", pytest.approx(stock * 1e3)),)] if verdict == "warn" else []
     assert [way.changes for way in check.remedies] == covering
+    assert all("at least" in way.words for way in check.remedies)
 
 
 def test_what_the_protuberance_must_be_like_is_said_of_each_wheel():
@@ -300,6 +383,6 @@ def test_a_centre_distance_that_is_too_small_is_found_too():
     m = t.meshes["central_idler"]
     both = [flank(t.system, t.wheels[name]) for name in (m.driver, m.driven)]
     closer = 1e-5
-    assert penetration(m.centre_distance - closer, *both) == pytest.approx(
-        closer * math.sin(m.working_pressure_angle), rel=0.03
-    )
+    depth = penetration(m.centre_distance - closer, *both)
+    assert depth == pytest.approx(closer * math.sin(m.working_pressure_angle), rel=0.03)
+    assert depth == pytest.approx(3.564895679204e-6, rel=1e-8)  # recorded

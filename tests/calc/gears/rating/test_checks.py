@@ -142,6 +142,46 @@ def test_the_weaker_flank_is_named_and_what_would_just_do_is_advised():
     assert "1.27 times the face width" in of_roots(1.1)["safety_bending"].advice
 
 
+@pytest.mark.parametrize("safeties, least, pair", [((1.5, 2.0), 1.5, KEY), ((2.0, 1.5), 1.5, "idler_shaft")])
+def test_the_root_of_a_wheel_counts_in_the_mesh_that_is_worse(safeties, least, pair):
+    """Of both meshes of the idler; where it carries nothing it has no safety."""
+    rated_ = rated().result.meshes
+
+    def of_idler(*safeties):
+        meshes = {}
+        for key, S_F in zip((KEY, "idler_shaft"), safeties):
+            strength = rated_[key].strength
+            bending = {**strength.bending, "idler": replace(strength.bending["idler"], S_F=S_F)}
+            meshes[key] = replace(strength, bending=bending)
+        checks = {c.id: c for c in strength_checks(meshes)}
+        return checks.get("gears.idler.safety_bending")
+
+    check = of_idler(*safeties)
+    assert check.value == least and TRAIN.meshes[pair].title in check.name
+    assert of_idler(None, 2.0).value == of_idler(2.0, None).value == 2.0 and of_idler(None, None) is None
+
+
+def test_flanks_that_carry_nothing_are_not_judged():
+    assert "safety_contact" not in of_flanks((None, None)) and of_flanks((None, 2.0))["safety_contact"].value == 2.0
+
+
+@pytest.mark.parametrize("name, end, side", [("hardness", 110, 1), ("hardness_most", 210, -1)])
+def test_the_hardness_of_a_class_in_brinell(name, end, side):
+    """HBW = 0.95 HV, ISO 18265: 110 to 210 HBW."""
+    cls = strength_class("normalised steel", "MQ", 200.0)
+    inside, outside = (
+        by_name(hardness_checks("idler", replace(cls, hardness=end / 0.95 + off)))[name] for off in (side, -side)
+    )
+    assert inside.holds and not outside.holds and outside.limit == pytest.approx(end / 0.95)
+    assert "110 to 210 HBW" in outside.source
+    assert not [*hardness_checks("idler", replace(cls, hardness=None))]
+
+
+def test_how_smooth_the_roots_have_to_be_is_said():
+    (way,) = roughness_check(41e-6).remedies
+    assert way.changes == (("gears.root_rz_um", 40.0),) and "at most 40 µm" in way.words
+
+
 def test_below_the_load_of_the_standard_the_contact_over_the_width_is_not_judged():
     assert "contact_width" in of_influence(line_load=50e3)
     assert "contact_width" not in of_influence(line_load=49.9e3)

@@ -18,7 +18,7 @@ from calc.sheet.quantity import published
 from calc.sheet.value import link_of, trace
 from tests.calc.gears.trains import SPEED, geometry, mesh, r753, solved, train, wheel
 
-STEEL = dict(E=206e9, density=7830.0)
+STEEL = dict(E=206e9, density=7830.0, kind="Eh", sigma_Hlim=1500e6, inner_diameter=0.0)
 N_PER_MM_UM = 1e9
 
 
@@ -130,7 +130,7 @@ def by_hand(t, key, F_t, K_A, f_pT, f_fa, f_Hb):
     return dict(N=N, K_V=KV, K_Hb=KHb, K_a=Ka, c=c)
 
 
-@pytest.mark.parametrize("F_t", [100.0, 1500.0, 3000.0, 20000.0])
+@pytest.mark.parametrize("F_t", [100.0, 600.0, 1500.0, 3000.0, 20000.0])
 @pytest.mark.parametrize("beta", [0.0, 21.916])
 def test_independent_recomputation(F_t, beta):
     """Grade 7 of ISO 1328-1:2013 for m_n 2, d 60 to 84, b 15, by hand: f_pT 12 µm, f_fα 12 µm; f_Hβ 11 to 12 µm, each
@@ -196,7 +196,8 @@ def test_which_disc_stands_for_a_wheel():
     assert inner_diameter(70e-3, 30e-3, None) == 30e-3
     assert inner_diameter(70e-3, 30e-3, 10e-3) == pytest.approx(50e-3)
     assert inner_diameter(70e-3, 30e-3, 25e-3) == 30e-3  # the rim reaches the bore
-    assert inner_diameter(70e-3, None, 40e-3) == 0.0  # thicker than the wheel
+    assert inner_diameter(70e-3, None, 34.9e-3) == pytest.approx(0.2e-3)
+    assert inner_diameter(70e-3, None, 35.1e-3) == 0.0  # thicker than the wheel
 
 
 def test_no_misalignment_but_the_least_that_the_standard_reckons_with():
@@ -206,6 +207,14 @@ def test_no_misalignment_but_the_least_that_the_standard_reckons_with():
     assert none.effective_misalignment == pytest.approx(0.85 * 6e-6)
     assert given.effective_misalignment == pytest.approx(0.85 * 20e-6)
     assert given.misalignment_given and not of(t, "crank_central").misalignment_given
+
+
+def test_each_wheel_counts_at_its_place():
+    """z 25 and 36; grade 7, b 15: f_Hβ 11 µm for d 53.9 and 12 µm for d 77.6."""
+    found = of(solved(r753()), "crank_central", F_t=3000.0)
+    assert found.resonance_speed == pytest.approx(math.sqrt(found.mesh_stiffness / found.reduced_mass) / (50 * math.pi))
+    assert found.manufacturing_misalignment == pytest.approx(math.hypot(11e-6, 12e-6))
+    assert found.lower_resonance == 0.85  # 200 N/mm
 
 
 def test_face_factor_is_continuous_where_the_contact_leaves_the_edge():
@@ -240,7 +249,7 @@ EXCITED = [(0.5, 0.0, 0.0), (0.0, 0.4, 0.0), (0.0, 0.0, 0.7), (0.5, 0.4, 0.7)]
 
 
 @pytest.mark.parametrize("B", EXCITED)
-@pytest.mark.parametrize("eps_gamma", [1.4, 1.5, 1.9, 2.0, 2.2, 2.5, 2.6, 3.0])
+@pytest.mark.parametrize("eps_gamma", [1.4, 1.45, 1.5, 1.55, 1.9, 2.0, 2.2, 2.45, 2.5, 2.55, 3.0])
 def test_the_coefficients_are_those_of_the_table_of_the_standard(B, eps_gamma):
     """ISO 6336-1:2006, Table 4, at speeds on both sides of the ends of the ranges."""
     high = eps_gamma > 2
@@ -330,6 +339,14 @@ def test_tip_relief_counts_for_fine_grades_only():
     assert fine[2] < fine[0] < fine[1]
     coarse = [of(t, "crank_central", F_t=3000.0, grade=7, C_a=C_a).dynamic_factor for C_a in (None, 15e-6)]
     assert coarse[0] == coarse[1]
+
+
+def test_different_flanks_make_the_mean_of_their_reliefs():
+    t = solved(r753())
+    sides = dict(first=side(t, "crank", sigma_Hlim=970e6), second=side(t, "central", sigma_Hlim=1455e6))
+    relief = ((8.45**2 / 18 + 1.5) + (3.45**2 / 18 + 1.5)) / 2 * 1e-6
+    by_itself, ground = (of(t, "crank_central", F_t=3000.0, grade=5, C_a=C_a, **sides) for C_a in (None, relief))
+    assert by_itself.dynamic_factor == pytest.approx(ground.dynamic_factor, rel=1e-12)
 
 
 @given(F_t=st.floats(0.5, 50000), grade=st.integers(1, 11), K_A=st.floats(1, 3))

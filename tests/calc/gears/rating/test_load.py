@@ -19,6 +19,7 @@ from calc.gears.rating.load import (
     loads,
     mean_torques,
     rating_context,
+    wheel_inertia,
 )
 from calc.library.catalogue import materials
 from calc.solve import solve
@@ -100,6 +101,12 @@ def test_a_rim_is_lighter_than_a_disc():
     thin = replace(GEARS, wheels=tuple(replace(w, rim_thickness=5e-3) for w in GEARS.wheels))
     uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
     assert rated(uneven, thin)["crank_central"].dynamic < rated(uneven)["crank_central"].dynamic
+
+
+def test_the_inertia_of_a_ring():
+    """m·(r² + r_i²)/2."""
+    mass = 7830.0 * 0.02 * math.pi * (0.05**2 - 0.03**2)
+    assert wheel_inertia(rho=7830.0, b=0.02, d=0.1, d_i=0.06) == pytest.approx(mass * (0.05**2 + 0.03**2) / 2)
 
 
 def test_a_power_gives_the_torque_of_every_driver():

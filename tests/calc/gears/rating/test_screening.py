@@ -48,7 +48,21 @@ def spur(z_1=24, z_2=36, beta=0.0, x=(0.2, 0.1), b=15.0, **said):
 def screened(gears, key="a_b", speed=None, **said):
     t = solved(gears) if speed is None else geometry(gears, speed).result
     m = t.meshes[key]
-    asked = dict(F_t=2000.0, oil=BATH, materials=STEEL, roughness=(0.6e-6, 0.6e-6), load_factor=1.5) | said
+    asked = dict(
+        F_t=2000.0,
+        oil=BATH,
+        materials=STEEL,
+        roughness=(0.6e-6, 0.6e-6),
+        load_factor=1.5,
+        application_factor=1.0,
+        accuracy_grade=7,
+        mates=1,
+        load_stage=None,
+        structural_factor=1.0,
+        mesh_stiffness=20e9,
+        permissible_film=None,
+    )
+    asked |= said
     return screening(t.system, m, t.wheels[m.driver], t.wheels[m.driven], **asked)
 
 
@@ -162,12 +176,16 @@ def test_mean_flash_is_an_integral():
 
 
 def test_what_is_given_out_is_the_extreme_of_the_curves():
+    t = solved(r753())
     for key in ("crank_central", "central_idler", "idler_shaft"):
         found = screened(r753(), key, F_t=184.0)
         assert found.flash_temperature_max == pytest.approx(np.max(found.flash))
         assert found.contact_temperature_max == found.bulk_temperature_flash + found.flash_temperature_max
         assert found.specific_film_min * 0.6e-6 == pytest.approx(found.film_min)
         # at the points A … E only: between them the film of a helical pair can be a little thinner
+        for curve in curves(key, found):  # over the whole path of contact, in mm
+            x = curve.series[0].x
+            assert x[-1] - x[0] == pytest.approx(t.meshes[key].transverse_contact_ratio * t.system.base_pitch * 1e3)
         assert 0.97 * found.specific_film_min < np.min(found.specific_film) <= found.specific_film_min * (1 + 1e-9)
 
 
@@ -234,6 +252,8 @@ def test_light_load_is_said():
         t.system, [screened(r753(), "central_idler", F_t=6000.0, load_stage=10, permissible_film=0.3)], "mineral"
     )
     assert len(heavy) == 1 and "far below" not in heavy[0]
+    for line_load, far in ((99e3, True), (101e3, False)):
+        assert ("far below" in notes(t.system, [replace(light[0], line_load=line_load)], "mineral")[0]) == far
 
 
 def test_a_thin_film_at_low_pressure_is_put_in_its_place():
@@ -243,21 +263,23 @@ def test_a_thin_film_at_low_pressure_is_put_in_its_place():
     assert "Have the oil tested" in film.advice
 
 
+MANY = train(
+    [wheel("a", 80, 0.0), wheel("b", 90, 0.0)],
+    [mesh("a", "b")],
+    m_n=2.0,
+    alpha_n=15.0,
+    beta=0.0,
+    tool=(1.25, 0.2),
+    ball=None,
+)
+
+
 def test_many_teeth_in_contact_are_said():
     """ε_α of 2 and more without a helix: one pair is taken to carry all."""
-    gears = train(
-        [wheel("a", 80, 0.0), wheel("b", 90, 0.0)],
-        [mesh("a", "b")],
-        m_n=2.0,
-        alpha_n=15.0,
-        beta=0.0,
-        tool=(1.25, 0.2),
-        ball=None,
-    )
-    assert solved(gears).meshes["a_b"].transverse_contact_ratio > 2
-    found = screened(gears)
+    assert solved(MANY).meshes["a_b"].transverse_contact_ratio > 2
+    found = screened(MANY)
     assert not found.method_applies
-    assert any("one pair" in note for note in notes(solved(gears).system, [found], "mineral"))
+    assert any("one pair" in note for note in notes(solved(MANY).system, [found], "mineral"))
 
 
 def test_lines_are_those_of_the_governing_points():

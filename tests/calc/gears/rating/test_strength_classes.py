@@ -42,6 +42,22 @@ def test_numbers_of_table_1(name, quality, HV, sigma_H, sigma_F):
     assert found.sigma_Flim / 1e6 == pytest.approx(sigma_F, rel=1e-9)
 
 
+# ISO 6336-3, Table 3, in mm
+@pytest.mark.parametrize(
+    "name, printed",
+    [
+        ("case-hardened", 0.0030),
+        ("induction-hardened", 0.0030),
+        ("nitrided, nitriding steel", 0.1005),
+        ("nitrocarburised", 0.1005),
+        ("nodular iron, ferritic", 0.3095),
+        ("grey iron", 0.3124),
+    ],
+)
+def test_slip_layers_that_no_proof_stress_makes(name, printed):
+    assert strength_class(name).slip_layer == pytest.approx(printed * 1e-3, rel=1e-12)
+
+
 def test_usual_rounded_values():
     """300 HV quenched and tempered, MQ: 767 and 315 MPa, as usually quoted."""
     found = strength_class("quenched and tempered alloy steel", "MQ", 300.0)
@@ -133,6 +149,12 @@ def test_of_a_wheel_of_the_design():
     assert found.quality == "ME" and found.proof_stress == 900e6
     assert {line.about for line in lines} == {"wheel idler, strength class"}
     assert any(line.arguments.get("x") is given.hardness for line in lines)  # linked to the input
+
+
+@pytest.mark.parametrize("E, steel", [(189e9, False), (191e9, True), (224e9, True), (226e9, False)])
+def test_an_unknown_material_as_stiff_as_steel_is_case_hardened(E, steel):
+    chosen = of_wheel(wheel("idler", 39, material="unknown"), E)
+    assert chosen.name == "case-hardened" if steel else chosen is None
 
 
 def test_table_of_the_wheels():

@@ -36,16 +36,9 @@ def test_curvature_ratio_is_hertz_at_the_inner_single_contact(pair, which):
     low = T - x.two.tip_curvature  # start of the path on this wheel
     inner = x.one.tip_curvature - x.t.system.base_pitch
     assert inner > low
-    M = f.curvature_ratio(
-        alpha_wt=alpha_wt,
-        d_a=x.one.tip_diameter,
-        d_b=x.one.base_diameter,
-        z=x.one.teeth,
-        d_am=x.two.tip_diameter,
-        d_bm=x.two.base_diameter,
-        z_m=x.two.teeth,
-        eps_alpha=x.m.transverse_contact_ratio,
-    )
+    t = f.inner_curvature(x.one.tip_diameter, x.one.base_diameter, 1.0, x.one.teeth)
+    t_m = f.inner_curvature(x.two.tip_diameter, x.two.base_diameter, x.m.transverse_contact_ratio - 1, x.two.teeth)
+    M = f.curvature_ratio(alpha_wt, t, t_m)
     assert M**2 == pytest.approx(pitch * (T - pitch) / (inner * (T - inner)), rel=1e-9)
 
 
@@ -62,6 +55,21 @@ def test_single_pair_factor_falls_straight_to_one():
     assert spur > 1 and half == pytest.approx((spur + 1) / 2) and full == more == 1
     assert pair_factor(0.0, eps_alpha=2.0) == pair_factor(0.0, eps_alpha=0.99) == 1
     assert f.single_pair_factor(M=0.9, eps_beta=0.0) == 1
+
+
+@pytest.mark.parametrize("pitches, pitches_m", [(1.0, 0.7), (1.1, 0.6)])
+def test_single_contact_within_the_base_circle_is_refused(pitches, pitches_m):
+    """The inner point lies one base pitch from the wheel's tip, ε_α − 1 = 0.6 from the mate's."""
+    load = SimpleNamespace(alpha_wt=0.4, eps_alpha=1.6, eps_beta=0.0)
+
+    def side(flank):  # in base pitches, from the base circle to the tip
+        return SimpleNamespace(
+            tip_diameter=math.hypot(0.1, 0.1 * 2 * math.pi / 20 * flank), base_diameter=0.1, teeth=20
+        )
+
+    assert single_pair(side(pitches + 1e-6), side(pitches_m + 1e-6), load) > 1
+    with pytest.raises(NoSolution, match="inner point of single contact"):
+        single_pair(side(pitches - 1e-6), side(pitches_m - 1e-6), load)
 
 
 # --- film
@@ -110,17 +118,33 @@ def test_work_hardening_of_a_soft_wheel_by_a_hard_one():
     assert f.work_hardening_by_hard(HBW=100.0, Rz_H=1e-6) == pytest.approx(1.2)
     assert f.work_hardening_by_hard(HBW=600.0, Rz_H=1e-6) == 1
     assert f.work_hardening_by_hard(HBW=450.0, Rz_H=30e-6) == 1  # never below 1 (IACS UR M56)
+    assert f.work_hardening_by_hard(HBW=300.0, Rz_H=4e-6) == pytest.approx(1.1 * 0.75**0.15)
 
 
-def test_equivalent_roughness():
-    """IACS UR M56, all reference values: 10 mm, equal roughness, v·ν_40 = 1500."""
-    assert f.equivalent_roughness(Rz_hard=5e-6, Rz_soft=5e-6, rho=10e-3, v=15.0, nu_40=100e-6) == pytest.approx(5e-6)
+@pytest.mark.parametrize(
+    "changes, ratio",
+    [
+        ({}, 1.0),
+        ({"rho": 5e-3}, 2**0.33),
+        ({"Rz_soft": 2.5e-6}, 2**0.66),
+        ({"v": 30.0}, 0.5**0.33),
+        ({"nu_40": 200e-6}, 0.5**0.33),
+    ],
+)
+def test_equivalent_roughness(changes, ratio):
+    """IACS UR M56, first with all reference values: 10 mm, equal roughness, v·ν_40 = 1500."""
+    reference = dict(Rz_hard=5e-6, Rz_soft=5e-6, rho=10e-3, v=15.0, nu_40=100e-6)
+    assert f.equivalent_roughness(**reference | changes) == pytest.approx(ratio * 5e-6)
 
 
 def test_work_hardening_of_a_larger_through_hardened_wheel():
     soft = strength_class("quenched and tempered alloy steel", "MQ", 200.0)
     assert hardened(soft, QT, u=3.0) == pytest.approx(1 + (0.00898 * 1.5 - 0.00829) * 2)
     assert hardened(soft, QT, u=0.5) == hardened(QT, soft, u=3.0) == 1
+    assert hardened(soft, QT, u=1.5) == pytest.approx(1 + (0.00898 * 1.5 - 0.00829) / 2)
+    for hardness, works in ((239.0, False), (241.0, True)):  # from 1.2 times 200 HV
+        mate = strength_class("quenched and tempered alloy steel", "MQ", hardness)
+        assert (hardened(soft, mate, u=3.0) > 1) == works
     # its printed end
     assert f.work_hardening_through(HBW_1=400.0, HBW_2=200.0, u=30.0) == pytest.approx(1 + 0.00698 * 19, abs=2e-4)
 
@@ -139,9 +163,11 @@ def test_notch_sensitivity_of_case_hardened_steel(q_s):
     "R_p, structural, printed",
     [
         (500, 0, 0.0281),
+        (510, 0, 0.02723),
         (600, 0, 0.0194),
         (700, 0, 0.0129),
         (800, 0, 0.0064),
+        (950, 0, 0.00265),
         (1000, 0, 0.0014),
         (200, 0, 0.0281),
         (1500, 0, 0.0014),
@@ -164,12 +190,24 @@ def test_surface_factor(kind, smooth):
     assert r.surface_factor(kind, 10e-6) == pytest.approx(1, abs=test_gear)
     assert r.surface_factor(kind, 0.5e-6) == smooth
     assert r.surface_factor(kind, 1e-6) == pytest.approx(smooth, abs=0.015)
-    assert r.surface_factor(kind, 16e-6) > r.surface_factor(kind, 40e-6)
+    # IACS UR M56 (Rev. 4): a − b·(Rz + 1)^n, Rz in µm
+    printed = {"St": (5.306, 4.203, 0.01), "V": (1.674, 0.529, 0.1), "Eh": (1.674, 0.529, 0.1)}
+    a, b, n = printed.get(kind, (4.299, 3.259, 0.0058))
+    for Rz in (1.0, 4.0, 40.0):
+        assert r.surface_factor(kind, Rz * 1e-6) == pytest.approx(a - b * (Rz + 1) ** n, rel=1e-9)
 
 
 @pytest.mark.parametrize(
     "kind, m_n, Y_X",
-    [("V", 5, 1), ("V", 10, 0.97), ("V", 40, 0.85), ("Eh", 10, 0.95), ("Eh", 25, 0.8), ("GG", 25, 0.7), ("Eh", 2, 1)],
+    [
+        *(
+            (kind, m_n, Y_X)
+            for kind in ("St", "V", "GTS", "GGG(perl.)")
+            for m_n, Y_X in ((5, 1), (10, 0.97), (40, 0.85))
+        ),
+        *((kind, m_n, Y_X) for kind in ("GG", "GGG(ferr.)") for m_n, Y_X in ((4, 1), (10, 0.925), (40, 0.7))),
+        *((kind, m_n, Y_X) for kind in ("Eh", "IF", "NT(nitr.)") for m_n, Y_X in ((2, 1), (10, 0.95), (40, 0.8))),
+    ],
 )
 def test_size_factor(kind, m_n, Y_X):
     a, b, least = r.SIZE.get(kind, r.SIZE_HARDENED)
@@ -179,14 +217,28 @@ def test_size_factor(kind, m_n, Y_X):
 def test_rim():
     """IACS UR M56: 1 from 1.2 of the tooth depth on, 1.6·ln(2.242·h/s_R) below, none at half of it."""
     assert r.rim_factor("a", 4e-3, None) == r.rim_factor("a", 4e-3, 4.8e-3) == 1
-    assert r.rim_factor("a", 4e-3, 4.8e-3 - 1e-12) == pytest.approx(1, abs=2e-4)
+    assert r.rim_factor("a", 4e-3, 4.799e-3) == pytest.approx(1.6 * math.log(2.242 * 4 / 4.799), rel=1e-12)
     assert r.rim_factor("a", 4e-3, 3e-3) == pytest.approx(1.6 * math.log(2.242 * 4 / 3))
     with pytest.raises(NoSolution, match="more than 2 mm"):
         r.rim_factor("a", 4e-3, 2e-3)
+    assert r.rim_factor("a", 4e-3, 2.001e-3) == pytest.approx(1.6 * math.log(2.242 * 4 / 2.001))
+
+
+@pytest.mark.parametrize("bore, rim, carries", [(None, None, None), (30, None, 20), (30, 8, 8), (None, 8, 8)])
+def test_what_carries_the_teeth(bore, rim, carries):
+    assert r.rim_of(70, bore, rim) == carries
 
 
 @pytest.mark.parametrize(
-    "grade, eps, Y_DT", [(7, 2.3, 1), (4, 2.0, 1), (4, 2.05, 1), (4, 2.3, 2.366 - 0.666 * 2.3), (3, 2.6, 0.7)]
+    "grade, eps, Y_DT",
+    [
+        (5, 2.3, 1),
+        (4, 2.0, 1),
+        (4, 2.05, 1),
+        (4, 2.1, 2.366 - 0.666 * 2.1),
+        (4, 2.3, 2.366 - 0.666 * 2.3),
+        (3, 2.6, 0.7),
+    ],
 )
 def test_deep_tooth_factor(grade, eps, Y_DT):
     assert r.deep_tooth_factor(grade, eps) == pytest.approx(Y_DT)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from calc.gears.formulas import angle_of_involute
 from calc.gears.measures.formulas import generating_shift
-from calc.gears.selection.states import states
+from calc.gears.selection.states import USUAL, keeps, states
 from calc.gears.train import settle, tooth_system
 from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
@@ -109,6 +109,23 @@ def test_tip_cut_of_the_source_on_both_wheels():
     assert cut.contact_ratio["central_idler"] == pytest.approx([1.556, 1.485], abs=5e-4)
     assert cut.sap_diameter[central] * 1e3 == pytest.approx([74.565, 74.794], abs=5e-4)
     assert cut.clearance[central] * 1e3 == pytest.approx([0.817, 1.017], abs=5e-4)
+
+
+@pytest.mark.parametrize(
+    "field, limit",
+    [("tip_thickness", 0.25 * 2e-3), ("contact_ratio", 1.25), ("margin", 0.1 * 2e-3), ("clearance", 0.4e-3)],
+)
+def test_the_usual_limits_of_a_choice(field, limit):
+    """In modules of 2 mm, with all the rest far inside."""
+    many = of(pair_1())
+    roomy = dict.fromkeys(("tip_thickness", "margin", "clearance"), 2e-3) | {"contact_ratio": 2.0}
+
+    def kept(x):
+        values = {**roomy, field: x}
+        every = {name: dict.fromkeys(getattr(many, name), np.array([value])) for name, value in values.items()}
+        return keeps(replace(many, **every), tooth_system(pair_1()), USUAL)[0]
+
+    assert kept(limit * (1 + 1e-6)) > 0 > kept(limit * (1 - 1e-6))
 
 
 def test_margin_is_that_of_the_thinnest_tooth():

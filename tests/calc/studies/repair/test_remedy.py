@@ -70,7 +70,7 @@ def test_the_nearest_design_passes_when_it_is_solved_afresh(case: tuple[str, ...
     assert fails(results)
     found = nearest(document, results)
     assert document.data == before
-    assert found.passes and not found.left
+    assert found.nothing_fails and not found.left
     again = with_changes(document, found.changes)
     assert again.data == found.document.data
     assert fails(solve(design(again))) == []
@@ -135,7 +135,7 @@ def test_results_of_another_design_are_not_believed(gamma: Document, gamma_resul
 
 def test_what_can_not_be_mended_is_said() -> None:
     found = nearest(damaged("r753ie4_sized", "gears.wheels.shaft.teeth=24"), tries=0)
-    assert not found.passes
+    assert not found.nothing_fails
     left = {one.id: one for one in found.left}
     assert "the search was ended there" in left["gears.train.speed_ratio"].why
     assert "gears.train.speed_ratio" in fails(found.results)
