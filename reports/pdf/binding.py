@@ -180,8 +180,8 @@ def bind(
     progress: Progress | None = None,
 ) -> bytes:
     """The document as the bytes of a PDF.  `said`: what it must keep about how it was made; `made`: with which
-    versions; `kind`: of its title in the running head; `designs`: what its foot says of those that it is about, left out the sum
-    of the one."""
+    versions; `kind`: of its title in the running head; `designs`: what its foot says of those that it is about, left
+    out the sum of the one."""
     out = io.BytesIO()
     dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
     try:
