@@ -64,6 +64,9 @@ def _signers(reader: Any, report: bytes) -> list[Text]:
     _demand(not more, Text("it has the field {name}", name=min(more, default="")))
     signatures = reader.embedded_signatures
     _demand(bool(signatures), Text("nobody has signed"))
+    revisions = reader.xrefs.total_revisions
+    _demand(revisions == 1 + len(signatures), Text("something was appended beside the signatures"))
+    _demand(_all_asked_for(reader, first, revisions), Text("it has an object that nobody asks for"))
     lines = []
     for signature in signatures:
         signature.compute_integrity_info()
@@ -78,6 +81,27 @@ def _signers(reader: Any, report: bytes) -> list[Text]:
     _demand(last == SignatureCoverageLevel.ENTIRE_FILE, Text("there are bytes that no signature covers"))
     _as_written(first, reader)
     return lines
+
+
+def _all_asked_for(reader: Any, first: Any, revisions: int) -> bool:
+    """Whether all objects that were appended are parts of those of the report that were replaced."""
+    from pyhanko.pdf_utils.generic import ArrayObject, DictionaryObject, IndirectObject
+
+    appended = {ref for n in range(1, revisions) for ref in reader.xrefs.explicit_refs_in_revision(n)}
+    size = int(first.trailer_view["/Size"])
+    waiting: list[Any] = [reader.get_object(ref) for ref in appended if ref.idnum < size]
+    left = {ref.idnum for ref in appended if ref.idnum >= size}
+    while waiting:
+        value = waiting.pop()
+        if isinstance(value, IndirectObject) and value.idnum in left:
+            left.discard(value.idnum)
+            waiting.append(value.get_object())
+        elif isinstance(value, DictionaryObject):
+            waiting += [value.raw_get(key) for key in value]
+        elif isinstance(value, ArrayObject):
+            waiting += [value.raw_get(n) for n in range(len(value))]
+    # the tables of objects themselves may be objects, which nothing asks for
+    return all(reader.get_object(ref).get("/Type") == "/XRef" for ref in appended if ref.idnum in left)
 
 
 def _line(signature: Any) -> Text:
