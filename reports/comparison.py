@@ -89,6 +89,7 @@ def render(
         blocks += (
             _details(context, comparison, names) if everything else paragraph(_more(context, comparison), NOTE, gap=8.0)
         )
+    blocks += [signature_block(context)]
     w, title, control = context.words, f"{names[0]} – {names[1]}", after.design.control
     solved = attach.pair_bytes(names, (before, after))
     files = {name: (document.raw, w["file"]) for name, document in zip(attach.PAIR, (first, second))}
@@ -138,7 +139,6 @@ def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Blo
     ]
     columns = ((EMPTY, ""), *((Name(w[key]), "") for key in ("design", "revision", "verdict", "file")))
     blocks += table_blocks(context, [Table("designs", EMPTY, columns, tuple(rows))])
-    blocks += [signature_block(context)]
     return blocks + paragraph(" ".join(filter(None, (w["attached_pair"], made_with(context)))), NOTE, gap=2.0)
 
 

@@ -287,10 +287,10 @@ def _refused(place: str, reason: Text) -> BadInput:
 
 def _names(place: str, before: bytes) -> tuple[str, str]:
     """What a comparison calls its designs."""
-    one, other = _object(place, before).get("names", (None, None))
-    if not (isinstance(one, str) and isinstance(other, str)):
-        raise _damaged(place)
-    return one, other
+    match _object(place, before).get("names"):
+        case [str(one), str(other)]:
+            return one, other
+    raise _damaged(place)
 
 
 def _object(place: str, raw: bytes) -> dict[str, Any]:

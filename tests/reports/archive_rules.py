@@ -52,7 +52,7 @@ def file_rules(raw: bytes, reader: PdfReader) -> Iterator[str]:
     if b"LZWDecode" in raw or b"/Crypt" in raw:
         yield "6.1.7 a filter"
     root = reader.root_object
-    for key in ("/AA", "/OpenAction", "/Requirements", "/AcroForm", "/OCProperties"):
+    for key in ("/AA", "/OpenAction", "/Requirements", "/OCProperties"):
         if key in root:
             yield f"6.5, 6.11 {key} in the catalog"
 
@@ -70,6 +70,8 @@ def about_rules(reader: PdfReader) -> Iterator[str]:
         yield "6.6.3 another title"
     if not re.fullmatch(r"[a-zA-Z]{1,8}(-[a-zA-Z0-9]{1,8})*", str(root.get("/Lang", "?"))):
         yield "6.7.4 the language"
+    if set(root.get("/AcroForm", {})) - {"/Fields", "/SigFlags"}:
+        yield "6.4.1 a form that is more than fields to sign in"
     if root["/MarkInfo"]["/Marked"].value is not True:  # type: ignore[index]
         yield "6.7.2 not marked"
 

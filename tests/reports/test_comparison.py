@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report of a comparison, read back."""
 
+import hashlib
 import io
 from pathlib import Path
 
@@ -13,9 +14,10 @@ from calc.sheet.errors import BadInput
 from calc.studies.compare import Comparison, compare
 from reports.comparison import render
 from reports.pdf.attach import RESULTS
-from reports.verify.verify import verify
+from reports.verify.verify import Verdict, verify
 from tests.conftest import DESIGNS
 from tests.reports.reading import EXAMPLE, Solved, pages_of, solved, squeezed, text_of
+from tests.reports.signing import sign
 from tests.reports.test_hostile import inside
 from tests.reports.test_verify import rewritten
 
@@ -70,7 +72,7 @@ def test_the_first_page_concludes(sides: tuple[Solved, Solved]) -> None:
 @pytest.mark.parametrize(("lang", "everything"), [("en", False), ("it", True)])
 def test_what_was_written_is_identical(sides: tuple[Solved, Solved], lang: str, everything: bool) -> None:
     found = verify(report(*sides, lang, everything=everything), "c.pdf")
-    assert found.identical and found.design == " – ".join(side.results.design.name for side in sides)
+    assert found.verdict is Verdict.IDENTICAL and found.design == " – ".join(side.results.design.name for side in sides)
 
 
 def test_another_design_inside_is_seen(sides: tuple[Solved, Solved]) -> None:
@@ -78,20 +80,27 @@ def test_another_design_inside_is_seen(sides: tuple[Solved, Solved]) -> None:
     other = sides[1].raw.replace(b"piston_mass_g = ", b"piston_mass_g = 1")
     assert other != sides[1].raw
     found = verify(rewritten(pdf, {"b.toml": other}), "c.pdf")
-    assert found.changed == ("b.toml",) and not found.identical
+    assert found.changed == ("b.toml",) and found.verdict is Verdict.NOT_AS_WRITTEN
     told = {one.what for one in found.differences}
     assert any(what.startswith("b.toml: value imbalance.") for what in told) and not any(
         what.startswith("a.toml") for what in told
     )
 
 
-def test_an_altered_page_is_seen(
+def test_an_altered_page_is_not_as_written(
     sides: tuple[Solved, Solved], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "c.pdf"
     path.write_bytes(rewritten(report(*sides), page=(b" re f", b" re n")))
-    assert main(["verify", str(path)]) == 1
-    assert "page 1, what is drawn on it" in capsys.readouterr().out
+    assert main(["verify", str(path)]) == 4
+    assert "its pages were not looked at" in capsys.readouterr().out
+
+
+def test_it_is_signed_as_a_report_and_its_foot_names_both(sides: tuple[Solved, Solved]) -> None:
+    pdf = report(*sides)
+    assert verify(sign(pdf, "Approved"), "c.pdf").verdict is Verdict.SIGNED
+    for side in sides:
+        assert hashlib.sha256(side.raw).hexdigest()[:8] in pages_of(pdf)[0]
 
 
 @pytest.mark.parametrize("raw", [b"{}", b"[]", b'{"names": [1]}', b'{"names": ["a", "b"], "a": {}, "b": 1}'])

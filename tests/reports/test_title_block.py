@@ -15,7 +15,7 @@ from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 from reports.report import write
-from reports.verify.verify import verify
+from reports.verify.verify import Verdict, verify
 from tests.reports.reading import V12, Solved, pages_of, solved
 
 CONTROL = """
@@ -80,14 +80,14 @@ def test_a_logo_is_drawn_and_goes_with_the_report(tmp_path: Path) -> None:
     reader = PdfReader(io.BytesIO(pdf))
     assert [image.image.size for image in reader.pages[0].images if image.image is not None] == [(60, 20)]
     assert reader.attachments["logo.png"] == [png()]
-    assert verify(pdf, str(tmp_path / "d.pdf")).identical
+    assert verify(pdf, str(tmp_path / "d.pdf")).verdict is Verdict.IDENTICAL
     writer = PdfWriter(clone_from=io.BytesIO(pdf))
     names = writer.root_object["/Names"]["/EmbeddedFiles"]["/Names"]
     names[names.index("logo.png") + 1].get_object()["/EF"]["/F"].get_object().set_data(png(61))
     forged = io.BytesIO()
     writer.write(forged)
     found = verify(forged.getvalue(), "d.pdf")
-    assert found.changed == ("logo.png",) and not found.identical
+    assert found.changed == ("logo.png",) and found.verdict is Verdict.NOT_AS_WRITTEN
 
 
 def linked(path: Path) -> None:
