@@ -38,6 +38,9 @@ def _all_in(inputs: type) -> Iterator[Quantity]:
             yield from _all_in(key.about.table)
 
 
+FOLD = "+"  # with which the place of a fold itself begins, behind its step: no place in a design
+
+
 def layout_of(place: Place) -> Quantity | None:
     """What says where an input of a step lies in the form: the innermost on the way to it that decides or names a
     fold."""
@@ -69,7 +72,7 @@ def fold_at(step: str, place: Place) -> int | None:
         return None
     if place[:1] in (DOCUMENT, NAME, NOTE):
         return document_fold()
-    if len(place) < 2:
+    if len(place) < 2 or str(place[1]).startswith(FOLD):
         return None
     about = layout_of(place)
     return 0 if about is None else None if about.decides else folds(step).index(about.fold)

@@ -21,7 +21,7 @@ from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
-from ..session.guide import DOCUMENT, FIRST, NAME, NOTE, STROKE, document_fold, fold_at, folds, idle, layout_of
+from ..session.guide import DOCUMENT, FIRST, FOLD, NAME, NOTE, STROKE, document_fold, fold_at, folds, idle, layout_of
 from ..session.places import Place
 from .text import fit, wrap
 
@@ -69,7 +69,7 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     for n, title in enumerate(folds(step.key)):
         if inside := tuple([row for row in folded if fold_at(step.key, row.place) == n]):
             ordered.append(
-                FormRow("fold", (step.key, f"+{n}"), Quantity("table", title), inside=inside, open=n in opened)
+                FormRow("fold", (step.key, f"{FOLD}{n}"), Quantity("table", title), inside=inside, open=n in opened)
             )
             ordered += inside if n in opened else []
     return [*ordered, *_document(data, asked, opened)] if step.key == FIRST else ordered
@@ -99,7 +99,7 @@ def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[FormRo
         *_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False),
     )
     is_open = (n := document_fold()) in opened
-    return [FormRow("fold", (FIRST, f"+{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
+    return [FormRow("fold", (FIRST, f"{FOLD}{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
 
 
 def rows(step: Step, data: Table, asked: Asked) -> list[FormRow]:

@@ -32,6 +32,7 @@ def test_an_input_lies_where_it_says_and_else_where_its_table_lies() -> None:
     assert fold_at("engine", ("engine", "bore_mm")) is None and fold_at("engine", ("engine", "rated_power_kW")) == 0
     assert fold_at("gears", ("gears", "wheels", 0, "teeth")) is None
     assert fold_at("gears", ("gears", "wheels", 0, "quality")) == 1
+    assert fold_at("gears", ("gears", "+1")) is None, "a fold lies in none"
     assert folds("gears") == ("More", "More of the wheels", "More of the meshes")
 
 
