@@ -38,8 +38,9 @@ def test_there_are_no_other_tables_of_limits() -> None:
 
 
 def test_every_verdict_is_explained_in_its_own_words() -> None:
-    told = re.findall(r"^\| ([a-z ]+) \| ([014, ]+) \|", PAGE, re.M)
-    assert {verdict for verdict, _ in told} == {words.partition(":")[0] for words in LAST.values()}
+    rows = PAGE.partition("| `verify` says |")[2].partition("\n\n")[0]
+    told = re.findall(r"^\| ([a-z ]+) \| [014, ]+ \|", rows, re.M)
+    assert set(told) == {words.partition(":")[0] for words in LAST.values()}
 
 
 def test_nobody_is_asked_over_the_network() -> None:

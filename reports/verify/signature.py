@@ -95,7 +95,7 @@ def _all_asked_for(reader: Any, first: Any, revisions: int) -> bool:
         value = waiting.pop()
         if isinstance(value, IndirectObject) and value.idnum in left:
             left.discard(value.idnum)
-            waiting.append(value.get_object())
+            waiting.append(reader.get_object(value.reference))
         elif isinstance(value, DictionaryObject):
             waiting += [value.raw_get(key) for key in value]
         elif isinstance(value, ArrayObject):

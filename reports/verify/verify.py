@@ -313,20 +313,21 @@ def _values(place: str, before: bytes, now: bytes, solved: dict[str, Results]) -
     was, is_now = _object(place, before), _object(place, now)
     count, differences = 0, []
     for side, results in solved.items():
-        old, new = (known[side] if side else known for known in (was, is_now))
+        old, new = was.get(side) if side else was, is_now[side] if side else is_now
         if not isinstance(old, dict) or not all(isinstance(old.get(part), dict) for part in PARTS):
             raise _damaged(place)
+        of = f"{side}.toml: " if side else ""
         floors = {o.key: size_of_nothing((v.unit, v.shown) for v in o.values()) for o in results.outcomes.values()}
         units = {v.id: v.unit for o in results.outcomes.values() for v in o.values()}
         if more := sorted(set(old) - {*PARTS, "names"}):
-            differences.append(Difference(f"{side} the attachment {RESULTS}".strip(), ", ".join(more), NOTHING))
+            differences.append(Difference(f"{of}the attachment {RESULTS}", ", ".join(more), NOTHING))
         for part in PARTS:
             for id in dict.fromkeys([*old[part], *new[part]]):
                 count += 1
                 a, b = (one[part].get(id, NOTHING) for one in (old, new))
                 floor = floors.get(id.partition(".")[0], {}).get(units.get(id, ""), 0.0)
                 if a != b and not _near(a, b, floor):
-                    what = f"{side} {part.removesuffix('s')} {id}".strip()
+                    what = f"{of}{part.removesuffix('s')} {id}"
                     differences.append(Difference(what, *("no number" if x is None else str(x) for x in (a, b))))
     return count, differences
 

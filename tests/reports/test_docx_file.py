@@ -6,6 +6,7 @@ import re
 from typing import Any
 
 import pytest
+from reportlab.pdfgen.canvas import Canvas
 
 from reports.report import blocks, context_of
 from reports.typesetting.pagination import Formula, Heading, Picture, TextContent
@@ -20,7 +21,8 @@ MATH = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 
 
 def render(made: Solved, depth: str = "engineer", lang: str = "en") -> bytes:
-    from reports.docx.docx_file import render as written
+    from reports.blocks.title_block import made_with
+from reports.docx.docx_file import render as written
 
     return written(made.document, made.results, made.raw, depth=depth, lang=lang)
 
@@ -69,12 +71,14 @@ def test_nothing_that_the_pages_say_is_left_out(example: Solved) -> None:
     drawn: list[str] = []
     for block in blocks(context):
         if not isinstance(block.content, Picture):
-            pen = Pen(None, {}, {})  # type: ignore[arg-type]
+            pen = Pen(Canvas(None), {}, {})
             block.draw(pen, 0.0)
             drawn += [mark[3] for _, _, mark, *_ in pen.text if mark[0] == "text"]
     assert len(drawn) > 200
     missing = [words for words in drawn if squeezed(words) not in whole]
-    assert {word for words in missing for word in words.split()} <= set(context.words["attached"].split())
+    assert {word for words in missing for word in words.split()} <= set(
+        f"{context.words['attached']} {made_with(context)}".split()
+    )
 
 
 def test_formulas_can_be_edited(engineer_docx: Any) -> None:
