@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from reportlab.pdfgen.canvas import Canvas
 
+from reports.blocks.title_block import made_with
 from reports.report import blocks, context_of
 from reports.typesetting.pagination import Formula, Heading, Picture, TextContent
 from reports.typesetting.pen import Pen
@@ -21,8 +22,7 @@ MATH = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 
 
 def render(made: Solved, depth: str = "engineer", lang: str = "en") -> bytes:
-    from reports.blocks.title_block import made_with
-from reports.docx.docx_file import render as written
+    from reports.docx.docx_file import render as written
 
     return written(made.document, made.results, made.raw, depth=depth, lang=lang)
 
