@@ -640,10 +640,20 @@ def test_what_turns_against_the_shaft_counts_before_it_too():
     assert only(made, "residual_share").verdict == "note"
 
 
-@pytest.mark.parametrize("bench, highest", [([], 5500), ([5000, 5600, 2000], 5600), ([5000], 5500)])
-def test_the_highest_speed_is_the_rated_one_or_one_of_the_bench_run(bench, highest):
+@pytest.mark.parametrize(
+    "bench, speeds, highest",
+    [
+        ([], None, 5500),
+        ([5000, 5600, 2000], None, 5600),
+        ([5000], None, 5500),
+        ([], [1000.0, 6000.0], 6000),
+        ([5600], [1000.0, 5550.0], 5600),
+    ],
+)
+def test_the_highest_speed_is_the_rated_one_or_one_of_bench_run_and_range(bench, speeds, highest):
     """The shaft of the twin turns as fast as its crank."""
     document = read(DESIGNS / "twin_drive.toml").with_value("engine.bench", [{**ROW, "speed_rpm": n} for n in bench])
+    document = document.with_value("bearings.speed_range_rpm", speeds)
     made = solve(design(document)).outcomes["countershaft"].checks
     assert only(made, "first_critical_speed").limit == pytest.approx(1.2 * highest)
     assert only(made, "rigid").limit == pytest.approx(1.5 * highest)
