@@ -7,18 +7,19 @@ from __future__ import annotations
 import hashlib
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from calc.design.disk import write_file
 from calc.design.model import STEPS
 from calc.design.predicted import compared_table
-from calc.design.toml_file import Document
-from calc.locale import language
+from calc.design.toml_file import Document, design, parse
+from calc.locale import LANGUAGES, language
 from calc.locale.language import in_language
 from calc.sheet.check import SIGNS
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Name, plural
-from calc.solve import Results
-from calc.studies.compare import Comparison
+from calc.solve import Results, solve
+from calc.studies.compare import Comparison, compare
 from calc.studies.compare_tables import (
     Names,
     Sign,
@@ -91,7 +92,7 @@ def render(
         )
     blocks += [signature_block(context)]
     w, title, control = context.words, f"{names[0]} – {names[1]}", after.design.control
-    solved = attach.pair_bytes(names, (before, after))
+    solved = attach.values_bytes(attach.pair_values(names, before, after))
     files = {name: (document.raw, w["file"]) for name, document in zip(attach.PAIR, (first, second))}
     provenance = dict(
         depth=DEPTHS[everything],
@@ -112,6 +113,30 @@ def render(
         made=context.made,
         words=w,
     )
+
+
+def again(inside: attach.Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
+    """A comparison written again, as a report is."""
+    said = inside.said
+    if said["depth"] not in DEPTHS or said["lang"] not in LANGUAGES:
+        raise attach.refused(inside.place, attach.NO_REPORT)
+    a, b = (parse(inside.file(name, sum), f"{inside.place}: {name}") for name, sum in zip(attach.PAIR, (attach.SUMS)))
+    before, after = solve(design(a)), solve(design(b))
+    match inside.solved():
+        case {"names": [str(first), str(second)]}:
+            names = first, second
+        case _:
+            raise inside.damaged()
+    pdf = render(
+        (a, before),
+        (b, after),
+        compare(a.data, b.data, before, after),
+        names,
+        lang=said["lang"],
+        everything=said["depth"] == DEPTHS[True],
+        made=inside.made,
+    )
+    return pdf, attach.pair_values(names, before, after), [before, after]
 
 
 def _of_foot(words: dict[str, str], name: str, side: Side) -> str:

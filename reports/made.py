@@ -7,8 +7,6 @@ from importlib.metadata import version
 from calc.sheet.version import VERSION
 
 MADE = ("program", "python", "numpy", "scipy")
-
-
 NAME = "Contralbero"
 
 
@@ -21,3 +19,9 @@ def versions() -> dict[str, str]:
     """Of here."""
     others = {name: version(name) for name in MADE[2:]}
     return {"program": VERSION, "python": platform.python_version(), **others}
+
+
+def others(made: dict[str, str]) -> dict[str, tuple[str, str]]:
+    """Of what is another version here: that which something was made with, and that of here."""
+    here = versions()
+    return {name: (version, here[name]) for name, version in made.items() if version != here[name]}

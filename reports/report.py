@@ -8,15 +8,15 @@ from __future__ import annotations
 import hashlib
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from calc.design.disk import write_file
-from calc.design.toml_file import Document
+from calc.design.toml_file import Document, design, parse
 from calc.locale import LANGUAGES, language
 from calc.locale.language import said
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
-from calc.solve import Results
+from calc.solve import Results, solve
 from calc.studies.drive.front import picked
 
 from .blocks.chapter import Parts, chapter_parts, derivation
@@ -39,10 +39,6 @@ from .pdf.binding import bind
 from .typesetting.fonts import FACES, PAGE, WIDTH, widths
 from .typesetting.pagination import Block, Heading, bullet, composed, heading, paragraph
 from .typesetting.prose import BODY, HEADING, SECTION, lines
-
-if TYPE_CHECKING:
-    pass
-
 
 # --- the report
 
@@ -107,7 +103,7 @@ def render(
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
     pages = composed(blocks(context, part(progress, WHOLE, MADE)))
-    solved = attach.results_bytes(results)
+    solved = attach.values_bytes(attach.solved_values(results))
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
     files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
     if front is not None and context.drive is not None:
@@ -128,6 +124,28 @@ def render(
         words=context.words,
         progress=part(progress, MADE, WRITTEN),
     )
+
+
+def again(inside: attach.Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
+    """A report written again from what is inside one, with the values and verdicts that it then has, and the results
+    they are of.  Raises BadInput for a design that this version does not accept."""
+    said = inside.said
+    if said["depth"] not in DEPTHS or said["lang"] not in LANGUAGES:
+        raise attach.refused(inside.place, attach.NO_REPORT)
+    document = parse(inside.file(attach.NAME, "sha256"), f"{inside.place}: {attach.NAME}")
+    results = solve(design(document))
+    logo_name = results.design.control.logo
+    pdf = render(
+        document,
+        results,
+        document.raw,
+        depth=said["depth"],
+        lang=said["lang"],
+        logo_file=inside.file(logo_name, "logo") if logo_name else None,
+        front=inside.file(attach.FRONT, "front") if "front" in said else None,
+        made=inside.made,
+    )
+    return pdf, attach.solved_values(results), [results]
 
 
 def context_of(

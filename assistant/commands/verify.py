@@ -9,7 +9,8 @@ from calc.design.limits import PDF_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.sheet.visible import visible
-from reports.verify.verify import Verdict, Verification, verify
+from reports.made import others
+from reports.verify.verify import NOTHING, Verdict, Verification, verify
 
 MOST = 20  # differences that are listed
 LAST = {
@@ -25,52 +26,48 @@ LAST = {
 
 def run_verify(asked: Namespace) -> int:
     path = Path(asked.file)
-    found = verify(_bytes(path), str(path))
-
-    def say(text: str) -> None:
-        """What stands in the file may hold anything; a terminal must not obey it."""
-        print(visible(text))
-
-    say(f"{path}: {found.design}")
-    for name, (theirs, ours) in found.other_versions.items():
-        say(f"made with {name} {theirs}; here is {ours}")
-    for line in found.signers:
-        say(line)
+    raw = _bytes(path)
+    found = verify(raw, str(path))
+    lines = [f"{path}: {found.design}"]
+    lines += [f"made with {name} {theirs}; here is {ours}" for name, (theirs, ours) in others(found.made).items()]
+    lines += found.signers
     if found.why:
-        say(f"{found.appended:,} bytes were appended, which are no signatures of its fields alone: {found.why}")
+        count = len(raw) - len(found.original)
+        lines += [f"{count:,} bytes were appended, which are not signatures of its fields alone: {found.why}"]
     if found.verdict is Verdict.NOT_AS_WRITTEN:
-        _compared(found, None if asked.all else MOST, say)
+        lines += _compared(found, None if asked.all else MOST)
     if found.front:
-        say("of the search for the whole drive it says what front.json inside it says; that is not searched again")
+        lines += ["of the search for the whole drive it repeats front.json inside it; that is not searched again"]
     if asked.original is not None:
-        _write_original(found, path, Path(asked.original))
-    say(LAST[found.verdict])
+        if not found.original:
+            raise BadInput(str(path), [InputError(0, "", "", Text("does not begin with what this program writes"))])
+        written = write_file(Path(asked.original), found.original, inputs=[path])
+        lines += [f"the report as it was written: {written}"]
+    for line in [*lines, LAST[found.verdict]]:
+        print(visible(line))  # what stands in the file may hold anything; a terminal must not obey it
     if found.verdict in (Verdict.IDENTICAL, Verdict.SIGNED):
         return 0
     return 1 if found.differences or found.changed else 4
 
 
-def _compared(found: Verification, most: int | None, say: object) -> None:
-    assert callable(say)
-    for name in found.changed:
-        say(f"the attachment {name} is not the one that the report was written with")
-    made = f"made by {found.made['program']}; " if "program" in found.other_versions else ""
+def _compared(found: Verification, most: int | None) -> list[str]:
+    """What is inside and what it gives now, beside each other."""
+    lines = [f"the attachment {name} is not one that the report was written with" for name in found.changed]
+    made = f"made by {found.made['program']}; " if "program" in others(found.made) else ""
     if not found.differences:
-        say(f"{made}{found.compared:,} values, verdicts and files were compared: the same to 1e-9")
-        return
-    say(f"{made}of {found.compared:,} values, verdicts and files compared, {len(found.differences):,} are others now:")
-    for difference in found.differences[:most]:
-        say(f"{difference.what}: {difference.was} in the report, {difference.now} now")
-    if most is not None and len(found.differences) > most:
-        say(f"and {len(found.differences) - most} more; --all lists them")
-
-
-def _write_original(found: Verification, path: Path, target: Path) -> None:
-    """Raises BadInput where there is no part that is this program's."""
-    if found.verdict is Verdict.NOT_AS_WRITTEN:
-        raise BadInput(str(path), [InputError(0, "", "", Text("does not begin with what this program writes"))])
-    written = write_file(target, found.original or _bytes(path), inputs=[path])
-    print(visible(f"the report as it was written: {written}"))
+        return [*lines, f"{made}{found.compared:,} values and verdicts were compared: the same to 1e-9"]
+    sides = [(NOTHING == of.was, NOTHING == of.now) for of in found.differences]
+    news, gone = (sum(side[n] for side in sides) for n in (0, 1))
+    count = len(sides) - news - gone
+    lines += [f"{made}{found.compared:,} values and verdicts were compared: {count:,} changed since"]
+    if news or gone:
+        lines[-1] += f", {news:,} are new, {gone:,} are gone"
+    lines[-1] += ":"
+    shown = sorted(found.differences, key=lambda of: NOTHING in (of.was, of.now))
+    lines += [f"{of.what}: {of.was} in the report, {of.now} now" for of in shown[:most]]
+    if most is not None and len(shown) > most:
+        lines += [f"and {len(shown) - most:,} more; --all lists them"]
+    return lines
 
 
 def _bytes(path: Path) -> bytes:

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reports of the shipped example, made once."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 
 from calc.design.toml_file import Document
 from calc.solve import Results
+from reports import report as reporting
 from reports.report import render
 from reports.verify import verify as verifying
+from reports.verify.reading import Refused
 from tests.reports.reading import EXAMPLE, V12, Solved, solved
 
 
@@ -67,5 +70,22 @@ def written_once() -> Iterator[None]:
         return known[asked]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(verifying, "render", again)
+        patch.setattr(reporting, "render", again)
+        yield
+
+
+@pytest.fixture
+def read_here() -> Iterator[None]:
+    """Files are read in this process, for tests of very many."""
+
+    def here(task: Callable[..., Any], raw: bytes, *numbers: int) -> Any:
+        try:
+            return task(raw, *numbers)
+        except Refused:
+            raise
+        except Exception as error:
+            raise Refused(str(error)) from None
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(verifying, "apart", here)
         yield

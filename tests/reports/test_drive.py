@@ -59,7 +59,7 @@ def test_who_verifies_is_told_that_the_search_is_not_repeated(folder, tmp_path):
     report = tmp_path / "x.pdf"
     assert run("report", tmp_path / "001.toml", "-o", report).returncode == 0
     done = run("verify", report)
-    assert done.returncode == 0 and "front.json inside it says; that is not searched again" in done.stdout
+    assert done.returncode == 0 and "it repeats front.json inside it; that is not searched again" in done.stdout
     assert done.stdout.splitlines()[-1].startswith("identical: byte for byte")
 
 
