@@ -56,13 +56,9 @@ def _compared(found: Verification, most: int | None) -> list[str]:
     made = f"made by {found.made['program']}; " if "program" in others(found.made) else ""
     if not found.differences:
         return [*lines, f"{made}{found.compared:,} values and verdicts were compared: the same to 1e-9"]
-    sides = [(NOTHING == of.was, NOTHING == of.now) for of in found.differences]
-    news, gone = (sum(side[n] for side in sides) for n in (0, 1))
-    count = len(sides) - news - gone
-    lines += [f"{made}{found.compared:,} values and verdicts were compared: {count:,} changed since"]
-    if news or gone:
-        lines[-1] += f", {news:,} are new, {gone:,} are gone"
-    lines[-1] += ":"
+    new, gone = sum(of.was == NOTHING for of in found.differences), sum(of.now == NOTHING for of in found.differences)
+    counts = f"{len(found.differences) - new - gone:,} changed since, {new:,} new, {gone:,} gone"
+    lines += [f"{made}{found.compared:,} values and verdicts were compared: {counts.removesuffix(', 0 new, 0 gone')}:"]
     shown = sorted(found.differences, key=lambda of: NOTHING in (of.was, of.now))
     lines += [f"{of.what}: {of.was} in the report, {of.now} now" for of in shown[:most]]
     if most is not None and len(shown) > most:

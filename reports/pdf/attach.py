@@ -33,9 +33,9 @@ def solved_values(results: Results) -> dict[str, Any]:
     """The values and verdicts of a report by their ids; what is not finite is None."""
     outcomes = results.outcomes.values()
     return {
-        "values": {v.id: v.shown if math.isfinite(v.shown) else None for o in outcomes for v in o.values()},
-        "checks": {check.id: judged(check) for o in outcomes for check in o.checks},
         "steps": {o.key: o.verdict for o in outcomes},
+        "checks": {check.id: judged(check) for o in outcomes for check in o.checks},
+        "values": {v.id: v.shown if math.isfinite(v.shown) else None for o in outcomes for v in o.values()},
     }
 
 

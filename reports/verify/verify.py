@@ -132,7 +132,7 @@ def _compared(known: Verification, it: Inside, values: dict[str, Any], solved: l
     changed = tuple(name for name, files in it.files.items() if not {sha256(file) for file in files} <= sums)
     was, now = dict(_flat(it.solved())), dict(_flat(values))
     sizes = {id: size for results in solved for id, size in _nothing(results)}
-    keys = dict.fromkeys([*was, *now])
+    keys = dict.fromkeys([*now, *was])
     differences = tuple(
         Difference(key, *(str(side.get(key, NOTHING)) for side in (was, now)))
         for key in keys

@@ -91,7 +91,7 @@ def test_changed_values_are_found(made: bytes) -> None:
     kept["steps"]["engine"] = "fail"
     found = verify(rewritten(made, {RESULTS: json.dumps(kept).encode()}), "r.pdf")
     assert found.changed == (RESULTS,)
-    assert [one.what for one in found.differences][:2] == ["values engine.stroke", "steps engine"]
+    assert [one.what for one in found.differences][:2] == ["steps engine", "values engine.stroke"]
 
 
 def test_the_versions_are_taken_from_the_report(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
