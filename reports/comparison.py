@@ -11,6 +11,7 @@ from typing import Any
 
 from calc.design.disk import write_file
 from calc.design.model import STEPS
+from calc.design.other_tables import DocumentControl
 from calc.design.predicted import compared_table
 from calc.design.toml_file import Document, design, parse
 from calc.locale import LANGUAGES, language
@@ -90,8 +91,8 @@ def render(
         blocks += (
             _details(context, comparison, names) if everything else paragraph(_more(context, comparison), NOTE, gap=8.0)
         )
-    blocks += [signature_block(context)]
-    w, title, control = context.words, f"{names[0]} – {names[1]}", after.design.control
+    blocks += [signature_block(context, DocumentControl(), alone=True)]  # who has signed a design has not signed this
+    w, title = context.words, f"{names[0]} – {names[1]}"
     solved = attach.values_bytes(attach.pair_values(names, before, after))
     files = {name: (document.raw, w["file"]) for name, document in zip(attach.PAIR, (first, second))}
     provenance = dict(
@@ -105,7 +106,7 @@ def render(
         paginate(blocks),
         files | {attach.RESULTS: (solved, w["solved"])},
         title=title,
-        author=control.signatures()[0][1].name,
+        author="",
         revision="",
         kind="comparison",
         designs=" · ".join(_of_foot(w, name, side) for name, side in zip(names, (a, b))),

@@ -6,6 +6,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from calc.design.other_tables import DocumentControl
+
 from ..context import Context
 from ..made import MADE, program
 from ..typesetting.boxes import GREY
@@ -40,7 +42,7 @@ def title_blocks(context: Context) -> list[Block]:
     facts = [(w[key], getattr(control, key)) for key in ("number", "revision", "project", "customer", "company")]
     facts = [(label, value) for label, value in facts if value]
     facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], program(context.made))]
-    blocks += [_facts(facts), signature_block(context)]
+    blocks += [_facts(facts), signature_block(context, control)]
     notes = [w["attached"], w["in_si"] if context.depth != "summary" else "", made_with(context)]
     blocks += on_paper_only(paragraph(" ".join(filter(None, notes)), NOTE, gap=2.0))
     texts = (design.name, design.note, *control.words())
@@ -119,12 +121,13 @@ def _facts(facts: list[tuple[str, str]]) -> Block:
     return Block(sum(heights), draw, gap=7.0, keep=True, content=Rows([], facts))
 
 
-def signature_block(context: Context) -> Block:
-    """A row for each who signs: name, date, and the field of the signature, for a pen or a certificate."""
+def signature_block(context: Context, control: DocumentControl, *, alone: bool = False) -> Block:
+    """A row for each who signs: name, date, and the field of the signature, for a pen or a certificate.  `alone`:
+    nothing stands right above it."""
     w = context.words
     ends = (*SIGN_AT[1:], WIDTH)
     heads = ["", w["name"], w["date"], w["signature"]]
-    rows = [(w[key], signer.name, signer.date, "") for key, signer in context.design.control.signatures()]
+    rows = [(w[key], signer.name, signer.date, "") for key, signer in control.signatures()]
     head = NOTE.leading + 1.0
     whole = Tag("Table")
     height = head + SIGN * len(rows)
@@ -147,9 +150,11 @@ def signature_block(context: Context) -> Block:
         for x in SIGN_AT[1:]:
             _upright(pen, x, y, height)
         _frame(pen, y, height, top_line=False)
+        if alone:
+            pen.rule(0.0, y, WIDTH, 0.8, FRAME)
 
     content = Rows([Column(words) for words in heads], rows, [b - a for a, b in zip(SIGN_AT, ends)])
-    return Block(height, draw, keep=True, content=content, tag=whole)
+    return Block(height, draw, gap=14.0 if alone else 0.0, keep=True, content=content, tag=whole)
 
 
 def _upright(pen: Pen, x: float, top: float, height: float) -> None:
