@@ -14,6 +14,7 @@ DESIGN_ENTRIES, DESIGN_DEPTH = ENTRIES, DEPTH
 # --- what a report takes in
 
 PDF_BYTES = 32 * 2**20
+PDF_SECONDS, PDF_MEMORY = 30, 2**31  # of the process that reads it
 LOGO_BYTES = 300_000
 LOGO_SIDE = 2000
 FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
@@ -41,6 +42,8 @@ TABLES: dict[str, dict[str, int]] = {
     },
     "a PDF": {
         "bytes, of a regular file": PDF_BYTES,
+        "seconds to read it, in a process of its own": PDF_SECONDS,
+        "bytes of memory of that process": PDF_MEMORY,
     },
     "what stands beside a design": {
         "bytes of a logo": LOGO_BYTES,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What stands in the PDF of a stranger, read in a process of its own that has only so much time and memory.
 
-Imports nothing of the rest, so that the process starts at once."""
+Imports hardly anything of the rest, so that the process starts at once."""
 
 import base64
 import io
@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-SECONDS, MEMORY = 30, 2**31  # of a process that reads
+from calc.design.limits import PDF_MEMORY, PDF_SECONDS
 
 
 class Refused(Exception):
@@ -25,11 +25,11 @@ def apart(task: Callable[..., Any], raw: bytes, *numbers: int) -> Any:
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
         run = subprocess.run(
-            [sys.executable, "-c", code], input=raw, capture_output=True, timeout=SECONDS, env=environment
+            [sys.executable, "-c", code], input=raw, capture_output=True, timeout=PDF_SECONDS, env=environment
         )
         given, why = json.loads(run.stdout)
     except subprocess.TimeoutExpired:
-        raise Refused(f"takes more than {SECONDS} s to read") from None
+        raise Refused(f"takes more than {PDF_SECONDS} s to read") from None
     except ValueError:
         raise Refused("can not be read: it broke its reader") from None
     if why:
@@ -42,7 +42,7 @@ def answer(task: Callable[..., Any], numbers: tuple[int, ...]) -> None:
     try:
         import resource
 
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_AS, (PDF_MEMORY, PDF_MEMORY))
     except (ImportError, OSError, ValueError):  # not every system limits memory; time is limited everywhere
         pass
     try:

@@ -55,7 +55,7 @@ def test_no_forgery_is_accepted(made: bytes, read_here: None, kind: str) -> None
 @pytest.mark.parametrize("kind", ENDLESS)
 def test_what_has_no_end_ends_its_reader(made: bytes, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
     """In a process of its own, of which only the time is waited for."""
-    monkeypatch.setattr(reading, "SECONDS", 5)
+    monkeypatch.setattr(reading, "PDF_SECONDS", 5)
     assert verdict(KINDS[kind](made)) is Verdict.APPENDED
 
 
