@@ -14,7 +14,7 @@ DESIGN_ENTRIES, DESIGN_DEPTH = ENTRIES, DEPTH
 # --- what a report takes in
 
 PDF_BYTES = 32 * 2**20
-PDF_SECONDS, PDF_MEMORY = 30, 2**31  # of the process that reads it
+PDF_SECONDS, APPENDED_SECONDS, PDF_MEMORY = 30, 90, 2**31  # of the processes that read it
 LOGO_BYTES = 300_000
 LOGO_SIDE = 2000
 FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
@@ -43,6 +43,7 @@ TABLES: dict[str, dict[str, int]] = {
     "a PDF": {
         "bytes, of a regular file": PDF_BYTES,
         "seconds to read it, in a process of its own": PDF_SECONDS,
+        "seconds to compare what was appended to a report, likewise": APPENDED_SECONDS,
         "bytes of memory of that process": PDF_MEMORY,
     },
     "what stands beside a design": {

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands in the PDF of a stranger, read in a process of its own that has only so much time and memory.
-
-Imports hardly anything of the rest, so that the process starts at once."""
+"""What stands in the PDF of a stranger, read in a process of its own that has only so much time and memory."""
 
 import base64
 import io
@@ -12,24 +10,24 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-from calc.design.limits import PDF_MEMORY, PDF_SECONDS
+from calc.design.limits import PDF_MEMORY
 
 
 class Refused(Exception):
     """Why a file is not what it was asked to be, in words."""
 
 
-def apart(task: Callable[..., Any], raw: bytes, *numbers: int) -> Any:
+def apart(seconds: float, task: Callable[..., Any], raw: bytes, *numbers: int) -> Any:
     """What `task(raw, *numbers)` gives, computed in another process.  Raises Refused, whatever breaks there."""
     code = f"from {task.__module__} import {task.__name__} as task; import {__name__} as it; it.answer(task, {numbers})"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
         run = subprocess.run(
-            [sys.executable, "-c", code], input=raw, capture_output=True, timeout=PDF_SECONDS, env=environment
+            [sys.executable, "-c", code], input=raw, capture_output=True, timeout=seconds, env=environment
         )
         given, why = json.loads(run.stdout)
     except subprocess.TimeoutExpired:
-        raise Refused(f"takes more than {PDF_SECONDS} s to read") from None
+        raise Refused(f"takes more than {seconds} s to read") from None
     except ValueError:
         raise Refused("can not be read: it broke its reader") from None
     if why:

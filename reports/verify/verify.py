@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any
 
+from calc.design.limits import APPENDED_SECONDS, PDF_SECONDS
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 from calc.solve import Results
@@ -87,7 +88,7 @@ def verify(raw: bytes, place: str) -> Verification:
     if raw == ours:
         return known
     try:
-        return replace(known, verdict=Verdict.SIGNED, signers=tuple(apart(signers, raw, len(ours))))
+        return replace(known, verdict=Verdict.SIGNED, signers=tuple(apart(APPENDED_SECONDS, signers, raw, len(ours))))
     except Refused as no:
         return replace(known, verdict=Verdict.APPENDED, why=str(no))
 
@@ -108,7 +109,7 @@ def _beginning(raw: bytes) -> bytes:
 def _read(raw: bytes, place: str) -> Inside:
     """What is inside a file.  Raises BadInput."""
     try:
-        keywords, files = apart(keywords_and_files, raw)
+        keywords, files = apart(PDF_SECONDS, keywords_and_files, raw)
     except Refused as no:
         raise refused(place, Text("{why}", why=str(no))) from None
     return inside(place, keywords, {name: [base64.b64decode(file) for file in same] for name, same in files.items()})

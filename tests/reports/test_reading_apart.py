@@ -7,7 +7,6 @@ import time
 import pytest
 
 from calc.design.limits import PDF_MEMORY
-from reports.verify import reading
 from reports.verify.reading import Refused, apart
 
 
@@ -36,7 +35,7 @@ def dies(raw: bytes) -> None:
 
 
 def test_what_the_task_gives_comes_back() -> None:
-    assert apart(length, b"abc\0\xff", 7) == [5, 7]
+    assert apart(9, length, b"abc\0\xff", 7) == [5, 7]
 
 
 @pytest.mark.parametrize(
@@ -51,7 +50,6 @@ def test_what_the_task_gives_comes_back() -> None:
         (dies, "broke its reader"),
     ],
 )
-def test_what_breaks_there_is_refused_here(task: object, why: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reading, "PDF_SECONDS", 2)
+def test_what_breaks_there_is_refused_here(task: object, why: str) -> None:
     with pytest.raises(Refused, match=why):
-        apart(task, b"%PDF-1.7")  # type: ignore[arg-type]
+        apart(2, task, b"%PDF-1.7")  # type: ignore[arg-type]
