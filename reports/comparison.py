@@ -121,7 +121,7 @@ def again(inside: attach.Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
     said = inside.said
     if said["depth"] not in DEPTHS or said["lang"] not in LANGUAGES:
         raise attach.refused(inside.place, attach.NO_REPORT)
-    a, b = (parse(inside.file(name, sum), f"{inside.place}: {name}") for name, sum in zip(attach.PAIR, (attach.SUMS)))
+    a, b = (parse(inside.file(name), f"{inside.place}: {name}") for name in attach.PAIR)
     before, after = solve(design(a)), solve(design(b))
     match inside.solved():
         case {"names": [str(first), str(second)]}:

@@ -132,7 +132,7 @@ def again(inside: attach.Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
     said = inside.said
     if said["depth"] not in DEPTHS or said["lang"] not in LANGUAGES:
         raise attach.refused(inside.place, attach.NO_REPORT)
-    document = parse(inside.file(attach.NAME, "sha256"), f"{inside.place}: {attach.NAME}")
+    document = parse(inside.file(attach.NAME), f"{inside.place}: {attach.NAME}")
     results = solve(design(document))
     logo_name = results.design.control.logo
     pdf = render(
@@ -141,8 +141,8 @@ def again(inside: attach.Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
         document.raw,
         depth=said["depth"],
         lang=said["lang"],
-        logo_file=inside.file(logo_name, "logo") if logo_name else None,
-        front=inside.file(attach.FRONT, "front") if "front" in said else None,
+        logo_file=inside.file(logo_name) if logo_name else None,
+        front=inside.file(attach.FRONT) if "front" in said else None,
         made=inside.made,
     )
     return pdf, attach.solved_values(results), [results]

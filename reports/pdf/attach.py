@@ -24,9 +24,11 @@ FRONT = "front.json"
 PAIR = ("a.toml", "b.toml")  # the designs of a comparison
 # what a file is to the document, by its ending; any other only belongs to it
 RELATIONS = {"toml": "Source", "json": "Data"}
-KEYWORD = re.compile(r"(\w+):([0-9a-z][0-9a-z.+-]{0,99})")
+KEYWORDS = re.compile(rb"Contralbero ([0-9a-z.+-]{1,30}), (depth:[a-z]+(?:, [a-z0-9]+:[0-9a-z.+-]+)+)")
+OCTAL = re.compile(rb"\\([0-3][0-7]{2})")  # as some programs write marks
+# what a file looks like, by its ending
+ALIKE = {"toml": rb"(?m)^\[engine\]", "json": rb"\A\{", "png": rb"\A\x89PNG"}
 NO_REPORT = Text("is no report of this program, or was written before reports could be verified; write it anew")
-SUMS = ("sha256", "other", "results", "front", "logo")  # keywords that are the sums of files inside
 
 
 def solved_values(results: Results) -> dict[str, Any]:
@@ -102,27 +104,39 @@ def keywords(program: str, **provenance: str) -> str:
 
 @dataclass(frozen=True)
 class Inside:
-    """What a document says of how it was made, by its keywords, and the files inside it; `place`: where it stands."""
+    """What a document says of how it was made, by its keywords, and all that is packed in it; `place`: where it
+    stands."""
 
     place: str
     said: dict[str, str]
-    files: dict[str, list[bytes]]
+    packed: list[bytes]
 
     @property
     def made(self) -> dict[str, str]:
         """The versions that it was made with."""
         return {name: self.said[name] for name in MADE if name in self.said}
 
-    def file(self, name: str, sum: str) -> bytes:
-        """Of the files of a name that which it was written with; where there is none the first.  Raises BadInput."""
-        if not (files := self.files.get(name)):
+    @property
+    def sums(self) -> dict[str, str]:
+        """The files that it was written with, but for a logo, each with its sum."""
+        said = self.said
+        designs = {PAIR[0]: said["sha256"], PAIR[1]: said["other"]} if "other" in said else {NAME: said["sha256"]}
+        return {**designs, RESULTS: said["results"], **({FRONT: said["front"]} if "front" in said else {})}
+
+    def file(self, name: str) -> bytes:
+        """What it was written with under this name, by its sum; where that is gone, what looks like it.  Raises
+        BadInput."""
+        sum = self.sums.get(name, self.said.get("logo"))
+        alike = re.compile(ALIKE[name.rpartition(".")[2].lower()])
+        files = [file for file in self.packed if sha256(file) == sum] or [*filter(alike.search, self.packed)]
+        if not files:
             raise refused(self.place, Text("has no attachment {name}; a report of this program has it", name=name))
-        return next((file for file in files if sha256(file) == self.said.get(sum)), files[0])
+        return files[-1 if name == PAIR[1] else 0]
 
     def solved(self) -> Any:
         """The values and verdicts that it was written with."""
         try:
-            return json.loads(self.file(RESULTS, "results"))
+            return json.loads(self.file(RESULTS))
         except (ValueError, RecursionError):
             raise self.damaged() from None
 
@@ -131,14 +145,18 @@ class Inside:
         return refused(self.place, reason)
 
 
-def inside(place: str, words: str, files: dict[str, list[bytes]]) -> Inside:
-    """Of a document with these keywords and files.  Raises BadInput for one that this program has not written."""
-    said = dict(reversed(KEYWORD.findall(words)))  # of one that stands twice the first
-    program = re.match(r"Contralbero ([0-9a-z.+-]{1,30})(?:,|$)", words)
-    read = Inside(place, {**said, "program": program[1] if program else ""}, files)
-    if program is None or not {"depth", "lang", "sha256", "results"} <= set(said):
+def inside(place: str, raw: bytes, packed: list[bytes]) -> Inside:
+    """Of a document and all that is packed in it.  Raises BadInput for one that this program has not written."""
+    parts = (text for part in (raw, *packed) for text in (part, OCTAL.sub(lambda mark: bytes([int(mark[1], 8)]), part)))
+    words = next(filter(None, map(KEYWORDS.search, parts)), None)
+    if words is None:
         raise refused(place, NO_REPORT)
-    return read
+    said = dict(
+        reversed([item.split(":") for item in words[2].decode().split(", ")])
+    )  # of one that stands twice the first
+    if not {"depth", "lang", "sha256", "results"} <= set(said):
+        raise refused(place, NO_REPORT)
+    return Inside(place, {**said, "program": words[1].decode()}, packed)
 
 
 def refused(place: str, reason: Text) -> BadInput:

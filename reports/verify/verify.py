@@ -2,22 +2,20 @@
 """What a file is to the design inside it: the report that this program writes from it, that with signatures, that with
 something else behind it, or not what this program writes.  Only bytes speak for a report."""
 
-import base64
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any
 
-from calc.design.limits import APPENDED_SECONDS, PDF_SECONDS
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 from calc.solve import Results
 from calc.studies.compare import size_of_nothing
 
 from .. import comparison, report
-from ..pdf.attach import SUMS, Inside, inside, nine, refused, sha256
-from .reading import Refused, apart, keywords_and_files
+from ..pdf.attach import Inside, inside, nine, refused, sha256
+from .reading import Refused, apart, packed
 from .signature import signers
 
 END = b"\n%%EOF\n"  # with which this program ends a file
@@ -72,15 +70,13 @@ def verify(raw: bytes, place: str) -> Verification:
     this version does not accept."""
     ours = _beginning(raw)
     try:
-        it = _read(ours, place)
-        document, values, solved = _again(it)
+        it, document, values, solved = _again(ours, place)
     except BadInput:
         if ours == raw:
             raise
         document = b""
     if document != ours and raw != ours:
-        it = _read(raw, place)
-        document, values, solved = _again(it)
+        it, document, values, solved = _again(raw, place)
     known = Verification(" – ".join(results.design.name for results in solved), it.made, "front" in it.said)
     if document != ours:
         return _compared(known, it, values, solved)
@@ -88,7 +84,7 @@ def verify(raw: bytes, place: str) -> Verification:
     if raw == ours:
         return known
     try:
-        return replace(known, verdict=Verdict.SIGNED, signers=tuple(apart(APPENDED_SECONDS, signers, raw, len(ours))))
+        return replace(known, verdict=Verdict.SIGNED, signers=tuple(apart(signers, raw, len(ours))))
     except Refused as no:
         return replace(known, verdict=Verdict.APPENDED, why=str(no))
 
@@ -96,8 +92,8 @@ def verify(raw: bytes, place: str) -> Verification:
 def is_report(raw: bytes) -> bool:
     """Whether a file is a document of this program to which nothing was appended, no signature either."""
     try:
-        return bool(_read(raw, "")) and _beginning(raw) == raw
-    except BadInput:
+        return bool(inside("", raw, packed(raw))) and _beginning(raw) == raw
+    except (BadInput, Refused):
         return False
 
 
@@ -106,21 +102,13 @@ def _beginning(raw: bytes) -> bytes:
     return raw[: raw.find(END) + len(END)]
 
 
-def _read(raw: bytes, place: str) -> Inside:
-    """What is inside a file.  Raises BadInput."""
+def _again(raw: bytes, place: str) -> tuple[Inside, bytes, dict[str, Any], list[Results]]:
+    """What is inside a file, and what that gives now."""
     try:
-        keywords, files = apart(PDF_SECONDS, keywords_and_files, raw)
-    except Refused as no:
-        raise refused(place, Text("{why}", why=str(no))) from None
-    return inside(place, keywords, {name: [base64.b64decode(file) for file in same] for name, same in files.items()})
-
-
-def _again(it: Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
-    try:
-        return comparison.again(it) if "other" in it.said else report.again(it)
-    except (RecursionError, MemoryError) as error:
-        reason = Text("can not be solved again ({error})", error=type(error).__name__)
-        raise refused(it.place, reason) from None
+        it = inside(place, raw, packed(raw))
+        return it, *(comparison.again(it) if "other" in it.said else report.again(it))
+    except (Refused, RecursionError, MemoryError) as error:
+        raise refused(place, Text("{why}", why=str(error) or type(error).__name__)) from None
 
 
 # --- what differs
@@ -129,8 +117,7 @@ def _again(it: Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
 def _compared(known: Verification, it: Inside, values: dict[str, Any], solved: list[Results]) -> Verification:
     """Of a file that this program does not write so: all that is inside and differs from what it gives now by more
     than rounding."""
-    sums = {it.said.get(key) for key in SUMS}
-    changed = tuple(name for name, files in it.files.items() if not {sha256(file) for file in files} <= sums)
+    changed = tuple(name for name, sum in it.sums.items() if sha256(it.file(name)) != sum)
     was, now = dict(_flat(it.solved())), dict(_flat(values))
     sizes = {id: size for results in solved for id, size in _nothing(results)}
     keys = dict.fromkeys([*now, *was])

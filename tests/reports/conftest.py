@@ -78,7 +78,7 @@ def written_once() -> Iterator[None]:
 def read_here() -> Iterator[None]:
     """Files are read in this process, for tests of very many."""
 
-    def here(seconds: float, task: Callable[..., Any], raw: bytes, *numbers: int) -> Any:
+    def here(task: Callable[..., Any], raw: bytes, *numbers: int) -> Any:
         try:
             return task(raw, *numbers)
         except Refused:

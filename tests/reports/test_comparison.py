@@ -104,7 +104,7 @@ def test_it_is_signed_as_a_report_and_its_foot_names_both(sides: tuple[Solved, S
             assert words + hashlib.sha256(side.raw).hexdigest()[:8] in page
 
 
-@pytest.mark.parametrize("raw", [b"{}", b"[]", b'{"names": [1]}'])
+@pytest.mark.parametrize("raw", [b"{}", b"{", b'{"names": [1]}'])
 def test_results_of_any_shape_are_refused(sides: tuple[Solved, Solved], raw: bytes) -> None:
     with pytest.raises(BadInput, match="damaged"):
         verify(rewritten(report(*sides), {RESULTS: raw}), "c.pdf")
@@ -114,10 +114,10 @@ def test_what_lacks_an_attachment_is_refused_by_name(sides: tuple[Solved, Solved
     reader, writer = PdfReader(io.BytesIO(report(*sides))), PdfWriter()
     writer.add_page(reader.pages[0])
     writer.add_metadata({"/Keywords": str(reader.metadata.keywords)})  # type: ignore[union-attr]
-    writer.add_attachment("a.toml", sides[0].raw)
+    writer.add_attachment("results.json", reader.attachments["results.json"][0])
     out = io.BytesIO()
     writer.write(out)
-    with pytest.raises(BadInput, match=r"has no attachment b\.toml"):
+    with pytest.raises(BadInput, match=r"has no attachment a\.toml"):
         verify(out.getvalue(), "c.pdf")
 
 

@@ -10,7 +10,7 @@ import pytest
 from pypdf import PdfWriter
 
 from calc.sheet.errors import BadInput
-from reports.verify import verify as verifying
+from reports.verify import reading
 from reports.verify.verify import Verdict, verify
 from tests.reports.forgeries import KINDS
 from tests.reports.reading import V12, solved
@@ -55,7 +55,7 @@ def test_no_forgery_is_accepted(made: bytes, read_here: None, kind: str) -> None
 @pytest.mark.parametrize("kind", ENDLESS)
 def test_what_has_no_end_ends_its_reader(made: bytes, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
     """In a process of its own, of which only the time is waited for."""
-    monkeypatch.setattr(verifying, "APPENDED_SECONDS", 5)
+    monkeypatch.setattr(reading, "APPENDED_SECONDS", 5)
     assert verdict(KINDS[kind](made)) is Verdict.APPENDED
 
 

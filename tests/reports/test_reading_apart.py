@@ -6,7 +6,8 @@ import time
 
 import pytest
 
-from calc.design.limits import PDF_MEMORY
+from calc.design.limits import APPENDED_MEMORY
+from reports.verify import reading
 from reports.verify.reading import Refused, apart
 
 
@@ -27,7 +28,7 @@ def sleeps(raw: bytes) -> None:
 
 
 def eats(raw: bytes) -> int:
-    return len(bytearray(PDF_MEMORY))
+    return len(bytearray(APPENDED_MEMORY))
 
 
 def dies(raw: bytes) -> None:
@@ -35,7 +36,7 @@ def dies(raw: bytes) -> None:
 
 
 def test_what_the_task_gives_comes_back() -> None:
-    assert apart(9, length, b"abc\0\xff", 7) == [5, 7]
+    assert apart(length, b"abc\0\xff", 7) == [5, 7]
 
 
 @pytest.mark.parametrize(
@@ -50,6 +51,7 @@ def test_what_the_task_gives_comes_back() -> None:
         (dies, "broke its reader"),
     ],
 )
-def test_what_breaks_there_is_refused_here(task: object, why: str) -> None:
+def test_what_breaks_there_is_refused_here(task: object, why: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading, "APPENDED_SECONDS", 2)
     with pytest.raises(Refused, match=why):
-        apart(2, task, b"%PDF-1.7")  # type: ignore[arg-type]
+        apart(task, b"%PDF-1.7")  # type: ignore[arg-type]

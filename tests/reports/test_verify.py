@@ -189,21 +189,20 @@ def test_keywords_that_no_report_has_are_refused(made: bytes) -> None:
     assert found.verdict is Verdict.NOT_AS_WRITTEN and not found.differences, "the first counts"
 
 
-def test_a_file_hidden_beside_the_design_is_found(made: bytes) -> None:
+def test_a_file_hidden_beside_the_design_is_not_as_written(made: bytes) -> None:
+    """What else such a file holds is looked at as little as its pages."""
     writer = PdfWriter(clone_from=io.BytesIO(made))
     writer.add_attachment("other.toml", b"x = 1")
     found = verify(written(writer), "x.pdf")
-    assert found.changed == ("other.toml",) and found.verdict is Verdict.NOT_AS_WRITTEN
+    assert found.verdict is Verdict.NOT_AS_WRITTEN and not found.changed
 
 
-def test_a_name_that_a_terminal_would_obey_is_written_out(
+def test_what_a_terminal_would_obey_is_written_out(
     made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    writer = PdfWriter(clone_from=io.BytesIO(made))
-    writer.add_attachment("x\x1b[2K\ridentical\x1b[8m", b"1")
     path = tmp_path / "x.pdf"
-    path.write_bytes(written(writer))
-    assert main(["verify", str(path)]) == 1
+    path.write_bytes(rewritten(made, {RESULTS: json.dumps({"values": {"x\x1b[2K\ridentical\x1b[8m": 1.0}}).encode()}))
+    assert main(["verify", str(path), "--all"]) == 1
     out = capsys.readouterr().out
     assert "\x1b" not in out and "\\u001b[2K" in out and out.splitlines()[-1].startswith("not as written: ")
 
@@ -226,14 +225,16 @@ def test_an_encrypted_file_is_refused_by_name(made: bytes) -> None:
 
 def test_results_that_are_too_deep_are_refused(made: bytes) -> None:
     with pytest.raises(BadInput, match="damaged"):
-        verify(rewritten(made, {RESULTS: b"[" * 200_000}), "x.pdf")
+        verify(rewritten(made, {RESULTS: b'{"a":' + b"[" * 200_000}), "x.pdf")
 
 
-@pytest.mark.parametrize("raw", [b"{}", b"[]", b'{"values": 1, "checks": {}, "steps": {}}', b"NaN"])
+@pytest.mark.parametrize(
+    "raw", [b"{}", b'{"values": 1, "checks": {}, "steps": {}}', b'{"values": {"engine.stroke": NaN}}']
+)
 def test_results_of_any_shape_are_others(made: bytes, raw: bytes) -> None:
     found = verify(rewritten(made, {RESULTS: raw}), "x.pdf")
     assert found.changed == (RESULTS,) and len(found.differences) > 100
-    assert all(one.was == NOTHING for one in found.differences if one.what.startswith("values "))
+    assert all(one.was in (NOTHING, "nan") for one in found.differences if one.what.startswith("values "))
 
 
 @pytest.mark.parametrize("seed", ["1", pytest.param("7", marks=pytest.mark.slow)])
