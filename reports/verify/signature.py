@@ -86,8 +86,9 @@ def _line(signature: Any) -> str:
 
     status = validate_pdf_signature(signature, ValidationContext(trust_roots=[]), skip_diff=True)
     _demand(status.intact and status.valid, f"the signature in {signature.field_name} is broken")
-    who = signature.signer_cert.subject.human_friendly
-    return f"{signature.field_name}: {who}, intact; whether the certificate is to be trusted is not judged here"
+    who, when = signature.signer_cert.subject.human_friendly, status.signer_reported_dt
+    said = f"{who}, {when:%Y-%m-%d %H:%M} by their own clock" if when is not None else who
+    return f"{signature.field_name}: {said}; pyHanko: {status.summary()}, with nobody named to be trusted"
 
 
 def _as_written(first: Any, reader: Any) -> None:
