@@ -28,6 +28,7 @@ from reports.report import render
 from reports.verify.verify import NOTHING, Difference, Verdict, verify
 from tests.conftest import DESIGNS, ROOT
 from tests.reports.reading import V12, solved
+from tests.test_imports import loaded
 
 pytestmark = pytest.mark.usefixtures("written_once")
 
@@ -126,6 +127,14 @@ def test_a_report_of_an_older_program_is_compared(
     out = capsys.readouterr().out
     assert re.search(r"made by 0\.1\.0; \d+ values and verdicts were compared: 2 changed since:", out)
     assert "steps imbalance: pass in the report, computed now" in out
+
+
+def test_no_reader_of_pdf_is_loaded(made: bytes, tmp_path: Path) -> None:
+    """Nor of signatures, of a file that has some: those are read in a process of their own."""
+    path = tmp_path / "r.pdf"
+    path.write_bytes(made + b"% more")
+    names = loaded(f"from assistant.cli import main; main(['verify', {str(path)!r}])")
+    assert "reportlab" in names and not names & {"pypdf", "pyhanko", "pypdfium2", "pikepdf"}
 
 
 def test_exit_codes_and_words(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
