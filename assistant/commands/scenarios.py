@@ -185,7 +185,7 @@ def _replaced(path: Path) -> bytes | None:
         if not path.is_symlink() and not path.exists():
             return None
         raw = read_file(path, PDF_BYTES)
-    from reports.verify.verify import is_report
+    from reports.pdf.attach import is_report
 
     if path.is_symlink() or not is_report(raw):
         reason = Text(

@@ -5,6 +5,7 @@ import hashlib
 import json
 import math
 import re
+import zlib
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,10 +13,12 @@ from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFInfo, PDFName, 
 from reportlab.pdfgen.canvas import Canvas
 
 from calc.design.key_results import judged
+from calc.design.limits import PDF_UNPACKED
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.solve import Results
 
+from ..apart import Refused
 from ..made import MADE
 
 NAME = "design.toml"
@@ -28,6 +31,8 @@ KEYWORDS = re.compile(rb"Contralbero ([0-9a-z.+-]{1,30}), (depth:[a-z]+(?:, [a-z
 OCTAL = re.compile(rb"\\([0-3][0-7]{2})")  # as some programs write marks
 # what a file looks like, by its ending
 ALIKE = {"toml": rb"(?m)^\[engine\]", "json": rb"\A\{", "png": rb"\A\x89PNG"}
+END = b"\n%%EOF\n"  # with which this program ends a file
+STREAM = re.compile(rb"stream\r?\n")
 NO_REPORT = Text("is no report of this program, or was written before reports could be verified; write it anew")
 
 
@@ -102,6 +107,25 @@ def keywords(program: str, **provenance: str) -> str:
     return ", ".join([program, *(f"{key}:{value}" for key, value in provenance.items())])
 
 
+def packed(raw: bytes) -> list[bytes]:
+    """Whatever streams a file has, unpacked where they are deflated; nothing else of it is read.  Raises Refused."""
+    if b"/Encrypt" in raw:
+        raise Refused("is encrypted; give the report as it was written")
+    streams, left = [], PDF_UNPACKED
+    for piece in raw.split(b"endstream"):
+        if (start := STREAM.search(piece)) is None:
+            continue
+        data = piece[start.end() :]
+        try:
+            streams.append(zlib.decompressobj().decompress(data, left))
+        except zlib.error:
+            streams += [data, data.removesuffix(b"\n"), data.removesuffix(b"\r\n")]
+        left -= len(streams[-1])
+        if left <= 0:
+            raise Refused(f"holds more than {PDF_UNPACKED:,} bytes")
+    return streams
+
+
 @dataclass(frozen=True)
 class Inside:
     """What a document says of how it was made, by its keywords, and all that is packed in it; `place`: where it
@@ -157,6 +181,19 @@ def inside(place: str, raw: bytes, packed: list[bytes]) -> Inside:
     if not {"depth", "lang", "sha256", "results"} <= set(said):
         raise refused(place, NO_REPORT)
     return Inside(place, {**said, "program": words[1].decode()}, packed)
+
+
+def beginning(raw: bytes) -> bytes:
+    """The part of a file that this program has written, if it has."""
+    return raw[: raw.find(END) + len(END)]
+
+
+def is_report(raw: bytes) -> bool:
+    """Whether a file is a document of this program to which nothing was appended, no signature either."""
+    try:
+        return bool(inside("", raw, packed(raw))) and beginning(raw) == raw
+    except (BadInput, Refused):
+        return False
 
 
 def refused(place: str, reason: Text) -> BadInput:

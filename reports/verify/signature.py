@@ -7,20 +7,23 @@ says of a file that it is signed."""
 import io
 import logging
 import re
+from itertools import pairwise
 from typing import Any
 from xml.etree import ElementTree
 
-from .reading import Refused
+from ..apart import Refused, demand
+from .revisions import revisions
 
-FIELDS = {"Prepared", "Checked", "Approved"}
-OF_PROGRAMS = {"/ModDate", "/Producer"}  # what a program that signs may say of itself
-XMP, XMP_PDF = "http://ns.adobe.com/xap/1.0/", "http://ns.adobe.com/pdf/1.3/"
-XMP_OF_PROGRAMS = {f"{XMP_PDF}Producer", f"{XMP}ModifyDate", f"{XMP}MetadataDate"}
-RDF = "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
-# where an object begins, for readers that look for them in the bytes; comments count as white space
-OBJECT = re.compile(rb"\d(?:[\0\s]|%[^\r\n]*)*obj")
-BETWEEN = re.compile(rb"(?:%%EOF|endobj)[\0\s]*(?!\d|xref|startxref)[^\0\s]")  # objects and tables, what is neither
-MISSING = "pyHanko, which compares what was appended, is not installed: pip install 'contralbero[sign]'"
+# what a program that signs may write anew of what the report has
+OF_INFO, OF_ROOT = {"/ModDate", "/Producer"}, {"/Extensions", "/Version"}
+OF_FORM, OF_FIELD = {"/DA", "/DR"}, {"/V", "/AP", "/F"}
+PRINTED, LOCKED = 4, 132  # flags of a field
+# what no signature needs, however it is asked for
+FOREIGN = re.compile(r"'/(?:EF|JS|AA|OC|OCG|Launch|URI|Catalog|Pages?|ObjStm|XRef|Filespec|EmbeddedFile|Action|Annot)'")
+XMP, RDF = "{http://ns.adobe.com/xap/1.0/}", "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
+XMP_OF_PROGRAMS = {"{http://ns.adobe.com/pdf/1.3/}Producer", f"{XMP}ModifyDate", f"{XMP}MetadataDate"}
+XMP_FRAME = {"{adobe:ns:meta/}xmpmeta", f"{RDF}RDF", f"{RDF}Description"}
+UNSAID = re.compile(rb"\0|<!|<\?(?!xml |xpacket (?:begin|end)=)")
 
 
 def signers(raw: bytes, length: int) -> list[str]:
@@ -29,55 +32,66 @@ def signers(raw: bytes, length: int) -> list[str]:
     try:
         from pyhanko.pdf_utils.reader import PdfFileReader
         from pyhanko.sign.diff_analysis import DEFAULT_DIFF_POLICY, DiffResult, ModificationLevel
-        from pyhanko.sign.validation.status import SignatureCoverageLevel
     except ImportError:
-        raise Refused(MISSING) from None
+        raise Refused("pyHanko, which compares, is not installed: pip install 'contralbero[sign]'") from None
     logging.disable(logging.CRITICAL)  # it logs that nobody has told it whom to trust
     first, reader = PdfFileReader(io.BytesIO(raw[:length])), PdfFileReader(io.BytesIO(raw))
-    _demand(reader.xrefs.get_startxref_for_revision(0) == first.last_startxref, "it leads past the report")
-    changes = DEFAULT_DIFF_POLICY.review_file(reader, reader.get_historical_resolver(0))
+    xrefs: Any = reader.xrefs
+    written, *signed = (reader.get_historical_resolver(n) for n in range(xrefs.total_revisions))
+    signatures = reader.embedded_signatures
+    demand(0 < len(signed) == len(signatures), "something was appended beside the signatures")
+    tables = [one(xrefs.get_xref_container_info(one.revision).stream_ref) for one in signed]
+    ends = revisions(raw, length, tables, first.trailer, first.last_startxref or 0)
+    for was, now in pairwise([written, *signed]):  # each by itself: who signs may not change what was signed
+        _asked_for(was, now)
+    changes = DEFAULT_DIFF_POLICY.review_file(reader, written)
     if not isinstance(changes, DiffResult):
-        raise Refused(re.split(r"[:\n]", f"pyHanko: {changes}")[1].strip()[:100])
-    _demand(changes.modification_level <= ModificationLevel.FORM_FILLING, "it changes more than fields")
-    signatures, revisions = reader.embedded_signatures, reader.xrefs.total_revisions
-    _demand(bool(signatures), "nobody has signed")
-    others = {*changes.changed_form_fields, *(signature.field_name for signature in signatures)} - FIELDS
-    _demand(not others, f"it has the field {min(others, default='')}")
-    _demand(revisions == 1 + len(signatures), "something was appended beside the signatures")
-    _all_asked_for(reader, first, revisions, raw[length:])
-    for signature in signatures:
-        signature.compute_integrity_info()
-    covered = [signature.evaluate_signature_coverage() for signature in signatures]
-    _demand(min(covered) >= SignatureCoverageLevel.ENTIRE_REVISION, "a signature leaves out bytes of its revision")
-    _demand(covered[-1] == SignatureCoverageLevel.ENTIRE_FILE, "there are bytes that no signature covers")
-    _as_written(first, reader)
+        raise Refused(re.split(r"[:\n]", f"pyHanko: {changes}")[1].strip())
+    demand(changes.modification_level <= ModificationLevel.FORM_FILLING, "it changes more than fields")
+    for signature, end in zip(signatures, ends):
+        start, before, after, rest = signature.byte_range
+        whole = start == 0 and end[0] <= after + rest <= end[1]
+        whole &= raw[before:after].lower() == b"<%b>" % signature.pkcs7_content.hex().encode()
+        demand(whole, "a signature leaves out bytes of its revision")
+    demand(after + rest == len(raw), "there are bytes that no signature covers")
     return [_line(signature) for signature in signatures]
 
 
-def _all_asked_for(reader: Any, first: Any, revisions: int, appended: bytes) -> None:
-    """All objects that were appended are parts of those of the report that were replaced, and none is hidden."""
-    from pyhanko.pdf_utils.generic import ArrayObject, DictionaryObject, IndirectObject
+def _asked_for(was: Any, now: Any) -> None:
+    """A revision writes anew what a signature must and no more of it, and what is new belongs to that."""
+    new, fields = now.explicit_refs_in_revision(), was.root["/AcroForm"]["/Fields"]
+    holders = (was.trailer_view, "/Info"), (was.root, "/AcroForm"), (was.root, "/Metadata")
+    info, form, said = (holder.raw_get(key).reference for holder, key in holders)
+    fields = {fields.raw_get(n).reference: OF_FIELD for n in range(len(fields))}
+    may = {was.root_ref: OF_ROOT, info: OF_INFO, form: OF_FORM, said: {"/Length"}, **fields}
+    old = {ref for ref in new if not was.is_ref_unassignable(ref)}
+    demand(old <= {*may} and not now.refs_freed_in_revision(), "it writes anew what is no part of a signature")
+    asked = {one for ref in old & {form, *fields} for one in now.collect_dependencies(now(ref), now.revision)}
+    xrefs, revision = now.reader.xrefs, now.revision
+    frame = xrefs.object_streams_used_in(revision) | {xrefs.get_xref_container_info(revision).stream_ref}
+    demand(new <= old | asked | frame, "it has an object that nobody asks for")
+    for ref in new - frame - {said}:
+        made: Any = now(ref)
+        inner = {key: dict.get(made, key) for key in may.get(ref, made)} if isinstance(made, dict) else made
+        file = isinstance(inner, dict) and {"/F", "/Length"} <= {*inner}
+        demand(not file and not FOREIGN.search(repr(inner)), "it has what no signature needs")
+    for ref in old:
+        before, after = was(ref), now(ref)
+        other = {key for key in {*before, *after} - may[ref] if _entry(before, key) != _entry(after, key)}
+        demand(not other, f"the document or its form has another {min(other, default='')[:40]}")
+        if ref in fields:  # a look without a box is drawn over the page
+            boxes = [after["/AP"][key].get("/BBox") for key in after["/AP"]]
+            boxed = all(isinstance(box, list) and len(box) == 4 for box in boxes)
+            signed = "/V" in {*after} - {*before} and after["/F"] in {PRINTED, LOCKED}
+            demand(boxed and signed, "a field is changed, or shown otherwise")
+    demand(now.root.get("/Version") in {None, "/2.0"}, "it is to be read in another way")
+    demand(_metadata(was(said).data) == _metadata(now(said).data), "its metadata are others")
 
-    tables = [reader.xrefs.get_xref_data(n).standard_xrefs for n in range(1, revisions)]
-    objects = sum(len(table) + 1 for table in tables)  # the table itself may be one
-    hidden = len(OBJECT.findall(appended)) > objects
-    hidden |= max(appended.count(b"startxref"), appended.count(b"trailer")) > len(tables)
-    _demand(not hidden and not BETWEEN.search(b"%%EOF" + appended), "something stands between its objects")
-    new = {ref for n in range(1, revisions) for ref in reader.xrefs.explicit_refs_in_revision(n)}
-    size = int(first.trailer_view["/Size"])
-    waiting: list[Any] = [reader.get_object(ref) for ref in new if ref.idnum < size]
-    left = {ref.idnum: ref for ref in new if ref.idnum >= size}
-    while waiting:
-        value = waiting.pop()
-        if isinstance(value, IndirectObject) and left.pop(value.idnum, None):
-            waiting.append(reader.get_object(value.reference))
-        elif isinstance(value, DictionaryObject):
-            waiting += [value.raw_get(key) for key in value]
-        elif isinstance(value, ArrayObject):
-            waiting += [value.raw_get(n) for n in range(len(value))]
-    # the tables of objects themselves may be objects, which nothing asks for
-    alone = [ref for ref in left.values() if reader.get_object(ref).get("/Type") != "/XRef"]
-    _demand(not alone, "it has an object that nobody asks for")
+
+def _entry(holder: Any, key: str) -> Any:
+    """To pyHanko 3.0 is 3, a name is a text, and texts in codes that some programs do not know are as any other."""
+    value = holder.raw_get(key) if key in holder else None
+    return type(value), getattr(value, "original_bytes", b"")[:2] in (b"\xff\xfe", b"\xef\xbb"), value
 
 
 def _line(signature: Any) -> str:
@@ -85,34 +99,21 @@ def _line(signature: Any) -> str:
     from pyhanko_certvalidator import ValidationContext
 
     status = validate_pdf_signature(signature, ValidationContext(trust_roots=[]), skip_diff=True)
-    _demand(status.intact and status.valid, f"the signature in {signature.field_name} is broken")
-    who, when = signature.signer_cert.subject.human_friendly, status.signer_reported_dt
+    demand(status.intact and status.valid, f"the signature in {signature.field_name} is broken")
+    who, when = signature.signer_cert.subject.human_friendly[:500], status.signer_reported_dt
     said = f"{who}, {when:%Y-%m-%d %H:%M} by their own clock" if when is not None else who
-    return f"{signature.field_name}: {said}; pyHanko: {status.summary()}, with nobody named to be trusted"
+    return f"{signature.field_name}: {said}; pyHanko: {status.summary().split(',')[0]}, with nobody named to be trusted"
 
 
-def _as_written(first: Any, reader: Any) -> None:
-    """What the document says of itself is what this program wrote, but for what a signing program says of itself."""
-    was, now = first.trailer["/Info"], reader.trailer["/Info"]
-    other = {key for key in {*was, *now} - OF_PROGRAMS if was.get(key) != now.get(key)}
-    _demand(not other, f"the document has another {min(other, default='')}")
-    written, signed = (_metadata(pdf.root["/Metadata"].data) for pdf in (first, reader))
-    _demand(written == signed, "the document's metadata are others")
-
-
-def _metadata(raw: bytes) -> dict[str, Any]:
-    """What XMP says, each property by its name, but for what a program that signs says of itself."""
-    from pyhanko.pdf_utils.metadata.xmp_xml import parse_xmp
-
-    _demand(b"<!" not in raw, "the document's metadata declare what they are made of")
-    abouts = list(ElementTree.fromstring(raw).iter(f"{RDF}Description"))
-    attributes = [name for about in abouts for name in about.attrib if not name.startswith(RDF)]
-    names = [*attributes, *(child.tag for about in abouts for child in about)]
-    _demand(len(names) == len(set(names)), "the document's metadata say something twice")
-    said = {str(name): value for about in parse_xmp(io.BytesIO(raw)) for name, value in about}
-    return {name: value for name, value in said.items() if name not in XMP_OF_PROGRAMS}
-
-
-def _demand(right: bool, otherwise: str) -> None:
-    if not right:
-        raise Refused(otherwise)
+def _metadata(raw: bytes) -> list[str]:
+    """What XMP says, each property as it stands there, but for what a program that signs says of itself."""
+    demand(not UNSAID.search(raw), "its metadata declare what they are made of")
+    top = ElementTree.fromstring(raw)
+    frames = [top, *top, *(abouts := [about for rdf in top for about in rdf])]
+    loose = "".join(text or "" for one in frames for text in (one.text, *(inner.tail for inner in one))).strip()
+    demand(not loose and {one.tag for one in frames} == XMP_FRAME, "its metadata say more than properties")
+    for about in abouts:
+        for name, text in about.attrib.items():
+            ElementTree.SubElement(about, name).text = text
+    said = [ElementTree.tostring(one) for about in abouts for one in about if one.tag not in XMP_OF_PROGRAMS]
+    return sorted(ElementTree.canonicalize(one, strip_text=True, rewrite_prefixes=True) for one in said)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a file is to the design inside it: the report that this program writes from it, that with signatures, that with
-something else behind it, or not what this program writes.  Only bytes speak for a report."""
+"""What a file is to the design inside it.  Only bytes speak for a report."""
 
 import math
 from collections.abc import Iterator
@@ -14,13 +13,12 @@ from calc.solve import Results
 from calc.studies.compare import size_of_nothing
 
 from .. import comparison, report
-from ..pdf.attach import Inside, inside, nine, refused, sha256
-from .reading import Refused, apart, packed
+from ..apart import Refused, apart
+from ..pdf.attach import Inside, beginning, inside, nine, packed, refused, sha256
 from .signature import signers
 
-END = b"\n%%EOF\n"  # with which this program ends a file
 SAME = 1e-9  # relative: numbers that differ by less are the same, whatever computed them
-NOTHING = "–"
+NOTHING = "–"  # where a value or a verdict is not there
 
 
 class Verdict(Enum):
@@ -34,8 +32,6 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Difference:
-    """A value or a verdict that is another one now; NOTHING where there is none."""
-
     what: str
     was: str
     now: str
@@ -68,7 +64,7 @@ def verify(raw: bytes, place: str) -> Verification:
 
     `place`: its name, for messages.  Raises BadInput for a file that is no report of this program, or whose design
     this version does not accept."""
-    ours = _beginning(raw)
+    ours = beginning(raw)
     try:
         it, document, values, solved = _again(ours, place)
     except BadInput:
@@ -87,19 +83,6 @@ def verify(raw: bytes, place: str) -> Verification:
         return replace(known, verdict=Verdict.SIGNED, signers=tuple(apart(signers, raw, len(ours))))
     except Refused as no:
         return replace(known, verdict=Verdict.APPENDED, why=str(no))
-
-
-def is_report(raw: bytes) -> bool:
-    """Whether a file is a document of this program to which nothing was appended, no signature either."""
-    try:
-        return bool(inside("", raw, packed(raw))) and _beginning(raw) == raw
-    except (BadInput, Refused):
-        return False
-
-
-def _beginning(raw: bytes) -> bytes:
-    """The part of a file that this program has written, if it has."""
-    return raw[: raw.find(END) + len(END)]
 
 
 def _again(raw: bytes, place: str) -> tuple[Inside, bytes, dict[str, Any], list[Results]]:

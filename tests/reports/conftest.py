@@ -9,9 +9,9 @@ import pytest
 from calc.design.toml_file import Document
 from calc.solve import Results
 from reports import report as reporting
+from reports.apart import Refused
 from reports.report import render
 from reports.verify import verify as verifying
-from reports.verify.reading import Refused
 from tests.reports.reading import EXAMPLE, V12, Solved, solved
 
 

@@ -242,6 +242,7 @@ anew("as it was")(lambda writer: None)
 anew("a page turned")(lambda writer: writer.pages[0].rotate(180))
 anew("a text laid over it")(lambda writer: writer.add_annotation(0, FreeText(text="PASS", rect=(100, 600, 300, 700))))
 anew("a file more")(lambda writer: writer.add_attachment("other.toml", b"x = 1"))
+anew("more than a report holds")(lambda writer: writer.add_attachment("other.toml", bytes(10**7)))
 anew("another title")(lambda writer: writer.add_metadata({"/Title": "all checks pass"}))
 anew("encrypted with no password")(lambda writer: writer.encrypt("", algorithm="RC4-128"))
 anew("a page less")(lambda writer: writer.root_object["/Pages"]["/Kids"].pop())  # type: ignore[index]

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Signs reports as a signing program does, with a certificate of its own that nobody trusts."""
 
+import asyncio
+import hashlib
 import io
 import logging
 from datetime import datetime
 from functools import cache
+from typing import Any
 
 from asn1crypto import keys
 from asn1crypto import x509 as der
@@ -37,10 +40,26 @@ def signer() -> signers.SimpleSigner:
     )
 
 
-def sign(raw: bytes, field: str = "Prepared", box: tuple[int, int, int, int] | None = None) -> bytes:
-    """With a signature in a field that is there; `box`: in a new one of that name there, on the first page."""
-    writer = IncrementalPdfFileWriter(io.BytesIO(raw))
+def sign(raw: bytes, field: str = "Prepared", box: tuple[int, int, int, int] | None = None, **about: Any) -> bytes:
+    """With a signature in a field that is there; `box`: in a new one of that name there, on the first page.  `stamp`:
+    what it shows; anything else as pyHanko has it."""
+    writer, stamp = IncrementalPdfFileWriter(io.BytesIO(raw)), about.pop("stamp", None)
     new = fields.SigFieldSpec(field, box=box, on_page=0) if box is not None else None
-    about = signers.PdfSignatureMetadata(field_name=field, md_algorithm="sha256")
-    signed = signers.sign_pdf(writer, about, signer(), new_field_spec=new, existing_fields_only=box is None)
-    return bytes(signed.getvalue())
+    data = signers.PdfSignatureMetadata(field_name=field, md_algorithm="sha256", **about)
+    by = signers.PdfSigner(data, signer(), stamp_style=stamp, new_field_spec=new)
+    return bytes(by.sign_pdf(writer, existing_fields_only=box is None).getvalue())
+
+
+PLACE = b"/ByteRange [@@@@@@@@@@ @@@@@@@@@@ @@@@@@@@@@ @@@@@@@@@@] /Contents <%s>" % (b"0" * 4096)
+
+
+def sealed(raw: bytes, start: int, begin: int = 0) -> bytes:
+    """With its signature in the PLACE that stands in it behind `start`, over all that is there, from `begin` on."""
+    at = raw.index(PLACE, start)
+    first = raw.index(b"<", at)
+    last = first + 4098
+    spans = b"/ByteRange [%10d %10d %10d %10d]" % (begin, first - begin, last, len(raw) - last)
+    raw = raw[:at] + spans + raw[at + len(spans) :]
+    digest = hashlib.sha256(raw[begin:first] + raw[last:]).digest()
+    contents = asyncio.run(signer().async_sign(digest, "sha256")).dump().hex().encode()
+    return raw[: first + 1] + contents.ljust(4096, b"0") + raw[last - 1 :]

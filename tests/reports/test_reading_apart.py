@@ -7,8 +7,8 @@ import time
 import pytest
 
 from calc.design.limits import APPENDED_MEMORY
-from reports.verify import reading
-from reports.verify.reading import Refused, apart
+from reports import apart as reading
+from reports.apart import Refused, apart
 
 
 def length(raw: bytes, more: int) -> list[int]:

@@ -1,41 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The PDF of a stranger: its streams, and what a reader of PDF says of it, in a process of its own."""
+"""A task that reads what a stranger has written, in a process of its own with only so much time and memory."""
 
 import json
 import os
-import re
 import subprocess
 import sys
-import zlib
 from collections.abc import Callable
 from typing import Any
 
-from calc.design.limits import APPENDED_MEMORY, APPENDED_SECONDS, PDF_UNPACKED
-
-STREAM = re.compile(rb"stream\r?\n")
+from calc.design.limits import APPENDED_MEMORY, APPENDED_SECONDS
 
 
 class Refused(Exception):
     """Why a file is not what it was asked to be, in words."""
 
 
-def packed(raw: bytes) -> list[bytes]:
-    """Whatever streams a file has, unpacked where they are deflated; nothing else of it is read.  Raises Refused."""
-    if b"/Encrypt" in raw:
-        raise Refused("is encrypted; give the report as it was written")
-    streams, left = [], PDF_UNPACKED
-    for piece in raw.split(b"endstream"):
-        if (start := STREAM.search(piece)) is None:
-            continue
-        data = piece[start.end() :]
-        try:
-            streams.append(zlib.decompressobj().decompress(data, left))
-        except zlib.error:
-            streams += [data, data.removesuffix(b"\n"), data.removesuffix(b"\r\n")]
-        left -= len(streams[-1])
-        if left <= 0:
-            raise Refused(f"holds more than {PDF_UNPACKED:,} bytes")
-    return streams
+def demand(right: bool, otherwise: str) -> None:
+    if not right:
+        raise Refused(otherwise)
 
 
 def apart(task: Callable[..., Any], raw: bytes, *numbers: int) -> Any:
@@ -68,7 +50,7 @@ def answer(task: Callable[..., Any], numbers: tuple[int, ...]) -> None:
     try:
         given, why = task(sys.stdin.buffer.read(), *numbers), ""
     except Refused as no:
-        given, why = None, str(no)
+        given, why = None, str(no)[:200]
     except Exception as error:  # whatever a file of a stranger does to its reader
         given, why = None, f"can not be read ({type(error).__name__}: {error})"[:100]
     json.dump([given, why], sys.stdout)
