@@ -224,6 +224,7 @@ class Shown:
 
 GOVERNS = {"max": Text("largest of {size}, number {number}"), "min": Text("smallest of {size}, number {number}")}
 NUMBERED = Text("number {number} of {size}")
+ALIKE = 1e-9  # of the largest: elements that are no further apart govern alike, and the first of them is shown
 
 
 def governing(line: Line) -> tuple[int, ...] | None:
@@ -233,8 +234,11 @@ def governing(line: Line) -> tuple[int, ...] | None:
     if not isinstance(line.value, np.ndarray) or line.value.ndim == 0:
         return None
     size = np.abs(line.value)
-    flat = {"max": np.nanargmax, "min": np.nanargmin}[line.formula.governs](size) if np.isfinite(size).any() else 0
-    return tuple(int(i) for i in np.unravel_index(int(flat), line.value.shape))
+    if not (finite := size[np.isfinite(size)]).size:
+        return (0,) * size.ndim
+    governs = {"max": np.nanmax, "min": np.nanmin}[line.formula.governs](size)
+    alike = np.isclose(size, governs, rtol=0.0, atol=ALIKE * finite.max())
+    return tuple(int(i) for i in np.unravel_index(int(alike.argmax()), size.shape))
 
 
 def _element(x: object, index: tuple[int, ...] | None, shape: tuple[int, ...]) -> object:

@@ -14,12 +14,18 @@ from .units import UNITS
 SUPERSCRIPTS = str.maketrans("0123456789+-−.,/()", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻·’ᐟ⁽⁾")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 DIGITS = 4
+SURE = 12  # digits in which processors and libraries agree
 DUST = 1e-12  # of the largest of a list: what is smaller is what the last digits of a sum have left
+
+
+def sure(number: float) -> float:
+    """A number without its last digits: half of the last one that is written is else rounded up here and down there."""
+    return float(f"{number:.{SURE}g}")
 
 
 def parts(number: float, digits: int = DIGITS) -> tuple[str, int | None]:
     """A number as its written mantissa and its power of ten (None where it is written without one)."""
-    number = float(number)
+    number = sure(number)
     if not math.isfinite(number):
         return ("∞" if number > 0 else "−∞" if number < 0 else "no value"), None
     rounded = float(f"{number:.{digits}g}")

@@ -16,7 +16,7 @@ those."""
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
-from .number import DIGITS, short
+from .number import DIGITS, short, sure
 
 T = TypeVar("T", bound="Text")
 Part = object  # Text, Amount, int, float, or a name (any other str)
@@ -34,7 +34,7 @@ class Amount:
         """The number in English, without its unit."""
         if not self.form:
             return short(self.number, self.digits)
-        written = format(self.number, self.form)
+        written = format(sure(self.number) if isinstance(self.number, float) else self.number, self.form)
         return short(self.number, self.digits) if "e" in written else written.replace("-", "−")
 
     def __str__(self) -> str:

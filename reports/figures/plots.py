@@ -18,7 +18,7 @@ from matplotlib.ticker import FixedLocator, MaxNLocator
 from matplotlib.transforms import IdentityTransform
 
 from calc.locale import Language
-from calc.sheet.number import short
+from calc.sheet.number import DUST, short
 from calc.sheet.step import Curve, Series
 
 from ..typesetting.boxes import BLACK, Box, Colour
@@ -105,6 +105,7 @@ def in_words(curve: Curve, plots: Plots) -> str:
     for series in curve.series:
         seen = numbers(series.y)
         seen = seen[np.isfinite(seen)]
+        seen = np.where(np.abs(seen) > DUST * np.abs(seen).max(initial=0.0), seen, 0.0)
         reach = f"{plots.short(float(seen.min()))} … {plots.short(float(seen.max()))}" if seen.size else "–"
         phrases.append(": ".join(filter(None, (series_label(curve, series), reach))))
     return "; ".join([*phrases, *(f"{label} {plots.short(value)}" for label, value in limits(curve))])

@@ -12,6 +12,8 @@ import numpy as np
 from matplotlib.backend_bases import GraphicsContextBase, RendererBase
 from matplotlib.path import Path
 
+from ..typesetting.boxes import EDGE
+
 CAPS = {"butt": 0, "round": 1, "projecting": 2}
 JOINS = {"miter": 0, "round": 1, "bevel": 2}
 
@@ -43,7 +45,7 @@ class LineRenderer(RendererBase):
             return
         self.code.append("q")
         if (clip := gc.get_clip_rectangle()) is not None:
-            x, y, w, h = clip.bounds
+            x, y, w, h = (number + EDGE for number in clip.bounds)
             self.code.append(f"{x:.2f} {y:.2f} {w:.2f} {h:.2f} re W n")
         if stroke:
             offset, dashes = gc.get_dashes()
@@ -56,7 +58,7 @@ class LineRenderer(RendererBase):
 
     def _path(self, path: Path, transform: Any, *, simplify: bool) -> str:
         clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
-        points, codes = np.asarray(clean.vertices).tolist(), np.asarray(clean.codes).tolist()
+        points, codes = (np.asarray(clean.vertices) + EDGE).tolist(), np.asarray(clean.codes).tolist()
         operators: list[str] = []
         i = 0
         while i < len(codes):

@@ -224,5 +224,6 @@ class Undated(PDFInfo):  # type: ignore[misc]
 def describe(canvas: Canvas, *, title: str, author: str, subject: str, keywords: str, program: str) -> None:
     about = Undated()
     about.title, about.author, about.subject, about.keywords, about.creator = title, author, subject, keywords, program
+    about.producer = "ReportLab"  # which else says of itself what its versions say in other words
     about.invariant = True
     canvas._doc.info = about

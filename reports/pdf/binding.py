@@ -10,14 +10,13 @@ from functools import partial
 from typing import Any
 
 from reportlab import rl_config
-from reportlab.pdfbase.pdfdoc import PDFFile
 from reportlab.pdfgen.canvas import Canvas
 
 from calc.sheet.progress import Progress, tell
 
 from ..blocks.title_block import SHORT_HASH
 from ..made import MADE, program
-from ..typesetting.boxes import BETWEEN, FAINT, GREY
+from ..typesetting.boxes import BETWEEN, EDGE, FAINT, GREY
 from ..typesetting.fonts import PAGE, TOP, UPRIGHT, WIDTH, clean, unicode_map
 from ..typesetting.pagination import Page
 from ..typesetting.pen import Codes, Pen
@@ -59,7 +58,7 @@ def paint(
         again = page.blocks[1][1].repeat if len(page.blocks) > 1 else None
         for at, block in page.blocks:
             if block.anchor:
-                canvas.bookmarkHorizontalAbsolute(block.anchor, round(upper - at + 8.0, 2), left=0)
+                canvas.bookmarkHorizontalAbsolute(block.anchor, round(upper - at + 8.0 + EDGE, 2), left=0)
             if block.outline is not None:
                 canvas.addOutlineEntry(block.outline[1], block.anchor, block.outline[0], closed=block.outline[0] > 0)
             with pen.tagged(None if block is again else block.tag or Tag("P")):
@@ -98,27 +97,29 @@ def packed(document: Any) -> bytes:
     root, info = document.Reference(document.Catalog), document.Reference(document.info)
     for name in [name for name in document.idToObject if name.startswith("toUnicodeCMap:")]:
         document.idToObject[name].content = unicode_map(document.idToObject[name].content)
-    file = PDFFile(document._pdfVersion)
+    file = bytearray(b"%%PDF-%d.%d\n%%\223\214\213\236\n" % document._pdfVersion)
     entries: list[tuple[int, int, int]] = [(0, 0, 65535)]
     small: list[tuple[int, bytes]] = []
     for number, body in _objects(document):
         entries.append((OPEN, 0, 0))
         if body.endswith(b"endstream\n"):
-            entries[number] = (OPEN, file.add(_object(number, body.removesuffix(b"endstream\n") + b"\nendstream\n")), 0)
+            entries[number] = (OPEN, len(file), 0)
+            file += _object(number, body.removesuffix(b"endstream\n") + b"\nendstream\n")
         else:
             small.append((number, body))
     for start in range(0, len(small), EACH):
         some = small[start : start + EACH]
         for n, (number, _) in enumerate(some):
             entries[number] = (PACKED, len(entries), n)
-        entries.append((OPEN, file.add(_object(len(entries), _pack(some))), 0))
-    at = file.offset
+        entries.append((OPEN, len(file), 0))
+        file += _object(len(entries) - 1, _pack(some))
+    at = len(file)
     entries.append((OPEN, at, 0))
     identity = document.ID().partition(b"%")[0].strip()
     trailer = b"/Root %s /Info %s /ID %s" % (root.format(document), info.format(document), identity)
-    file.add(_object(len(entries) - 1, _table(entries, trailer)))
-    file.add(b"startxref\n%d\n%%%%EOF\n" % at)
-    return bytes(file.format(document))
+    file += _object(len(entries) - 1, _table(entries, trailer))
+    file += b"startxref\n%d\n%%%%EOF\n" % at
+    return bytes(file)
 
 
 def _objects(document: Any) -> Iterator[tuple[int, bytes]]:

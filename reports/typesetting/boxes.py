@@ -21,6 +21,9 @@ Colour = tuple[float, float, float]
 BLACK: Colour = (0.0, 0.0, 0.0)
 GREY: Colour = (0.27, 0.27, 0.27)
 FAINT: Colour = (0.80, 0.80, 0.80)
+# points added to what a page is written with: a place that lies on the half of a hundredth, by the way a page is laid
+# out, is else rounded up or down by the last of its sixteen digits, which depend on processor and libraries
+EDGE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)

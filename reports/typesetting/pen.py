@@ -14,7 +14,7 @@ from operator import itemgetter
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfgen.canvas import Canvas
 
-from .boxes import BLACK, Box, Colour, Mark
+from .boxes import BLACK, EDGE, Box, Colour, Mark
 from .fonts import LEFT, face_of
 from .tags import FIGURE, Element, Link, SignatureField, Tag, Tree, hexed
 
@@ -125,7 +125,8 @@ class Pen:
         self.figures.append((draw, self.element))
 
     def _fill(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
-        self._draw(f"{_rgb(colour)} rg {x:.2f} {y:.2f} {width:.2f} {height:.2f} re f")
+        corner, size = f"{x + EDGE:.2f} {y + EDGE:.2f}", f"{width + EDGE:.2f} {height + EDGE:.2f}"
+        self._draw(f"{_rgb(colour)} rg {corner} {size} re f")
 
     def _draw(self, code: str) -> None:
         """Lines and areas are content in a figure; elsewhere they adorn."""
@@ -187,7 +188,7 @@ class Pen:
                 operators.append(f"{3 if unseen else 0} Tr")
                 hidden = unseen
             turned = "0 1 -1 0" if mark[0] == "turned" else "1 0 0 1" if stretch == 1.0 else f"1 0 0 {stretch:.3f}"
-            operators.append(f"{turned} {x:.2f} {y:.2f} Tm")
+            operators.append(f"{turned} {x + EDGE:.2f} {y + EDGE:.2f} Tm")
             blank = (
                 self._encoded(face, " ")
                 if n + 1 < len(self.text) and self._breaks(x, y, element, *self.text[n + 1])
@@ -224,7 +225,8 @@ class Pen:
 
 def _path(points: list[tuple[float, float]]) -> str:
     (x, y), *rest = points
-    return f"{x:.2f} {y:.2f} m " + " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
+    lines = " ".join(f"{a + EDGE:.2f} {b + EDGE:.2f} l" for a, b in rest)
+    return f"{x + EDGE:.2f} {y + EDGE:.2f} m {lines}"
 
 
 def _rgb(colour: Colour) -> str:
@@ -245,7 +247,8 @@ class Recording:
 
     def place(self, pen: Pen, x: float, y: float) -> None:
         """Put it on a page with its corner there; x from the left margin."""
-        pen.figure(lambda: pen.canvas._code.append(f"q 1 0 0 1 {LEFT + x:.2f} {y:.2f} cm\n{self.code}\nQ"))
+        corner = f"{LEFT + x + EDGE:.2f} {y + EDGE:.2f}"
+        pen.figure(lambda: pen.canvas._code.append(f"q 1 0 0 1 {corner} cm\n{self.code}\nQ"))
         for box, a, b, turned in self.words:
             (pen.turn if turned else pen.put)(box, x + a, y + b)
 

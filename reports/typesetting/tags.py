@@ -14,6 +14,8 @@ from typing import Any
 
 from reportlab.pdfbase.pdfdoc import PDFDictionary, PDFName, PDFObject, PDFObjectReference, PDFStream, PDFZCompress
 
+from .boxes import EDGE
+
 GATHERED = {"LI": "L", "TOCI": "TOC"}  # neighbours of a kind stand in a common element
 HEADING, FIGURE = "H", "Figure"
 CELLS = ("TD", "TH")
@@ -218,7 +220,7 @@ class Link(PDFObject):  # type: ignore[misc]
         self.corners, self.words, self.to, self.parent = corners, words, to, parent
 
     def format(self, document: Any) -> bytes:
-        box = " ".join(f"{x:.2f}" for x in self.corners)
+        box = " ".join(f"{x + EDGE:.2f}" for x in self.corners)
         entries = (
             f"/Type /Annot /Subtype /Link /Border [0 0 0] /F {PRINTED} /Contents <{hexed(self.words)}> /Rect [{box}]"
         ).encode()
@@ -239,7 +241,7 @@ class SignatureField(PDFObject):  # type: ignore[misc]
         self.corners, self.name, self.words, self.page, self.parent = corners, name, words, page, parent
 
     def format(self, document: Any) -> bytes:
-        left, low, right, top = self.corners
+        left, low, right, top = (x + EDGE for x in self.corners)
         look = PDFStream(
             PDFDictionary(
                 {

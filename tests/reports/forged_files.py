@@ -182,7 +182,7 @@ def _(pdf: bytes) -> bytes:
 
 @kind("bytes: another comment")
 def _(pdf: bytes) -> bytes:
-    return pdf.replace(b"ReportLab Generated", b"Somebody  Generated", 1)
+    return pdf.replace(b"\x93\x8c\x8b\x9e", b"\x93\x8c\x8b\x9f", 1)
 
 
 @kind("bytes: the end taken off")
