@@ -7,6 +7,17 @@ import sys
 import zlib
 from pathlib import Path
 
+import numpy as np
+
+from calc.locale import language
+from calc.sheet.expression import governing
+from calc.sheet.formula import formula
+from calc.sheet.number import short
+from calc.sheet.step import Curve, Series
+from calc.sheet.text import Text
+from calc.sheet.value import Line
+from reports.figures.plots import Plots, in_words
+from reports.typesetting.pen import _path
 from tests.reports.reading import EXAMPLE, ROOT, Solved
 
 SCRIPT = """
@@ -65,3 +76,36 @@ def test_reports_know_no_single_step() -> None:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("calc"):
                 assert node.module is not None and node.module.startswith(rooms), path
+
+
+def test_with_the_kernels_of_another_processor(engineer: bytes, tmp_path: Path) -> None:
+    """Names that a library or a processor does not know change nothing there."""
+    plain = dict(OPENBLAS_CORETYPE="Prescott", GLIBC_TUNABLES="glibc.cpu.hwcaps=-AVX2,-FMA")
+    assert (
+        elsewhere(tmp_path / "other", NPY_DISABLE_CPU_FEATURES="X86_V4 X86_V3 AVX512F FMA3 AVX2", **plain) == engineer
+    )
+
+
+def test_its_own_words_are_of_no_version_of_reportlab(engineer: bytes) -> None:
+    assert engineer.startswith(b"%PDF-1.7\n%\x93\x8c\x8b\x9e\n")
+    assert not any(b"opensource" in part or b"www.reportlab" in part for part in (engineer, *_streams(engineer)))
+
+
+def test_halves_ties_and_noise_are_not_told_by_the_last_digits() -> None:
+    """Of a place on the page, a number, the element that governs, and a line whose sum is zero."""
+    for x in (654.765, -0.0, 0.125):
+        near = [(a, b) for a in (x, x * (1 + 1e-15) + 1e-14) for b in (x, x * (1 - 1e-15) - 1e-14)]
+        assert len({_path([place, place]) for place in near}) == 1
+    assert short(1.2345 * (1 - 1e-15)) == short(1.2345 * (1 + 1e-15)) == short(1.2345)
+
+    @formula("x", "mathematics: as given")
+    def same(x: np.ndarray) -> np.ndarray:
+        return x
+
+    for largest in ([2.0, 1.0, 2.0 + 1e-15], [2.0, 1.0, 2.0 - 1e-15]):
+        assert governing(Line(same, {}, np.array(largest))) == (0,)
+    assert governing(Line(same, {}, np.array([np.nan, 1.0, np.inf]))) == (2,)
+    curve = Curve(
+        "", Text(), Text("z"), Text("M, N·m"), (Series(Text("M"), np.arange(3.0), np.array([2.3e-10, 263.0, -2e-11])),)
+    )
+    assert "0 … 263" in in_words(curve, Plots(language("en")))
