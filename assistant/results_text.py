@@ -16,6 +16,7 @@ from calc.design.model import OPTIONAL, STEPS, TITLES
 from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
+from calc.library.publications import as_printed
 from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table, ignored
@@ -403,9 +404,12 @@ def results_json(
                 "unit": e.unit,
                 "source": e.source,
                 "why": e.why,
+                "line": line,
+                "who": who,
             }
             for o in shown
             for e in o.errata
+            for line, who in [as_printed(*e.at)]
         ],
         "proposals": {o.key: list(o.proposals) for o in shown if o.proposals},
         "notes": {o.key: list(o.notes) for o in shown if o.notes},

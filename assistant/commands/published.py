@@ -27,7 +27,17 @@ from calc.sheet.step import Table
 from calc.sheet.text import Amount, Name, Text
 from calc.sheet.units import UNITS
 from calc.sheet.version import VERSION
-from calc.studies.published import VALIDATION_KINDS, Misprint, Unmet, ValidationRow, documents, misprints, rows, unmet
+from calc.studies.published import (
+    VALIDATION_KINDS,
+    Misprint,
+    Unmet,
+    ValidationRow,
+    caveat,
+    documents,
+    misprints,
+    rows,
+    unmet,
+)
 
 WIDE = 116
 MOST = 12  # formulas that are named
@@ -291,7 +301,7 @@ def _lines(erratum: Misprint) -> list[str]:
     )
     shown = [
         f"  {erratum.about}  [{at}]",
-        *_wrapped_erratum("printed", erratum.printed),
+        *_wrapped_erratum("printed", erratum.as_printed),
         *_wrapped_erratum("right", erratum.right),
         *_wrapped_erratum("", erratum.why),
     ]
@@ -314,6 +324,10 @@ def markdown() -> str:
         "the program's own; the command below a row shows how each is worked out. Lines are those of the plain text "
         "of the document.",
         "",
+        f"{caveat()} Below",
+        "what is printed stands the line itself, ten words at most, and who may be wrong: author, print, or copy, "
+        "which is that plain text.",
+        "",
         "The table behind this page is `calc/library/tables/errata.toml`; `contralbero errata --markdown > "
         "docs/errata.md` writes the page.",
     ]
@@ -328,7 +342,7 @@ def markdown() -> str:
         ]
         for erratum in of_it:
             why = f"{erratum.why}<br>`{erratum.command}`" if erratum.command else erratum.why
-            cells = f"{erratum.place}; {erratum.lines}", erratum.about, erratum.printed, erratum.right, why
+            cells = f"{erratum.place}; {erratum.lines}", erratum.about, erratum.as_printed, erratum.right, why
             out.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join(out)
 

@@ -179,9 +179,8 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
     if charts is not None and r.duty.supply_pressure > 0:
         given, hot, cold = (Amount(g * 1e6, form=".1f") for g in (r.clearance, r.clearance_hot, r.clearance_cold))
         expansion = Text(
-            "The thesis leaves thermal expansion out: its clearance of {clearance} µm becomes {clearance_hot} µm when "
-            "warm and "
-            "{clearance_cold} µm at the lowest temperature.",
+            "The thesis does not treat thermal expansion: its clearance of {clearance} µm becomes {clearance_hot} µm "
+            "when warm and {clearance_cold} µm at the lowest temperature.",
             clearance=given,
             clearance_hot=hot,
             clearance_cold=cold,
@@ -192,8 +191,7 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
             charts.film * 1e6,
             "µm",
             Text("method of Finotti 2013, 5.5.2, on the clearance as given"),
-            expansion
-            + (Text(" Nor does it know that a groove parts the film.") if supply.lands(r.seat.inputs) == 2 else ""),
+            expansion,
         )
     if falz is not None and 0.9 < falz.sommerfeld <= 1:
         with untraced():
@@ -209,4 +207,5 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
                 "So = {sommerfeld} is below 1, but the thesis keeps the formula for So > 1 of its first pass.",
                 sommerfeld=So,
             ),
+            ("Finotti 2013", "3279-3281"),
         )

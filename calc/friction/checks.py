@@ -2,10 +2,7 @@
 """What is to be said about solved friction: checks, where the source is wrong, notes and curves."""
 
 from collections.abc import Iterator
-from contextlib import suppress
 from functools import partial
-
-import numpy as np
 
 from ..bearings.inputs import BearingsInputs
 from ..gears.inputs import GearsInputs
@@ -13,7 +10,6 @@ from ..gears.rating.checks import LINE_LOAD, MICROPITTING_FILM
 from ..library import oils
 from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
-from ..sheet.errors import NoSolution
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum, Outcome
@@ -22,10 +18,9 @@ from ..sheet.units import Watt
 from ..sheet.value import Line
 from . import curves, notes
 from .inputs import FrictionInputs
-from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .mesh.loss import MeshLoss, loss_factor, solve_mesh
+from .mesh.film import LEAST_FACTOR, Oil
+from .mesh.loss import MeshLoss
 from .mesh.mixed import THESIS
-from .mesh.path import line_load
 from .models import MODELS, factor_apart
 from .power_balance import TrainDrive
 from .result import FrictionResult, MeshResult, by_regime
@@ -301,54 +296,22 @@ def _mesh_checks(mesh_name: str, friction: FrictionInputs, mesh: MeshResult) -> 
 
 
 def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Erratum, ...]:
-    meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
-    name, mesh = next(iter(result.meshes.items()))
-    meshes += oils.errata(oil.lubricant, oil.T_m, dotted("friction", FrictionResult.oil_viscosity))
-    if mesh.case.mesh.spur:  # as the source's pair: this is about its own calculation
-        source = Text("method of the {thesis}, eq. 1", thesis=THESIS)
-        why = Text("The printed quotient is the share that is lost, not the efficiency.")
-        about, label = dotted("friction", name, MeshLoss.efficiency), Text("Efficiency of the mesh")
-        meshes.append(Erratum(about, label, 1 - mesh.judged.efficiency, "", source, why))
-    return tuple(meshes)
+    films = [e for name, mesh in result.meshes.items() for e in _film_of_source(name, friction, mesh)]
+    return (*films, *oils.errata(oil.lubricant, oil.T_m, dotted("friction", FrictionResult.oil_viscosity)))
 
 
-def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
-    c, P, by_source, lead = mesh.case, mesh.judged.load, mesh.source, by_regime(mesh).lead_at_pitch
-    if by_source is None:
-        return
-    if lead < 1 and friction.film == "judged":
-        source = Text("method of the {thesis}, 4.3", thesis=THESIS)
-        why = Text(
-            "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin "
-            "as without pressure: "
-            "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count."
+def _film_of_source(name: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
+    if mesh.source is not None and by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
+        yield Erratum(
+            dotted("friction", name, MeshLoss.film_min),
+            Text("Thinnest film"),
+            mesh.source.film_min * 1e6,
+            "µm",
+            Text("method of the {thesis}, 4.3", thesis=THESIS),
+            Text(
+                "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin "
+                "as without pressure: the rigid isoviscous film is thicker, and it costs rolling power that the source "
+                "does not count."
+            ),
+            (str(THESIS), "974-979, 1457"),
         )
-        yield Erratum(f"{id}.film_min", Text("Thinnest film"), by_source.film_min * 1e6, "µm", source, why)
-    if not c.mesh.spur:
-        return
-    own_law = friction.film == "judged" and friction.solid_friction is None and friction.load_share != "thesis"
-    if own_law and lead >= 1:
-        label = Text("Mean coefficient of friction")
-        source = Text("method of the {thesis}, section on mixed lubrication", thesis=THESIS)
-        why = Text(
-            "Peaks that rub as those of rollers do, and too many of them: measured gears have half of that and "
-            "less, and so has the "
-            "paper that the source follows (Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07 where it takes 0.135)."
-        )
-        yield Erratum(f"{id}.friction_mean", label, by_source.friction_mean, "", source, why)
-    with suppress(NoSolution):  # the thinner film of the source can get too hot where the right one does not
-        elliptical = solve_mesh(c, P, False, ELLIPTICAL).loss
-        about, label = dotted(id, "source", MeshLoss.loss), Text("Power lost in the mesh, EHL film")
-        source = Text("method of the {thesis}, eq. 26", thesis=THESIS)
-        why = Text(
-            "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts "
-            "have 0.56."
-        )
-        yield Erratum(about, label, elliptical, "W", source, why)
-    if friction.load_sharing == "linear":
-        share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)
-        w, _ = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
-        short_of_load = loss_factor(s=c.path.weight, w=share * w, V_s=c.motion.V_s, P=P)
-        source = Text("method of the {thesis}, 5.1, load sharing", thesis=THESIS)
-        why = Text("Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody.")
-        yield Erratum(f"{id}.loss_factor", Text("Loss factor"), short_of_load, "", source, why)

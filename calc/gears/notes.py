@@ -80,6 +80,7 @@ def errata(result: TrainResult) -> tuple[Erratum, ...]:
                 teeth2=first.teeth,
                 speed=Amount(abs(wheel.speed) * 60, form=".1f"),
             ),
+            ("Finotti 2013", "2107, 2131"),
         )
         for wheel in drivers
         if wheel.teeth != first.teeth

@@ -49,4 +49,5 @@ def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> Iterator[Erra
                 "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed "
                 "and leave order 2 untouched: the whole reciprocating mass acts."
             ),
+            ("Finotti 2013", "1004-1013"),
         )

@@ -13,8 +13,8 @@ from functools import cache
 
 from ..sheet.quantity import unknown
 from ..sheet.record import record
-from ..sheet.text import SEMICOLON, Text
-from .table_file import TABLES, Mistake, bad_table, parsed, text_of_table
+from ..sheet.text import EMPTY, SEMICOLON, Text
+from .table_file import TABLES, Mistake, bad_table, house_table, parsed, text_of_table
 
 TABLE, PLACES = TABLES / "publications.toml", TABLES / "places.toml"
 NEEDED = ("name", "title", "edition", "status", "known")  # keys of a publication
@@ -28,6 +28,14 @@ KNOWN = {
     "other": Text("as another source quotes it"),
     "memory": Text("from memory"),
     "computed": Text("computed here"),
+}
+
+# Who may be wrong where a document is: the closed set of `who` in errata.toml.  The copy is the text that was read.
+WHO = {
+    "author": Text("author"),
+    "author or print": Text("author or print"),
+    "print or copy": Text("print or copy"),
+    "author, print or copy": Text("author, print or copy"),
 }
 
 # What a source begins with that names no publication first, and what it means.
@@ -241,3 +249,12 @@ def references(sources: Iterable[str]) -> dict[str, tuple[Publication, list[str]
             places += [place for place in citation.places if place not in places]
             known += [citation.known] if citation.known not in known else []
     return cited
+
+
+def as_printed(document: str, lines: str) -> tuple[str, Text]:
+    """What stands at these lines of a document that is wrong there, ten words at most in its own language, and who may
+    be; empty where the table of errata has none."""
+    for row in house_table("errata.toml")["row"]:
+        if (row["source"], row["lines"]) == (document, lines):
+            return row["line"], WHO[row["who"]]
+    return "", EMPTY

@@ -150,6 +150,7 @@ class Erratum:
     unit: str
     source: Text
     why: Text
+    at: tuple[str, str] = ("", "")  # document and lines: its row of tables/errata.toml
 
 
 @record

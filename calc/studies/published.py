@@ -196,7 +196,7 @@ def _raimondi_boyd() -> Iterator[ValidationRow]:
 # --- what is wrong in the documents that this program grew out of
 # The rows of tables/errata.toml, with the right values computed.
 
-DIGITS = 4  # of a right number: as many as the documents print
+DIGITS = 5  # of a right number: as many as the documents print
 
 
 @record
@@ -208,12 +208,19 @@ class Misprint:
     place: str  # section, equation, table or figure
     lines: str  # of the document's plain text
     about: str
-    printed: str
+    line: str  # as printed, ten words at most, in its own language
+    who: str  # may be wrong: author, print or copy
     right: str
     why: str
+    printed: str = ""  # what the line says, where it does not say it alone
     design: str = ""
     value: str = ""
     sum: str = ""
+
+    @property
+    def as_printed(self) -> str:
+        """What stands there: what it says, the line itself, and who may be wrong."""
+        return f"{self.printed}: “{self.line}” ({self.who})".removeprefix(": ")
 
     @property
     def command(self) -> str:
@@ -224,6 +231,11 @@ class Misprint:
 def documents() -> dict[str, str]:
     """The documents by the short names of the register, each with what it is."""
     return {name: about["title"] for name, about in house_table("errata.toml")["source"].items()}
+
+
+def caveat() -> str:
+    """What is held against no document."""
+    return str(house_table("errata.toml")["caveat"])
 
 
 def misprints(source: str = "") -> Iterator[Misprint]:
@@ -241,7 +253,8 @@ def _misprint(row: dict[str, str]) -> Misprint:
         published = _values_of(row["design"])[row["value"]]
         numbers["value"] = with_unit(short(published.shown, DIGITS), published.unit)
     right = row.get("right", "{value}" if "value" in row else "{sum}")
-    return Misprint(**row | {"printed": row["printed"].format_map(numbers), "right": right.format_map(numbers)})
+    told = {"printed": row.get("printed", "").format_map(numbers), "right": right.format_map(numbers)}
+    return Misprint(**row | told)
 
 
 def worked_out(arithmetic: str) -> float:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from calc.design.names import knows
+from calc.library.publications import as_printed
 from calc.sheet.check import Check
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text
@@ -140,7 +141,7 @@ def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = 
                 if short and e is not some[-1]
                 else f"{why}. [{e.source}]"
                 if short
-                else f"{e.why} [{e.source}] {e.about}"
+                else f"{e.why} {_as_printed(context, e)} {e.about}"
             )
             rows.append(_erratum_row(context, e, under))
     last = max(50.0, longest(w["deviation"], HEADER))
@@ -151,6 +152,12 @@ def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = 
         Column(w["deviation"], "r", width=last),
     )
     return table(columns, rows) if rows else []
+
+
+def _as_printed(context: Context, e: Erratum) -> str:
+    """The line itself, where it is known, its source, and who may be wrong."""
+    line, who = as_printed(*e.at)
+    return f"“{line}” [{e.source}; {context.say(who)}]" if line else f"[{e.source}]"
 
 
 def _erratum_row(context: Context, e: Erratum, under: str) -> Row:

@@ -38,7 +38,6 @@ from ...sheet.value import based_on
 from .path import Cells, Motion
 
 EXPONENT: Number = 0.56  # of the materials' parameter, line contact
-ELLIPTICAL: Number = 0.53  # that of elliptical contacts, which the friction source prints
 LEAST_FACTOR: Number = 0.05  # of the thermal reduction: below, its formula has left its range
 
 JOHNSON = Text("Johnson 1970, regimes of fluid-film lubrication of line contacts")
@@ -189,14 +188,12 @@ class MeshFilm:
     lead: Array
 
 
-def film(
-    by_regime: bool, oil: Oil, motion: Motion, w: Array, p_H: Array, cells: Cells, exponent: Number = EXPONENT
-) -> MeshFilm:
+def film(by_regime: bool, oil: Oil, motion: Motion, w: Array, p_H: Array, cells: Cells) -> MeshFilm:
     """The film by regime, or with the EHL formula everywhere."""
     U = speed_parameter(eta_0=oil.eta_0, u_e=motion.u_e, E_r=motion.E_r, R=motion.R)
     G = materials_parameter(alpha=oil.alpha, E_r=motion.E_r)
     W = load_parameter(w=w, E_r=motion.E_r, R=motion.R)
-    H = H_VE = film_elastic_piezoviscous(G=G, e=exponent, U=U, W=W)
+    H = H_VE = film_elastic_piezoviscous(G=G, e=EXPONENT, U=U, W=W)
     rigid: Array = np.zeros_like(w)
     lead = h_0 = rigid
     if by_regime:

@@ -43,7 +43,7 @@ from ...sheet.units import (
 )
 from ...sheet.value import converged, recorder, unlinked, untraced
 from ..inputs import FrictionInputs
-from .film import EXPONENT, MeshFilm, Oil, film, oil_at
+from .film import MeshFilm, Oil, film, oil_at
 from .geometry import MeshGeometry, column, flat, require
 from .mixed import THESIS, Surfaces, surfaces_of
 from .path import Motion, Path, line_load, motion, path, transverse_force
@@ -229,7 +229,7 @@ class MeshCase:
     warming: Warming
     estimated: bool  # whether the temperature of the teeth is `warming`'s
     # asked untraced
-    last: list["tuple[tuple[bool, Number], Watt, Lost]"] = field(default_factory=list, init=False, repr=False)
+    last: list["tuple[bool, Watt, Lost]"] = field(default_factory=list, init=False, repr=False)
 
     def rubbing(self, by_regime: bool) -> Surfaces:
         return self.surfaces if by_regime else self.source_surfaces
@@ -315,16 +315,16 @@ def closing_tooth_temperature(T: Celsius) -> Celsius:
     return T
 
 
-def solve_mesh(c: MeshCase, P: Any, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
+def solve_mesh(c: MeshCase, P: Any, by_regime: bool) -> MeshLoss:
     """The loss of a mesh that takes in the power P, one or many."""
     require(c.mesh.power, P)
     if not c.estimated:
-        return _solved(c, P, by_regime, exponent)
+        return _solved(c, P, by_regime)
     with untraced():
-        T_b = _warmed(unlinked(c), unlinked(P), by_regime, exponent)
+        T_b = _warmed(unlinked(c), unlinked(P), by_regime)
 
     def last(T: Celsius) -> tuple[MeshLoss, Celsius]:
-        trial = _solved(replace(c, oil=c.oil.at(T)), P, by_regime, exponent)
+        trial = _solved(replace(c, oil=c.oil.at(T)), P, by_regime)
         return trial, warming_of(c, P, trial.friction_mean, trial.loss_factor)
 
     loss, rise = converged(closing_tooth_temperature, T_b, last, lambda both: both[1])
@@ -363,12 +363,12 @@ def _steadied(
     raise fail(gap, Text("off by {max} K after {passes} passes", max=most, passes=PASSES))
 
 
-def _warmed(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Celsius:
+def _warmed(c: MeshCase, P: Watt, by_regime: bool) -> Celsius:
     """The temperature of teeth as warm as the loss makes them, as a column where there are many points."""
     T_oil, what = flat(c.warming.T_oil), Text("mesh {title}: temperature of the teeth", title=c.mesh.title)
 
     def at(T: Celsius) -> tuple[Kelvin, Celsius]:
-        loss = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime, exponent)
+        loss = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime)
         return T_oil + warming_of(c, P, loss.friction_mean, loss.loss_factor) - T, column(T)
 
     def fail(gap: Kelvin, reason: str) -> NoSolution:
@@ -385,7 +385,7 @@ def power_lost(c: MeshCase, P: Watt, by_regime: bool, *, rolling: bool = True) -
         whole = solve_mesh(c, P, by_regime)
         return whole.loss if rolling else whole.sliding_loss
     require(c.mesh.power, P)
-    lost = _lost(c, P, by_regime, EXPONENT)
+    lost = _lost(c, P, by_regime)
     return mesh_loss(P_s=lost.P_s, P_R=lost.P_R) if rolling else lost.P_s
 
 
@@ -403,20 +403,20 @@ class Lost:
     t: Traction
 
 
-def _lost(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
+def _lost(c: MeshCase, P: Watt, by_regime: bool) -> Lost:
     """Sliding and rolling with teeth of the oil's temperature T_m; where no lines are wanted, what was asked last is
     known."""
     if recorder.get() is not None:
-        return _found(c, P, by_regime, exponent)
+        return _found(c, P, by_regime)
     for how, power, lost in c.last:
-        if how == (by_regime, exponent) and np.array_equal(power, P):
+        if how == by_regime and np.array_equal(power, P):
             return lost
-    lost = _found(c, P, by_regime, exponent)
-    c.last[:] = [((by_regime, exponent), P, lost)]
+    lost = _found(c, P, by_regime)
+    c.last[:] = [(by_regime, P, lost)]
     return lost
 
 
-def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
+def _found(c: MeshCase, P: Watt, by_regime: bool) -> Lost:
     s, m, name = c.path.weight, c.motion, Text("mesh {title}", title=c.mesh.title)
     w, w_f = line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=m.omega_1, r_b1=c.mesh.driver.base_radius))
     b_H = contact.half_width(w=w_f, rho_n=m.R, E_r=m.E_r)
@@ -424,7 +424,7 @@ def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     p_m = contact.mean_pressure(p_H=p_H)
 
     def rubbing(oil: Oil) -> tuple[MeshFilm, Traction]:
-        f = film(by_regime, oil, m, w_f, p_H, c.path.cells, exponent)
+        f = film(by_regime, oil, m, w_f, p_H, c.path.cells)
         return f, traction(oil, m, f, w, w_f, p_m, b_H, c.rubbing(by_regime), c.path.x, name)
 
     oil = _skins(c, rubbing)
@@ -437,9 +437,9 @@ def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     return Lost(P_s=P_s, P_R=P_R, w=w, b_H=b_H, p_H=p_H, oil=oil, f=f, t=t)
 
 
-def _solved(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
+def _solved(c: MeshCase, P: Watt, by_regime: bool) -> MeshLoss:
     """The loss with teeth of the oil's temperature T_m, and all that is shown beside it."""
-    lost = _lost(c, P, by_regime, exponent)
+    lost = _lost(c, P, by_regime)
     c.last.clear()  # what a whole path has at every position is large, and nobody asks again
     s, m = c.path.weight, c.motion
     P_s, P_R, w, p_H, oil, f, t = lost.P_s, lost.P_R, lost.w, lost.p_H, lost.oil, lost.f, lost.t

@@ -96,8 +96,7 @@ def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
 @formula(
     "μ_EHL",
     Text(
-        "{thesis}, eqs. 32 (misprinted there) and 48: Eyring's law, "
-        "no more than the limiting shear Λ of Bair and Winer",
+        "{thesis}, eqs. 32 and 48: Eyring's law, no more than the limiting shear Λ of Bair and Winer",
         thesis=THESIS,
     ),
 )

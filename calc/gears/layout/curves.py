@@ -218,12 +218,13 @@ def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) 
         return ()
     why = Text(
         "The drawing gives a tip diameter of {drawn_tip} mm, the sheet {tip} mm: with the sheet's the gap is about "
-        "twice the eight tenths of the text.",
+        "twice the eight tenths of the text. Which of the two was cut is not said.",
         drawn_tip=mm(DRAWN_TIP, "g"),
         tip=mm(tip, ".3f"),
     )
     name, source = Text("Gap at insertion by the text of Finotti 2013"), Text("Finotti 2013, 4.1")
-    return (Erratum(dotted("gears", LayoutResult.insertion_gap), name, DRAWN_GAP * 1e3, "mm", source, why),)
+    about, at = dotted("gears", LayoutResult.insertion_gap), ("Finotti 2013", "1562-1568, 2058")
+    return (Erratum(about, name, DRAWN_GAP * 1e3, "mm", source, why, at),)
 
 
 def forces_notes(gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number]) -> Iterator[Text]:

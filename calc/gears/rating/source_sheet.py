@@ -219,5 +219,6 @@ def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum
         id, shown = dotted("gears", key, MeshRating.contact_stress), UNITS["MPa"].shown(rating.sheet.contact_stress)
         label = Text("{label} by the sheet of Finotti 2013", label=Text("Contact stress"))
         source = Text("method of Finotti 2013, Tables 4.5 and 4.6")
-        errata.append(Erratum(id, label, shown, "MPa", source, CONTACT_OF_SHEET + speed))
+        at = "Finotti 2013", "2108, 2132"
+        errata.append(Erratum(id, label, shown, "MPa", source, CONTACT_OF_SHEET + speed, at))
     return tuple(errata)

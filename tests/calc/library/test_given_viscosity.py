@@ -17,7 +17,7 @@ from calc.solve import solve
 from calc.studies.explain import Chains
 
 DESIGNS = Path(__file__).parents[3] / "designs"
-# Gear friction thesis, table of oils (read): T in °C → dynamic viscosity in mPa·s, as printed, misprints and all.
+# Gear friction thesis, table of oils (read): T in °C → dynamic viscosity in mPa·s, as our copy has it.
 PRINTED = {
     "10W40": {40.0: 128.58, 50.0: 20.10, 60.0: 70.22, 100.0: 16.797},
     "0W30": {40.0: 27.18, 50.0: 20.10, 60.0: 16.14, 100.0: 4.29},
@@ -143,7 +143,7 @@ def test_beyond_the_rows_is_said():
 
 
 def test_a_rise_with_temperature_is_said_and_heats_no_inlet():
-    """20.10 mPa·s at 50 °C between 128.58 and 70.22: the 0W-30's value, copied."""
+    """20.10 mPa·s at 50 °C between 128.58 and 70.22: the 0W-30's value, copied, or 90.10 misread."""
     lubricant = Lubricant(tabulated(PRINTED["10W40"]))
     assert "rises from 50 to 60 °C" in rising_rows(lubricant.oil) and rising_rows(tabulated(PRINTED["0W30"])) is None
     assert lubricant.beta(50.0) == lubricant.beta(55.0) == 0 and lubricant.beta(60.0) > 0

@@ -109,7 +109,7 @@ def test_places_are_read_as_they_are_written():
     assert places("Finotti 2013, 4.7 (in chapter 6): 20 MPa") == ("4.7", "ch. 6") and places(
         "Finotti 2013, eq. 2.7, corrected"
     ) == ("eq. 2.7",)
-    assert places("gear friction thesis, eqs. 32 (misprinted) and 48: Eyring") == ("eq. 32", "eq. 48")
+    assert places("gear friction thesis, eqs. 32 (with its limit) and 48: Eyring") == ("eq. 32", "eq. 48")
 
 
 @pytest.mark.parametrize(

@@ -37,10 +37,6 @@ def test_the_exponents_of_dowson_toyoda_by_ratios():
     assert [math.log10(H(**{x: 10.0}) / H()) for x in "GUW"] == pytest.approx([0.56, 0.69, -0.10])
 
 
-def test_the_printed_exponent_thins_the_film():
-    assert ehl(f.ELLIPTICAL) / ehl() == pytest.approx((ALPHA * E_R) ** -0.03)
-
-
 def test_thermal_reduction():
     """Self-computed: p_H/E_r = 1/230, L = 1, S = 0.2."""
     assert f.thermal_reduction(p_H=1.0, E_r=230.0, L=1.0, S=0.2) == pytest.approx(0.70455, abs=5e-6)
