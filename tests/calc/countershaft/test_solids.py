@@ -1,4 +1,4 @@
-"""Strengths in the table of materials: Finotti 2013, Table 4.2 (after Meneghetti et al. 2013) and ch. 6."""
+"""Strengths in the table of materials: Finotti 2013, 2.5.2, Table 4.2 (after Meneghetti et al. 2013) and ch. 6."""
 
 import pytest
 
@@ -15,6 +15,7 @@ TABLE = {
     "ADI 1050": (163, 1110, 794),
     "ADI 1200": (148, 1330, 1046),
     "42CrMo4": (210, 1026, 882),
+    "42CrMo4 forged crank": (206, 880, 650),  # 2.5.2: the least of 880 to 1030 and of 650 to 880
     "EN-GJL-250": (110, 250, None),
     "EN AC-43100": (74.5, 220, 180),
 }
