@@ -136,7 +136,7 @@ def test_a_scenario_without_solution_is_named():
 # --- the three of the friction thesis
 def thesis(name):
     outcome = friction_of(read(DESIGNS / f"thesis_{name}.toml"))
-    return outcome, {key: one.meshes["crank_pump"].source for key, one in outcome.result.scenarios.items()}
+    return outcome, {key: one.meshes["crank_camshaft"].source for key, one in outcome.result.scenarios.items()}
 
 
 NAMES = {"10W-40": "10W40", "0W-30": "0W30", "10W-40-synthetic": "10W40 synthetic", "MIL-L-23699E": "MIL-L-23699E"}
