@@ -254,7 +254,9 @@ class Scenario:
         repair="asked",
     )
     figure: str | None = text(
-        "Figure", default=None, help="Scenarios of one figure are drawn together. Left out: with the others that say none."
+        "Figure",
+        default=None,
+        help="Scenarios of one figure are drawn together. Left out: with the others that say none.",
     )
 
 
