@@ -2,7 +2,8 @@
 """The same train under other conditions, side by side: another oil, temperature, load sharing, roughness, power.
 
 Each scenario is a whole balance of its own; what it does not say is that of the design.  Shown are the judged model and
-the friction source's, mesh by mesh, in a table and in nine curves along the path of contact; those of one figure are drawn together."""
+the friction source's, mesh by mesh, in a table and in nine curves along the path of contact; those of one figure are
+drawn together."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
