@@ -45,3 +45,9 @@ def test_numbers_are_those_of_a_metal(name):
     if solid.proof_stress is not None and solid.tensile_strength is not None:
         assert 0.5 < solid.proof_stress / solid.tensile_strength < 0.9
     assert len(solid.source) > 10
+
+
+@pytest.mark.parametrize("name, density", [("20CrNi4", 7900), ("42CrMo4 forged crank", 7800), ("EN AC-43100", 2600)])
+def test_densities_are_those_that_the_source_prints(name, density):
+    """Of its counter-shaft (4.6), its crank (2.5.2) and its support (4.7)."""
+    assert materials()[name].density == density
