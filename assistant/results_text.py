@@ -389,9 +389,8 @@ def results_json(
         "counts": asdict(judged_part.counts),
         "values": {
             id: {"value": finite(v.shown), "unit": v.unit, "label": v.label}
-            for o in shown
-            for v in o.values()
-            for id in v.ids
+            for id, v in results.values().items()
+            if step is None or id.startswith(f"{step}.")
         },
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
         "checks": [check_json(c, moved.get(c.id)) for o in shown for c in o.checks],

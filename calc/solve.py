@@ -86,8 +86,13 @@ class Results:
     def values(self) -> dict[str, Published]:
         if not self._values:
             published = (value for outcome in self.outcomes.values() for value in outcome.values())
-            self._values.update((id, value) for value in published for id in value.ids)
+            for value in published:
+                self._values.update((name, value) for id in value.ids for name in (id, self.former_id(id)))
         return self._values
+
+    def former_id(self, id: str) -> str:
+        """What a value or check was called while wheels had other names; the id itself where none had."""
+        return self.design.gears.former_id(id) if self.design.gears is not None else id
 
     def values_of(self, field: object) -> list[Published]:
         """The values of one declared field, `results.values_of(BearingResult.film_edge)`: of each part that has one."""

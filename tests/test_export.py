@@ -164,7 +164,7 @@ def test_a_design_of_gears_alone_draws_its_gears(capsys, tmp_path):
 
 def test_positions_that_are_given_are_drawn(capsys, tmp_path):
     text = (DESIGNS / "timing_pair.toml").read_text(encoding="utf-8")
-    for name, place in (("crank", "0.0, 0.0"), ("pump", "0.0, 132.67")):
+    for name, place in (("crank", "0.0, 0.0"), ("camshaft", "0.0, 132.67")):
         text = text.replace(f'name = "{name}"', f'name = "{name}"\nposition_mm = [{place}]')
     design, out = tmp_path / "pair.toml", tmp_path / "pair.dxf"
     design.write_text(text, encoding="utf-8")

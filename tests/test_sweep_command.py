@@ -216,6 +216,6 @@ def test_a_sweep_tells_inputs_that_are_not_usual():
         "--vary",
         "gears.face_width_mm=0.1:0.3:3",
         "--values",
-        "gears.crank_pump.centre_distance",
+        "gears.crank_camshaft.centre_distance",
     )
     assert "1 input is not usual: face width 0.1 mm (usual 5 to 80)" in done.stderr and "not usual" not in done.stdout

@@ -58,7 +58,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         return 0
     if asked.value not in values:
         for check in results.checks():
-            if check.id == asked.value:
+            if asked.value in (check.id, results.former_id(check.id)):
                 chains = Chains(results)
                 head = (
                     f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip()

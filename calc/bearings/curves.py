@@ -120,7 +120,7 @@ def _over_clearance(place: str, r: BearingResult) -> Curve:
 # its band, the friction over the duty, the oils.
 
 PUBLISHED_RATIOS = (1.0, 0.5, 0.25)  # l/d of the curves of 1958, beside the infinitely long bearing
-RATIOS = np.linspace(0.2, 1.2, 11)  # of the lengths that are tried
+RATIOS = np.linspace(0.2, 2.0, 19)  # of the lengths that are tried: up to the end of the table of films
 LOADS = np.geomspace(0.05e6, 50e6, 61)  # Pa, specific, of those that are tried
 OILS = ("0W-20", "5W-30", "10W-40", "15W-40")
 AS_DESIGNED = Text("as designed")

@@ -47,8 +47,6 @@ class Application:
     specific_load_low: Pascal | None = quantity("Specific load, from", "MPa", default=None)
     specific_load_high: Pascal | None = quantity("Specific load, to", "MPa", default=None)
     pv: PascalMetrePerSecond | None = quantity("p·v", "MPa·m/s", default=None)
-    viscosity_low: float | None = quantity("Viscosity, from", "mPa·s", default=None)
-    viscosity_high: float | None = quantity("Viscosity, to", "mPa·s", default=None)
     duty_low: Number | None = quantity("µ·n/p, from", default=None)
     duty_high: Number | None = quantity("µ·n/p, to", default=None)
     length_ratio_low: Number | None = quantity("Length ratio, from", default=None)

@@ -3,12 +3,13 @@
 subjects, those of its outline where it is put together."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from ..gears.inputs import GearsInputs
 from ..gears.layout.room import ASSEMBLY
 from ..imbalance.result import ImbalanceResult
 from ..library import fatigue
-from ..library.catalogue import Material, proof_of
+from ..library.catalogue import WEAKEST_TENSILE, Material, proof_of
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.functions import argument, degrees
@@ -213,6 +214,29 @@ FATIGUE_RESERVE = CheckRule(
     cause=BENDING_STRESS.id,
     value_id=FATIGUE.value_id,
     moved_by=FILLET_AND_CORE,
+)
+FEM_STRESS = CheckRule(
+    "countershaft.fem_stress",
+    "caution",
+    "The shaft yields where its stress is largest, and may hold as a whole.",
+    Text("Largest stress of the shaft, von Mises, by finite elements"),
+    "<=",
+    "MPa",
+    advice=LARGER_FILLET,
+    demand=True,
+    moved_by=(dotted("countershaft", CountershaftInputs.fem_stress),),
+)
+FEM_FATIGUE = CheckRule(
+    "countershaft.fem_fatigue",
+    "limit",
+    "A crack where the stress is largest ends the shaft's life.",
+    Text("Safety against fatigue of the largest principal stress by finite elements"),
+    source=Text("{fkm}: endless life, every run-up a cycle", fkm=fatigue.FKM),
+    advice=LARGER_FILLET,
+    role="physics",
+    demand=True,
+    value_id=dotted("countershaft", CountershaftResult.fem_safety),
+    moved_by=(dotted("countershaft", CountershaftInputs.fem_principal_stress),),
 )
 FILLET = CheckRule(
     "countershaft.fillet",
@@ -517,6 +541,24 @@ def _fatigue_checks(bent: Bending, material: Material) -> Iterator[Check]:
     advice = _give(material) if keys else Text("Give the radius of the fillets.")
     missing = Missing(tuple(keys) or FILLET_RADIUS, (), "none", "none")
     yield FATIGUE(None, ENDLESS, advice=advice, missing=missing)
+
+
+def fem_checks(shaft: CountershaftInputs, material: Material, safety: Number | None) -> Iterator[Check]:
+    """Stresses that finite elements found.  `safety`: against fatigue, of the weakest structural steel where the
+    strength is not known; None of other metals then."""
+    if shaft.fem_stress is not None:
+        proof, unknown = proof_of(material.proof_stress, shaft.fem_stress)
+        if unknown is not None and material.kind != "steel":
+            unknown = replace(unknown, worst="none")  # how far iron goes nobody says
+        source = Text("elasticity, proof stress of {name}", name=material.name)
+        yield FEM_STRESS(shaft.fem_stress, proof, source=source, missing=unknown)
+    if shaft.fem_principal_stress:
+        missing = None
+        if material.tensile_strength is None or safety is None:
+            taken = Text("{R_m}, as the weakest structural steels", R_m=Amount(WEAKEST_TENSILE * 1e-6, "MPa"))
+            bracket = ((), "none", "none") if safety is None else ((taken,), "holds", safety)
+            missing = Missing((dotted("material", Material.tensile_strength),), *bracket)
+        yield FEM_FATIGUE(safety, ENDLESS, missing=missing)
 
 
 def _give(material: Material) -> Text:

@@ -366,6 +366,24 @@ class CountershaftInputs:
         change=("smaller fillet", "larger fillet"),
         repair="free",
     )
+    fem_stress: float | None = quantity(
+        "Largest stress, von Mises, by finite elements",
+        "MPa",
+        default=None,
+        within=(0, 10000),
+        source="Finotti 2013, 4.6 (in chapter 6)",
+        help="Of the shaft at its highest speed; the limit is the proof stress of its material.",
+        repair="asked",
+    )
+    fem_principal_stress: float | None = quantity(
+        "Largest principal stress, by finite elements",
+        "MPa",
+        default=None,
+        within=(0, 10000),
+        source="Finotti 2013, 4.6 (in chapter 6)",
+        help="Of the shaft at its highest speed; every run-up is a cycle of fatigue.",
+        repair="asked",
+    )
     sector_effectiveness: float = quantity(
         "Stiffness share of the sectors",
         default=0.2,

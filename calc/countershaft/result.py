@@ -131,6 +131,9 @@ class CountershaftResult:
     first_critical_speed_without_rotary: RevPerSecond | None = value(
         "the first without rotary inertia, as other programs have it", "rpm", "n_1", default=None
     )
+    fem_safety: Number | None = value(
+        "Safety against fatigue of the largest principal stress by finite elements", "", "j", default=None
+    )
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
     bending: Bending | None = group(spread=True, default=None)
     tolerance: ToleranceResult | None = group(spread=True, default=None)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from ..imbalance.remedies import roll_torque
 from ..imbalance.result import ImbalanceResult
-from ..library.catalogue import Material
+from ..library.catalogue import WEAKEST_TENSILE, Material
 from ..library.journal_rules import heat_index, specific_load
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
@@ -26,6 +26,7 @@ from ..sheet.units import (
     MetrePerSecond,
     MetrePerSecond2,
     Number,
+    Pascal,
     Radian,
     RadPerSecond,
     SquareMetrePerSecond,
@@ -33,8 +34,8 @@ from ..sheet.units import (
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from . import outline as s
-from .bending.shaft import bending
-from .checks import FILLET_ROOM, bending_checks, checks
+from .bending.shaft import bending, run_up_fatigue
+from .checks import FILLET_ROOM, bending_checks, checks, fem_checks
 from .curves import curves
 from .inputs import CountershaftInputs, EccentricMass
 from .making.drain import DrainResult, run_off_check
@@ -94,6 +95,9 @@ def solve(
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
             step.notes.append(SLOPES_GIVEN)
         result = making(step, masses, _with_supports(step, masses, result), R)
+        if shaft.fem_principal_stress:
+            result = replace(result, fem_safety=fem_safety(shaft.fem_principal_stress, step.material))
+        step.checks += fem_checks(shaft, step.material, result.fem_safety)
     further = step.notes
     return Outcome(
         "countershaft",
@@ -123,6 +127,15 @@ def _sized(step: ShaftStep) -> "Sized | None":
         raise NoSolution(small.what, small.tried, small.advice + _room(shaft, step.journals)) from small
     step.notes += size_notes(shaft)
     return sized
+
+
+def fem_safety(stress: Pascal, material: Material) -> Number | None:
+    """Against fatigue, of a principal stress that finite elements found; a steel of unknown strength is taken as the
+    weakest."""
+    if material.kind == "steel" and material.tensile_strength is None:
+        material = replace(material, tensile_strength=WEAKEST_TENSILE)
+    with about(Text("finite elements")):
+        return run_up_fatigue(stress, material).get("fatigue_safety")
 
 
 def _room(shaft: CountershaftInputs, journals: Journals) -> str:

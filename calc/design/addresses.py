@@ -56,8 +56,10 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
 
 def _element(tables: list[object], part: str, key: str) -> int:
     """The index of the table that has this name, or this place."""
-    named = (n for n, item in enumerate(tables) if isinstance(item, dict) and item.get("name") == part)
-    index = next(named, _place(part, len(tables)))
+    called = [
+        (n, item.get(key)) for key in ("name", "former_name") for n, item in enumerate(tables) if isinstance(item, dict)
+    ]
+    index = next((n for n, name in called if name == part), _place(part, len(tables)))
     if index is None:
         names = ", ".join(str(item.get("name", n)) for n, item in enumerate(tables) if isinstance(item, dict))
         raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))

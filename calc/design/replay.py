@@ -268,7 +268,8 @@ def compare(results: "Results", row: Expect) -> Compared:
         state = results.verdict
         return Compared("design", row["design"], state, state == row["design"], kind, source, "design", state)
     if "check" in row:
-        verdict = next((c.verdict for c in results.checks() if c.id == row["check"]), None)
+        asked = row["check"]
+        verdict = next((c.verdict for c in results.checks() if asked in (c.id, results.former_id(c.id))), None)
         return _compared_verdict(row["check"], row, verdict, "no such check")
     if "step" in row:
         outcome = results.outcomes.get(row["step"])

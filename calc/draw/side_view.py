@@ -301,7 +301,15 @@ class SideView:
             half = self._across(z)
             leaf.line(CENTRE, (self.by * z, -half - 2), (self.by * z, half + 2))
         for plane, z in zip(("I", "II"), (self.positions[0], self.positions[-1])):
-            leaf.words(plane, self.by * z + 0.8, -self._across(z) - 2 - LETTER, layer=DIMENSION)
+            leaf.words(plane, self._beside_extensions(plane, z), -self._across(z) - 2 - LETTER, layer=DIMENSION)
+
+    def _beside_extensions(self, name: str, z: Metre) -> float:
+        """Where the name of a plane begins: to its right, clear of the extension lines of the lengths."""
+        ends = [self.by * end for piece in self.pieces for end in (piece.start, piece.end)]
+        wide, x = width(name, LETTER), self.by * z + 0.8
+        while any(x < end + CLEAR / 2 and end - CLEAR / 2 < x + wide for end in ends):
+            x += 0.1
+        return x
 
     def _at(self, z: Metre, near: Metre = 0.0) -> list[tuple[float, float]]:
         """How far the pieces reach above and below the axis that stand at a place, or `near` to it."""

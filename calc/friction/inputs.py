@@ -253,6 +253,11 @@ class Scenario:
         help="What goes into the first driver of a design without counter-shaft.",
         repair="asked",
     )
+    figure: str | None = text(
+        "Figure",
+        default=None,
+        help="Scenarios of one figure are drawn together. Left out: with the others that say none.",
+    )
 
 
 @inputs

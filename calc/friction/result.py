@@ -90,6 +90,7 @@ class ScenarioResult:
     delivered_power: Watt | None = value("Power that the last wheel delivers", "W")
     about: Text = EMPTY  # oil, temperature, load sharing in words
     oil: str = ""
+    figure: str = ""  # in which it is drawn
     temperature: Celsius
 
 

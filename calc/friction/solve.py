@@ -120,7 +120,7 @@ def solve(
         lines=(*lines, *outcome.lines),
         notes=outcome.notes + Later(notes),
         further=partial(further, d, result, power, on),
-        key_curves=Later(lambda: (_open_constants(d, result, power)[0],)),
+        key_curves=Later(lambda: (_open_constants(d, result, power)[0], *_side_by_side(result))),
     )
 
 
@@ -150,13 +150,16 @@ def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: OnSha
     with QUIET(), untraced():
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = _open_constants(d, result, power)
-        by_scenario = result.scenarios or {}
-        ways = {key: curves.way(mesh) for key, mesh in result.meshes.items()}
         return Further(
-            curves=(*of_map, bars, *scenarios.curves(by_scenario, ways)),
+            curves=(*of_map, bars, *_side_by_side(result)),
             tables=(*of_fuel, table, *scenarios.tables(result)),
             notes=missing,
         )
+
+
+def _side_by_side(result: FrictionResult) -> Iterator[Curve]:
+    ways = {key: curves.way(mesh) for key, mesh in result.meshes.items()}
+    return scenarios.curves(result.scenarios or {}, ways)
 
 
 def _open_constants(d: TrainDrive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:

@@ -5,6 +5,7 @@ Axes of positions: the first is up, the second 90° further in the sense of cran
 """
 
 import math
+import re
 from collections.abc import Iterable
 from typing import ClassVar
 
@@ -489,6 +490,13 @@ class GearsInputs:
         """How much warmer than the housing the wheels are, given or assumed."""
         return ASSUMED_WARMER if self.wheels_warmer is None else self.wheels_warmer
 
+    def former_id(self, id: str) -> str:
+        """What a value or check was called while its wheels had their former names: `gears.crank_pump.backlash`."""
+        for wheel in self.wheels:
+            if wheel.former_name is not None:
+                id = re.sub(rf"(?<![A-Za-z0-9-]){wheel.name}(?![A-Za-z0-9-])", wheel.former_name, id)
+        return id
+
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.normal_module is None and self.transverse_module is None:
             allowed = keys(GearsInputs)[dotted(GearsInputs.normal_module)].about.allowed()
@@ -515,6 +523,8 @@ class GearsInputs:
                         dotted(GearsInputs.wheels, i, key),
                         Text("needs gears.ball_diameter_mm, the ball or pin that was used"),
                     )
+            if wheel.former_name in [w.name for w in self.wheels]:
+                yield dotted(GearsInputs.wheels, i, Wheel.former_name), Text("is the name of a wheel")
             if wheel.measured_span is not None and wheel.span_teeth is None:
                 yield (
                     dotted(GearsInputs.wheels, i, Wheel.measured_span),

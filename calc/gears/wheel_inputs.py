@@ -225,6 +225,12 @@ class Wheel:
         repair="free",
     )
 
+    former_name: str | None = text(
+        "Name that it had",
+        default=None,
+        help="Keys, values and checks of this wheel are found by it too.",
+    )
+
     def problems(self) -> Iterable[tuple[str, Text]]:
         for key, limits in (
             (dotted(Wheel.span_allowance), self.span_allowance),

@@ -116,12 +116,14 @@ def polygons(engine: EngineInputs, e: EngineResult, throws: Throws) -> tuple[Cur
         kinds.append((Text("double angles: order 2"), second * np.exp(2j * angles)))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
     couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"
-    drawn = _polygon(*forces, kinds), _polygon(*couples, [(name, vectors * crank.z) for name, vectors in kinds])
+    moments = [(name, vectors * crank.z) for name, vectors in kinds]
+    drawn = _polygon(*forces, kinds, 4), _polygon(*couples, moments, 5)
     return tuple(curve for curve in drawn if curve.series)
 
 
-def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArray]]) -> Curve:
-    """Each cylinder's vector from the end of the one before; the resultant from the start to the end of the last."""
+def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArray]], short: int) -> Curve:
+    """Each cylinder's vector from the end of the one before; the resultant from the start to the end of the last.
+    `short`: its place among the figures of a short report."""
     series = []
     for variant, vectors in kinds:
         tips = np.concatenate([[0j], np.cumsum(vectors)])
@@ -142,6 +144,7 @@ def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArr
         tuple(series),
         equal=True,
         variants=variants,
+        short=short,
     )
 
 

@@ -245,6 +245,7 @@ class Material:
 
 
 WEAKEST_STEEL: Pascal = 235e6  # proof stress of the weakest structural steels
+WEAKEST_TENSILE: Pascal = 360e6  # their tensile strength
 
 
 def proof_of(given: Pascal | None, stress: Pascal) -> tuple[Pascal, Missing | None]:

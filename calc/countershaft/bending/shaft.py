@@ -294,7 +294,7 @@ def bending(
         frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
         stressed, notes = stresses(outline, bent, M_max, fillet_radius)
         if fillet_radius is not None:  # a shaft without a shoulder is judged by its sections
-            stressed |= _fatigue(stressed.get("notch_stress") or stressed["bending_stress"], material)
+            stressed |= run_up_fatigue(stressed.get("notch_stress") or stressed["bending_stress"], material)
         at_limit = _share_at_limit(
             shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max()))
         )
@@ -325,8 +325,8 @@ def bending(
     )
 
 
-def _fatigue(stress: Pascal, material: Material) -> dict[str, float]:
-    """The fillet that governs, from standstill to full speed and back; the stress stands still in the turning shaft."""
+def run_up_fatigue(stress: Pascal, material: Material) -> dict[str, float]:
+    """The largest stress, from standstill to full speed and back; it stands still in the turning shaft."""
     bears = fatigue.strength(material)
     if bears is None or not stress:
         return {}

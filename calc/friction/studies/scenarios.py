@@ -2,10 +2,12 @@
 """The same train under other conditions, side by side: another oil, temperature, load sharing, roughness, power.
 
 Each scenario is a whole balance of its own; what it does not say is that of the design.  Shown are the judged model and
-the friction source's, mesh by mesh, in a table and in nine curves along the path of contact."""
+the friction source's, mesh by mesh, in a table and in nine curves along the path of contact; those of one figure are
+drawn together."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 
@@ -37,6 +39,8 @@ ALONG = (
     ("T_f", Text("film temperature"), axis_label("T_f", "°C"), 1.0),
     ("q", Text("friction power"), axis_label("q", "W/mm of contact line"), 1e-3),
 )
+
+BEHIND = 2  # their first place among the figures of a short report: behind that of the open constants
 
 # What is tabulated of every mesh: label and unit of the column, attribute of `MeshLoss`, factor.
 TABULATED = (
@@ -116,6 +120,7 @@ def _one(
         crank_torque=r.crank_torque,
         delivered_power=r.delivered_power,
         about=_conditions(s, name, T, friction),
+        figure=s.figure or "",
         oil=name,
         temperature=T,
     )
@@ -228,17 +233,22 @@ def _narrowed(table: Table, kept: list[int]) -> Table:
 
 
 def curves(scenarios: Mapping[str, ScenarioResult], marks: Mapping[str, Text]) -> Iterator[Curve]:
-    """Nine curves a mesh along its path, a line a scenario; both models as variants.  `marks`: the label of the path of
-    each mesh."""
+    """Nine curves a mesh and figure along its path, a line a scenario; both models as variants.  `marks`: the label of
+    the path of each mesh."""
     meshes = next(iter(scenarios.values())).meshes if scenarios else {}
-    for key in meshes:
-        for attribute, title, label, factor in ALONG:
-            series = tuple(
-                Series(Name(name), np.asarray(local.x) * 1e3, local.drawn(attribute) * factor, words)
-                for model, words in MODELS
-                for name, s in scenarios.items()
-                for local in [getattr(s.meshes[key], model).local]
-            )
-            heading = Text("Scenarios, mesh {key}: {title} along the path", key=key.replace("_", "–"), title=title)
-            variants = tuple(words for _, words in MODELS)
-            yield Curve(f"scenarios_{key}_{attribute}", heading, marks[key], label, series, variants=variants)
+    figures = dict.fromkeys(s.figure for s in scenarios.values())
+    for place, (key, figure, along) in enumerate(product(meshes, figures, ALONG), BEHIND):
+        attribute, title, label, factor = along
+        series = tuple(
+            Series(Name(name), np.asarray(local.x) * 1e3, local.drawn(attribute) * factor, words)
+            for model, words in MODELS
+            for name, s in scenarios.items()
+            if s.figure == figure
+            for local in [getattr(s.meshes[key], model).local]
+        )
+        of = Text("{mesh}, {figure}", mesh=key.replace("_", "–"), figure=figure) if figure else key.replace("_", "–")
+        heading = Text("Scenarios, mesh {key}: {title} along the path", key=of, title=title)
+        variants = tuple(words for _, words in MODELS)
+        number = f"_{list(figures).index(figure) + 1}" if figure else ""
+        id = f"scenarios_{key}_{attribute}{number}"
+        yield Curve(id, heading, marks[key], label, series, variants=variants, short=place)

@@ -121,9 +121,10 @@ def test_a_bearing_with_a_groove_is_drawn_as_its_two_lands():
 @pytest.mark.parametrize("place", ["front", "rear"])
 def test_the_load_that_a_length_bears_leaves_the_film_of_the_limit(gamma, drawn, place):
     """Solved anew under that load, the film at the edge is Kreisle's; with the slope it is less than parallel, the more
-    the longer."""
+    the longer: up to l/d = 2, where the seat that slopes bears less than a shorter one (Finotti 2013, Fig. 5.15)."""
     parallel, sloping = list(drawn[f"allowable_load_{place}"].values())[:2]
     assert (np.diff(parallel[1]) > 0).all() and (np.diff(sloping[1] / parallel[1]) < 0).all()
+    assert parallel[0][-1] == pytest.approx(2.0) and sloping[1].argmax() < len(sloping[1]) - 1
     r = gamma.outcomes["bearings"].result.bearings[place]
     p = np.interp(r.length_ratio, *sloping) * 1e6
     load = float(p * r.seat.bearing.diameter * r.seat.bearing.length)

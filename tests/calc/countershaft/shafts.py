@@ -13,6 +13,15 @@ OMEGA = 2 * math.pi * 2600 / 60
 FRONT = {"name": "front", "mass_kg": 2.691, "radius_mm": 18.676, "angle_deg": 210.0, "z_mm": -77.671}
 REAR = {"name": "rear", "mass_kg": 2.688, "radius_mm": 18.731, "angle_deg": 30.0, "z_mm": 75.968}
 JOURNALS = [{"diameter_mm": 59.5, "length_mm": 27.5}, {"diameter_mm": 81.0, "length_mm": 26.5}]
+# of which the hand calculations of these tests are
+STEEL = {
+    "name": "20CrNi4",
+    "E_GPa": 206.0,
+    "poisson": 0.29,
+    "density_kgm3": 7860.0,
+    "expansion_1e6_K": 11.5,
+    "kind": "steel",
+}
 ENVELOPE = {"outer_radius_mm": 43.0, "core_radius_mm": 15.0, "half_length_mm": 150.0}
 
 
@@ -22,6 +31,8 @@ def document(design_name=None, imbalance=None, **shaft):
     own = {"mode": "given", "material": "20CrNi4", "bearing_positions_mm": [-167.5, 167.5], "masses": [FRONT, REAR]}
     own = {**(own if design_name is None else data["countershaft"]), **shaft}
     kept = {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance") if key in data}
+    if design_name is None:
+        kept["material"] = [*kept["material"], STEEL]
     kept["imbalance"] = {**kept["imbalance"], **(imbalance or {})}
     return Document({**kept, "countershaft": {key: value for key, value in own.items() if value is not None}})
 

@@ -1,4 +1,4 @@
-"""Strengths in the table of materials: Finotti 2013, Table 4.2 (after Meneghetti et al. 2013) and ch. 6."""
+"""Strengths in the table of materials: Finotti 2013, 2.5.2, Table 4.2 (after Meneghetti et al. 2013) and ch. 6."""
 
 import pytest
 
@@ -15,6 +15,7 @@ TABLE = {
     "ADI 1050": (163, 1110, 794),
     "ADI 1200": (148, 1330, 1046),
     "42CrMo4": (210, 1026, 882),
+    "42CrMo4 forged crank": (206, 880, 650),  # 2.5.2: the least of 880 to 1030 and of 650 to 880
     "EN-GJL-250": (110, 250, None),
     "EN AC-43100": (74.5, 220, 180),
 }
@@ -44,3 +45,9 @@ def test_numbers_are_those_of_a_metal(name):
     if solid.proof_stress is not None and solid.tensile_strength is not None:
         assert 0.5 < solid.proof_stress / solid.tensile_strength < 0.9
     assert len(solid.source) > 10
+
+
+@pytest.mark.parametrize("name, density", [("20CrNi4", 7900), ("42CrMo4 forged crank", 7800), ("EN AC-43100", 2600)])
+def test_densities_are_those_that_the_source_prints(name, density):
+    """Of its counter-shaft (4.6), its crank (2.5.2) and its support (4.7)."""
+    assert materials()[name].density == density

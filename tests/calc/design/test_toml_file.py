@@ -122,7 +122,11 @@ ENGINE, BEARINGS = "table to take it from", "where there is no [bearings] table"
         ("timing_pair", {"gears.power_kW": None}, {"gears.power_kW": "whose loss the train carries"}),
         ("timing_pair", {"gears.speed_irregularity": 0.1}, {"gears.irregularity_order": "whose firing order it is"}),
         ("timing_pair", {"gears.speed_irregularity": 0.1, "gears.irregularity_order": 2}, {}),
-        ("timing_pair", {"gears.wheels.crank.position_mm": [1, 0], "gears.wheels.pump.position_mm": [133.67, 0]}, {}),
+        (
+            "timing_pair",
+            {"gears.wheels.crank.position_mm": [1, 0], "gears.wheels.camshaft.position_mm": [133.67, 0]},
+            {},
+        ),
         (
             "r753ie4_gamma",
             {"gears.speed_rpm": 2600, "gears.wheels.crank.position_mm": [1, 0]},

@@ -29,7 +29,7 @@ def pair():
 
 def test_every_wheel_has_its_sheet(pair):
     _, made = pair
-    assert [sheet.title.rpartition(": ")[2] for sheet in made] == ["crank", "pump"]
+    assert [sheet.title.rpartition(": ")[2] for sheet in made] == ["crank", "camshaft"]
     assert [
         next(text for text in map(str, (w.text for w in letters(sheet))) if text in ("1/2", "2/2")) for sheet in made
     ] == ["1/2", "2/2"]
@@ -38,7 +38,7 @@ def test_every_wheel_has_its_sheet(pair):
 def test_circles_and_dimensions_are_those_of_the_train(pair):
     results, made = pair
     values = results.values()
-    for sheet, name, b in zip(made, ("crank", "pump"), (30.0, 23.0)):
+    for sheet, name, b in zip(made, ("crank", "camshaft"), (30.0, 23.0)):
         radii = {
             mark.layer: mark.radius / sheet.scale / MM
             for mark in sheet.marks

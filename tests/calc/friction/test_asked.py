@@ -114,14 +114,14 @@ def test_teeth_that_run_away_are_no_solution():
 
 def test_an_estimated_temperature_of_the_teeth_is_judged():
     outcome = friction_of(changed(pair(), gears={"power_kW": 200.0}, friction={"bulk": "estimated"}))
-    judged = {c.id: c for c in outcome.checks}["friction.crank_pump.bulk_temperature"]
-    assert judged.value == pytest.approx(outcome.result.meshes["crank_pump"].judged.bulk_temperature)
+    judged = {c.id: c for c in outcome.checks}["friction.crank_camshaft.bulk_temperature"]
+    assert judged.value == pytest.approx(outcome.result.meshes["crank_camshaft"].judged.bulk_temperature)
     assert judged.kind == "caution"
 
 
 def test_linke_has_no_gain():
     seals = {
-        "seals": [{"name": "pump", "diameter_mm": 40.0, "method": "linke"}],
+        "seals": [{"name": "camshaft", "diameter_mm": 40.0, "method": "linke"}],
         "oil": "friction thesis MIL-L-23699E",
         "oil_temperature_C": 150.0,
     }
@@ -132,7 +132,7 @@ def test_linke_has_no_gain():
 
 def test_a_jet_faster_than_the_teeth_is_told():
     outcome = friction_of(
-        changed(pair(), friction={"jets": [{"name": "pump", "flow_L_min": 2.0, "jet_speed_m_s": 30.0}]})
+        changed(pair(), friction={"jets": [{"name": "camshaft", "flow_L_min": 2.0, "jet_speed_m_s": 30.0}]})
     )
     assert outcome.result.thrown_oil_loss < 0
     assert any("drives its wheel" in note for note in outcome.notes)

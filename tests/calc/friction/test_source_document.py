@@ -31,7 +31,7 @@ OIL = "friction thesis 10W40"
 
 def scenario(file, name):
     found = solve(design(read(DESIGNS / f"thesis_{file}.toml"))).outcomes["friction"].result.scenarios[name]
-    return found.meshes["crank_pump"]
+    return found.meshes["crank_camshaft"]
 
 
 def shown(x):

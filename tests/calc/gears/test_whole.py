@@ -5,7 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from calc.design.replay import compare
 from calc.design.toml_file import design, read
+from calc.gears.inputs import wheel_key
+from calc.gears.wheel_inputs import Wheel
+from calc.sheet.errors import BadInput
 from calc.solve import solve
 
 DESIGNS = Path(__file__).parents[3] / "designs"
@@ -58,8 +62,8 @@ def test_a_train_whose_torque_is_not_known_says_so():
 
 def test_the_sheet_stands_beside_only_where_it_is_asked():
     plain, asked = solved(PAIR), solved(PAIR, source_sheet="finotti")
-    assert plain.result.meshes["crank_pump"].rating.sheet is None and not plain.errata
-    assert asked.result.meshes["crank_pump"].rating.sheet is not None
+    assert plain.result.meshes["crank_camshaft"].rating.sheet is None and not plain.errata
+    assert asked.result.meshes["crank_camshaft"].rating.sheet is not None
     assert {t.id for t in asked.tables} - {t.id for t in plain.tables} == {"source_sheet"}
 
 
@@ -129,10 +133,31 @@ def test_the_shaft_is_held_against_the_crank_and_not_against_the_first_driver():
 
 
 def test_following_the_advice_on_the_fillet_passes():
-    (before,) = (c for c in solved(PAIR).checks if c.id == "gears.crank_pump.interference_usual")
+    (before,) = (c for c in solved(PAIR).checks if c.id == "gears.crank_camshaft.interference_usual")
     assert before.verdict == "note"
     ((key, cut),) = before.remedies[0].changes
     name = key.split(".")[2]
     after = solved(PAIR, **{f"wheels__{name}__tip_shortening_mm": cut})
-    one = next(c for c in after.checks if c.id == "gears.crank_pump.interference_usual")
+    one = next(c for c in after.checks if c.id == "gears.crank_camshaft.interference_usual")
     assert one.value > before.value and (one.verdict == "pass" or name not in one.advice.partition(":")[0])
+
+
+def test_a_wheel_is_found_by_the_name_that_it_had():
+    """The driven wheel of the gear friction thesis sits on the camshaft (3.2); its design called it a pump's."""
+    key, results = wheel_key("pump", Wheel.teeth), solve(design(PAIR))
+    assert design(PAIR.with_value(key, 75)).gears.wheels[1].teeth == 75
+    values = results.values()
+    for old, new in (
+        ("gears.pump.tip_diameter", "gears.camshaft.tip_diameter"),
+        ("friction.crank_pump.loss", "friction.crank_camshaft.loss"),
+        ("gears.crank_pump.safety_bending_pump", "gears.crank_camshaft.safety_bending_camshaft"),
+    ):
+        assert values[old] is values[new] and values[old].id == new
+    check = next(c for c in results.checks() if c.id == "gears.crank_camshaft.backlash")
+    found = compare(results, {"check": "gears.crank_pump.backlash", "verdict": check.verdict})
+    assert found.agrees
+
+
+def test_a_former_name_is_that_of_no_other_wheel():
+    with pytest.raises(BadInput, match="is the name of a wheel"):
+        design(PAIR.with_value(wheel_key("camshaft", Wheel.former_name), "crank"))

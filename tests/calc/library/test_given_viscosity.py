@@ -105,7 +105,7 @@ def test_the_oils_of_the_thesis_run_as_printed(name, T):
     results = solve(design(parse((text + written(name, PRINTED[name])).encode(), "d.toml")))
     values = {v.id: v.shown for v in results.values().values()}
     assert values["friction.oil_viscosity"] == pytest.approx(PRINTED[name][T], rel=1e-9)
-    keys = {key for link in Chains(results).of("friction.crank_pump.loss") for key in link.inputs}
+    keys = {key for link in Chains(results).of("friction.crank_camshaft.loss") for key in link.inputs}
     row = list(PRINTED[name]).index(T)
     assert f"oil.{name} as printed.viscosities.{row}.viscosity_mPas" in keys
 

@@ -84,7 +84,7 @@ def test_the_design_says_how_the_oil_comes():
         for way in ("spray", "submerged")
     )
     spray, submerged = (
-        solve(design(d)).outcomes["friction"].result.meshes["crank_pump"].judged.bulk_temperature for d in documents
+        solve(design(d)).outcomes["friction"].result.meshes["crank_camshaft"].judged.bulk_temperature for d in documents
     )
     assert spray > submerged > 40
 
@@ -213,7 +213,7 @@ def test_the_law_is_an_input_of_the_design():
     one, two = (
         solve(design(heavy.with_value("friction.pressure_law", law)))
         .outcomes["friction"]
-        .result.meshes["crank_pump"]
+        .result.meshes["crank_camshaft"]
         .case
         for law in ("barus", "roelands")
     )

@@ -136,7 +136,7 @@ def test_a_scenario_without_solution_is_named():
 # --- the three of the friction thesis
 def thesis(name):
     outcome = friction_of(read(DESIGNS / f"thesis_{name}.toml"))
-    return outcome, {key: one.meshes["crank_pump"].source for key, one in outcome.result.scenarios.items()}
+    return outcome, {key: one.meshes["crank_camshaft"].source for key, one in outcome.result.scenarios.items()}
 
 
 NAMES = {"10W-40": "10W40", "0W-30": "0W30", "10W-40-synthetic": "10W40 synthetic", "MIL-L-23699E": "MIL-L-23699E"}
@@ -186,16 +186,25 @@ def test_third_scenario_tip_relief():
     agree(found["tips-relieved"], SUMMARY[THESIS + "10W40", "smooth"])
 
 
-@pytest.mark.parametrize("name, number", [("temperatures", 12), ("oils", 12), ("tip_relief", 2)])
-def test_they_are_shown_side_by_side(name, number):
+@pytest.mark.parametrize(
+    "name, number, figures",
+    [("temperatures", 12, [*NAMES]), ("oils", 12, ["40 °C", "50 °C", "60 °C"]), ("tip_relief", 2, [""])],
+)
+def test_they_are_shown_side_by_side(name, number, figures):
+    """In the figures of the thesis: three temperatures of each oil (22 to 26), four oils at each temperature (27 to
+    29)."""
     outcome = friction_of(read(DESIGNS / f"thesis_{name}.toml")).whole
     tables = [t for t in outcome.tables if t.id.startswith("scenarios_")]
     assert [len(t.rows) for t in tables] == [number, number]
     assert [len(t.rows) for t in outcome.tables if t.id == "scenarios"] == [number]
     curves = [c for c in outcome.curves if c.id.startswith("scenarios_")]
-    assert len(curves) == 9  # the thesis' six, and pressure, λ and temperature
-    for curve in curves:
-        assert len(curve.series) == 2 * number and len(curve.variants) == 2
+    assert len({c.id for c in curves}) == len(curves) == 9 * len(figures)  # the thesis' six, pressure, λ, temperature
+    assert [c.id for c in outcome.key_curves if c.short][1:] == [c.id for c in curves], "the short report has them"
+    for n, curve in enumerate(curves):
+        assert figures[n // 9] in curve.title
+        drawn = [name for name, s in outcome.result.scenarios.items() if s.figure == figures[n // 9]]
+        assert [s.label for s in curve.series] == 2 * drawn and len(drawn) == number // len(figures)
+        assert len(curve.variants) == 2
         for series in curve.series:
             assert (np.diff(series.x) >= 0).all()
             there = np.flatnonzero(np.isfinite(series.y))  # a relieved tip that carries next to nothing may be left out

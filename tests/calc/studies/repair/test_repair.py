@@ -27,7 +27,7 @@ from tests.calc.studies.repair.test_remedy import damaged, with_changes
 from tests.conftest import DESIGNS
 from tests.made_checks import made_check
 
-WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))
+WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "camshaft"))
 
 
 # --- teeth
@@ -62,14 +62,14 @@ def test_the_weakest_class_that_is_enough(power: int) -> None:
     made = {key.split(".")[2:][-1]: value for key, value in (change.split("=") for change in found.changes)}
     assert (
         found.nothing_fails
-        and {key.split(".")[2] for key in found.changes} == {"crank", "pump"}
+        and {key.split(".")[2] for key in found.changes} == {"crank", "camshaft"}
         and "face_width" not in str(found.changes)
     )
 
     def both(name: str, quality: str) -> tuple[str, ...]:
         return tuple(
             f'gears.wheels.{w}.{key}="{value}"'
-            for w in ("crank", "pump")
+            for w in ("crank", "camshaft")
             for key, value in (("gear_material", name), ("quality", quality))
         )
 
