@@ -3,10 +3,10 @@
 
 from collections.abc import Iterable, Iterator
 
-from ..engine.inputs import EngineInputs
 from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
 from ..sheet.text import Text
+from ..sheet.units import Metre
 from . import formulas as f
 from .inputs import ImbalanceInputs
 from .orders import Order
@@ -21,11 +21,9 @@ MIDDLE = Text(
 )
 
 
-def notes(
-    imbalance: ImbalanceInputs, engine: EngineInputs, result: ImbalanceResult, bobs: Iterable[Text]
-) -> Iterator[Text]:
-    """`bobs`: what is told of the bobs of the balancing machine."""
-    yield verdict(result.throw, engine, imbalance.rotating_balance_fraction)
+def notes(imbalance: ImbalanceInputs, pitch: Metre, result: ImbalanceResult, bobs: Iterable[Text]) -> Iterator[Text]:
+    """`pitch`: of the cylinders; `bobs`: what is told of the bobs of the balancing machine."""
+    yield verdict(result.throw, pitch, imbalance.rotating_balance_fraction)
     yield from bobs
     if imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None):
         yield UNDRILLED
