@@ -144,8 +144,8 @@ class Crank:
     """One entry per cylinder, along the last axis: φ angle of its throw from throw 1 [rad], z axial position [m], ψ
     direction of its axis, `top` that of its throw while its piston stands at TDC, less what all have of an offset.
 
-    `pitch` is the distance of neighbouring cylinders.  `theta_0` is the angle of throw 1 from up while cylinder 1 stands
-    at its TDC.  `chosen` says what the program decided."""
+    `pitch` is the distance of neighbouring cylinders.  `theta_0` is the angle of throw 1 from up while cylinder 1
+    stands at its TDC.  `chosen` says what the program decided."""
 
     phi: Array
     z: Array
@@ -288,7 +288,7 @@ def _directions(engine: EngineInputs, bank: IndexArray | None = None) -> Array:
         return around if given is None else based_on(np.asarray(given), given)
     if engine.layout == "inline":
         return np.zeros(n)
-    opening = math.pi if engine.layout == "boxer" else column(engine.bank_angle or 0.0)
+    opening = math.pi if engine.layout == "boxer" else column(0.0 if engine.bank_angle is None else engine.bank_angle)
     return based_on(np.where(bank == 1, opening / 2, -opening / 2), engine.bank_angle, engine.bank_of_cylinder)
 
 
