@@ -145,6 +145,12 @@ def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArr
     )
 
 
+def balanced(throws: Throws, pitch: Metre) -> tuple[bool, bool]:
+    """Whether the bare throws are balanced statically, and whether dynamically."""
+    couple = throws.couple_together <= SMALL * throws.force * pitch
+    return throws.force_together <= SMALL * throws.force, couple
+
+
 def verdict(throws: Throws, pitch: Metre, rho: Number) -> Text:
     """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating
     masses.
@@ -152,8 +158,7 @@ def verdict(throws: Throws, pitch: Metre, rho: Number) -> Text:
     `pitch`: of the cylinders; `rho`: the share of these masses that the counterweights are taken to carry.
     """
     force, couple = Amount(throws.force_together), Amount(throws.couple_together)
-    static = throws.force_together <= SMALL * throws.force
-    dynamic = throws.couple_together <= SMALL * throws.force * pitch
+    static, dynamic = balanced(throws, pitch)
     if static and dynamic:
         return Text(
             "The bare throws are balanced statically and dynamically: their rotating masses need no counterweights."

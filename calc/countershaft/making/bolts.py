@@ -7,6 +7,7 @@ pulls the joint apart, presses it together and pushes it to either side within o
 alone; locating pins, where there are any, are left out."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...sheet.check import Check, CheckRule, Missing
@@ -14,7 +15,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record
-from ...sheet.text import EMPTY, Amount, Text
+from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.units import (
     Metre,
     Newton,
@@ -26,9 +27,19 @@ from ...sheet.units import (
     Radian,
     SquareMetre,
 )
-from ...sheet.value import about
+from ...sheet.value import about, based_on
 from ..inputs import CountershaftInputs
-from .inputs import HEXAGONS, STRENGTH, Bolts, nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
+from .inputs import (
+    HEXAGONS,
+    STRENGTH,
+    Bolts,
+    FurtherBolts,
+    nominal_diameter,
+    pitch,
+    pitch_diameter,
+    root_diameter,
+    stress_area,
+)
 
 if TYPE_CHECKING:
     from ...library.catalogue import Material
@@ -305,7 +316,7 @@ def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
 
 @result
 class BoltsResult:
-    """One bolt, and the joint.  The safeties are None where the shaft puts no force on its support."""
+    """One bolt, and the joint.  The safeties are None where nothing puts a force on it."""
 
     bolt_head_face: Metre | None = value(
         "Face under a bolt's head, diameter assumed", "mm", "d_w", default=None, short=True
@@ -326,7 +337,7 @@ class BoltsResult:
     bolt_tightening_stress: Pascal = value(
         "Equivalent stress of a bolt while it is tightened", "MPa", "σ_red", short=True
     )
-    bolt_end_force: Newton = value("Turning force on the bolts of one end", "N", "Q")
+    bolt_end_force: Newton | None = value("Turning force on the bolts of one end", "N", "Q", default=None)
     bolt_separation_safety: Number | None = value("Safety against separation", "", "S_sep", default=None, short=True)
     bolt_slip_across_safety: Number | None = value(
         "Safety against slip, load across the bolts", "", "S_across", default=None, short=True
@@ -348,6 +359,37 @@ def solve(
 ) -> BoltsResult:
     """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as
     `shaft_force` and `shaft_couple` give them; `support` is the material under the heads, where it is known."""
+    tight = tightened(bolts, support)
+    with about(Text("bolts")):
+        z_f, z_r = bearing_positions[0], bearing_positions[-1]
+        l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
+        C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
+        Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
+        tight = replace(tight, bolt_end_force=Q)
+        if Q <= NO_FORCE:
+            return tight
+        n, F_min, mu_T = bolts_at_an_end(N_b=bolts.count), tight.bolt_preload_min, bolts.joint_friction
+        return replace(
+            tight,
+            bolt_separation_safety=safety_separation(n=n, F_min=F_min, Q=Q),
+            bolt_slip_across_safety=safety_across(mu_T=mu_T, n=n, F_min=F_min, Q=Q),
+            bolt_slip_safety=safety_slip(n=n, F_min=F_min, Q=Q, mu_T=mu_T),
+        )
+
+
+def solve_further(bolts: FurtherBolts, part: "Material | None" = None) -> BoltsResult:
+    """Bolts beside those of the support, as those of a wheel's: all together hold the force across their joint."""
+    with about(Text("bolts {name}", name=Name(bolts.name))):
+        tight = tightened(bolts, part)
+        if bolts.force is None or bolts.force <= NO_FORCE:
+            return tight
+        n = based_on(float(bolts.count), bolts.count)
+        across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=tight.bolt_preload_min, Q=bolts.force)
+        return replace(tight, bolt_slip_across_safety=across)
+
+
+def tightened(bolts: Bolts, support: "Material | None") -> BoltsResult:
+    """One bolt without any load but its own."""
     T, mu, d_h = bolts.torque, bolts.friction, bolts.hole_diameter
     mu_K = mu if bolts.head_friction is None else bolts.head_friction
     with about(Text("bolts")):
@@ -387,16 +429,6 @@ def solve(
         M_G = thread_torque(F_V=F_V, d_2=d_2, alpha_h=alpha_h, rho=rho)
         tau_M = torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3))
         tightened = tightening_stress(sigma_z=sigma, tau_M=tau_M)
-        z_f, z_r = bearing_positions[0], bearing_positions[-1]
-        l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
-        C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
-        Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
-        separation = across = slip = None
-        if Q > NO_FORCE:
-            n = bolts_at_an_end(N_b=bolts.count)
-            separation = safety_separation(n=n, F_min=F_min, Q=Q)
-            across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=F_min, Q=Q)
-            slip = safety_slip(n=n, F_min=F_min, Q=Q, mu_T=bolts.joint_friction)
     return BoltsResult(
         bolt_head_face=None if under.least is None else d_w,
         bolt_preload=F_V,
@@ -408,10 +440,6 @@ def solve(
         bolt_head_pressure_least=lightly,
         bolt_head_pressure_most=heavily,
         bolt_tensile_stress=sigma,
-        bolt_end_force=Q,
-        bolt_separation_safety=separation,
-        bolt_slip_across_safety=across,
-        bolt_slip_safety=slip,
         bolt_tightening_stress=tightened,
         support=support,
         property_class=bolts.property_class,
@@ -433,7 +461,7 @@ TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
 HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
 JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
 SLIP = CheckRule(
-    "countershaft.bolts.slip",
+    "countershaft.J.slip",
     "limit",
     "The support slides on its block and works the bolts loose.",
     Text("Safety against slip of the support while the load turns"),
@@ -445,19 +473,19 @@ SLIP = CheckRule(
     moved_by=JOINT,
 )
 SLIP_VDI = CheckRule(
-    "countershaft.bolts.slip_vdi",
+    "countershaft.J.slip_vdi",
     "caution",
     "Below it the joint may work under a load that turns; it slips at 1, which is the limit.",
     Text("Safety against slip while the load turns, as VDI 2230 asks for"),
     source=Text("VDI 2230-1, R12, from memory: 1.8 where the load comes from alternate sides, 1.2 where it stands"),
     advice=SLIP.advice,
     demand=True,
-    cause="countershaft.bolts.slip",
+    cause="countershaft.J.slip",
     value_id=dotted("countershaft", BoltsResult.bolt_slip_safety),
     moved_by=JOINT,
 )
 SEPARATION = CheckRule(
-    "countershaft.bolts.separation",
+    "countershaft.J.separation",
     "limit",
     "The support lifts off its block.",
     Text("Safety against separation of the support"),
@@ -469,7 +497,7 @@ SEPARATION = CheckRule(
     moved_by=JOINT,
 )
 BOLT_STRENGTH = CheckRule(
-    "countershaft.bolts.strength",
+    "countershaft.J.strength",
     "limit",
     "The bolt yields while it is tightened.",
     sense="<=",
@@ -483,7 +511,7 @@ BOLT_STRENGTH = CheckRule(
     proven=(),
 )
 HEAD_PRESSURE = CheckRule(
-    "countershaft.bolts.pressure",
+    "countershaft.J.pressure",
     "caution",
     "The seat yields and preload is lost; the joint is judged by itself, and limiting pressures scatter by two.",
     Text("Pressure under a bolt's head"),
@@ -509,10 +537,34 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
         (SEPARATION, joint.bolt_separation_safety, 1.0),
     ):
         if safety is not None:
-            yield rule(safety, least)
+            yield rule(safety, least, at="bolts")
+    yield from _tightened_checks(joint, "bolts")
+
+
+def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
+    """The same of bolts beside those of the support, whose load stands across the joint or turns."""
+    own = dotted("countershaft", CountershaftInputs.further_bolts, bolts.name)
+    found = list(_tightened_checks(joint, own.removeprefix("countershaft.")))
+    if (safety := joint.bolt_slip_across_safety) is not None:
+        least = HOLDS_TURNING if bolts.load == "turns" else HOLDS_STANDING
+        what = Text("Safety against slip of the joint")
+        asked = Text("Safety against slip of the joint, as VDI 2230 asks for")
+        at = own.removeprefix("countershaft.")
+        found += [SLIP(safety, 1.0, at=at, name=what), SLIP_VDI(safety, least, at=at, name=asked)]
+    across = dotted("countershaft", BoltsResult.bolt_slip_across_safety)
+    for check in found:
+        value = across if check.rule in (SLIP, SLIP_VDI) else check.value_id
+        yield check.but(
+            name=Text("{what}, {bolts}", what=check.name, bolts=Name(bolts.name)),
+            value_id=value.replace("countershaft", own),
+            moved_by=tuple([key.replace(dotted(*BOLT_KEYS), own) for key in check.moved_by]),
+        )
+
+
+def _tightened_checks(joint: BoltsResult, at: str) -> Iterator[Check]:
     name = Text("Stress of a bolt of class {property_class} while it is tightened", property_class=joint.property_class)
     limit = STRENGTH[joint.property_class] * 1e6
-    yield BOLT_STRENGTH(joint.bolt_tightening_stress, limit, name=name)
+    yield BOLT_STRENGTH(joint.bolt_tightening_stress, limit, at=at, name=name)
     if joint.support is not None and (known := _strength(joint.support)) is not None:
         limit, strength = known
         source = Text(
@@ -526,7 +578,7 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
             best, worst = joint.bolt_head_pressure_least, joint.bolt_head_pressure_most
             assert best is not None and worst is not None
             unknown = Missing((HEAD,), (joint.face.words,), best, worst)
-        yield HEAD_PRESSURE(joint.bolt_head_pressure, limit, source=source, missing=unknown)
+        yield HEAD_PRESSURE(joint.bolt_head_pressure, limit, at=at, source=source, missing=unknown)
 
 
 def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
@@ -541,11 +593,7 @@ def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
         "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the "
         "joint, its weight, the gear force, locating pins and the thread's engagement in the block are left out."
     )
-    if joint.face.least is not None:
-        yield Text(
-            "Bolts: the face under the head is assumed: {words}. Give head_diameter_mm, of flange or washer.",
-            words=joint.face.words,
-        )
+    yield from face_notes(joint)
     if bolts.row_span is None:
         yield Text(
             "Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do "
@@ -559,3 +607,12 @@ def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
         yield Text("Bolts: the shaft puts no force on its support, so slip and separation are not judged.")
     if _strength(joint.support) is None:
         yield Text("Bolts: no strength of the support is known, so the pressure under the head is not judged.")
+
+
+def face_notes(joint: BoltsResult) -> Iterator[Text]:
+    """What was taken for the face under the head."""
+    if joint.face.least is not None:
+        yield Text(
+            "Bolts: the face under the head is assumed: {words}. Give head_diameter_mm, of flange or washer.",
+            words=joint.face.words,
+        )

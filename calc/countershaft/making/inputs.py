@@ -232,6 +232,35 @@ class Bolts:
 
 
 @inputs
+class FurtherBolts(Bolts):
+    """Bolts beside those of the support, as the screws that hold a wheel's pin to the block."""
+
+    name: str = text("Name")
+    force: float | None = quantity(
+        "Force across the joint",
+        "N",
+        default=None,
+        within=(0, 1e7),
+        symbol="Q",
+        help="On all of these bolts together, as the force of a wheel on its pin. Left out: slip is not judged.",
+        repair="asked",
+    )
+    load: str = choice(
+        "Load",
+        "stands",
+        "turns",
+        default="stands",
+        help="Whether that force keeps its direction, like that of a train's teeth, or comes from alternate sides.",
+    )
+    material: str | None = text(
+        "Material under the heads",
+        default=None,
+        help="A name from the table of materials or from [[material]]. Left out: the pressure is not judged.",
+        catalogue="materials",
+    )
+
+
+@inputs
 class Clamp:
     """One spring band clamp."""
 
