@@ -284,8 +284,7 @@ def _directions(engine: EngineInputs, bank: IndexArray | None = None) -> Array:
     """The direction of each cylinder's axis from up, in the sense of rotation; of two banks that of its bank."""
     n, given = engine.cylinders, engine.cylinder_directions
     if engine.layout in ("w", "radial"):
-        around: Array = np.arange(n) * (TURN / n)
-        return around if given is None else based_on(np.asarray(given), given)
+        return np.arange(n) * (TURN / n) if given is None else based_on(np.asarray(given), given)
     if engine.layout == "inline":
         return np.zeros(n)
     opening = math.pi if engine.layout == "boxer" else column(0.0 if engine.bank_angle is None else engine.bank_angle)
