@@ -177,7 +177,8 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     top = psi
     if engine.unlike_motions and any(engine.offsets):
         d, r = (based_on(np.asarray(x), x) for x in (engine.offsets, engine.radii))
-        top = psi + tdc_angles(d=d, r=r, L=engine.rod_length)
+        phi_0 = tdc_angles(d=d, r=r, L=engine.rod_length)
+        top = based_on(psi + phi_0, psi, phi_0)
     if engine.crank_angles is not None:
         given_phi: Array = np.asarray(engine.crank_angles)
         phi = based_on(given_phi - given_phi[..., :1], engine.crank_angles)
@@ -284,7 +285,7 @@ def _directions(engine: EngineInputs, bank: IndexArray | None = None) -> Array:
     """The direction of each cylinder's axis from up, in the sense of rotation; of two banks that of its bank."""
     n, given = engine.cylinders, engine.cylinder_directions
     if engine.layout in ("w", "radial"):
-        return np.arange(n) * (TURN / n) if given is None else based_on(np.asarray(given), given)
+        return np.arange(n, dtype=float) * (TURN / n) if given is None else based_on(np.asarray(given), given)
     if engine.layout == "inline":
         return np.zeros(n)
     opening = math.pi if engine.layout == "boxer" else column(0.0 if engine.bank_angle is None else engine.bank_angle)

@@ -398,7 +398,10 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
     text = LOCOMOTIVE.replace("_kg = 180.0", "_kg = [180.0, 200.0]").replace(
         "kinematics", "rotating_balance_fraction = 0.9\nkinematics"
     )
-    text = text.replace("rod_length", "crank_radii_mm = [300.0, 280.0]\nrod_length")
+    text = text.replace("rod_length", "crank_radii_mm = [300.0, 280.0]\ncylinder_offsets_mm = [0.0, 20.0]\nrod_length")
+    text = text.replace('"inline"', '"w"').replace(
+        "cylinder_pitch_mm = 700.0", "axial_positions_mm = [-350.0, 350.0]\ncylinder_directions_deg = [0.0, 10.0]"
+    )
     document = parse(text.encode(), "d.toml")
     results = solve(design(document))
     chains, before = provenance.Chains(results), {id: v.shown for id, v in results.values().items()}
@@ -406,6 +409,9 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
         ("engine.reciprocating_masses_kg.1", 210.0),
         ("engine.rotating_masses_kg", 160.0),
         ("engine.crank_radii_mm.1", 290.0),
+        ("engine.cylinder_offsets_mm.1", 30.0),
+        ("engine.axial_positions_mm.1", 360.0),
+        ("engine.cylinder_directions_deg.1", 15.0),
         ("imbalance.rotating_balance_fraction", 0.8),
     ):
         after = {id: v.shown for id, v in solve(design(document.with_value(key, number))).values().items()}
