@@ -275,7 +275,7 @@ def banks(engine: EngineInputs) -> IndexArray:
     each direction."""
     n = engine.cylinders
     if engine.layout in ("w", "radial"):
-        return np.unique(np.round(_directions(engine), 9), return_inverse=True)[1]
+        return np.unique(np.round(_directions(engine) % TURN, 9), return_inverse=True)[1]
     if engine.bank_of_cylinder is not None:
         return np.asarray(engine.bank_of_cylinder)
     return np.zeros(n, int) if engine.layout == "inline" else np.arange(n) % 2

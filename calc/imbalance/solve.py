@@ -161,12 +161,12 @@ def solve(
     return Outcome(
         "imbalance",
         result=result,
-        checks=tuple(checks(result, lam, *shares, shaft)),
+        checks=tuple(checks(result, lam, *shares, shaft, engine.unlike_offsets)),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(result), *polygons(engine, e, result.throw))),
         tables=Later(tables),
         errata=Later(lambda: errata(imbalance, result) if shaft else ()),
-        proposals=proposals(result, lam, *shares, shaft),
+        proposals=proposals(result, lam, *shares, shaft, engine.unlike_offsets),
         notes=Later(lambda: notes(imbalance, e.crank.pitch, result, bobs()[1])),
     )
 

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from calc.design.toml_file import Document, design, parse
 from calc.engine import solve as engine
 from calc.engine.crank import firing, pin_of_cylinder
+from calc.imbalance.checks import checks
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.throws import polygons
 from calc.sheet.errors import BadInput
@@ -261,6 +262,8 @@ def test_the_offsets_of_a_vr6_are_of_opposite_sign():
     for k, angle in enumerate(fires.angles):
         there = np.interp((angle + np.array([-0.1, 0, 0.1])) % (2 * np.pi), theta, height[:, k], period=2 * np.pi)
         assert there[1] == pytest.approx(height[:, k].max(), abs=1e-5) and there[0] == pytest.approx(there[2], rel=1e-3)
+    told = " ".join(str(c.advice) for c in checks(found, 0.3, 0.5, 1.0, shaft=True, offsets_differ=True) if not c.holds)
+    assert "Offsets that differ turn each cylinder's force" in told and "balance half" not in told
     both = solved(cylinder_offset=0.022, **VR6)[2].orders
     assert (both["order_2"].couple_peak, both["order_3"].force_peak) == pytest.approx((158, 1085), abs=0.5)
 
