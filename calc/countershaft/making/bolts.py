@@ -546,7 +546,7 @@ def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
     own = dotted("countershaft", CountershaftInputs.further_bolts, bolts.name)
     found = list(_tightened_checks(joint, own.removeprefix("countershaft.")))
     if (safety := joint.bolt_slip_across_safety) is not None:
-        least = HOLDS_TURNING if bolts.load == "turns" else HOLDS_STANDING
+        least = HOLDS_TURNING if bolts.turns == "yes" else HOLDS_STANDING
         what = Text("Safety against slip of the joint")
         asked = Text("Safety against slip of the joint, as VDI 2230 asks for")
         at = own.removeprefix("countershaft.")

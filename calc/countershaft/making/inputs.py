@@ -245,12 +245,12 @@ class FurtherBolts(Bolts):
         help="On all of these bolts together, as the force of a wheel on its pin. Left out: slip is not judged.",
         repair="asked",
     )
-    load: str = choice(
-        "Load",
-        "stands",
-        "turns",
-        default="stands",
-        help="Whether that force keeps its direction, like that of a train's teeth, or comes from alternate sides.",
+    turns: str = choice(
+        "The force turns",
+        "no",
+        "yes",
+        default="no",
+        help="Whether that force comes from alternate sides, or keeps its direction like that of a train's teeth.",
     )
     material: str | None = text(
         "Material under the heads",

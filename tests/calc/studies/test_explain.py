@@ -31,7 +31,7 @@ OUTLINE = {
     "gears.wheels.shaft.teeth",
 }
 BOLT = {
-    f"countershaft.bolts.{key}" for key in ("thread", "torque_Nm", "friction", "across_flats_mm", "hole_diameter_mm")
+    f"countershaft.bolts.{key}" for key in ("thread", "torque_Nm", "friction", "head_diameter_mm", "hole_diameter_mm")
 }
 KEYS = ("mass_kg", "radius_mm", "angle_deg", "z_mm")
 MASSES = {f"countershaft.masses.{name}.{key}" for name in ("front", "rear") for key in KEYS}
