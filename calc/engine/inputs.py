@@ -608,23 +608,24 @@ class EngineInputs:
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
             reason = Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
             yield dotted(EngineInputs.rod_length), reason
-        of_each = self.cylinder_offsets if self.crank_radii is None else self.crank_radii
+        given = self.cylinders == self.cylinders and (self.crank_radii or self.cylinder_offsets)
         key = dotted(EngineInputs.cylinder_offsets if self.crank_radii is None else EngineInputs.crank_radii)
-        for k, (_, r, d) in enumerate(zip(of_each or (), self.radii, self.offsets), 1):
-            if r + abs(d) >= self.rod_length:
-                mm = Amount((r + abs(d)) * 1e3, form="g")
+        for k, (r_k, d_k) in enumerate(zip(self.radii, self.offsets) if given else (), 1):
+            if r_k + abs(d_k) >= self.rod_length:
+                mm = Amount((r_k + abs(d_k)) * 1e3, form="g")
                 reason = Text(
                     "cylinder {k}: radius plus offset, {mm} mm, is not below rod_length_mm: the crank could not turn",
                     k=k,
                     mm=mm,
                 )
                 yield key, reason
-        if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
-            mm = Amount(self.crank_radius * 1e3, form="g")
+        r, d = self.crank_radius, self.cylinder_offset
+        if self.crank_radii is not None and self.crank_radii[:1] != (r,) and r == r:  # not given as a number: said
+            mm = Amount(r * 1e3, form="g")
             reason = Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm)
             yield dotted(EngineInputs.crank_radii), reason
-        if self.cylinder_offsets is not None and self.cylinder_offsets[:1] != (self.cylinder_offset,):
-            mm = Amount(self.cylinder_offset * 1e3, form="g")
+        if self.cylinder_offsets is not None and self.cylinder_offsets[:1] != (d,) and d == d:
+            mm = Amount(d * 1e3, form="g")
             reason = Text(
                 "must begin with cylinder_offset_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm
             )

@@ -469,6 +469,7 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
         ("bore", "cylinder_directions_deg = [0.0, 90.0]\nbore", ["engine.cylinder_directions_deg", "leave it out"]),
         ('"inline"', '"w"', ["engine.cylinder_directions_deg: needed for a W engine"]),
         ('"inline"', '"radial"\nbank_of_cylinder = [0, 1]', ["engine.bank_of_cylinder", "belongs to two banks"]),
+        ("cylinders = 2", 'cylinders = "two"\ncylinder_offsets_mm = [0.0, 5.0]', ["engine.cylinders"]),
         ("_kg = 180.0", "_kg = 0.0", ["engine.reciprocating_masses_kg: 0.0", "above 0"]),
         (
             "rated",
