@@ -154,7 +154,7 @@ def settled(
     tolerance: float = 1e-7,
 ) -> Film[Array]:
     """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there
-    is no film; of a viscosity that no heat changes the film at `hottest` where more heat is left.
+    is no film; of a viscosity that no heat changes the film at 200 K where more heat is left.
 
     Regula falsi after Anderson & Björck 1973 on all points that are not done; a point without film at the upper end of
     its bracket is closed in on from below.  `hottest`: no rise beyond is looked for."""
@@ -207,11 +207,12 @@ def settled(
             f_low[left], f_high[left] = np.where(up, f_x, f_a * shrink), np.where(up, f_b * shrink, f_x)
             gone = ~np.isfinite(f_high[left]) & (high[left] - low[left] <= BREAKS_DOWN)
             left = left[~(gone | (np.abs(f_x) <= tolerance * (1 + x)) | (b - a <= tolerance))]
-        if seat.lubricant.constant:
-            rise[hotter] = hottest
+        unbalanced = np.zeros(every.size, dtype=bool)
+        if seat.lubricant.constant and hottest == HOTTEST:
+            rise[hotter], unbalanced[hotter] = HOTTEST, True
         film = film_at(rise, every)
         there = np.abs(film.temperature_rise - rise) <= ALMOST * (1 + rise)
-        there |= (rise == hottest) & (film.temperature_rise > hottest)
+        there |= unbalanced
     return _over(film, lambda x: np.where(there, x, np.nan).reshape(shape))
 
 
