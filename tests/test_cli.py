@@ -111,7 +111,7 @@ ADVICE = [
 CAUTION = [
     *(f"bearings.{b}.film_edge_corner" for b in ("front", "rear")),
     "gears.central_idler.backlash_worst",
-    *(f"countershaft.{n}" for n in ("slope_front", "slope_rear", "rigid", "bolts.pressure", "drain.clamp")),
+    *(f"countershaft.{n}" for n in ("slope_front", "slope_rear", "rigid", "bolts.slip_vdi", "drain.clamp")),
 ]
 METHOD = ["bearings.front.routes_spread", "friction.crank_central.regime", "gears.crank_central.line_load"]
 KINDS = {"limit": LIMITS, "caution": CAUTION, "advice": ADVICE, "method": METHOD}

@@ -24,7 +24,7 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.formula import FORMULAS
 from calc.sheet.number import short
 from calc.sheet.step import Table
-from calc.sheet.text import Amount, Name, Text
+from calc.sheet.text import SEMICOLON, Amount, Name, Text
 from calc.sheet.units import UNITS
 from calc.sheet.version import VERSION
 from calc.studies.published import (
@@ -82,7 +82,8 @@ def _all(rows: Iterable[Publication]) -> Iterator[str]:
         if some:
             yield f"{str(words)[:1].upper()}{str(words)[1:]}"
             for row in sorted(some, key=lambda row: row.name.casefold()):
-                yield from _wrapped(f"{row.name}: {row.title} ({row.edition}); {row.status_text}")
+                told = SEMICOLON.join(filter(None, (row.status_text, row.witness_text)))
+                yield from _wrapped(f"{row.name}: {row.title} ({row.edition}); {told}")
 
 
 def _kinds() -> Iterator[str]:

@@ -16,6 +16,7 @@ from .result import BearingResult, RouteResult
 from .routes import supply
 from .routes.din31652 import film_heavily_loaded
 from .routes.routes import ROUTES
+from .routes.thermal_balance import HOTTEST
 from .suitability import fatigue_note
 
 TURNS = Text(
@@ -69,6 +70,13 @@ def _all_notes(
         for name, why in r.side.silent.items():
             title = ROUTES[name].title
             yield Text("{place} bearing: {routes} gives no value here ({why}).", place=bearing, routes=title, why=why)
+        if r.temperature_rise > HOTTEST:
+            yield Text(
+                "{place} bearing: the heat has no balance: as the viscosity is the same at every temperature, the film "
+                "is the one with the clearance at a rise of {hottest} K.",
+                place=bearing,
+                hottest=Amount(HOTTEST, form="g"),
+            )
         if r.film_double_load is None:
             yield Text("{place} bearing: no film carries twice the load.", place=bearing)
     surface = running_surface(inputs.bush_material, inputs.housing_material)

@@ -10,7 +10,7 @@ from ..library.journal_rules import LENGTH_RATIO
 from ..library.tolerances import BALANCE_GRADES
 from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
-from .making.inputs import Bolts, Cost, FurtherDrain, OilDrain, Part, Support
+from .making.inputs import Bolts, Cost, FurtherBolts, FurtherDrain, OilDrain, Part, Support
 
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
 ANGLE = Text("With cylinder 1 at TDC, from up, in the sense of crank rotation.")
@@ -408,12 +408,14 @@ class CountershaftInputs:
         "Balance quality grade",
         *BALANCE_GRADES,
         default="G6.3",
-        help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40.",
+        help="ISO 21940-11, which lists no balance shafts: machinery in general G6.3, crank drives that are inherently "
+        "balanced G16 (rigidly mounted) and G40, inherently unbalanced ones G250 and G630.",
         fold=SUPPORT,
     )
     holes: Holes | None = table("Calibration holes", Holes, default=None, fold=SUPPORT)
     scatter: Scatter | None = table("Production scatter", Scatter, default=None, fold=SUPPORT)
     bolts: Bolts | None = table("Bolts of the support", Bolts, default=None, fold=SUPPORT)
+    further_bolts: tuple[FurtherBolts, ...] = tables("Further bolts", FurtherBolts, default=(), fold=SUPPORT)
     support: Support | None = table("Support", Support, default=None, fold=SUPPORT)
     oil_drain: OilDrain | None = table("Oil drain", OilDrain, default=None, fold=SUPPORT)
     further_drains: tuple[FurtherDrain, ...] = tables("Further oil drains", FurtherDrain, default=(), fold=SUPPORT)

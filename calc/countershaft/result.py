@@ -140,6 +140,7 @@ class CountershaftResult:
     holes: HolesResult | None = group(spread=True, default=None)
     scatter: "ScatterResult | None" = group(default=None, words="scatter")
     bolts: "BoltsResult | None" = group(spread=True, default=None)
+    further_bolts: "dict[str, BoltsResult] | None" = group(default=None, words="further bolts")
     drain: "DrainResult | None" = group(spread=True, default=None)
     further_drains: "dict[str, DrainResult] | None" = group(default=None, words="further drains")
     alternative: "dict[str, MaterialResult] | None" = group(default=None, words="alternative")

@@ -181,7 +181,7 @@ def in_context(label: Text, id: str) -> Text:
 
 CHOICE_WORDS: dict[str, str] = {
     # engine, crank and shaft
-    "inline": Text("inline"), "vee": Text("vee"), "boxer": Text("boxer"), "exact": Text("exact"),
+    "inline": Text("inline"), "vee": Text("vee"), "boxer": Text("boxer"), "w": "W", "exact": Text("exact"),
     "two_term": Text("two terms"),
     "equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares"), "given": Text("given"),
     "size": Text("sized"), "yes": Text("yes"), "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),

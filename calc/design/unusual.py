@@ -385,7 +385,7 @@ def _engine(design: Design) -> Iterator[Check]:
     yield from _doubted(CRANK, r / L, CRANK_RATIOS, (r / 2 / L, (_to(EngineInputs.crank_radius, r / 2, ENGINE),)))
     diameter = (_to(EngineInputs.bore, 2 * D, ENGINE),)
     yield from _doubted(STROKE, 2 * r / D, STROKE_RATIOS, (r / D, diameter))
-    if engine.layout == "inline" and engine.cylinders > 1:
+    if engine.layout == "inline" and engine.cylinders > 1 and a is not None:
         yield from _doubted(PITCH, a / D, PITCHES, (a / (2 * D), diameter))
     if piston and rod:
         heavy = (piston + rod) / D**3 > HEAVY

@@ -19,8 +19,9 @@ from .inputs import EngineInputs, usual_order
 
 # --- firing: the order from the crank, the crank's use by an order, and how even the intervals are
 # A cylinder fires at one of its top dead centres.  Angles are crank angles after the firing of cylinder 1, over the
-# working cycle: 720° of a four-stroke engine, 360° of a two-stroke.  An offset cylinder shifts every dead centre alike
-# and changes nothing here.
+# working cycle: 720° of a four-stroke engine, 360° of a two-stroke.  An offset that all cylinders have shifts every
+# dead centre alike and changes nothing here; one that differs turns `top`, the direction of a throw while its piston
+# stands at TDC, away from the cylinder's axis.
 
 TURN = 2 * math.pi
 DUST = 1e-9  # of a turn: two dead centres nearer than this are one
@@ -40,16 +41,16 @@ class Firing:
     chosen: Text = EMPTY
 
 
-def dead_centres(phi: Array, psi: Array) -> Array:
+def dead_centres(phi: Array, top: Array) -> Array:
     """The crank angle after TDC of cylinder 1 at which each piston stands at TDC, from 0 up to a turn."""
-    angle = (psi - phi - (psi[0] - phi[0])) % TURN
+    angle = (top - phi - (top[0] - phi[0])) % TURN
     return np.where(TURN - angle < DUST * TURN, 0.0, angle)
 
 
-def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Firing | None:
+def in_order(phi: Array, top: Array, strokes: int, order: tuple[int, ...]) -> Firing | None:
     """The firing of a crank in a given order; None where this crank can not fire so within one cycle."""
     k = np.asarray(order) - 1
-    at = dead_centres(phi, psi)[k]
+    at = dead_centres(phi, top)[k]
     gaps = (np.roll(at, -1) - at) % TURN
     gaps[(gaps < DUST * TURN) | (TURN - gaps < DUST * TURN)] = 0.0
     idle = round((strokes * math.pi - float(np.sum(gaps))) / TURN)  # whole turns that the dead centres leave over
@@ -66,14 +67,14 @@ def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Fi
     return Firing(order, angles, gaps, chosen)
 
 
-def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:
+def evenest(phi: Array, top: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:
     """All the equally most even firings of a crank, the usual one first, the others by number.  A four-stroke cylinder
     may fire at either of its two dead centres in the cycle."""
     cycle = strokes * math.pi
     n = phi.size
     ways = (strokes // 2) ** (n - 1)
     turns = (np.arange(ways)[:, None] >> np.arange(n - 1)[::-1]) & 1
-    at = dead_centres(phi, psi) + TURN * np.column_stack([np.zeros(ways), turns])
+    at = dead_centres(phi, top) + TURN * np.column_stack([np.zeros(ways), turns])
     place = np.argsort(at, axis=1, kind="stable")
     sorted_ = np.take_along_axis(at, place, 1)
     gaps = np.diff(np.column_stack([sorted_, np.full(ways, cycle)]), axis=1)
@@ -100,6 +101,16 @@ def throw_angles(psi: Radians, i: Places, strokes: Number, N: Number) -> Radians
     return (phi - phi[..., :1]) % (2 * math.pi)
 
 
+@formula(
+    "φ_0",
+    "Finotti 2013, 2.1: crank angle of TDC with an offset cylinder, of each",
+    shows="arcsin(d/(L + r)) of each cylinder",
+    names={"d": "d_k", "r": "r_k"},
+)
+def tdc_angles(d: Metres, r: Metres, L: Metre) -> Radians:
+    return np.arcsin(d / (L + r))
+
+
 @formula("i", "definition: how many cylinders fire before each", shows="i of each cylinder, from the firing order")
 def places_in_order(order: Places) -> Places:
     """The place of cylinders 1, 2 … in the firing order, from 0."""
@@ -116,17 +127,31 @@ def axial_positions(k: Places, a: Metre) -> Metres:
     return z
 
 
+@formula(
+    "a",
+    "geometry: mean distance of neighbours in the longest row of one bank; where each stands alone, the bore",
+    shows="(z_max − z_min)/(n − 1) of that row",
+    unit="mm",
+)
+def mean_pitch(z: Metres, D: Metre) -> Metre:
+    """`z`: of the cylinders of that row."""
+    span = z.max(-1) - z.min(-1)
+    return single_or_many(np.where(span > 0, span / max(z.shape[-1] - 1, 1), D))
+
+
 @record
 class Crank:
     """One entry per cylinder, along the last axis: φ angle of its throw from throw 1 [rad], z axial position [m], ψ
-    direction of its bank.
+    direction of its axis, `top` that of its throw while its piston stands at TDC, less what all have of an offset.
 
-    `theta_0` is the angle of throw 1 from up while cylinder 1 stands at its TDC.  `chosen` says what the program
-    decided."""
+    `pitch` is the distance of neighbouring cylinders.  `theta_0` is the angle of throw 1 from up while cylinder 1
+    stands at its TDC.  `chosen` says what the program decided."""
 
     phi: Array
     z: Array
     psi: Array
+    top: Array
+    pitch: Metre
     theta_0: Radian
     chosen: tuple[Text, ...]
 
@@ -138,20 +163,22 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     may be arrays, an engine each; crank angles and axial positions then have the cylinders along their last axis."""
     n = engine.cylinders
     chosen: list[Text] = []
-    bank = _banks(engine)
-    if engine.layout != "inline" and engine.bank_of_cylinder is None:
-        banks = ", ".join(map(str, bank.tolist()))
+    bank = banks(engine)
+    if engine.layout in ("vee", "boxer") and engine.bank_of_cylinder is None:
+        in_turn = ", ".join(map(str, bank.tolist()))
         chosen.append(
             Text(
                 "Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.",
-                banks=banks,
+                banks=in_turn,
                 n=n,
             )
         )
-    given = 0.0 if engine.bank_angle is None else engine.bank_angle
-    opening = math.pi if engine.layout == "boxer" else column(given)
-    psi: Array = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
-    psi = based_on(psi, given, engine.bank_of_cylinder)
+    psi = _directions(engine, bank)
+    top = psi
+    if engine.unlike_motions and any(engine.offsets):
+        d, r = (based_on(np.asarray(x), x) for x in (engine.offsets, engine.radii))
+        phi_0 = tdc_angles(d=d, r=r, L=engine.rod_length)
+        top = based_on(psi + phi_0, psi, phi_0)
     if engine.crank_angles is not None:
         given_phi: Array = np.asarray(engine.crank_angles)
         phi = based_on(given_phi - given_phi[..., :1], engine.crank_angles)
@@ -169,16 +196,25 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
             )
             chosen.append(Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=why))
         given_order: IndexArray = based_on(np.asarray(order), order)
-        phi = throw_angles(psi=psi, i=places_in_order(order=given_order), strokes=engine.strokes, N=n)
+        phi = throw_angles(psi=top, i=places_in_order(order=given_order), strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
         z: Array = based_on(np.asarray(engine.axial_positions), engine.axial_positions)
+        pitch = engine.cylinder_pitch
+        if pitch is None:
+            longest = bank == np.bincount(bank).argmax()
+            pitch = mean_pitch(z=based_on(z[..., longest], engine.axial_positions), D=engine.bore)
+            chosen.append(
+                Text("The cylinder pitch is taken from the axial positions; a cylinder alone in its bank has its bore.")
+            )
     else:
+        assert engine.cylinder_pitch is not None
+        pitch = engine.cylinder_pitch
         row = places(engine)  # side by side in a vee, whose stagger is neglected; one behind the other in a boxer
         row = 2 * row + (bank != bank[0]) if engine.layout == "boxer" else row
-        z = axial_positions(k=row, a=column(engine.cylinder_pitch))
+        z = axial_positions(k=row, a=column(pitch))
     turned = psi[..., 0] + tdc_angle
     theta_0 = based_on(single_or_many(turned), psi, tdc_angle)
-    return Crank(phi, z, psi, theta_0, tuple(chosen))
+    return Crank(phi, z, psi, top, pitch, theta_0, tuple(chosen))
 
 
 def firing(engine: EngineInputs, throws: Crank) -> Firing:
@@ -186,9 +222,9 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
     usual = usual_order(engine.cylinders, engine.strokes)
     given = engine.firing_order or (usual if engine.crank_angles is None else None)
     first = given.index(1) if given else 0
-    chosen = in_order(throws.phi, throws.psi, engine.strokes, given[first:] + given[:first]) if given else None
+    chosen = in_order(throws.phi, throws.top, engine.strokes, given[first:] + given[:first]) if given else None
     if chosen is None:
-        chosen, *others = evenest(throws.phi, throws.psi, engine.strokes, usual or ())
+        chosen, *others = evenest(throws.phi, throws.top, engine.strokes, usual or ())
         if others:
             note = Text(
                 "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give "
@@ -196,7 +232,7 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
                 count=len(others) + 1,
             )
             chosen = replace(chosen, chosen=note)
-    of = (throws.phi, throws.psi, engine.strokes, engine.firing_order)
+    of = (throws.phi, throws.top, engine.strokes, engine.firing_order)
     return replace(chosen, angles=based_on(chosen.angles, *of), intervals=based_on(chosen.intervals, *of))
 
 
@@ -210,9 +246,9 @@ def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
         return np.eye(n, dtype=bool)
     phi, z, psi = throws.phi, throws.z, throws.psi
     turned = np.abs((phi[None, :] - phi[:, None] + math.pi) % (2 * math.pi) - math.pi)
-    near = np.abs(z[None, :] - z[:, None]) < engine.cylinder_pitch / 2
+    near = np.abs(z[None, :] - z[:, None]) < throws.pitch / 2
     other_bank = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
-    r: Array = np.asarray(engine.crank_radii or (engine.crank_radius,))
+    r: Array = np.asarray(engine.radii)
     same: BoolArray = (turned < SAME_PIN) & near & other_bank & (r == r[:, None])
     return same | np.eye(n, dtype=bool)
 
@@ -230,16 +266,30 @@ def column(x: float) -> float:
 
 def places(engine: EngineInputs) -> IndexArray:
     """The place of each cylinder along its bank, from 0: cylinders at the same place may share a crankpin."""
-    bank = _banks(engine)
+    bank = banks(engine)
     return np.array([int(np.sum(bank[:k] == b)) for k, b in enumerate(bank)])
 
 
-def _banks(engine: EngineInputs) -> IndexArray:
-    """Cylinders alternate between the banks, 0 first; an inline engine has bank 0 only."""
+def banks(engine: EngineInputs) -> IndexArray:
+    """Cylinders alternate between the banks, 0 first; an inline engine has bank 0 only, a W or radial one a bank for
+    each direction."""
     n = engine.cylinders
+    if engine.layout in ("w", "radial"):
+        return np.unique(np.round(_directions(engine) % TURN, 9), return_inverse=True)[1]
     if engine.bank_of_cylinder is not None:
         return np.asarray(engine.bank_of_cylinder)
     return np.zeros(n, int) if engine.layout == "inline" else np.arange(n) % 2
+
+
+def _directions(engine: EngineInputs, bank: IndexArray | None = None) -> Array:
+    """The direction of each cylinder's axis from up, in the sense of rotation; of two banks that of its bank."""
+    n, given = engine.cylinders, engine.cylinder_directions
+    if engine.layout in ("w", "radial"):
+        return np.arange(n, dtype=float) * (TURN / n) if given is None else based_on(np.asarray(given), given)
+    if engine.layout == "inline":
+        return np.zeros(n)
+    opening = math.pi if engine.layout == "boxer" else column(0.0 if engine.bank_angle is None else engine.bank_angle)
+    return based_on(np.where(bank == 1, opening / 2, -opening / 2), engine.bank_angle, engine.bank_of_cylinder)
 
 
 def not_fired(engine: EngineInputs) -> Text:

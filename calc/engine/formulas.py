@@ -224,11 +224,14 @@ class Unlike:
     lambda_: Num
     harmonics: tuple[complex | ComplexArray, ...]  # as those of the engine
     two_term: tuple[complex | ComplexArray, ...]
+    delta: Num
+    tdc_angle: Num
+    offset: Num
 
 
 def alone(engine: EngineInputs) -> Iterator[EngineInputs]:
     """Each cylinder as an engine of its own."""
-    for k, r in enumerate(engine.crank_radii or ()):
+    for k, (r, d) in enumerate(zip(engine.radii, engine.offsets)):
         alternating, rotating = engine.reciprocating_masses, engine.rotating_masses
         yield replace(
             engine,
@@ -236,11 +239,14 @@ def alone(engine: EngineInputs) -> Iterator[EngineInputs]:
             cylinders=1,
             firing_order=None,
             crank_angles=None,
-            axial_positions=None,
+            axial_positions=(0.0,),
             bank_angle=None,
             bank_of_cylinder=None,
+            cylinder_directions=None,
             crank_radius=r,
             crank_radii=None,
+            cylinder_offset=d,
+            cylinder_offsets=None,
             rated_power=None,
             reciprocating_masses=None if alternating is None else alternating[k % len(alternating) :][:1],
             rotating_masses=None if rotating is None else rotating[k % len(rotating) :][:1],

@@ -209,7 +209,14 @@ class EngineInputs:
 
     name: str = text("Engine", help="A name for screen and report.")
     layout: str = choice(
-        "Layout", "inline", "vee", "boxer", help="Vee and boxer need crank angles or a firing order.", fold=CYLINDERS
+        "Layout",
+        "inline",
+        "vee",
+        "boxer",
+        "w",
+        "radial",
+        help="All but inline need crank angles or a firing order.",
+        fold=CYLINDERS,
     )
     cylinders: int = integer(
         "Cylinders",
@@ -252,13 +259,14 @@ class EngineInputs:
         change=("shorter rods", "longer rods"),
         decides=3,
     )
-    cylinder_pitch: float = quantity(
+    cylinder_pitch: float | None = quantity(
         "Cylinder pitch",
         "mm",
+        default=None,
         up_to=2000,
         symbol="a",
         rule_of_thumb=(35, 200),
-        help="Distance of neighbouring cylinders; every couple is proportional to it.",
+        help="Distance of neighbouring cylinders. May be left out where axial positions are given: then it is theirs.",
         decides=6,
     )
     cylinder_offset: float = quantity(
@@ -280,6 +288,17 @@ class EngineInputs:
         rule_of_thumb=(45, 180),
         help="Between the banks of a vee engine; a boxer has 180°.",
         where=(layout, "vee", "boxer"),
+        fold=CYLINDERS,
+    )
+    cylinder_directions: tuple[float, ...] | None = series(
+        "Directions of the cylinders",
+        "°",
+        default=None,
+        within=(-360, 360),
+        symbol="psi",
+        help="One per cylinder of a W or radial engine: its axis from up, + in the sense of crank rotation. Left out, "
+        "those of a radial engine stand evenly around, 1 up.",
+        where=(layout, "w", "radial"),
         fold=CYLINDERS,
     )
     firing_order: tuple[int, ...] | None = integers(
@@ -326,6 +345,16 @@ class EngineInputs:
         symbol="r_k",
         help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that "
         "one.",
+        fold=CYLINDERS,
+    )
+    cylinder_offsets: tuple[float, ...] | None = series(
+        "Cylinder offsets",
+        "mm",
+        default=None,
+        within=(-500, 500),
+        symbol="d_k",
+        help="One per cylinder, where they differ, as in the two banks of a VR engine; the first is the cylinder "
+        "offset. Left out: all cylinders have that one.",
         fold=CYLINDERS,
     )
     piston_mass: float | None = quantity(
@@ -456,27 +485,39 @@ class EngineInputs:
         return self.crank_radii is not None and len(set(self.crank_radii)) > 1
 
     @property
+    def unlike_offsets(self) -> bool:
+        """Whether the cylinder offsets do."""
+        return self.cylinder_offsets is not None and len(set(self.cylinder_offsets)) > 1
+
+    @property
+    def unlike_motions(self) -> bool:
+        """Whether the pistons move unlike each other."""
+        return self.unlike_radii or self.unlike_offsets
+
+    @property
     def unlike(self) -> bool:
-        return self.unlike_masses or self.unlike_radii
+        return self.unlike_masses or self.unlike_motions
+
+    @property
+    def radii(self) -> tuple[float, ...]:
+        """The crank radius of each cylinder [m]."""
+        return self.crank_radii or (self.crank_radius,) * self.cylinders
+
+    @property
+    def offsets(self) -> tuple[float, ...]:
+        """The offset of each cylinder [m]."""
+        return self.cylinder_offsets or (self.cylinder_offset,) * self.cylinders
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         """What no single field can show: (key, reason)."""
         n = self.cylinders
         yield from self._mass_problems()
-        yield from self._radius_problems()
+        yield from self._motion_problems()
         if self.strokes == 3:
             yield dotted(EngineInputs.strokes), Text("must be 2 or 4")
         yield from diagram_problems(self.torque, self.torque_period, self.strokes, self.gas is not None)
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
-        if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
-            reason = Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
-            yield dotted(EngineInputs.rod_length), reason
-        for k, radius in enumerate(self.crank_radii or (), 1):
-            if radius >= self.rod_length:
-                mm = Amount(radius * 1e3, form="g")
-                reason = Text("cylinder {k}: {mm} mm is not below rod_length_mm: the crank could not turn", k=k, mm=mm)
-                yield dotted(EngineInputs.crank_radii), reason
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
             yield dotted(EngineInputs.rod_cg_to_big_end), Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with
@@ -485,6 +526,8 @@ class EngineInputs:
             (dotted(EngineInputs.firing_order), self.firing_order),
             (dotted(EngineInputs.crank_angles), self.crank_angles),
             (dotted(EngineInputs.crank_radii), self.crank_radii),
+            (dotted(EngineInputs.cylinder_offsets), self.cylinder_offsets),
+            (dotted(EngineInputs.cylinder_directions), self.cylinder_directions),
             (dotted(EngineInputs.axial_positions), self.axial_positions),
             (dotted(EngineInputs.bank_of_cylinder), self.bank_of_cylinder),
         ):
@@ -505,6 +548,16 @@ class EngineInputs:
             yield dotted(EngineInputs.bank_angle), Text("needed for a vee engine")
         if self.layout == "inline" and self.bank_of_cylinder is not None and any(self.bank_of_cylinder):
             yield dotted(EngineInputs.bank_of_cylinder), Text("an inline engine has bank 0 only")
+        if self.layout in ("w", "radial"):
+            if self.bank_of_cylinder is not None:
+                reason = Text("belongs to two banks; cylinder_directions_deg says where these cylinders stand")
+                yield dotted(EngineInputs.bank_of_cylinder), reason
+        elif self.cylinder_directions is not None:
+            yield dotted(EngineInputs.cylinder_directions), Text("belongs to a W or radial engine; leave it out")
+        if self.layout == "w" and self.cylinder_directions is None:
+            yield dotted(EngineInputs.cylinder_directions), Text("needed for a W engine")
+        if self.cylinder_pitch is None and self.axial_positions is None:
+            yield dotted(EngineInputs.cylinder_pitch), Text("needed, or axial_positions_mm in its place")
         if self.layout == "inline" and n > 12:
             yield dotted(EngineInputs.cylinders), Text("an inline engine has at most 12")
 
@@ -545,22 +598,41 @@ class EngineInputs:
             yield (
                 dotted(EngineInputs.throw),
                 Text(
-                    "its stresses are those of a crank whose cylinders are alike: leave it out where masses or radii "
-                    "differ"
+                    "its stresses are those of a crank whose cylinders are alike: leave it out where masses, radii or "
+                    "offsets differ"
                 ),
             )
 
-    def _radius_problems(self) -> Iterable[tuple[str, Text]]:
-        """Crank radii that differ, and what then has no one answer for all cylinders."""
-        if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
-            mm = Amount(self.crank_radius * 1e3, form="g")
+    def _motion_problems(self) -> Iterable[tuple[str, Text]]:
+        """Crank radii and offsets: whether each crank turns, and what has no one answer for cylinders that differ."""
+        if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
+            reason = Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
+            yield dotted(EngineInputs.rod_length), reason
+        given = self.cylinders == self.cylinders and (self.crank_radii or self.cylinder_offsets)
+        key = dotted(EngineInputs.cylinder_offsets if self.crank_radii is None else EngineInputs.crank_radii)
+        for k, (r_k, d_k) in enumerate(zip(self.radii, self.offsets) if given else (), 1):
+            if r_k + abs(d_k) >= self.rod_length:
+                mm = Amount((r_k + abs(d_k)) * 1e3, form="g")
+                reason = Text(
+                    "cylinder {k}: radius plus offset, {mm} mm, is not below rod_length_mm: the crank could not turn",
+                    k=k,
+                    mm=mm,
+                )
+                yield key, reason
+        r, d = self.crank_radius, self.cylinder_offset
+        if self.crank_radii is not None and self.crank_radii[:1] != (r,) and r == r:  # not given as a number: said
+            mm = Amount(r * 1e3, form="g")
             reason = Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm)
             yield dotted(EngineInputs.crank_radii), reason
-        if not self.unlike_radii:
-            return
-        if self.gas is not None:
-            reason = Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ")
+        if self.cylinder_offsets is not None and self.cylinder_offsets[:1] != (d,) and d == d:
+            mm = Amount(d * 1e3, form="g")
+            reason = Text(
+                "must begin with cylinder_offset_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm
+            )
+            yield dotted(EngineInputs.cylinder_offsets), reason
+        if self.gas is not None and self.unlike_motions:
+            reason = Text(
+                "its pressure is that of cylinders of one motion: leave it out where crank radii or offsets differ; "
+                "[[engine.torque]] may take its place"
+            )
             yield dotted(EngineInputs.gas), reason
-        if self.cylinder_offset:
-            reason = Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere")
-            yield dotted(EngineInputs.cylinder_offset), reason

@@ -107,7 +107,7 @@ class TorqueResult:
 
 @result
 class Cylinder:
-    """One cylinder of an engine whose crank radii differ."""
+    """One cylinder of an engine whose crank radii or offsets differ."""
 
     lambda_: Number = value("Crank ratio", "", "λ")
     stroke: Metre = value("Stroke", "mm", "s")
@@ -146,6 +146,6 @@ class EngineResult:
     torque: TorqueResult | None = group(spread=True, default=None)
     throw: ThrowResult | None = group(default=None, words="throw")
     crank: Crank
-    unlike: Unlike | None  # where masses or crank radii differ from cylinder to cylinder
+    unlike: Unlike | None  # where masses, crank radii or offsets differ from cylinder to cylinder
     harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact
     two_term: tuple[complex, ...]

@@ -94,10 +94,10 @@ def icon(engine: EngineInputs) -> Sketch:
 def _throws(engine: EngineInputs) -> tuple[list[Throw], Crank]:
     r, length, d = engine.crank_radius, engine.rod_length, engine.cylinder_offset
     placed = crank(engine, math.asin(d / (length + r)))
-    radii = engine.crank_radii or (r,) * engine.cylinders
     throws = []
     for k in range(engine.cylinders):
-        bank, turned, r_k = float(placed.psi[k]), float(placed.theta_0 + placed.phi[k]), radii[k]
+        bank, turned = float(placed.psi[k]), float(placed.theta_0 + placed.phi[k])
+        r_k, d = engine.radii[k], engine.offsets[k]
         pin = _from_up(r_k, turned - bank)
         piston = d, pin[1] + math.sqrt(length**2 - (pin[0] - d) ** 2)
         dead = math.sqrt((length - r_k) ** 2 - d**2), math.sqrt((length + r_k) ** 2 - d**2)
@@ -216,7 +216,7 @@ def _bank_angle(engine: EngineInputs, throws: list[Throw]) -> Iterator[Mark]:
 def _row(engine: EngineInputs, throws: list[Throw]) -> Sketch:
     bore, r = engine.bore, engine.crank_radius
     marks: list[Mark] = []
-    folded = {throw.bank: -1 if n else 1 for n, throw in enumerate({t.bank: t for t in throws}.values())}
+    folded = {throw.bank: -1 if n % 2 else 1 for n, throw in enumerate({t.bank: t for t in throws}.values())}
     for throw in throws:
         up, z = folded[throw.bank], throw.z
         bottom, top = up * (throw.dead[0] - SKIRT * bore), up * (throw.dead[1] + (CROWN + HEAD) * bore)

@@ -128,7 +128,7 @@ def values(engine: EngineInputs) -> EngineResult:
     """Masses, kinematics and harmonics.  A number of the engine may be an array, an engine each: so are the results."""
     reciprocating, rotating, of_each = f.masses(engine)
     cylinders = []
-    for k, single in enumerate(f.alone(engine) if engine.unlike_radii else (), 1):
+    for k, single in enumerate(f.alone(engine) if engine.unlike_motions else (), 1):
         with about(Text("cylinder {n}", n=k)):
             cylinders.append(values(single))
     lam = f.crank_ratio(r=engine.crank_radius, L=engine.rod_length)
@@ -156,14 +156,19 @@ def values(engine: EngineInputs) -> EngineResult:
     spectrum = harmonics(exact)
     c_n = elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0))
     two_term = (based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2)))
-    unlike = f.Unlike(*of_each, engine.crank_radius, lam, c_n, two_term) if engine.unlike else None
+    unlike = None
+    if engine.unlike:
+        unlike = f.Unlike(*of_each, engine.crank_radius, lam, c_n, two_term, delta, phi_0, engine.cylinder_offset)
     if cylinders:
         unlike = f.Unlike(
             *of_each,
-            gathered(engine.crank_radii or ()),
+            gathered(engine.radii),
             gathered(cylinder.lambda_ for cylinder in cylinders),
             _beside(cylinder.harmonics for cylinder in cylinders),
             _beside(cylinder.two_term for cylinder in cylinders),
+            gathered(cylinder.delta for cylinder in cylinders),
+            gathered(cylinder.tdc_angle for cylinder in cylinders),
+            gathered(engine.offsets),
         )
     return EngineResult(
         reciprocating_mass=reciprocating,

@@ -189,7 +189,7 @@ def solve(
     fatigue = judged(_forces_over_the_cycle(crank), crank.notch, throw, engine.crank_radius, material, crank.load)
     pin, journal = (crank.notch.get(place, (None, None, None)) for place in PLACES)
     result = ThrowResult(
-        cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw),
+        cylinder=based_on(k + 1, *crank.load, e.crank.pitch, throw),
         span=crank.span,
         notch_bending_pin=pin[1],
         notch_torsion_pin=pin[2],
@@ -337,7 +337,7 @@ def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: Thr
     """Each place by the largest stress that it has on any throw, in either position; the worst fillet by its
     fatigue."""
     largest = worst.max((0, 1))
-    throw, pitch = crank.throw, crank.engine.cylinder_pitch
+    throw, pitch = crank.throw, crank.e.crank.pitch
     if crank.engine.cylinders > 1:
         yield SPAN_OF_THROW(crank.span / pitch, SPAN)
     proof = material.proof_stress if material else None

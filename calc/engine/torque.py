@@ -166,6 +166,11 @@ def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
     return -T + d * F_I
 
 
+@formula("T_R", "mathematics, sum over the cylinders: torque reaction on the block")
+def reaction_sum(T_k: NewtonMetre) -> NewtonMetre:
+    return resultant(T_k)
+
+
 @formula(
     "t_n",
     "mathematics, Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle "
@@ -243,18 +248,21 @@ def at(
     M_alt: Num = e.reciprocating_mass
     r: Num = engine.crank_radius
     lam: Num = e.lambda_
+    delta: Num = e.delta
+    phi_0: Num = e.tdc_angle
     if e.unlike is not None and np.ndim(fires):  # of one cylinder the mean mass, where they differ
         M_alt, r, lam = e.unlike.reciprocating, e.unlike.radius, e.unlike.lambda_
+        delta, phi_0 = e.unlike.delta, e.unlike.tdc_angle
     angle = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
-    alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=angle)
-    beta = f.rod_angle(lam=lam, alpha=alpha, delta=e.delta)
+    alpha = c.crank_angle(phi_0=phi_0, epsilon=angle)
+    beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
     v_rel = f.relative_speed(alpha=alpha, beta=beta)
     a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=lam)
     F_I = c.inertia_force(M_alt=M_alt, omega=e.angular_speed, r=r, a_rel=a_rel)
     T_I = c.torque_of(F=F_I, r=r, v_rel=v_rel)
     if gas is None:
         return None, T_I, F_I
-    x = c.piston_way(r=r, lam=lam, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+    x = c.piston_way(r=r, lam=lam, phi_0=phi_0, alpha=alpha, beta=beta)
     F_G = c.gas_force(p=gas.pressure(angle, x), p_case=gas.crankcase, D=engine.bore)
     return c.torque_of(F=F_G, r=r, v_rel=v_rel), T_I, F_I
 
@@ -271,7 +279,7 @@ def solve(
             "the mean."
         )
     ]
-    if engine.cylinder_offset:
+    if any(engine.offsets):
         notes.append(
             Text(
                 "With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's to the "
@@ -300,7 +308,7 @@ def _inertia(engine: EngineInputs, e: EngineResult, fires: Array) -> tuple[Torqu
     """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder, or each, over
     a turn."""
     epsilon = np.arange(POINTS + 1, dtype=float) * (TURN / POINTS)
-    d = engine.cylinder_offset
+    d = engine.cylinder_offset if e.unlike is None else e.unlike.offset
     with about(Text("inertia torque of one cylinder")):
         if e.unlike is None:
             _, cylinder_torque, F_I = at(engine, e, None, 0.0, epsilon[:-1])
@@ -320,7 +328,7 @@ def _inertia(engine: EngineInputs, e: EngineResult, fires: Array) -> tuple[Torqu
         peak = amount(T=item(inertia_torque(T_k=T_I)))
     with about(Text("largest torque reaction of the inertia forces")):
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
-        peak_block = amount(T=reaction(T=item(inertia_torque(T_k=T_I)), d=d, F_I=item(inertia_sum(F_k=F_I))))
+        peak_block = amount(T=item(reaction_sum(T_k=reaction(T=T_I, d=d, F_I=F_I))))
     transformed = torque_harmonics if e.unlike is None else torque_harmonics_of_unlike
     with about(Text("inertia torque")):
         t = transformed(T_k=cylinder_torque, fires=fires)

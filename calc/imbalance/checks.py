@@ -163,7 +163,9 @@ THROWS = CheckRule(
 )
 
 
-def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> Iterator[Check]:
+def checks(
+    result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool, offsets_differ: bool = False
+) -> Iterator[Check]:
     """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch.
 
     `kappa`, `rho`: shares of the reciprocating and of the rotating masses that the crank's counterweights carry.
@@ -176,6 +178,11 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
         forward = Text(
             "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass on "
             "the crank (rotating_balance_fraction 1, crank_balance_fraction 0.5)."
+        )
+    elif kappa == 0.5 and offsets_differ:
+        forward = Text(
+            "Half of the reciprocating mass is on the crank already. Offsets that differ turn each cylinder's force "
+            "away from its pin by another angle, and counterweights opposite the pins leave that."
         )
     elif (turned := _turned(result)) > TURNED and kappa == 0.5:
         forward = Text(
@@ -233,7 +240,9 @@ def _crank_checks(webs: WebsResult, force: Newton, couple: NewtonMetre) -> Itera
         yield THROWS(webs.pin_deviation, PINS)
 
 
-def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Text, ...]:
+def proposals(
+    result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool, offsets_differ: bool = False
+) -> tuple[Text, ...]:
     """The remedies that the residuals of this engine call for, and why: from the engine without any share on the
     crank."""
     F_f, F_b, C_f, C_b = (abs(v) for v in result.orders["order_1"].unbalanced)
@@ -251,7 +260,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
                 "Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), "
                 "because they {taken} of first order that turns forward: {turns_forward}.",
                 done=done,
-                taken=_taken(result, rho, first),
+                taken=_taken(result, rho, first, offsets_differ),
                 turns_forward=turns_forward,
             )
             + (EMPTY if turns_backward else Text(" Nothing of first order turns backward: no shaft is needed for it."))
@@ -317,7 +326,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
     )
 
 
-def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float]) -> Text:
+def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float], offsets_differ: bool) -> Text:
     """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the
     pin."""
     left = (a + b / 2 for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
@@ -329,6 +338,8 @@ def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float]) -> 
         return Text(
             "take all but {rest} (the rotating masses are balanced to a share of {share} only)", rest=rest, share=share
         )
+    if offsets_differ:
+        return Text("take all but {rest} (offsets that differ turn it from the pins)", rest=rest)
     turned = Amount(degrees(_turned(result)), "°")
     return Text(
         "take all but {rest} (the offset turns it by {turned} from the pins; counterweights turned as far take that "

@@ -8,7 +8,7 @@ from itertools import permutations, product
 
 import numpy as np
 
-from ..engine.crank import crank, firing, pin_of_cylinder, places, throw_angles
+from ..engine.crank import banks, crank, firing, pin_of_cylinder, places, throw_angles
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..sheet.arrays import Array, IndexArray
@@ -68,7 +68,7 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
         else _left(replace(imbalance, crank_balance_fraction=0.5), engine, e, place[first])[0]
     )
     left: Array = sum(
-        (np.asarray(o.force_peak + o.couple_peak / engine.cylinder_pitch) for o in best.values()), np.zeros(len(first))
+        (np.asarray(o.force_peak + o.couple_peak / e.crank.pitch) for o in best.values()), np.zeros(len(first))
     )
     one, two = residuals[1], residuals[2]
     beside, half = _in_turn(engine, orders)
@@ -107,8 +107,8 @@ def _in_turn(engine: EngineInputs, orders: IndexArray) -> tuple[IndexArray, Inde
         # the middle one of an odd number is of neither
         side, side_after = (np.sign(2 * x - np.max(place)) for x in (place, after))
     else:
-        bank = np.array(engine.bank_of_cylinder or tuple(c % 2 for c in range(engine.cylinders)))[fired]
-        side, side_after = 2 * bank - 1, np.roll(2 * bank - 1, -1, axis=1)
+        side = banks(engine)[fired] + 1
+        side_after = np.roll(side, -1, axis=1)
     return np.sum(np.abs(place - after) <= 1, 1), np.sum((side == side_after) & (side != 0), 1)
 
 
@@ -116,9 +116,11 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
     n = engine.cylinders
     if n <= ALL:
         return ((1, *rest) for rest in permutations(range(2, n + 1)))
-    orders = (
-        [] if n > SOME else list(_symmetric(n, engine.strokes)) if engine.layout == "inline" else list(_paired(engine))
-    )
+    orders: list[tuple[int, ...]] = []
+    if n <= SOME and engine.layout == "inline":
+        orders = list(_symmetric(n, engine.strokes))
+    elif n <= SOME and engine.layout in ("vee", "boxer"):
+        orders = list(_paired(engine))
     if not orders:
         raise NoSolution(
             Text("firing orders of {n} cylinders in this layout are not listed", n=n),
@@ -188,7 +190,7 @@ def _left(
     """All harmonic orders of many cranks at once, and their crank angles."""
     layout = crank(replace(engine, crank_angles=None, firing_order=tuple(range(1, engine.cylinders + 1))), e.tdc_angle)
     with untraced():
-        angles = throw_angles(psi=layout.psi, i=place, strokes=engine.strokes, N=engine.cylinders)
+        angles = throw_angles(psi=layout.top, i=place, strokes=engine.strokes, N=engine.cylinders)
         every = replace(e, crank=replace(layout, phi=angles))
         judged = harmonics(e, imbalance.kinematics)
         return {

@@ -188,8 +188,8 @@ class ImbalanceInputs:
         "Balance quality grade of the crank",
         *BALANCE_GRADES,
         default="G16",
-        help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40. Judged where the bodies of the "
-        "crank are given.",
+        help="ISO 21940-11: crank drives that are inherently balanced G16 (rigidly mounted) and G40 (elastically), "
+        "inherently unbalanced ones G250 and G630. Judged where the bodies of the crank are given.",
     )
     unbalances: tuple[Unbalance, ...] = tables(
         "Unbalances on the crank",

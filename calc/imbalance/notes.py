@@ -3,16 +3,16 @@
 
 from collections.abc import Iterable, Iterator
 
-from ..engine.inputs import EngineInputs
 from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
 from ..sheet.text import Text
+from ..sheet.units import Metre
 from . import formulas as f
 from .inputs import ImbalanceInputs
 from .orders import Order
 from .result import ImbalanceResult
 from .shaft_pair import roll_notes
-from .throws import verdict
+from .throws import balanced, verdict
 from .webs import UNDRILLED
 
 MIDDLE = Text(
@@ -21,14 +21,19 @@ MIDDLE = Text(
 )
 
 
-def notes(
-    imbalance: ImbalanceInputs, engine: EngineInputs, result: ImbalanceResult, bobs: Iterable[Text]
-) -> Iterator[Text]:
-    """`bobs`: what is told of the bobs of the balancing machine."""
-    yield verdict(result.throw, engine, imbalance.rotating_balance_fraction)
+def notes(imbalance: ImbalanceInputs, pitch: Metre, result: ImbalanceResult, bobs: Iterable[Text]) -> Iterator[Text]:
+    """`pitch`: of the cylinders; `bobs`: what is told of the bobs of the balancing machine."""
+    yield verdict(result.throw, pitch, imbalance.rotating_balance_fraction)
     yield from bobs
     if imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None):
         yield UNDRILLED
+    if result.webs is not None and result.webs.permitted_unbalance is not None:
+        inherently = all(balanced(result.throw, pitch))
+        yield Text(
+            "ISO 21940-11 names G16 and G40 (rigidly and elastically mounted) for crank drives that are inherently "
+            "balanced, G250 and G630 for those that are not; the bare throws of this one are {balanced}.",
+            balanced=Text("balanced") if inherently else Text("not balanced"),
+        )
     yield MIDDLE
     if result.shaft_pair is None:
         yield from roll_notes(imbalance)

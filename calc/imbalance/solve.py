@@ -73,9 +73,9 @@ def values(
     crank = e.crank
     r, radius = u.radius(engine, e), u.measures(engine, e)[0]
     one_force = e.reciprocating_mass * radius * e.angular_speed**2
-    one_couple = one_force * engine.cylinder_pitch
+    one_couple = one_force * crank.pitch
     one_force = based_on(one_force, e.reciprocating_mass, radius, e.angular_speed)
-    one_couple = based_on(one_couple, one_force, engine.cylinder_pitch)
+    one_couple = based_on(one_couple, one_force, crank.pitch)
     with untraced():
         of = 1.0, e.angular_speed, u.masses(e)[0], r, crank.theta_0
         phi, z = crank.phi, crank.z
@@ -161,13 +161,13 @@ def solve(
     return Outcome(
         "imbalance",
         result=result,
-        checks=tuple(checks(result, lam, *shares, shaft)),
+        checks=tuple(checks(result, lam, *shares, shaft, engine.unlike_offsets)),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(result), *polygons(engine, e, result.throw))),
         tables=Later(tables),
         errata=Later(lambda: errata(imbalance, result) if shaft else ()),
-        proposals=proposals(result, lam, *shares, shaft),
-        notes=Later(lambda: notes(imbalance, engine, result, bobs()[1])),
+        proposals=proposals(result, lam, *shares, shaft, engine.unlike_offsets),
+        notes=Later(lambda: notes(imbalance, e.crank.pitch, result, bobs()[1])),
     )
 
 

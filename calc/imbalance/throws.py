@@ -148,15 +148,20 @@ def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArr
     )
 
 
-def verdict(throws: Throws, engine: EngineInputs, rho: Number) -> Text:
+def balanced(throws: Throws, pitch: Metre) -> tuple[bool, bool]:
+    """Whether the bare throws are balanced statically, and whether dynamically."""
+    couple = throws.couple_together <= SMALL * throws.force * pitch
+    return throws.force_together <= SMALL * throws.force, couple
+
+
+def verdict(throws: Throws, pitch: Metre, rho: Number) -> Text:
     """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating
     masses.
 
-    `rho`: the share of these masses that the counterweights are taken to carry.
+    `pitch`: of the cylinders; `rho`: the share of these masses that the counterweights are taken to carry.
     """
     force, couple = Amount(throws.force_together), Amount(throws.couple_together)
-    static = throws.force_together <= SMALL * throws.force
-    dynamic = throws.couple_together <= SMALL * throws.force * engine.cylinder_pitch
+    static, dynamic = balanced(throws, pitch)
     if static and dynamic:
         return Text(
             "The bare throws are balanced statically and dynamically: their rotating masses need no counterweights."
@@ -212,7 +217,7 @@ def systems_table(
         (
             Text("couples of the centrifugal forces"),
             throws.couple_together,
-            throws.force * engine.cylinder_pitch,
+            throws.force * crank.pitch,
             False,
             Text("the throws mirror each other about mid-engine")
             if mirrored

@@ -359,7 +359,7 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     bob: Num | None = imbalance.bob_mass
     if imbalance.crank_bodies:
         with about(Text("crank on the balancing machine")):
-            result, masses = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
+            result, masses = _bodies(_Machine(imbalance, e), imbalance, engine, e)
         bob = masses if bob is None else bob
     wanted: complex | None = None
     if bob is not None:
@@ -403,7 +403,7 @@ class _Machine:
     """The crank on the balancing machine: its bodies as arrays, what they sum up to, and the bobs by every mode that
     has an answer."""
 
-    def __init__(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> None:
+    def __init__(self, imbalance: ImbalanceInputs, e: EngineResult) -> None:
         self.m, x, y, self.z = (column(imbalance.crank_bodies, name) for name in ("mass", "x", "y", "z"))
         self.p: ComplexArray = based_on(x + 1j * y, x, y)
         number = np.array([body.pin or 0 for body in imbalance.crank_bodies])
@@ -419,7 +419,7 @@ class _Machine:
             common = equal_bob(C=C_0, G=together)
             self.modes["equal"] = based_on(np.full(self.pins.size, common), common)
             self.modes["per_pin"] = bobs_per_pin(m_b=common, C=C_0, G=G)
-        self.modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
+        self.modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=e.crank.pitch)
         self.mode = imbalance.bob_mode if imbalance.bob_mode in self.modes else "least_squares"
 
     def with_bobs(self, bobs: Array) -> tuple[complex, complex]:
@@ -497,7 +497,7 @@ def bob_table(
         return (), ()
     words = {"equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares")}
     with untraced():
-        machine = _Machine(imbalance, engine)
+        machine = _Machine(imbalance, e)
         count = machine.pins.size
         rows: list[tuple[Text, Iterable[float | None], tuple[complex, complex]]] = [
             (Text("bare"), [None] * count, machine.bare)

@@ -18,7 +18,8 @@ from .table_file import TABLES, Mistake, bad_table, house_table, parsed, text_of
 
 TABLE, PLACES = TABLES / "publications.toml", TABLES / "places.toml"
 NEEDED = ("name", "title", "edition", "status", "known")  # keys of a publication
-OPTIONAL = ("where", "read", "title_from_memory", "status_from_memory")
+OPTIONAL = ("where", "read", "title_from_memory", "status_from_memory", "witness")
+NONE = "none"
 
 # How we know what a publication says: the closed set of `known`.
 KNOWN = {
@@ -71,6 +72,8 @@ class Publication:
     """One row of the register.  `where`: places in it that are known in another way than the whole.
 
     `places`: of a publication that was read as a whole, what stands at each place that may be cited; else empty.
+    `witness`: of what is from memory and decides a limit, a second source that the public can read and that says the
+    same, or "none".
     """
 
     name: str
@@ -82,6 +85,16 @@ class Publication:
     places: Mapping[str, str] = field(default_factory=dict)
     title_from_memory: bool = False
     status_from_memory: bool = False
+    witness: str = ""
+
+    @property
+    def witness_text(self) -> Text:
+        """Whether somebody else says the same; empty where nothing from memory hangs on it."""
+        if not self.witness:
+            return EMPTY
+        if self.witness == NONE:
+            return Text("no second witness")
+        return Text("second witness: {witness}", witness=self.witness)
 
     def known_at(self, clause: str) -> Text:
         """How we know what it says there.  A source may say of itself that it is from memory."""
@@ -104,9 +117,8 @@ class Publication:
         """Title, edition, status and how we know, on one line.  `known`: of the places that are meant, where not of the
         whole."""
         parts = dict(title=self.title, edition=self.edition, status=self.status_text)
-        line = Text(
-            "{title} ({edition}); {status}; {known}", known=SEMICOLON.join(known or [KNOWN[self.known]]), **parts
-        )
+        knowing = SEMICOLON.join(filter(None, (*(known or [KNOWN[self.known]]), self.witness_text)))
+        line = Text("{title} ({edition}); {status}; {known}", known=knowing, **parts)
         return Text("{described}; its title from memory", described=line) if self.title_from_memory else line
 
 

@@ -35,6 +35,7 @@ LETTERS: Mapping[str, str] = {
     "M": "a mesh, by its wheels: DRIVER_DRIVEN",
     "W": "a wheel, by its name; behind _ too",
     "D": "a drain of the oil: `drain`, or `further_drains` and its name",
+    "J": "a joint of bolts: `bolts`, or `further_bolts` and its name",
     "N": "any other element, by its name",
 }
 INDEX = "#"  # in the key of an input: the place of a mesh in its array

@@ -37,7 +37,8 @@ ALMOST = 1e-3  # relative, of a rise: what is closed in on to no more has no bal
 def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: float = 1e-13) -> Film:
     """The film whose heat leaves with the oil.  Only this state is traced.
 
-    Raises NoSolution where the load can not be carried, with what was tried, or where the rise passes 200 K.
+    Raises NoSolution where the load can not be carried, with what was tried, or where the rise passes 200 K.  Of a
+    viscosity that no heat changes the film is then the one at 200 K, and its heat that of no balance.
     """
 
     @cache  # the ends of the bracket are asked for more than once
@@ -52,7 +53,11 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
             high = min(low + excess(low) + 1e-6, HOTTEST)
             rise = root(excess, low, _reachable(excess, low, high), tolerance=tolerance)
         except (FilmRangeError, Seized, OutsideBalance) as error:
-            raise NoSolution(*_reason(seat, duty, error)) from None
+            if not (isinstance(error, OutsideBalance) and error.end is None and seat.lubricant.constant):
+                raise NoSolution(*_reason(seat, duty, error)) from None
+            rise = None
+    if rise is None:
+        return route(seat, duty, HOTTEST)
     return closed(route, seat, duty, rise)
 
 
@@ -149,7 +154,7 @@ def settled(
     tolerance: float = 1e-7,
 ) -> Film[Array]:
     """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there
-    is no film.
+    is no film; of a viscosity that no heat changes the film at 200 K where more heat is left.
 
     Regula falsi after Anderson & Björck 1973 on all points that are not done; a point without film at the upper end of
     its bracket is closed in on from below.  `hottest`: no rise beyond is looked for."""
@@ -182,6 +187,7 @@ def settled(
         high[short] = hottest
         if short.size:
             f_high[short] = excess(high[short], short)
+        hotter = live[f_high[live] > 0]
         left = live[~(f_high[live] > 0)]
         for _ in range(ITERATION_LIMIT):
             if not left.size:
@@ -201,8 +207,12 @@ def settled(
             f_low[left], f_high[left] = np.where(up, f_x, f_a * shrink), np.where(up, f_b * shrink, f_x)
             gone = ~np.isfinite(f_high[left]) & (high[left] - low[left] <= BREAKS_DOWN)
             left = left[~(gone | (np.abs(f_x) <= tolerance * (1 + x)) | (b - a <= tolerance))]
+        unbalanced = np.zeros(every.size, dtype=bool)
+        if seat.lubricant.constant and hottest == HOTTEST:
+            rise[hotter], unbalanced[hotter] = HOTTEST, True
         film = film_at(rise, every)
         there = np.abs(film.temperature_rise - rise) <= ALMOST * (1 + rise)
+        there |= unbalanced
     return _over(film, lambda x: np.where(there, x, np.nan).reshape(shape))
 
 

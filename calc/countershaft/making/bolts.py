@@ -7,13 +7,15 @@ pulls the joint apart, presses it together and pushes it to either side within o
 alone; locating pins, where there are any, are left out."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ...sheet.check import Check, CheckRule
+from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import dotted, result, value
-from ...sheet.text import Amount, Text
+from ...sheet.record import record
+from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.units import (
     Metre,
     Newton,
@@ -25,9 +27,19 @@ from ...sheet.units import (
     Radian,
     SquareMetre,
 )
-from ...sheet.value import about
+from ...sheet.value import about, based_on
 from ..inputs import CountershaftInputs
-from .inputs import STRENGTH, Bolts, nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
+from .inputs import (
+    HEXAGONS,
+    STRENGTH,
+    Bolts,
+    FurtherBolts,
+    nominal_diameter,
+    pitch,
+    pitch_diameter,
+    root_diameter,
+    stress_area,
+)
 
 if TYPE_CHECKING:
     from ...library.catalogue import Material
@@ -35,12 +47,79 @@ if TYPE_CHECKING:
 # VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the
 # wrench, so the unfavourable end is taken.
 ALPHA_A = 2.0
+# Faces under a head that is known by its width across flats s alone, or by its thread D: a flanged one by DIN 6921
+# (least of the face 1.96·D to 2.03·D, outside of the flange 2.2·D to 2.4·D), a plain hexagon by ISO 4017 (0.89·s to s).
+FLANGE, FLANGES = 2.0, (1.95, 2.2)
+PLAIN, PLAINEST = 0.95, 0.89
+# VDI 2230-1, R12: safety against slip where the load stands still, and where it comes from alternate sides
+HOLDS_STANDING, HOLDS_TURNING = 1.2, 1.8
 NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
 
 VDI = Text("VDI 2230-1")
 SOURCE = Text("Finotti 2013, Table 6.1")
 TURNING = Text("statics of a joint whose load turns through all directions")
 LEAST = {"F_min": "F_V,min", "n": "n_b"}
+
+
+# --- the face under the head
+
+
+@formula("d_w", "rule of this program: face of a flanged head, by DIN 6921", unit="mm", names={"share": "d_w/D"})
+def flanged_face(share: Number, D: Metre) -> Metre:
+    return share * D
+
+
+@formula("d_w", "rule of this program: face of a plain hexagon head, by ISO 4017", unit="mm", names={"share": "d_w/s"})
+def plain_face(share: Number, s: Metre) -> Metre:
+    return share * s
+
+
+@record
+class Face:
+    """The face under the head: as given, or as assumed with the smallest and the largest that it may be, and what was
+    taken."""
+
+    taken: Metre
+    least: Metre | None = None
+    most: Metre | None = None
+    words: Text = EMPTY
+
+
+def face(bolts: Bolts, D: Metre) -> Face:
+    """A width across flats below that of a plain hexagon on this thread is that of a flanged head."""
+    if bolts.head_diameter is not None:
+        return Face(bolts.head_diameter)
+    s = bolts.across_flats
+    assert s is not None
+    plain = HEXAGONS.get(round(D * 1e3, 6))
+    across, size = Amount(s * 1e3, "mm", form="g"), bolts.thread
+    with about(Text("bolts, largest face")):
+        most = flanged_face(share=FLANGES[1], D=D)
+    if plain is not None and s * 1e3 < plain:
+        with about(Text("bolts, face")):
+            taken = flanged_face(share=FLANGE, D=D)
+        with about(Text("bolts, smallest face")):
+            least = flanged_face(share=FLANGES[0], D=D)
+        words = Text(
+            "a flanged head with a face of {face}, since {across} across flats is below the {plain} mm of a plain "
+            "hexagon on {thread}",
+            face=Amount(taken * 1e3, "mm", form="g"),
+            across=across,
+            plain=Amount(plain, form="g"),
+            thread=size,
+        )
+        return Face(taken, least, most, words)
+    with about(Text("bolts, face")):
+        taken = plain_face(share=PLAIN, s=s)
+    with about(Text("bolts, smallest face")):
+        least = plain_face(share=PLAINEST, s=s)
+    words = Text(
+        "a plain hexagon head of {across} across flats with a face of {face}; a flanged one has up to {most}",
+        across=across,
+        face=Amount(taken * 1e3, "mm", form=".3g"),
+        most=Amount(most * 1e3, "mm", form="g"),
+    )
+    return Face(taken, least, most, words)
 
 
 # --- preload
@@ -72,18 +151,18 @@ def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
     "2013, Table 6.1)",
     names={"T": "M_A", "rho": "ρ′"},
 )
-def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
-    """`rho` is the angle of friction on the flanks.
+def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu_K: Number, r_h: Metre) -> Newton:
+    """`rho` is the angle of friction on the flanks, `mu_K` the coefficient under the head.
 
-    >>> preload(T=45, d_2=0.009026, alpha_h=0.05285, rho=0.1377, mu=0.12, r_h=0.0065)
+    >>> preload(T=45, d_2=0.009026, alpha_h=0.05285, rho=0.1377, mu_K=0.12, r_h=0.0065)
     27264.23...
     """
-    return T / (d_2 / 2 * tan(alpha_h + rho) + mu * r_h)
+    return T / (d_2 / 2 * tan(alpha_h + rho) + mu_K * r_h)
 
 
 @formula("F_V", Text("{vdi}: short form, for small angles", vdi=VDI), names={"T": "M_A", "p": "P_h"})
-def preload_short(T: NewtonMetre, p: Metre, mu: Number, d_2: Metre, D_Km: Metre) -> Newton:
-    return T / (0.159 * p + 0.578 * mu * d_2 + mu * D_Km / 2)
+def preload_short(T: NewtonMetre, p: Metre, mu: Number, d_2: Metre, mu_K: Number, D_Km: Metre) -> Newton:
+    return T / (0.159 * p + 0.578 * mu * d_2 + mu_K * D_Km / 2)
 
 
 @formula("d_2", Text("{source}: pitch diameter", source=SOURCE), unit="mm", names={"p": "P_h"})
@@ -104,8 +183,9 @@ def friction_angle_source(mu: Number) -> Radian:
 
 
 @formula("r_h", Text("{source}: friction at the outer edge of the head", source=SOURCE), unit="mm")
-def friction_radius_source(d_w: Metre) -> Metre:
-    return d_w / 2
+def friction_radius_source(s: Metre) -> Metre:
+    """`s`: the width across flats, which the source takes for the diameter of the face."""
+    return s / 2
 
 
 @formula(
@@ -236,19 +316,28 @@ def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
 
 @result
 class BoltsResult:
-    """One bolt, and the joint.  The safeties are None where the shaft puts no force on its support."""
+    """One bolt, and the joint.  The safeties are None where nothing puts a force on it."""
 
+    bolt_head_face: Metre | None = value(
+        "Face under a bolt's head, diameter assumed", "mm", "d_w", default=None, short=True
+    )
     bolt_preload: Newton = value("Preload of a bolt", "N", "F_V", short=True)
     bolt_preload_vdi: Newton = value("Preload by VDI 2230", "N", "F_V")
     bolt_preload_vdi_short: Newton = value("Preload by the short form of VDI 2230", "N", "F_V")
     bolt_preload_source: Newton = value("Preload by the source's formula", "N", "F_V")
     bolt_preload_min: Newton = value("Least preload, by the scatter of torque tightening", "N", "F_V,min")
     bolt_head_pressure: Pascal = value("Pressure under a bolt's head", "MPa", "p_h", short=True)
+    bolt_head_pressure_least: Pascal | None = value(
+        "Pressure under a bolt's head, largest face that it may have", "MPa", "p_h", default=None
+    )
+    bolt_head_pressure_most: Pascal | None = value(
+        "Pressure under a bolt's head, smallest face that it may have", "MPa", "p_h", default=None
+    )
     bolt_tensile_stress: Pascal = value("Tensile stress of a bolt by its preload", "MPa", "σ_z")
     bolt_tightening_stress: Pascal = value(
         "Equivalent stress of a bolt while it is tightened", "MPa", "σ_red", short=True
     )
-    bolt_end_force: Newton = value("Turning force on the bolts of one end", "N", "Q")
+    bolt_end_force: Newton | None = value("Turning force on the bolts of one end", "N", "Q", default=None)
     bolt_separation_safety: Number | None = value("Safety against separation", "", "S_sep", default=None, short=True)
     bolt_slip_across_safety: Number | None = value(
         "Safety against slip, load across the bolts", "", "S_across", default=None, short=True
@@ -258,6 +347,7 @@ class BoltsResult:
     )
     support: "Material | None"
     property_class: str
+    face: Face
 
 
 def solve(
@@ -269,19 +359,68 @@ def solve(
 ) -> BoltsResult:
     """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as
     `shaft_force` and `shaft_couple` give them; `support` is the material under the heads, where it is known."""
-    T, mu, d_w, d_h = bolts.torque, bolts.friction, bolts.head_diameter, bolts.hole_diameter
+    tight = tightened(bolts, support)
+    with about(Text("bolts")):
+        z_f, z_r = bearing_positions[0], bearing_positions[-1]
+        l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
+        C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
+        Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
+        tight = replace(tight, bolt_end_force=Q)
+        if Q <= NO_FORCE:
+            return tight
+        n, F_min, mu_T = bolts_at_an_end(N_b=bolts.count), tight.bolt_preload_min, bolts.joint_friction
+        return replace(
+            tight,
+            bolt_separation_safety=safety_separation(n=n, F_min=F_min, Q=Q),
+            bolt_slip_across_safety=safety_across(mu_T=mu_T, n=n, F_min=F_min, Q=Q),
+            bolt_slip_safety=safety_slip(n=n, F_min=F_min, Q=Q, mu_T=mu_T),
+        )
+
+
+def solve_further(bolts: FurtherBolts, part: "Material | None" = None) -> BoltsResult:
+    """Bolts beside those of the support, as those of a wheel's: all together hold the force across their joint."""
+    with about(Text("bolts {name}", name=Name(bolts.name))):
+        tight = tightened(bolts, part)
+        if bolts.force is None or bolts.force <= NO_FORCE:
+            return tight
+        n = based_on(float(bolts.count), bolts.count)
+        across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=tight.bolt_preload_min, Q=bolts.force)
+        return replace(tight, bolt_slip_across_safety=across)
+
+
+def tightened(bolts: Bolts, support: "Material | None") -> BoltsResult:
+    """One bolt without any load but its own."""
+    T, mu, d_h = bolts.torque, bolts.friction, bolts.hole_diameter
+    mu_K = mu if bolts.head_friction is None else bolts.head_friction
     with about(Text("bolts")):
         D, p = nominal_diameter(designation=bolts.thread), pitch(designation=bolts.thread)
+    under = face(bolts, D)
+    d_w = under.taken
     with about(Text("bolts, VDI 2230")):
         d_2 = pitch_diameter(D=D, p=p)
         alpha_h, rho = helix_angle(p=p, d_2=d_2), friction_angle(mu=mu)
-        F_vdi = preload(T=T, d_2=d_2, alpha_h=alpha_h, rho=rho, mu=mu, r_h=friction_radius(d_w=d_w, d_h=d_h))
-        F_short = preload_short(T=T, p=p, mu=mu, d_2=d_2, D_Km=mean_bearing_diameter(d_w=d_w, d_h=d_h))
+        F_vdi = preload(T=T, d_2=d_2, alpha_h=alpha_h, rho=rho, mu_K=mu_K, r_h=friction_radius(d_w=d_w, d_h=d_h))
+        D_Km = mean_bearing_diameter(d_w=d_w, d_h=d_h)
+        F_short = preload_short(T=T, p=p, mu=mu, d_2=d_2, mu_K=mu_K, D_Km=D_Km)
     with about(Text("bolts, source")):
         d_2s, alpha_s = pitch_diameter_source(D=D, p=p), helix_angle_source(p=p, D=D)
         rho_s = friction_angle_source(mu=mu)
-        F_source = preload(T=T, d_2=d_2s, alpha_h=alpha_s, rho=rho_s, mu=mu, r_h=friction_radius_source(d_w=d_w))
+        r_s = friction_radius_source(s=d_w if bolts.across_flats is None else bolts.across_flats)
+        F_source = preload(T=T, d_2=d_2s, alpha_h=alpha_s, rho=rho_s, mu_K=mu_K, r_h=r_s)
     F_V = F_source if bolts.method == "source" else F_vdi
+
+    def pressure_on(d_w: Metre | None) -> Pascal | None:
+        """Under a face of another size, which rubs at another radius."""
+        if d_w is None:
+            return None
+        r_h = friction_radius(d_w=d_w, d_h=d_h)
+        F = F_V if bolts.method == "source" else preload(T=T, d_2=d_2, alpha_h=alpha_h, rho=rho, mu_K=mu_K, r_h=r_h)
+        return head_pressure(F_V=F, d_w=d_w, d_h=d_h)
+
+    with about(Text("bolts, largest face")):
+        lightly = pressure_on(under.most)
+    with about(Text("bolts, smallest face")):
+        heavily = pressure_on(under.least)
     with about(Text("bolts")):
         F_min = least_preload(F_V=F_V, alpha_A=ALPHA_A)
         pressure = head_pressure(F_V=F_V, d_w=d_w, d_h=d_h)
@@ -290,31 +429,21 @@ def solve(
         M_G = thread_torque(F_V=F_V, d_2=d_2, alpha_h=alpha_h, rho=rho)
         tau_M = torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3))
         tightened = tightening_stress(sigma_z=sigma, tau_M=tau_M)
-        z_f, z_r = bearing_positions[0], bearing_positions[-1]
-        l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
-        C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
-        Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
-        separation = across = slip = None
-        if Q > NO_FORCE:
-            n = bolts_at_an_end(N_b=bolts.count)
-            separation = safety_separation(n=n, F_min=F_min, Q=Q)
-            across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=F_min, Q=Q)
-            slip = safety_slip(n=n, F_min=F_min, Q=Q, mu_T=bolts.joint_friction)
     return BoltsResult(
+        bolt_head_face=None if under.least is None else d_w,
         bolt_preload=F_V,
         bolt_preload_vdi=F_vdi,
         bolt_preload_vdi_short=F_short,
         bolt_preload_source=F_source,
         bolt_preload_min=F_min,
         bolt_head_pressure=pressure,
+        bolt_head_pressure_least=lightly,
+        bolt_head_pressure_most=heavily,
         bolt_tensile_stress=sigma,
-        bolt_end_force=Q,
-        bolt_separation_safety=separation,
-        bolt_slip_across_safety=across,
-        bolt_slip_safety=slip,
         bolt_tightening_stress=tightened,
         support=support,
         property_class=bolts.property_class,
+        face=under,
     )
 
 
@@ -329,9 +458,10 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
 
 BOLT_KEYS = "countershaft", CountershaftInputs.bolts
 TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
+HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
 JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
 SLIP = CheckRule(
-    "countershaft.bolts.slip",
+    "countershaft.J.slip",
     "limit",
     "The support slides on its block and works the bolts loose.",
     Text("Safety against slip of the support while the load turns"),
@@ -342,8 +472,20 @@ SLIP = CheckRule(
     value_id=dotted("countershaft", BoltsResult.bolt_slip_safety),
     moved_by=JOINT,
 )
+SLIP_VDI = CheckRule(
+    "countershaft.J.slip_vdi",
+    "caution",
+    "Below it the joint may work under a load that turns; it slips at 1, which is the limit.",
+    Text("Safety against slip while the load turns, as VDI 2230 asks for"),
+    source=Text("VDI 2230-1, R12, from memory: 1.8 where the load comes from alternate sides, 1.2 where it stands"),
+    advice=SLIP.advice,
+    demand=True,
+    cause="countershaft.J.slip",
+    value_id=dotted("countershaft", BoltsResult.bolt_slip_safety),
+    moved_by=JOINT,
+)
 SEPARATION = CheckRule(
-    "countershaft.bolts.separation",
+    "countershaft.J.separation",
     "limit",
     "The support lifts off its block.",
     Text("Safety against separation of the support"),
@@ -355,7 +497,7 @@ SEPARATION = CheckRule(
     moved_by=JOINT,
 )
 BOLT_STRENGTH = CheckRule(
-    "countershaft.bolts.strength",
+    "countershaft.J.strength",
     "limit",
     "The bolt yields while it is tightened.",
     sense="<=",
@@ -369,7 +511,7 @@ BOLT_STRENGTH = CheckRule(
     proven=(),
 )
 HEAD_PRESSURE = CheckRule(
-    "countershaft.bolts.pressure",
+    "countershaft.J.pressure",
     "caution",
     "The seat yields and preload is lost; the joint is judged by itself, and limiting pressures scatter by two.",
     Text("Pressure under a bolt's head"),
@@ -379,7 +521,7 @@ HEAD_PRESSURE = CheckRule(
     demand=True,
     value_id=dotted("countershaft", BoltsResult.bolt_head_pressure),
     moved_by=(
-        dotted(*BOLT_KEYS, Bolts.head_diameter),
+        HEAD,
         TORQUE,
         dotted(*BOLT_KEYS, Bolts.hole_diameter),
     ),
@@ -389,12 +531,40 @@ HEAD_PRESSURE = CheckRule(
 
 def checks(joint: BoltsResult) -> Iterator[Check]:
     """Slip and separation at the least preload, pressure at the largest."""
-    for rule, safety in ((SLIP, joint.bolt_slip_safety), (SEPARATION, joint.bolt_separation_safety)):
+    for rule, safety, least in (
+        (SLIP, joint.bolt_slip_safety, 1.0),
+        (SLIP_VDI, joint.bolt_slip_safety, HOLDS_TURNING),
+        (SEPARATION, joint.bolt_separation_safety, 1.0),
+    ):
         if safety is not None:
-            yield rule(safety, 1.0)
+            yield rule(safety, least, at="bolts")
+    yield from _tightened_checks(joint, "bolts")
+
+
+def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
+    """The same of bolts beside those of the support, whose load stands across the joint or turns."""
+    own = dotted("countershaft", CountershaftInputs.further_bolts, bolts.name)
+    found = list(_tightened_checks(joint, own.removeprefix("countershaft.")))
+    if (safety := joint.bolt_slip_across_safety) is not None:
+        least = HOLDS_TURNING if bolts.turns == "yes" else HOLDS_STANDING
+        what = Text("Safety against slip of the joint")
+        asked = Text("Safety against slip of the joint, as VDI 2230 asks for")
+        at = own.removeprefix("countershaft.")
+        found += [SLIP(safety, 1.0, at=at, name=what), SLIP_VDI(safety, least, at=at, name=asked)]
+    across = dotted("countershaft", BoltsResult.bolt_slip_across_safety)
+    for check in found:
+        value = across if check.rule in (SLIP, SLIP_VDI) else check.value_id
+        yield check.but(
+            name=Text("{what}, {bolts}", what=check.name, bolts=Name(bolts.name)),
+            value_id=value.replace("countershaft", own),
+            moved_by=tuple([key.replace(dotted(*BOLT_KEYS), own) for key in check.moved_by]),
+        )
+
+
+def _tightened_checks(joint: BoltsResult, at: str) -> Iterator[Check]:
     name = Text("Stress of a bolt of class {property_class} while it is tightened", property_class=joint.property_class)
     limit = STRENGTH[joint.property_class] * 1e6
-    yield BOLT_STRENGTH(joint.bolt_tightening_stress, limit, name=name)
+    yield BOLT_STRENGTH(joint.bolt_tightening_stress, limit, at=at, name=name)
     if joint.support is not None and (known := _strength(joint.support)) is not None:
         limit, strength = known
         source = Text(
@@ -403,7 +573,12 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
             known=strength,
             name=joint.support.name,
         )
-        yield HEAD_PRESSURE(joint.bolt_head_pressure, limit, source=source)
+        unknown = None
+        if joint.face.least is not None:
+            best, worst = joint.bolt_head_pressure_least, joint.bolt_head_pressure_most
+            assert best is not None and worst is not None
+            unknown = Missing((HEAD,), (joint.face.words,), best, worst)
+        yield HEAD_PRESSURE(joint.bolt_head_pressure, limit, at=at, source=source, missing=unknown)
 
 
 def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
@@ -418,6 +593,7 @@ def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
         "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the "
         "joint, its weight, the gear force, locating pins and the thread's engagement in the block are left out."
     )
+    yield from face_notes(joint)
     if bolts.row_span is None:
         yield Text(
             "Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do "
@@ -431,3 +607,12 @@ def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
         yield Text("Bolts: the shaft puts no force on its support, so slip and separation are not judged.")
     if _strength(joint.support) is None:
         yield Text("Bolts: no strength of the support is known, so the pressure under the head is not judged.")
+
+
+def face_notes(joint: BoltsResult) -> Iterator[Text]:
+    """What was taken for the face under the head."""
+    if joint.face.least is not None:
+        yield Text(
+            "Bolts: the face under the head is assumed: {words}. Give head_diameter_mm, of flange or washer.",
+            words=joint.face.words,
+        )

@@ -98,6 +98,9 @@ def stress_area(d_2: Metre, d_3: Metre) -> SquareMetre:
 
 # --- the inputs
 
+# Width across flats of a hexagon head without flange, mm (ISO 4014, ISO 4017): on a narrower one there is a flange.
+HEXAGONS = {5.0: 8.0, 6.0: 10.0, 8.0: 13.0, 10.0: 16.0, 12.0: 18.0, 14.0: 21.0, 16.0: 24.0, 20.0: 30.0, 24.0: 36.0}
+
 # Rp0.2 (4.6 to 5.8: Rel) of each property class, MPa: ISO 898-1, Table 3
 STRENGTH = {"4.6": 240.0, "5.6": 300.0, "5.8": 420.0, "6.8": 480.0, "8.8": 640.0, "10.9": 940.0, "12.9": 1100.0}
 
@@ -125,17 +128,39 @@ class Bolts:
         step=0.01,
         usual=(0.08, 0.16),
         source="VDI 2230-1, class B",
-        help="Give the smallest expected.",
+        help="Give the smallest expected. Where head_friction is given, this is the thread's alone.",
     )
-    head_diameter: float = quantity(
+    head_friction: float | None = quantity(
+        "Coefficient of friction under the head",
+        default=None,
+        within=(0.02, 0.5),
+        symbol="mu_K",
+        step=0.01,
+        usual=(0.08, 0.16),
+        source="VDI 2230-1, class B",
+        help="Where it differs from the thread's, as under a washer or on a coated face. Left out: that of the thread.",
+    )
+    head_diameter: float | None = quantity(
         "Bearing diameter of the head",
         "mm",
+        default=None,
         up_to=200,
         symbol="d_w",
         source="VDI 2230-1",
-        help="Outer diameter of the face under the head: across flats, or of the flange.",
+        help="Outer diameter of the face that the head, its flange or the washer presses on. Left out: assumed from "
+        "the width across flats.",
         change=("smaller bolt heads", "larger bolt heads"),
         repair="free",
+    )
+    across_flats: float | None = quantity(
+        "Width across flats",
+        "mm",
+        default=None,
+        up_to=200,
+        symbol="s",
+        source="Finotti 2013, Table 6.1",
+        help="Of the spanner, which says no more of the face under the head than whether it is flanged. Its half is "
+        "the radius at which the source's formula lets the head rub; left out, that of head_diameter_mm.",
     )
     hole_diameter: float = quantity(
         "Clearance hole",
@@ -189,10 +214,13 @@ class Bolts:
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        if self.hole_diameter >= self.head_diameter:
+        face = self.across_flats if self.head_diameter is None else self.head_diameter
+        if face is None:
+            yield dotted(Bolts.head_diameter), Text("is needed, or across_flats_mm, from which it is assumed")
+        elif self.hole_diameter >= face:
             yield (
                 dotted(Bolts.hole_diameter),
-                Text("must be smaller than head_diameter_mm, or the head bears on nothing"),
+                Text("must be smaller than the face under the head, or the head bears on nothing"),
             )
         if (wrong := thread_problem(self.thread)) is not None:
             yield dotted(Bolts.thread), wrong
@@ -201,6 +229,35 @@ class Bolts:
                 dotted(Bolts.hole_diameter),
                 Text("must be larger than the thread, {d} mm", d=Amount(D * 1000.0, form="g")),
             )
+
+
+@inputs
+class FurtherBolts(Bolts):
+    """Bolts beside those of the support, as the screws that hold a wheel's pin to the block."""
+
+    name: str = text("Name")
+    force: float | None = quantity(
+        "Force across the joint",
+        "N",
+        default=None,
+        within=(0, 1e7),
+        symbol="Q",
+        help="On all of these bolts together, as the force of a wheel on its pin. Left out: slip is not judged.",
+        repair="asked",
+    )
+    turns: str = choice(
+        "The force turns",
+        "no",
+        "yes",
+        default="no",
+        help="Whether that force comes from alternate sides, or keeps its direction like that of a train's teeth.",
+    )
+    material: str | None = text(
+        "Material under the heads",
+        default=None,
+        help="A name from the table of materials or from [[material]]. Left out: the pressure is not judged.",
+        catalogue="materials",
+    )
 
 
 @inputs

@@ -120,6 +120,12 @@ def making(
         bolted = bolts.solve(shaft.bolts, result.force_vector, result.couple_vector, shaft.bearing_positions, support)
         step.checks += bolts.checks(bolted)
         step.notes += bolts.notes(shaft.bolts, bolted)
+    further = {}
+    for joint in shaft.further_bolts:
+        part = None if joint.material is None else materials[joint.material]
+        further[joint.name] = found = bolts.solve_further(joint, part)
+        step.checks += bolts.further_checks(joint, found)
+        step.notes += bolts.face_notes(found)
     if shaft.support is not None:
         step.checks += support_checks(shaft.support, materials[shaft.support.material])
     count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
@@ -130,6 +136,7 @@ def making(
         scatter=scattered,
         alternative=other,
         bolts=bolted,
+        further_bolts=further or None,
         drain=drains.pop("", None),
         further_drains=drains or None,
         part_count=count,

@@ -10,6 +10,7 @@ from ...countershaft.inputs import CountershaftInputs
 from ...design.addresses import as_table
 from ...design.model import Design
 from ...design.toml_file import Document, design
+from ...engine.crank import crank
 from ...engine.inputs import EngineInputs
 from ...engine.result import EngineResult
 from ...gears.inputs import GearsInputs
@@ -60,10 +61,11 @@ def _size(engine: EngineInputs) -> tuple[Metre, Metre, Metre]:
     """Up, to the side, along the crank; a bank that leans gives of its height to the side."""
     banks = engine.bank_of_cylinder
     in_a_row = max(banks.count(1), banks.count(2)) if banks else engine.cylinders
-    leaning = {"inline": 0.0, "boxer": math.pi / 2}.get(engine.layout, (engine.bank_angle or 0.0) / 2)
+    placed = crank(engine, 0.0)
+    upright, leaning = max(map(math.cos, placed.psi)), max(abs(math.sin(psi)) for psi in placed.psi)
     reach = 2.5 * (2 * engine.crank_radius + engine.rod_length)
-    height = max(reach * math.cos(leaning), 4 * engine.bore)
-    width, length = 5 * engine.bore + reach * math.sin(leaning), (in_a_row + 2) * engine.cylinder_pitch
+    height = max(reach * upright, 4 * engine.bore)
+    width, length = 5 * engine.bore + reach * leaning, (in_a_row + 2) * placed.pitch
     return up(height, 10e-3), up(width, 10e-3), up(length, 10e-3)
 
 

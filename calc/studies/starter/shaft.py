@@ -96,7 +96,7 @@ def envelope(design: Design, results: Results, todo: StarterTask, core: float = 
     NoSolution."""
     engine, train = design.engine, results.result(EngineResult)
     assert engine is not None and train is not None
-    row = float(max(train.crank.z) - min(train.crank.z)) + engine.cylinder_pitch
+    row = float(max(train.crank.z) - min(train.crank.z)) + train.crank.pitch
     apart = row if abs(todo.ratio) == 1 or abs(todo.C) > 0.01 * row * abs(todo.F) else 0.0
     span = up(max(apart, 1.5 * engine.bore), 2e-3)
     rho = design.materials[STEEL].density

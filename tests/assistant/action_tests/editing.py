@@ -145,7 +145,7 @@ async def accept(pilot: Pilot[int], do: Do) -> None:
     """A caution is accepted with a reason, and opened again; a limit is not."""
     session, checks = work(pilot).session, await to_checks(pilot)
     await work(pilot).open_step(STEPS[2], stay=True)
-    checks.go_to("countershaft.bolts.pressure")
+    checks.go_to("countershaft.bolts.slip_vdi")
     await still(pilot)
     await do()
     asked = await over(pilot, Accept)
@@ -155,11 +155,11 @@ async def accept(pilot: Pilot[int], do: Do) -> None:
     await strike(pilot, "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
     await still(pilot)
-    assert session.design.accepted == (("countershaft.bolts.pressure", "agreed with the foundry"),)
+    assert session.design.accepted == (("countershaft.bolts.slip_vdi", "agreed with the foundry"),)
     assert all(
         words in text(pilot) for words in ("accepted,", "agreed with the foundry")
     )  # over two lines where narrow
-    assert checks.key == "countershaft.bolts.pressure"
+    assert checks.key == "countershaft.bolts.slip_vdi"
     await do()
     await still(pilot)
     assert not session.design.accepted and "Open again" in told(pilot)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from calc.bearings.routes.routes import own_cold, own_warm
 from calc.bearings.routes.thermal_balance import balanced, settled
+from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
 
 
@@ -58,6 +59,20 @@ def test_lengths_diameters_speeds_and_supplies_may_be_arrays(front):
             supply_pressure=float(duty.supply_pressure[i]),
         )
         assert many.film[i] == pytest.approx(balanced(own_warm, replace(front.seat, bearing=own), at).film, rel=1e-6)
+
+
+def test_without_balance_the_film_of_a_given_viscosity_is_the_same_at_once_and_alone(front):
+    """Across the end of the balance: 400 mPa·s, whose rise passes 200 K as the clearance narrows, and no jump there."""
+    thick = replace(
+        front.seat, lubricant=Lubricant(replace(front.seat.inputs, viscosity=0.4).in_bearings(front.seat.lubricant.oil))
+    )
+    clearances = np.linspace(4e-5, 1.6e-4, 30)
+    many = settled(replace(thick, clearance=clearances), front.duty)
+    alone = [balanced(own_warm, replace(thick, clearance=float(g)), front.duty) for g in clearances]
+    assert many.film == pytest.approx([film.film for film in alone], rel=1e-6)
+    assert many.temperature_rise == pytest.approx([film.temperature_rise for film in alone], rel=1e-6)
+    assert many.temperature_rise[0] > 200 > many.temperature_rise[-1]
+    assert np.abs(np.diff(many.film, 2)).max() < 0.02 * many.film.max()
 
 
 def test_they_are_broadcast(front):

@@ -320,6 +320,21 @@ def test_heat_that_is_not_carried_away_asks_for_clearance_and_not_for_thicker_oi
     assert "not carried away" in reason and "clearance" in reason and "thicker" not in reason
 
 
+def test_a_given_viscosity_has_its_film_whatever_its_heat(gamma):
+    """800 mPa·s at every temperature: 370 K of heat on the way through, which no balance is asked for; the film of the
+    charts at that viscosity stands, and the temperature fails.  With an oil of its own law there is no film to tell."""
+    found = outcome(gamma, bearings__viscosity_mPas=800.0)
+    r = found.result.bearings["front"]
+    assert r.temperature_rise > 200 and verdicts(found)["bearings.front.temperature"] == "fail"
+    assert any("the heat has no balance" in note for note in found.notes)
+    # clearance at 200 K of heat, 100 K above the supply on average
+    psi = r.seat.clearance_at(r.duty.supply_temperature + 100.0) / r.seat.bearing.diameter
+    assert r.sommerfeld == pytest.approx(0.8 * r.duty.effective_speed / (r.specific_load * psi**2), rel=1e-9)
+    warmer = outcome(gamma, bearings__viscosity_mPas=300.0)
+    assert warmer.result.bearings["front"].temperature_rise < 200
+    assert not any("no balance" in note for note in warmer.notes)
+
+
 def test_a_load_near_half_speed_is_told_by_its_speed(gamma):
     assert "52 rpm" in outcome(gamma, bearings__load_speed_ratio=0.49).reason
 

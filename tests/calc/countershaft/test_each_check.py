@@ -426,6 +426,14 @@ CASES = [
         lambda: bolt("bolts.slip", bolt_slip_safety=0.99),
     ),
     (
+        "bolts.slip_vdi",
+        "warn",
+        1.8,
+        "VDI 2230-1",
+        lambda: bolt("bolts.slip_vdi", bolt_slip_safety=1.81),
+        lambda: bolt("bolts.slip_vdi", bolt_slip_safety=1.79),
+    ),
+    (
         "bolts.separation",
         "fail",
         1.0,

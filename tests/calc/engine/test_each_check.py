@@ -155,7 +155,8 @@ def of_throw(place="", stress=0.0, material=STEEL, span=0.112, fillets=(0.05, 0.
         worst[1, 1, PLACES.index(place)] = stress
     crank = SimpleNamespace(
         throw=throw.ThrowInputs(**SIZES),
-        engine=SimpleNamespace(cylinders=3, cylinder_pitch=0.112),
+        engine=SimpleNamespace(cylinders=3),
+        e=SimpleNamespace(crank=SimpleNamespace(pitch=0.112)),
         span=span,
         notch={place: (ratio, 1.0, 1.0) for place, ratio in zip(("pin", "journal"), fillets)},
         load=(),

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from calc.design.toml_file import Document, design, parse
 from calc.engine import solve as engine
-from calc.engine.crank import pin_of_cylinder
+from calc.engine.crank import firing, pin_of_cylinder
+from calc.imbalance.checks import checks
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.throws import polygons
 from calc.sheet.errors import BadInput
@@ -172,6 +173,128 @@ def test_what_hardly_differs_is_alike(nearly):
     assert np.abs(turning[0].harmonics) == pytest.approx(np.abs(turning[1].harmonics), abs=1e-9)
 
 
+def by_hand(inputs, e, arm, m):
+    """Harmonics of all pistons' force and couple and of the torque on the block, from the place of each piston on its
+    axis at 256 crank angles alone: acceleration as the second derivative of its Fourier series."""
+    theta = np.arange(256) * (2 * np.pi / 256)
+    r, d, L = np.array(inputs.radii), np.array(inputs.offsets), inputs.rod_length
+    alpha = theta[:, None] + e.crank.theta_0 + e.crank.phi - e.crank.psi
+    height = r * np.cos(alpha) + np.sqrt(L**2 - (r * np.sin(alpha) - d) ** 2)
+    n = np.fft.fftfreq(256, 1 / 256)[:, None]
+    force = -np.array(m) * np.fft.ifft(-(n**2) * np.fft.fft(height, axis=0), axis=0).real * e.angular_speed**2
+    vectors = force * np.exp(1j * e.crank.psi)
+    # what the pistons press on their liners; the rest goes through the crank's axis
+    thrust = force * (r * np.sin(alpha) - d) / np.sqrt(L**2 - (r * np.sin(alpha) - d) ** 2)
+    block = (thrust * height).sum(1)
+    return np.fft.fft(vectors.sum(1)) / 256, np.fft.fft((vectors * arm).sum(1)) / 256, np.fft.rfft(block) / 128, height
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.data())
+def test_offsets_and_directions_of_each_cylinder(data):
+    """A W or radial engine whose cylinders have offset, radius, direction and mass of their own."""
+    n = data.draw(st.integers(2, 6))
+
+    def of_each(low, high):
+        return tuple(data.draw(st.lists(st.floats(low, high), min_size=n, max_size=n)))
+
+    d, r, m = of_each(-0.03, 0.03), of_each(0.03, 0.08), of_each(0.2, 3)
+    inputs, e, found = solved(
+        ImbalanceInputs(crank_balance_fraction=0.0),
+        layout=data.draw(st.sampled_from(["w", "radial"])),
+        cylinders=n,
+        cylinder_directions=of_each(-3, 3),
+        cylinder_offset=d[0],
+        cylinder_offsets=d,
+        crank_radius=r[0],
+        crank_radii=r,
+        cylinder_pitch=None,
+        axial_positions=of_each(-0.3, 0.3),
+        crank_angles=of_each(0, 6.28),
+        firing_order=None,
+        piston_mass=None,
+        reciprocating_masses=m,
+    )
+    force, couple, block, _ = by_hand(inputs, e, e.crank.z, m)
+    size = max(m) * max(r) * e.angular_speed**2
+    for n in (1, 2, 4):
+        one = found.orders[f"order_{n}"]
+        for found_one, theirs, scale in (("force", force, size), ("couple", couple, size * 0.3)):
+            assert getattr(one, f"{found_one}_forward") == pytest.approx(abs(theirs[n]), abs=1e-8 * scale)
+            assert getattr(one, f"{found_one}_backward") == pytest.approx(abs(theirs[-n]), abs=1e-8 * scale)
+    turning = engine.solve(inputs).solution.torque
+    assert np.abs(turning.reaction_harmonics) == pytest.approx(np.abs(block[1:9]), abs=1e-8 * size * max(r))
+
+
+# A VR6 by its layout: ±22 mm at 10.8°, 96.4 mm stroke; rod, pitch and mass are round ones near those that are built.
+VR6 = dict(
+    layout="vee",
+    cylinders=6,
+    bore=0.089,
+    crank_radius=0.0482,
+    rod_length=0.16,
+    bank_angle=math.radians(10.8),
+    firing_order=(1, 5, 3, 6, 2, 4),
+    cylinder_pitch=None,
+    axial_positions=tuple((k - 2.5) * 0.068 for k in range(6)),
+    piston_mass=None,
+    rod_mass=None,
+    rod_cg_to_big_end=None,
+    crankpin_bearing_mass=0.0,
+    reciprocating_masses=(0.59,),
+    rotating_masses=(0.5,),
+    rated_speed=100.0,
+)
+
+
+def test_the_offsets_of_a_vr6_are_of_opposite_sign():
+    """Order 2 and 3 against `by_hand`, each piston at its top dead centre where it fires, and what one sense for both
+    banks makes of it."""
+    inputs, e, found = solved(cylinder_offset=-0.022, cylinder_offsets=(-0.022, 0.022) * 3, **VR6)
+    force, couple, _, height = by_hand(inputs, e, e.crank.z, (0.59,) * 6)
+    of = found.orders
+    assert of["order_2"].couple_peak == pytest.approx(abs(couple[2]) + abs(couple[-2]), rel=1e-9)
+    assert of["order_3"].force_peak == pytest.approx(abs(force[3]) + abs(force[-3]), rel=1e-9)
+    assert (of["order_2"].couple_peak, of["order_3"].force_peak) == pytest.approx((352, 339), abs=0.5)
+    fires = firing(inputs, e.crank)
+    assert fires.order == (1, 5, 3, 6, 2, 4) and np.degrees(fires.intervals) == pytest.approx([120] * 6)
+    theta = np.arange(256) * (2 * np.pi / 256)
+    for k, angle in enumerate(fires.angles):
+        there = np.interp((angle + np.array([-0.1, 0, 0.1])) % (2 * np.pi), theta, height[:, k], period=2 * np.pi)
+        assert there[1] == pytest.approx(height[:, k].max(), abs=1e-5) and there[0] == pytest.approx(there[2], rel=1e-3)
+    told = " ".join(str(c.advice) for c in checks(found, 0.3, 0.5, 1.0, shaft=True, offsets_differ=True) if not c.holds)
+    assert "Offsets that differ turn each cylinder's force" in told and "balance half" not in told
+    both = solved(cylinder_offset=0.022, **VR6)[2].orders
+    assert (both["order_2"].couple_peak, both["order_3"].force_peak) == pytest.approx((158, 1085), abs=0.5)
+
+
+def test_a_radial_engine_fires_every_other_cylinder():
+    """Nine on one crankpin, all in one plane: the vectors of first order turn with the crank alone and half of the
+    mass takes them whole (rods that turn about the pin); the order of the Wright and Pratt & Whitney nines."""
+    inputs, e, found = solved(
+        layout="radial", cylinders=9, crank_angles=(0.0,) * 9, firing_order=None, cylinder_pitch=None,
+        axial_positions=(0.0,) * 9,
+    )  # fmt: skip
+    assert firing(inputs, e.crank).order == (1, 3, 5, 7, 9, 2, 4, 6, 8)
+    assert set(pin_of_cylinder(inputs, e.crank)) == {0}
+    assert found.orders["order_1"].force_peak == pytest.approx(0, abs=1e-9 * found.one_force)
+    assert found.one_couple == found.one_force * inputs.bore
+    by_order, *_ = solved(layout="radial", cylinders=9, firing_order=(1, 3, 5, 7, 9, 2, 4, 6, 8))
+    assert engine.values(by_order).crank.phi % (2 * math.pi) == pytest.approx([0] * 9, abs=1e-12)
+
+
+def test_a_w_of_two_banks_is_a_vee_and_its_places_give_the_pitch():
+    places = tuple((k // 2 - 1) * 0.112 for k in range(6))
+    vee = dict(cylinders=6, firing_order=None, crank_angles=(0.0, 0.0, 4.0, 4.0, 2.0, 2.0), axial_positions=places)
+    _, _, one = solved(layout="vee", bank_angle=1.2, **vee)
+    w = dict(layout="w", cylinder_directions=(-0.6, 0.6) * 3, cylinder_pitch=None, **vee)
+    inputs, e, other = solved(**w)
+    assert e.crank.pitch == pytest.approx(0.112, rel=1e-12)
+    assert pin_of_cylinder(inputs, e.crank).tolist() == [0, 0, 1, 1, 2, 2]
+    ours, theirs = ({v.id: v.shown for v in published(x, "i")} for x in (one, other))
+    assert theirs == pytest.approx(ours, rel=1e-9, abs=1e-9)
+
+
 def test_the_inertia_torque_of_unlike_cylinders():
     """Sum over the cylinders of −m·a·v/ω at 720 crank angles, and its orders; what each has by itself."""
     m, r = (1.0, 2.5, 4.0), np.array([0.05, 0.04, 0.06])
@@ -278,7 +401,10 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
     text = LOCOMOTIVE.replace("_kg = 180.0", "_kg = [180.0, 200.0]").replace(
         "kinematics", "rotating_balance_fraction = 0.9\nkinematics"
     )
-    text = text.replace("rod_length", "crank_radii_mm = [300.0, 280.0]\nrod_length")
+    text = text.replace("rod_length", "crank_radii_mm = [300.0, 280.0]\ncylinder_offsets_mm = [0.0, 20.0]\nrod_length")
+    text = text.replace('"inline"', '"w"').replace(
+        "cylinder_pitch_mm = 700.0", "axial_positions_mm = [-350.0, 350.0]\ncylinder_directions_deg = [0.0, 10.0]"
+    )
     document = parse(text.encode(), "d.toml")
     results = solve(design(document))
     chains, before = provenance.Chains(results), {id: v.shown for id, v in results.values().items()}
@@ -286,6 +412,9 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
         ("engine.reciprocating_masses_kg.1", 210.0),
         ("engine.rotating_masses_kg", 160.0),
         ("engine.crank_radii_mm.1", 290.0),
+        ("engine.cylinder_offsets_mm.1", 30.0),
+        ("engine.axial_positions_mm.1", 360.0),
+        ("engine.cylinder_directions_deg.1", 15.0),
         ("imbalance.rotating_balance_fraction", 0.8),
     ):
         after = {id: v.shown for id, v in solve(design(document.with_value(key, number))).values().items()}
@@ -318,18 +447,29 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
         (
             "rod_length_mm = 1500",
             "crank_radii_mm = [300.0, 950.0]\nrod_length_mm = 900",
-            ["engine.crank_radii_mm: cylinder 2: 950 mm", "below rod_length_mm"],
-        ),
-        (
-            "bore",
-            "crank_radii_mm = [300.0, 280.0]\ncylinder_offset_mm = 5.0\nbore",
-            ["engine.cylinder_offset_mm", "must be 0 where"],
+            ["engine.crank_radii_mm: cylinder 2: radius plus offset, 950 mm", "not below rod_length_mm"],
         ),
         (
             "[imb",
             "crank_radii_mm = [300.0, 280.0]\n[engine.gas]\npeak_pressure_bar = 80.0\ncompression_ratio = 9.0\n[imb",
-            ["of one stroke"],
+            ["engine.gas: its pressure is that of cylinders of one motion"],
         ),
+        ("bore", "cylinder_offsets_mm = [5.0, -5.0]\nbore", ["engine.cylinder_offsets_mm", "must begin with"]),
+        (
+            "bore",
+            "cylinder_offsets_mm = [0.0, 1200.0]\nbore",
+            ["engine.cylinder_offsets_mm"],
+        ),
+        (
+            "rod_length_mm = 1500.0",
+            "crank_radii_mm = [300.0, 280.0]\ncylinder_offsets_mm = [0.0, 480.0]\nrod_length_mm = 700.0",
+            ["engine.crank_radii_mm: cylinder 2: radius plus offset, 760 mm"],
+        ),
+        ("cylinder_pitch_mm = 700.0\n", "", ["engine.cylinder_pitch_mm: needed, or axial_positions_mm"]),
+        ("bore", "cylinder_directions_deg = [0.0, 90.0]\nbore", ["engine.cylinder_directions_deg", "leave it out"]),
+        ('"inline"', '"w"', ["engine.cylinder_directions_deg: needed for a W engine"]),
+        ('"inline"', '"radial"\nbank_of_cylinder = [0, 1]', ["engine.bank_of_cylinder", "belongs to two banks"]),
+        ("cylinders = 2", 'cylinders = "two"\ncylinder_offsets_mm = [0.0, 5.0]', ["engine.cylinders"]),
         ("_kg = 180.0", "_kg = 0.0", ["engine.reciprocating_masses_kg: 0.0", "above 0"]),
         (
             "rated",

@@ -17,6 +17,7 @@ import calc
 from calc.design.model import STEPS
 from calc.design.toml_file import load
 from calc.library.publications import KINDS, KNOWN, PLACES, TABLE, cited, publication, register, resolved
+from calc.sheet.check import RULES
 from calc.sheet.formula import FORMULAS
 from calc.sheet.quantity import keys
 from calc.solve import solve
@@ -221,3 +222,16 @@ def test_every_kind_is_used():
         for outcome in solve(load(path)[1]).outcomes.values():
             every += [str(one.source) for one in (*outcome.checks, *outcome.errata)]
     assert {resolved(source).kind for source in every} - {""} == set(KINDS)
+
+
+def test_what_is_from_memory_and_decides_a_limit_has_a_second_witness_or_says_that_it_has_none() -> None:
+    """By the sources of the limits, as declared and as the shipped designs meet them."""
+    limits = [str(rule.source) for rule in RULES.values() if rule.kind == "limit"]
+    for file in DESIGNS:
+        limits += [str(check.source) for check in solve(load(file)[1]).checks() if check.kind == "limit"]
+    named = {c.publication.name: c.publication for source in limits for c in resolved(source).citations}
+    deciding = [row for row in named.values() if row.known == "memory"]
+    assert {"FKM guideline", "ISO 6336-1", "ISO 898-1", "VDI 2230-1"} <= {row.name for row in deciding}
+    assert [row.name for row in deciding if not row.witness] == []
+    assert all(str(row.witness_text) in str(row.described()) for row in deciding)
+    assert "second witness" in str(publication("VDI 2230-1").described())

@@ -28,7 +28,7 @@ def ways_of(document: Document, id: str) -> tuple[Check, tuple[RepairOption, ...
     [
         ("bearings.front.film_edge", {"longer journal", "smoother surfaces", "thicker oil"}),
         ("gears.central_idler.backlash_warm", {"thinner teeth", "closer tolerance"}),
-        ("countershaft.bolts.pressure", {"larger bolt heads", "less bolt torque"}),  # a caution
+        ("countershaft.bolts.slip_vdi", {"closer bolt holes", "more bolt torque"}),  # a caution
         ("bearings.front.mckee", {"longer journal"}),  # advice
     ],
 )
