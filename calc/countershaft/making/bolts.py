@@ -267,8 +267,8 @@ def solve(
     bearing_positions: tuple[Metre, ...],
     support: "Material | None" = None,
 ) -> BoltsResult:
-    """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as
-    `shaft_force` and `shaft_couple` give them; `support` is the material under the heads, where it is known."""
+    """The bolts of the support of one shaft.  `F_S` and `C_S` are the turning force and the couple about mid-shaft that
+    it puts on its bearings; `support` is the material under the heads, where it is known."""
     T, mu, d_w, d_h = bolts.torque, bolts.friction, bolts.head_diameter, bolts.hole_diameter
     with about(Text("bolts")):
         D, p = nominal_diameter(designation=bolts.thread), pitch(designation=bolts.thread)
