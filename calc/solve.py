@@ -17,7 +17,7 @@ from .bearings import solve as bearings
 from .bearings.loads import with_standing as bearings_with_standing
 from .countershaft import solve as countershaft
 from .countershaft.result import CountershaftResult
-from .countershaft.solve import with_oil
+from .countershaft.solve import with_films, with_oil
 from .countershaft.supports import with_standing
 from .design import step_inputs as h
 from .design.model import IN_SENTENCES, STEPS, TITLES, Design
@@ -267,7 +267,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
         b = bearings_with_standing(b, c.solution.standing)
-        c = with_oil(c, b.result)
+        c = with_oil(with_films(c, b.result, design.bearings.housing_stiffness if design.bearings else None), b.result)
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)
         g = _on_engine(g, design, c)

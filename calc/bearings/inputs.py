@@ -195,6 +195,16 @@ class BearingsInputs:
         fold=MATERIALS,
         taken_by=("gears",),
     )
+    housing_stiffness: float | None = quantity(
+        "Stiffness of the housing",
+        "N/mm",
+        default=None,
+        up_to=1e9,
+        symbol="K_H",
+        rule_of_thumb=(1e5, 1e7),
+        help="Under one bearing, radially, for the critical speed on the films. Left out: rigid.",
+        fold=MATERIALS,
+    )
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)
     groove_width: float | None = quantity(

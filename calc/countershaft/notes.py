@@ -62,9 +62,9 @@ def bending_notes(bent: Bending, steel: Material) -> Iterator[Text]:
 
 
 def supports_note(stepped: bool) -> Text:
-    """How the reactions of more than two supports were found; `stepped`: by the bending of the outline."""
+    """How the reactions of the supports were found; `stepped`: by the bending of the outline."""
     stiffness = (
-        Text("the stepped shaft, with the stiffness share of its sectors"),
+        Text("the stepped shaft as it bends while it turns, with the stiffness share of its sectors"),
         Text("a shaft of one stiffness throughout"),
     )
     return Text(

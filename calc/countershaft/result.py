@@ -58,6 +58,9 @@ class SupportResult:
     """One support: what it carries, and the load on its journal."""
 
     reaction: Newton = value("Reaction", "N", "F")
+    reaction_clapeyron: Newton | None = value(
+        "the same of a shaft of one stiffness at rest, by Clapeyron's three moments", "N", "F", default=None
+    )
     specific_load: Pascal | None = value("Specific load", "MPa", "p", default=None)
     heat_index: NewtonPerMetreSecond | None = value("Heat index", "N·rpm/mm", "W", default=None)
     slope: Radian | None = value("Slope of the journal", "mrad", "θ", default=None)
@@ -86,6 +89,12 @@ class CountershaftResult:
     force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True, headline=3)
     reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f", short=True, taken_by=("bearings",))
     reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r", short=True, taken_by=("bearings",))
+    reaction_front_levers: Newton | None = value(
+        "Reaction of the front bearing, by the levers of a rigid shaft", "N", "R_f", default=None
+    )
+    reaction_rear_levers: Newton | None = value(
+        "Reaction of the rear bearing, by the levers of a rigid shaft", "N", "R_r", default=None
+    )
     support: dict[str, SupportResult] = group(words="support")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
     sector_half_angle: Radian | None = value(
@@ -134,6 +143,9 @@ class CountershaftResult:
     fem_safety: Number | None = value(
         "Safety against fatigue of the largest principal stress by finite elements", "", "j", default=None
     )
+    first_critical_speed_on_films: RevPerSecond | None = value(
+        "the first on the films, in the housing with its stiffness", "rpm", "n_1", default=None
+    )
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
     bending: Bending | None = group(spread=True, default=None)
     tolerance: ToleranceResult | None = group(spread=True, default=None)
@@ -147,6 +159,7 @@ class CountershaftResult:
     part_count: Number | None = value("Parts of the assembly", "", default=None)
     part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
+    reactions: tuple[complex, ...]  # of the supports on the shaft, front to rear, cylinder 1 at TDC
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex
     omega: RadPerSecond  # of the shaft

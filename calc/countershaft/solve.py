@@ -16,7 +16,7 @@ from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import pi, power, sin, smallest
-from ..sheet.linked_array import column, elements, item
+from ..sheet.linked_array import column, elements, gathered, item
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Outcome
 from ..sheet.text import Amount, Name, Text
@@ -34,7 +34,8 @@ from ..sheet.units import (
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from . import outline as s
-from .bending.shaft import bending, run_up_fatigue
+from .bending.formulas import film_stiffness, in_series
+from .bending.shaft import bending, on_springs, run_up_fatigue
 from .checks import FILLET_ROOM, bending_checks, checks, fem_checks
 from .curves import curves
 from .inputs import CountershaftInputs, EccentricMass
@@ -223,22 +224,27 @@ def _with_outline(
 def _with_supports(
     step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult
 ) -> CountershaftResult:
-    """The same result support by support, where there are more than two or the journals are the shaft's own; else
-    [bearings] has them."""
+    """The same result with what its supports carry: of the bent shaft where its outline is known, and beside it what
+    the sources' formulas give, of a shaft that does not bend; support by support where there are more than two or the
+    journals are the shaft's own; else [bearings] has them."""
     shaft, journals, bent = step.shaft, step.journals, result.bending
     positions = shaft.bearing_positions
+    forces, printed = result.reactions, [result.reaction_front, result.reaction_rear]
+    if len(positions) > 2:
+        m, e, gamma, z = (column((*masses, *shaft.extras), name) for name in ("mass", "radius", "angle", "z"))
+        forces = elements(reactions(f.mass_force(omega=result.omega, m=m, e=e, gamma=gamma), z, positions))
+        printed = [f.reaction(R=R) for R in forces]
+    loads = printed
+    if bent is not None:
+        forces = elements(bent.reactions)
+        loads = [f.reaction(R=R) for R in forces]
+        if len(positions) == 2:
+            result = replace(result, reaction_front_levers=printed[0], reaction_rear_levers=printed[1])
+    result = replace(result, reactions=forces, reaction_front=loads[0], reaction_rear=loads[-1])
+    if len(positions) > 2 or bent is not None:
+        step.notes.append(supports_note(bent is not None))
     if len(positions) == 2 and not shaft.journals:
         return result
-    if len(positions) == 2:
-        loads = [result.reaction_front, result.reaction_rear]
-    else:
-        if bent is not None:
-            forces = bent.reactions
-        else:
-            m, e, gamma, z = (column((*masses, *shaft.extras), name) for name in ("mass", "radius", "angle", "z"))
-            forces = reactions(f.mass_force(omega=result.omega, m=m, e=e, gamma=gamma), z, positions)
-        loads = [f.reaction(R=R) for R in elements(forces)]
-        step.notes.append(supports_note(bent is not None))
     support = {}
     n_S = f.revolutions(omega=result.omega)
     for n, load in enumerate(loads):
@@ -246,9 +252,11 @@ def _with_supports(
             p = specific_load(F=load, d=journals[n][0], l=journals[n][1]) if journals else None
             W = heat_index(F=load, n=n_S, l=journals[n][1]) if journals else None
             slope = item(bent.slopes[n]) if bent is not None else None
-            support[f"{n + 1}"] = SupportResult(reaction=load, specific_load=p, heat_index=W, slope=slope)
-    outer = list(support.values())
-    return replace(result, support=support, reaction_front=outer[0].reaction, reaction_rear=outer[-1].reaction)
+            beside = printed[n] if bent is not None and len(positions) > 2 else None
+            support[f"{n + 1}"] = SupportResult(
+                reaction=load, reaction_clapeyron=beside, specific_load=p, heat_index=W, slope=slope
+            )
+    return replace(result, support=support)
 
 
 def _supplied(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> tuple[complex, complex]:
@@ -311,6 +319,7 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
         force=force,
         reaction_front=f.reaction(R=R_f),
         reaction_rear=f.reaction(R=R_r),
+        reactions=(R_f, R_r),
         support={},
         couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
@@ -321,6 +330,26 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
         couple_vector=C_S,
         omega=omega,
     )
+
+
+def with_films(
+    outcome: Outcome[CountershaftResult], bearings: "BearingsResult | None", housing: float | None
+) -> Outcome[CountershaftResult]:
+    """The same outcome with the first critical speed on the films of both bearings as they are at rated speed, and on
+    the stiffness of the `housing`; None: rigid."""
+    shaft = outcome.result
+    if shaft is None or shaft.bending is None or bearings is None:
+        return outcome
+    with trace() as lines, about(Text("shaft on its films")):
+        springs = []
+        for bearing in bearings.bearings.values():
+            film = bearing.dynamics
+            K_f = film_stiffness(K_xx=film.stiffness_xx, K_yy=film.stiffness_yy)
+            springs.append(K_f if housing is None else in_series(K_f=K_f, K_H=housing))
+        if min(springs) <= 0:  # of a film whose groove lies under its load: it does not hold the journal there
+            return outcome
+        result = replace(shaft, first_critical_speed_on_films=on_springs(shaft.bending, gathered(springs)))
+    return replace(outcome, result=result, lines=(*outcome.lines, *lines))
 
 
 # --- whether the oil leaves by the support's drains while the machine stands tilted

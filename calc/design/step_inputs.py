@@ -191,10 +191,12 @@ def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: flo
     return Swing(highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=ratio)
 
 
-def eccentric(design: Design) -> float | None:
-    """Direction of the shaft's first eccentric mass with cylinder 1 at TDC."""
+def eccentric(design: Design, end: str | None) -> float | None:
+    """Direction, with cylinder 1 at TDC, of the shaft's eccentric mass nearest to its gear, whose journal is `end`; of
+    two in one plane that of the larger unbalance.  Where the gear's place is not known, the front is taken."""
     masses = design.countershaft.masses if design.countershaft is not None else ()
-    return masses[0].angle if masses else None
+    away = -1 if end == "rear" else 1
+    return min(masses, key=lambda x: (away * x.z, -x.mass * x.radius, x.angle)).angle if masses else None
 
 
 def gear_end(design: Design, shaft: Outcome[CountershaftResult]) -> str | None:
@@ -217,12 +219,12 @@ def housing(design: Design) -> str | None:
 
 def shaft_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> ShaftInTrain:
     """What the place of the train has to know of the shaft on its last wheel."""
-    sizes = journals(design)
+    sizes, end = journals(design), gear_end(design, shaft)
     return ShaftInTrain(
         axis=shaft_axis(design),
-        eccentric=eccentric(design),
+        eccentric=eccentric(design, end),
         journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
-        gear_end=gear_end(design, shaft),
+        gear_end=end,
         couple=shaft.result.couple if shaft.result is not None else None,
     )
 

@@ -560,6 +560,11 @@ class GearsInputs:
             if self.meshes and name not in driven | {self.meshes[0].driver}:
                 yield dotted(GearsInputs.wheels, i, Wheel.name), Text('no mesh uses the wheel "{name}"', name=name)
 
+    @property
+    def along(self) -> tuple[str, ...]:
+        """The names of the wheels along the flow of power, in whatever order they are listed."""
+        return (self.meshes[0].driver, *(mesh.driven for mesh in self.meshes))
+
     def hands(self) -> dict[str, str]:
         """The hand of every helical wheel: they alternate from the first that is given, else the first driver is
         right-handed."""

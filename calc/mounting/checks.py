@@ -408,10 +408,9 @@ def _largest_deflection(result: MountingResult, j: int) -> float:
 
 def _range_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
     """Whether the body is still rigid where the strongest order of the seat lies."""
-    seat = next((point.name for point in mounting.points if point.role == "seat"), None)
-    if seat is None:
+    if mounting.seat is None:
         return
-    W, a = result.levels.weight[seat], result.levels.acceleration[seat]
+    W, a = result.levels.weight[mounting.seat.name], result.levels.acceleration[mounting.seat.name]
     v = result.drive.variants.index(result.own)
     sizes = ((W[:, 0] * np.abs(a[:, v])) ** 2).sum(1)  # (operations, orders)
     if not np.isfinite(sizes).all():

@@ -85,9 +85,8 @@ def tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...
 
 
 def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
-    """Variants by operations: the first seat, the first point of the engine, the forces of the mounts."""
-    seat = next((point.name for point in mounting.points if point.role == "seat"), None)
-    engine = next((point.name for point in mounting.points if point.on == "engine"), None)
+    """Variants by operations: the foremost seat, the foremost point of the engine, the forces of the mounts."""
+    seat, engine = (point and point.name for point in (mounting.seat, mounting.engine_point))
     rows = [
         (
             Name(name),

@@ -398,6 +398,10 @@ RESERVED = (
 )
 
 
+def _foremost(points: Iterable[Point]) -> Point | None:
+    return min(points, key=lambda point: (point.position[::-1], point.name), default=None)
+
+
 @inputs
 class MountingInputs:
     """Mass, inertia and mounts of the engine; below them the ground or a frame."""
@@ -558,7 +562,13 @@ class MountingInputs:
     )
     mounts: tuple[Mount, ...] = tables("Mounts", Mount, fold=MOUNTS)
     chassis: Chassis | None = table("Chassis", Chassis, default=None, fold=FRAME)
-    points: tuple[Point, ...] = tables("Points", Point, default=(), fold=FRAME)
+    points: tuple[Point, ...] = tables(
+        "Points",
+        Point,
+        default=(),
+        fold=FRAME,
+        help="Where it is felt. The foremost seat, and the foremost point of the engine, stand for the others.",
+    )
     operation: tuple[Operation, ...] = tables(
         "Operations", Operation, default=(), help="Left out: idle and rated.", fold=FRAME
     )
@@ -566,6 +576,16 @@ class MountingInputs:
     @property
     def integral(self) -> bool:
         return self.inertia_sign == "integral"
+
+    @property
+    def seat(self) -> Point | None:
+        """Of several seats the foremost, of two abreast that on the side below zero."""
+        return _foremost(point for point in self.points if point.role == "seat")
+
+    @property
+    def engine_point(self) -> Point | None:
+        """The foremost point on the engine."""
+        return _foremost(point for point in self.points if point.on == "engine")
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if not FEWEST <= len(self.mounts) <= MOST:

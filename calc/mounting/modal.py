@@ -92,9 +92,10 @@ class MountPair:
 
 
 def mount_pairs(mounting: MountingInputs) -> tuple[MountPair, ...]:
-    """From the front to the flywheel; `h`: of the centre of gravity above them."""
+    """From the front to the flywheel, of each the mount on the side below zero first; `h`: of the centre of gravity
+    above them."""
     pairs = []
-    mounts = sorted(mounting.mounts, key=lambda mount: mount.position[2])
+    mounts = sorted(mounting.mounts, key=lambda mount: mount.position[::-1])
     for i, first in enumerate(mounts):
         for other in mounts[i + 1 :]:
             if _mirrored(first, other):

@@ -64,10 +64,10 @@ def _leaves(result: MountingResult) -> Text:
 
 
 def _felt(result: MountingResult) -> Text:
-    """Of the first seat at the first and at the last operation; without one, of the forces in the mounts."""
-    seat = next((point.name for point in result.system.mounting.points if point.role == "seat"), None)
+    """Of the foremost seat at the first and at the last operation; without one, of the forces in the mounts."""
+    seat = result.system.mounting.seat
     first, last = next(iter(result.speeds)), list(result.speeds)[-1]
-    place, unit = (f"{seat}.weighted", "m/s²") if seat is not None else ("force_sum", "N")
+    place, unit = (f"{seat.name}.weighted", "m/s²") if seat is not None else ("force_sum", "N")
     a, b, c, d = (result.leaf(f"{name}.{variant}.{place}") for name in (first, last) for variant in ("half", "shaft"))
     if a is None or b is None or c is None or d is None:
         return EMPTY

@@ -18,7 +18,7 @@ from . import excitation as x
 from . import levels as l
 from . import standards
 from .excitation import order_word
-from .inputs import VARIANT_WORDS, Point
+from .inputs import VARIANT_WORDS, MountingInputs
 from .levels import Levels
 from .result import (
     MountingResult,
@@ -63,7 +63,7 @@ def operations(
                 tree[name].setdefault(variant, {})[point.name] = level
     _mounts(tree, driven, lines, rows, [mount.name for mount in mounts], there)
     _transmissibility(tree, driven, lines, rows, there)
-    _ratios(tree, driven, rows, points)
+    _ratios(tree, driven, rows, s.mounting)
     return tree
 
 
@@ -195,21 +195,20 @@ def _transmissibility(
 
 
 def _ratios(
-    tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], points: tuple[Point, ...]
+    tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], mounting: MountingInputs
 ) -> None:
-    """Half over shaft at the first seat, at the first point of the engine and in the mounts: three numbers, never
+    """Half over shaft at the foremost seat, at the foremost point of the engine, in the mounts: three numbers, never
     one."""
     if "shaft" not in driven.variants:
         return
-    seat = next((point.name for point in points if point.role == "seat"), None)
-    engine = next((point.name for point in points if point.on == "engine"), None)
+    seat, engine = mounting.seat, mounting.engine_point
     asked: list[tuple[str, str, str, Described]] = []
     if seat is not None:
         at_seat = described(Text("Felt at the seat, half over shaft"), "", "q_S", short=True, page_one=1, worst="least")
-        asked.append(("felt_seat", seat, "weighted", at_seat))
+        asked.append(("felt_seat", seat.name, "weighted", at_seat))
     if engine is not None:
         at_engine = described(Text("Felt at the engine, half over shaft"), "", "q_S", short=True)
-        asked.append(("felt_engine", engine, "velocity", at_engine))
+        asked.append(("felt_engine", engine.name, "velocity", at_engine))
     for name, _, _ in rows:
         half, shaft = tree[name]["half"], tree[name]["shaft"]
         for id, place, kind, about in asked:

@@ -37,21 +37,24 @@ Crossing = tuple[str, str, float]  # mode, order, speed
 def courses(
     mounting: MountingInputs, s: System, driven: EngineWrenches, more: Sequence[float]
 ) -> tuple[dict[str, Course], Course | None]:
-    """The level of each seat over speed, and that of the first one at further speeds: all in one, since their torque is
-    one."""
-    seats = [point for point in mounting.points if point.role == "seat"]
-    if not seats:
+    """The level of each seat over speed, and that of the foremost one at further speeds: all in one, since their torque
+    is one."""
+    foremost = mounting.seat
+    if foremost is None:
         return {}, None
+    seats = [point for point in mounting.points if point.role == "seat"]
     speeds = grid(mounting, driven)
     at = np.append(speeds, more)
     torque = driven.torque(at)
     n = len(speeds)
     by_seat = {
-        seat.name: course(s, driven, seat, at if i == 0 else speeds, torque if i == 0 else torque[:n])
-        for i, seat in enumerate(seats)
+        seat.name: course(s, driven, seat, at, torque)
+        if seat == foremost
+        else course(s, driven, seat, speeds, torque[:n])
+        for seat in seats
     }
-    first = by_seat[seats[0].name]
-    return {**by_seat, seats[0].name: first.part(slice(0, n))}, first.part(slice(n, None))
+    whole = by_seat[foremost.name]
+    return {**by_seat, foremost.name: whole.part(slice(0, n))}, whole.part(slice(n, None))
 
 
 def course_values(over_speed: dict[str, Course]) -> Tree | None:
@@ -98,7 +101,7 @@ def crossings(
 
 
 def critical(rows: Sequence[Crossing], at: Course | None) -> Tree:
-    """Critical speeds by mode and order, and what the first seat then has."""
+    """Critical speeds by mode and order, and what the foremost seat then has."""
     tree: Tree = {}
     about = described(Text("Critical speed: this order meets the mode"), "rpm", "n")
     level = described(Text("Weighted acceleration at this speed"), "m/s²", "a_w")

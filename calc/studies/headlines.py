@@ -118,14 +118,12 @@ def _friction(results: Results) -> Text | None:
 
 
 def _mounting(results: Results) -> Text | None:
-    """What the first seat has at the first operation, half on the crank and with the shaft."""
-    if (mounting := results.design.mounting) is None:
-        return None
-    if (seat := next((point.name for point in mounting.points if point.role == "seat"), None)) is None:
+    """What the foremost seat has at the first operation, half on the crank and with the shaft."""
+    if (mounting := results.design.mounting) is None or mounting.seat is None:
         return None
     first = mounting.operation[0].name if mounting.operation else "idle"
     half, shaft = (
-        results.values().get(dotted(Design.mounting, first, variant, seat, PointLevel.weighted))
+        results.values().get(dotted(Design.mounting, first, variant, mounting.seat.name, PointLevel.weighted))
         for variant in ("half", "shaft")
     )
     if half is None:

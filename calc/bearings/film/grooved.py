@@ -64,7 +64,9 @@ class Feeds:
 LEVELS = (4, 2, 1)  # coarser than the finest grid by
 TURN_TOLERANCE = 1e-9  # rad, of the attitude angle
 NUDGE = 0.02  # of the narrowest film: how far the journal is displaced for its stiffness
-SPEED = 1e-3  # of c·ω·(1 − ε): how fast it moves for its damping
+# of c·ω·ε·√(1 − ε²): how fast it moves for its damping.  Slower, the film's end stays in its cell, and the damping
+# wanders with its place there; faster, the force is no longer a straight line of the velocity
+SPEED = 0.025
 RATES = ("k_xx", "k_xy", "k_yx", "k_yy", "c_xx", "c_xy", "c_yx", "c_yy")
 
 
@@ -130,7 +132,9 @@ def solve_grooved(
         if coarser <= 2:
             states.append(_state(force, eccentricity, phi))
     coarse, fine = states
-    phi, load, side_flow, peak, *rates = (fine + (fine - coarse) / 3).tolist()
+    phi, load, side_flow, peak, *stiffness = (fine + (fine - coarse) / 3)[:8].tolist()
+    # the film's end moves from node to node: what that does to the damping is no power of the step, to be taken out
+    rates = (*(k / load for k in stiffness), *(fine[8:] / fine[1]).tolist())
     So = load / 2
     return GroovedFilm(
         eccentricity=eccentricity,
@@ -140,7 +144,7 @@ def solve_grooved(
         friction=sheared(eccentricity, phi, feeds) / (2 * So) + eccentricity / 2 * math.sin(phi),
         side_flow=side_flow,
         pressure_ratio=load / 2 / peak,
-        **{name: rate / load for name, rate in zip(RATES, rates)},
+        **dict(zip(RATES, rates)),
     )
 
 
@@ -200,7 +204,7 @@ def _state(force: Force, eccentricity: float, phi: float) -> Array:
     """φ, load, side flow, largest pressure, and the eight rates of the force."""
     x, y = eccentricity * math.cos(phi), eccentricity * math.sin(phi)
     at_rest = force(x, y, 0.0, 0.0)
-    step, speed = NUDGE * (1 - eccentricity), SPEED * (1 - eccentricity)
+    step, speed = NUDGE * (1 - eccentricity), SPEED * eccentricity * math.sqrt(1 - eccentricity**2)
     rates = []
     for d_x, d_y, v_x, v_y, size in (
         (step, 0, 0, 0, step),
@@ -362,12 +366,11 @@ def _integrals(grid: _Grid, pressure: Array) -> _Force:
 # --- the film with its feed in daily use
 # Solutions of `solve_grooved` at some eccentricities of one bearing, and splines between them.
 #
-# A table of its own for each l/d and each set of feeds, made when it is first asked for (three quarters of a second)
+# A table of its own for each l/d and each set of feeds, made when it is first asked for (a second and a half)
 # and kept.  The feed's pressure is left out of the film's own.  Against grids four times as fine: 1e-3 in S and φ, 2e-3
-# in the side flow, 1e-2 in the stiffness, 4e-2 in the damping.
+# in the side flow, 4e-3 in stiffness and damping.
 
 NODES = 25  # even in atanh ε
-CELLS = (96, 16)
 FINE = 4001  # places at which S is laid out for its inversion
 SOURCE = Text("Reynolds 1886, bearing with axial grooves, Swift–Stieber film end; this program's own solution")
 
@@ -418,7 +421,7 @@ def grooved_table(length_ratio: float, feeds: tuple[Feed, ...]) -> GroovedTable:
     x = np.linspace(math.atanh(low), math.atanh(high), NODES)
     rows = []
     for eps in np.tanh(x).tolist():
-        film = solve_grooved(min(max(eps, low), high), length_ratio, feeds, cells=CELLS)
+        film = solve_grooved(min(max(eps, low), high), length_ratio, feeds)
         load = -math.log(2 * math.pi * film.sommerfeld * length_ratio**2 * short_bearing_load(eps))
         rates = (film.k_xx, film.k_xy, film.k_yx, film.k_yy, film.c_xx, (film.c_xy + film.c_yx) / 2, film.c_yy)
         land = sheared(eps, film.attitude, feeds) / (2 * math.pi / math.sqrt(1 - eps**2))

@@ -12,6 +12,7 @@ positive direction makes it so between two supports: M = −E·I·θ'.  All numb
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -220,6 +221,13 @@ def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:
         shear_z=np.stack([z[:-1], z[1:]], 1).ravel(),
         shear=Q.ravel(),
     )
+
+
+def sprung(beam: Beam, stiffness: Array) -> Beam:
+    """The same beam on springs in place of its pins."""
+    K = beam.K.copy()
+    K[beam.pinned, beam.pinned] += stiffness
+    return replace(beam, K=K, pinned=beam.pinned[:0], free=np.arange(beam.f.size))
 
 
 def natural_frequency(beam: Beam) -> RadPerSecond:

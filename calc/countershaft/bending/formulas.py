@@ -27,7 +27,9 @@ from ...sheet.units import (
     NewtonMetre2,
     NewtonMetres,
     NewtonMetres2,
+    NewtonPerMetre,
     Newtons,
+    NewtonsPerMetre,
     Number,
     Pascal,
     PhasorCubicMetre,
@@ -161,6 +163,28 @@ def slopes(
 
 
 @formula(
+    "R_i",
+    Text("{finite}: forces of the supports on the shaft", finite=FINITE),
+    shows=Text("R_i from {turning}", turning=TURNING),
+    names={"mu": "ρ_l", "omega": "ω_S"},
+)
+def reactions(
+    EI: NewtonMetres2,
+    S_s: Newtons,
+    mu: KilogramsPerMetre,
+    q: PhasorNewtonsPerMetre,
+    F: PhasorNewtons,
+    m: Kilograms,
+    omega: RadPerSecond,
+    z: Metres,
+    z_B: MetreTuple,
+    u: Bent,
+) -> PhasorNewtons:
+    """They hold the load and what the masses add as they move outwards: 1/(1 − (ω_S/ω_n)²) of it in a mode."""
+    return u.reactions
+
+
+@formula(
     "f_1",
     Text("{finite}; with rotary inertia, without gyroscopic effect", finite=FINITE),
     shows="lowest root of |K − (2π·f)²·M| = 0, M of ρ_l, j and m, subspace iteration",
@@ -190,6 +214,46 @@ def natural_frequency_without_rotary(
     EI: NewtonMetres2, S_s: Newtons, mu: KilogramsPerMetre, m: Kilograms, z: Metres, z_B: MetreTuple, model: Beam
 ) -> RevPerSecond:
     """To compare with beams that leave it out."""
+    return b.natural_frequency(model) / (2 * pi)
+
+
+@formula(
+    "K_f",
+    "rule of this program: of the film's two direct stiffnesses the softer; the cross ones are left out",
+)
+def film_stiffness(K_xx: NewtonPerMetre, K_yy: NewtonPerMetre) -> NewtonPerMetre:
+    """In the frame of the shaft its load and its films stand still: it leaves its place first where they hold least."""
+    return smallest(K_xx, K_yy)
+
+
+@formula("K_B", "mechanics, springs in series: film and housing")
+def in_series(K_f: NewtonPerMetre, K_H: NewtonPerMetre) -> NewtonPerMetre:
+    """>>> in_series(K_f=3e8, K_H=6e8)
+    200000000.0
+    """
+    return K_f * K_H / (K_f + K_H)
+
+
+@formula(
+    "f_1",
+    "elasticity, stepped beam of Timoshenko elements: lowest frequency on springs; with rotary inertia, without "
+    "gyroscopic effect",
+    shows="lowest root of |K + K_B − (2π·f)²·M| = 0, M of ρ_l, j and m, subspace iteration",
+    names={"mu": "ρ_l"},
+)
+def natural_frequency_on_springs(
+    EI: NewtonMetres2,
+    S_s: Newtons,
+    mu: KilogramsPerMetre,
+    j: KilogramMetres,
+    m: Kilograms,
+    z: Metres,
+    z_B: MetreTuple,
+    K_B: NewtonsPerMetre,
+    model: Beam,
+) -> RevPerSecond:
+    """The lowest natural frequency, tilting and bouncing in its bearings included; `model` is made of the other
+    arguments."""
     return b.natural_frequency(model) / (2 * pi)
 
 

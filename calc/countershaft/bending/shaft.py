@@ -43,7 +43,7 @@ from ..formulas import mass_force
 from ..inputs import EccentricMass
 from ..outline import Outline
 from . import formulas as f
-from .beam import Beam, Bent, beam, bend, displaced
+from .beam import Beam, Bent, beam, bend, displaced, sprung
 
 # --- the stresses of the bent shaft: nominal in each piece, and at the fillet of the shoulder that governs
 # The bending moment turns with the shaft, so that these stresses stand still in it.
@@ -227,6 +227,7 @@ class Bending:
     shear_z: Array
     shear: Array
     loads: tuple[tuple[Metre, Newton], ...]  # place and size of the resultants
+    vibrating: "_Vibrating"  # of the first natural frequency
     step_over_fillet: Number | None = None  # of the shoulder that governs
     fillet: Metre | None = None
     fillet_room: Metre | None = None  # length of the shortest piece that carries fillets, for each of them
@@ -261,6 +262,24 @@ class _Shaft:
         return beam(x["z"], EI, x["S_s"], x["mu"], x["q"], x["z_B"], forces, masses, rotary, longest)
 
 
+@record
+class _Vibrating:
+    """A shaft with the bending stiffness of its weaker plane, and the rotary inertia of its sections."""
+
+    shaft: _Shaft
+    EI: Array
+    j: Array
+
+
+def on_springs(bent: Bending, K_B: Array) -> RevPerSecond:
+    """The first natural frequency with the bearings on springs in place of pins."""
+    shaft, EI, j = bent.vibrating.shaft, bent.vibrating.EI, bent.vibrating.j
+    x, model = shaft.given, sprung(shaft.model(EI, rotary=j), K_B)
+    return f.natural_frequency_on_springs(
+        EI=EI, S_s=x["S_s"], mu=x["mu"], j=j, m=x["m"], z=x["z"], z_B=x["z_B"], K_B=K_B, model=model
+    )
+
+
 def bending(
     outline: Outline,
     material: Material,
@@ -291,7 +310,7 @@ def bending(
         bent = bent_stiff if effectiveness == 1 else replace(bend(model, omega), link=link_of((EI_s, given)))
         slopes = f.slopes(EI=EI_s, **given, u=bent)
         M_max = f.largest_moment(EI=EI_s, **given, u=bent)
-        frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
+        vibrating, frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
         stressed, notes = stresses(outline, bent, M_max, fillet_radius)
         if fillet_radius is not None:  # a shaft without a shoulder is judged by its sections
             stressed |= run_up_fatigue(stressed.get("notch_stress") or stressed["bending_stress"], material)
@@ -311,7 +330,7 @@ def bending(
         natural_frequency_stiff=frequencies[1],
         natural_frequency_without_rotary=frequencies[2],
         speed=based_on(abs(omega) / (2 * math.pi), omega),
-        reactions=based_on(bent.reactions, bent),
+        reactions=f.reactions(EI=EI_s, **given, u=bent),
         plane=plane,
         z=bent.z,
         deflection=(bent.w * back).real,
@@ -321,6 +340,7 @@ def bending(
         moment=(bent.moment * back).real,
         shear_z=bent.shear_z,
         shear=(bent.shear * back).real,
+        vibrating=vibrating,
         loads=resultants(given["z"], given["q"], (shaft.places, given["F"]), back),
     )
 
@@ -389,8 +409,9 @@ def _shared(material: Material, core: Array, eta: Number, inertia: Array) -> Arr
 
 def _frequencies(
     shaft: _Shaft, material: Material, core: Array, eta: Number, stiffnesses: tuple[Array, Array]
-) -> tuple[RevPerSecond, RevPerSecond, RevPerSecond]:
-    """The lowest natural frequency with the shared and with the whole stiffness, and the first without rotary inertia.
+) -> tuple[_Vibrating, tuple[RevPerSecond, RevPerSecond, RevPerSecond]]:
+    """The shaft as it vibrates; its lowest natural frequency with the shared and with the whole stiffness, and the
+    first without rotary inertia.
 
     Each in the weaker plane of the sections.
     """
@@ -417,7 +438,7 @@ def _frequencies(
     first = frequency(shared)
     stiff = first if eta == 1 else frequency(whole)
     bare = f.natural_frequency_without_rotary(EI=shared, S_s=S_s, mu=mu, m=m, z=z, z_B=z_B, model=shaft.model(shared))
-    return first, stiff, bare
+    return _Vibrating(shaft, shared, j), (first, stiff, bare)
 
 
 def _share_at_limit(

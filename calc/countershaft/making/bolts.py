@@ -357,8 +357,8 @@ def solve(
     bearing_positions: tuple[Metre, ...],
     support: "Material | None" = None,
 ) -> BoltsResult:
-    """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as
-    `shaft_force` and `shaft_couple` give them; `support` is the material under the heads, where it is known."""
+    """The bolts of the support of one shaft.  `F_S` and `C_S` are the turning force and the couple about mid-shaft that
+    it puts on its bearings; `support` is the material under the heads, where it is known."""
     tight = tightened(bolts, support)
     with about(Text("bolts")):
         z_f, z_r = bearing_positions[0], bearing_positions[-1]

@@ -46,9 +46,7 @@ def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
     carry nothing."""
     if len(shaft.bearing_positions) != 2 or not result.reaction_front:
         return []
-    z_f, z_r = shaft.bearing_positions
-    on_shaft = f.reaction_rear(C_S=result.couple_vector, z_f=z_f, F_S=result.force_vector, z_r=z_r)
-    rear, front = -on_shaft, result.force_vector + on_shaft
+    front, rear = (-R for R in result.reactions)
     upwards = abs(front) / front
     preload = () if result.bolts is None else (float(result.bolts.bolt_preload),)
     rows = []
@@ -117,7 +115,10 @@ def making(
         step.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
-        bolted = bolts.solve(shaft.bolts, result.force_vector, result.couple_vector, shaft.bearing_positions, support)
+        on_shaft = result.reactions  # of a shaft that bends they are more than its own force and couple
+        force = based_on(-sum(on_shaft), *on_shaft)
+        couple = based_on(-sum(z * F for z, F in zip(shaft.bearing_positions, on_shaft)), *on_shaft)
+        bolted = bolts.solve(shaft.bolts, force, couple, shaft.bearing_positions, support)
         step.checks += bolts.checks(bolted)
         step.notes += bolts.notes(shaft.bolts, bolted)
     further = {}

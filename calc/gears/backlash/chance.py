@@ -4,8 +4,8 @@ jam.
 
 Each part that can deviate takes every 4096th of its distribution once, in an order of its own: a Latin hypercube, which
 tells a sum of deviations far better than numbers drawn freely do.  The orders come from a fixed generator, so that
-every run meets the same trains. Every part is independent of the others, and the tooth thickness of a wheel is the same
-in both its meshes."""
+every run meets the same trains; the parts of a stack are sorted first, so that they may be listed in any order.  Every
+part is independent of the others, and the tooth thickness of a wheel is the same in both its meshes."""
 
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -111,7 +111,7 @@ def by_chance(
     for m in cases:
         a: Array | Metre = m.mesh.centre_distance
         if m.stack is not None:
-            for kind, field in zip(m.stack.kinds, m.stack.fields.tolist()):
+            for field, kind in sorted(zip(m.stack.fields.tolist(), m.stack.kinds)):
                 a = a + field / 2 * luck(kind)
         elif m.mesh.centre_tolerance:
             a = a + m.mesh.centre_tolerance * luck()

@@ -71,12 +71,12 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
             )
         )
         return placing
-    beside: dict[str, dict[str, MeshResult]] = {w.name: {} for w in gears.wheels}  # the meshes of a wheel by its mates
+    beside: dict[str, dict[str, MeshResult]] = {name: {} for name in gears.along}  # the meshes of a wheel by its mates
     for mesh in train.meshes.values():
         beside[mesh.driver][mesh.driven] = beside[mesh.driven][mesh.driver] = mesh
     failed: set[str] = set()
     while True:
-        still = [w.name for w in gears.wheels if w.name not in placing.p and w.name not in failed]
+        still = [name for name in gears.along if name not in placing.p and name not in failed]
         idlers = [idler for name in still if (idler := _between(name, beside[name], placing, train)) is not None]
         if idlers:
             failed |= _settle(idlers, placing, room)
@@ -86,7 +86,7 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
             break
         if not _swing(*pair, beside, placing, room, train):
             failed |= set(pair)
-    if open_ := [w.name for w in gears.wheels if w.name not in placing.p]:
+    if open_ := [name for name in gears.along if name not in placing.p]:
         placing.notes.append(
             Text(
                 "{open}: no place, since nothing fixes it or its neighbours are out of reach: give "

@@ -300,7 +300,7 @@ def distance_check(
     return DISTANCE(error, limit, at=key, name=name, advice=advice, index=index, remedies=as_placed)
 
 
-def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], chosen: bool) -> Iterator[Check]:
+def clearance_checks(wheel: str, free: dict[str, Clearance], order: Sequence[str], chosen: bool) -> Iterator[Check]:
     """Of the tightest place around a wheel.  Two wheels that come too near each other are judged once, at the later
     one."""
     clearances = [c for c in free.values() if c.kind != "wheel" or order.index(c.to) < order.index(wheel)]

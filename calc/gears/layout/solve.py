@@ -24,10 +24,10 @@ from .room import Clearance, Room, clearance_checks, clearances, hunting_check, 
 class ShaftInTrain(NamedTuple):
     """The counter-shaft on the last wheel of a train; what is None is not known.
 
-    `axis`: from the crank, up + i·side; the last wheel stands there.  `eccentric`: direction of the shaft's first
-    eccentric mass with cylinder 1 at TDC, from up in the sense of crank rotation.  `journals`: diameters of its front
-    and rear journal; `gear_end`: "front" or "rear", the one that the last wheel has to pass; None: the smaller one is
-    judged.  `couple`: what the shaft balances."""
+    `axis`: from the crank, up + i·side; the last wheel stands there.  `eccentric`: direction of the shaft's eccentric
+    mass nearest to that wheel with cylinder 1 at TDC, from up in the sense of crank rotation.  `journals`: diameters of
+    its front and rear journal; `gear_end`: "front" or "rear", the one that the last wheel has to pass; None: the
+    smaller one is judged.  `couple`: what the shaft balances."""
 
     axis: complex | None = None
     eccentric: Radian | None = None
@@ -60,7 +60,7 @@ def layout(gears: GearsInputs, train: TrainResult, shaft: ShaftInTrain = ALONE) 
         teeth = phase(train, directions, gears.tooth_angle, shaft.eccentric)
         free: dict[str, dict[str, Clearance]] = {}
         wheels: dict[str, WheelLayout] = {}
-        for name in (wheel.name for wheel in gears.wheels):
+        for name in gears.along:
             wheels[name], free[name] = _wheel(name, gears, train, placing, around, teeth)
         result = LayoutResult(wheels=wheels, meshes=meshes, **_assembly(gears, train, teeth, shaft))
     last, end_unknown = train.wheels[gears.meshes[-1].driven], shaft.journals is not None and shaft.gear_end is None
@@ -90,7 +90,7 @@ def _checks(
         z_1, z_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
         teeth = result.meshes[key]
         yield hunting_check(key, mesh, z_1, z_2, teeth.common_factor, teeth.turns_to_repeat)
-    order = [wheel.name for wheel in gears.wheels]
+    order = gears.along
     for name in order:
         yield from clearance_checks(name, free[name], order, placing.by.get(name) in ("two circles", "chosen"))
     if result.insertion_gap is not None:

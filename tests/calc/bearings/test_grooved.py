@@ -10,7 +10,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from calc.bearings.film.grooved import Feed, GroovedTable, _bends, _grid, _nodes_across, overlap, solve_grooved
+from calc.bearings.film import grooved
+from calc.bearings.film.grooved import Feed, Feeds, GroovedTable, _bends, _grid, _nodes_across, overlap, solve_grooved
 from calc.bearings.film.table import film_at
 
 REFERENCE = tomllib.loads(
@@ -45,11 +46,11 @@ def test_attitude_and_side_flow_as_in_the_book(both):
 
 def test_damping_as_in_the_book(both):
     """C_xx within 6.5 %.  Across the load the book's values jump from row to row (l/d 1: 1.82, 2.00, 2.15); ours, which
-    stay where they are on grids four times as fine, are up to 17 % lower."""
+    stay where they are on grids four times as fine (1.7835 at l/d 1, ε 0.8), are up to 17.1 % lower."""
     for row, film in zip(*both):
         assert film.c_xx == pytest.approx(row[9], rel=0.065)
         for ours, book in zip((film.c_xy, film.c_yx, film.c_yy), row[10:]):
-            assert 0.83 * book < ours < 1.04 * book
+            assert 0.829 * book < ours < 1.04 * book
 
 
 def test_stiffness_is_that_of_grooves_that_stay(both):
@@ -88,6 +89,30 @@ def test_finer_grids_change_nothing(feeds):
     assert coarse.sommerfeld == pytest.approx(fine.sommerfeld, rel=2e-3)
     assert coarse.attitude == pytest.approx(fine.attitude, abs=2e-3)
     assert (coarse.k_xx, coarse.k_xy, coarse.k_yy) == pytest.approx((fine.k_xx, fine.k_xy, fine.k_yy), rel=0.02)
+
+
+POCKET = (Feed(math.pi, math.radians(30), 0.6),)
+
+
+@pytest.mark.parametrize("eps", [0.2, 0.55, 0.8, 0.9, 0.955])
+@pytest.mark.parametrize("length_ratio, feeds", [(0.5, TWO), (1.0, TWO), (0.5, POCKET)], ids=["0.5", "1", "pocket"])
+def test_damping_in_daily_use_is_that_of_the_finest_grid(length_ratio, feeds, eps, monkeypatch):
+    """At half the speed, on which it must not hang."""
+    daily = grooved.film_at(eps, length_ratio, Feeds(feeds))
+    monkeypatch.setattr(grooved, "SPEED", grooved.SPEED / 2)
+    finest = solve_grooved(eps, length_ratio, feeds, cells=(384, 32))
+    assert (daily.c_xx, daily.c_yy) == pytest.approx((finest.c_xx, finest.c_yy), rel=0.01)
+    assert daily.c_xy == pytest.approx(finest.c_xy, rel=0.01) == pytest.approx(finest.c_yx, rel=0.01)
+
+
+@pytest.mark.parametrize("length_ratio, feeds", [(0.5, TWO), (1.0, TWO), (0.5, POCKET)], ids=["0.5", "1", "pocket"])
+def test_damping_runs_smoothly_over_the_eccentricity(length_ratio, feeds):
+    """Each value of the table within 0.5 % of the curve through the three on either side of it; below ε 0.4 the film's
+    end crosses a groove, and the curve bends itself."""
+    table = grooved.grooved_table(length_ratio, feeds)
+    y = np.log(table.values[np.tanh(table.x) > 0.4][:, -3:])
+    curve = (15 * (y[2:-4] + y[4:-2]) - 6 * (y[1:-5] + y[5:-1]) + y[:-6] + y[6:]) / 20
+    assert np.abs(y[3:-3] - curve).max() < 0.005
 
 
 def test_a_narrow_groove_at_the_widest_film_is_the_plain_bearing():

@@ -142,6 +142,48 @@ def test_two_supports_carry_the_reactions_of_the_lever():
     assert front.heat_index == pytest.approx(made.reaction_front * 2600 / 60 / 27.5e-3)
 
 
+THIN = [{"from_mm": -185.0, "to_mm": 185.0, "outer_radius_mm": 6.0}]
+
+
+def test_a_shaft_that_bends_carries_more_than_its_levers_say():
+    """Its masses move outwards as it bends: 1/(1 − (ω/ω_n)²) of the rigid shaft's, exactly where one mode is driven, as
+    the second is by a couple."""
+    masses = [{**FRONT, "z_mm": -76.0}, {**turned(FRONT, 30.0), "name": "rear", "z_mm": 76.0}]
+
+    def made(speed, sections=THIN):
+        shaft = document(masses=masses, sections=sections)
+        return solve(design(shaft.with_value("engine.rated_speed_rpm", speed))).shaft
+
+    slow, half, fast = (made(speed) for speed in (260.0, 1300.0, 2600.0))
+    more = [shaft.reaction_front / shaft.reaction_front_levers - 1 for shaft in (slow, half, fast)]
+    assert 0 < more[0] < 2e-3 and more[2] > 0.05
+    assert (1 - 1 / (1 + more[1])) * 4 == pytest.approx(1 - 1 / (1 + more[2]), rel=0.02)
+    assert abs(fast.reactions[0]) == fast.reaction_front and fast.bending.reactions[1] == fast.reactions[1]
+    plain = made(2600.0, None)
+    assert plain.bending is None and plain.reaction_front_levers is None
+    assert plain.reaction_front == pytest.approx(fast.reaction_front_levers, rel=1e-12)
+
+
+def test_three_supports_have_clapeyrons_reactions_beside():
+    three = [-167.5, 0.0, 167.5]
+    bent, plain = result(sections=THIN, bearing_positions_mm=three), result(bearing_positions_mm=three)
+    assert [s.reaction_clapeyron for s in bent.support.values()] == pytest.approx(
+        [s.reaction for s in plain.support.values()], rel=1e-12
+    )
+    assert all(s.reaction_clapeyron is None for s in plain.support.values())
+
+
+def test_on_its_films_a_shaft_has_a_lower_critical_speed_and_in_a_soft_housing_a_lower_one_yet(gamma):
+    soft = gamma.with_value("bearings.housing_stiffness_N_mm", 20_000.0)
+    rigid, housed = (solve(design(document)).shaft for document in (gamma, soft))
+    speeds = [housed.first_critical_speed_on_films, rigid.first_critical_speed_on_films, rigid.first_critical_speed]
+    assert speeds == sorted(speeds) and len(set(speeds)) == 3
+    assert housed.first_critical_speed == rigid.first_critical_speed
+    # as stiff as pins: 10⁹ N/mm in series leave the films alone
+    stiff = solve(design(gamma.with_value("bearings.housing_stiffness_N_mm", 1e9))).shaft
+    assert stiff.first_critical_speed_on_films == pytest.approx(rigid.first_critical_speed_on_films, rel=1e-4)
+
+
 def test_a_third_support_in_the_middle_of_an_antisymmetric_shaft_carries_nothing():
     masses = [{**FRONT, "z_mm": -76.0}, {**turned(FRONT, 30.0), "name": "rear", "z_mm": 76.0}]
     two, three = result(masses=masses), result(masses=masses, bearing_positions_mm=[-167.5, 0.0, 167.5])

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from calc.countershaft.bending.beam import SAME, beam, bend, natural_frequency
+from calc.countershaft.bending.beam import SAME, beam, bend, natural_frequency, sprung
 
 L, EI, MU, Q, P = 0.8, 12_000.0, 7.0, 900.0, 350.0
 STIFF = np.inf  # Bernoulli's beam: no shear
@@ -169,6 +169,28 @@ def test_frequency_with_shear_and_rotary_inertia():
 def test_rotary_inertia_does_not_bend_a_turning_beam():
     with_, without = (bend(uniform(rotary=rotary), 100.0) for rotary in ([0.02], None))
     assert np.array_equal(with_.w, without.w)
+
+
+def test_on_stiff_springs_it_swings_as_on_pins():
+    on_pins = natural_frequency(uniform())
+    softer = [natural_frequency(sprung(uniform(), np.full(2, K))) for K in (1e6, 1e8, 1e12)]
+    assert softer == sorted(softer) and softer[-1] == pytest.approx(on_pins, rel=1e-6)
+    # a stiff support gives way by a part that falls with its stiffness: 1/ω² = 1/ω_pins² + …/K
+    lost = [
+        1 / f**2 - 1 / on_pins**2 for f in (natural_frequency(sprung(uniform(), np.full(2, K))) for K in (1e8, 2e8))
+    ]
+    assert lost[0] == pytest.approx(2 * lost[1], rel=2e-2)
+
+
+def test_a_stiff_beam_bounces_and_tilts_on_its_springs():
+    """ω² = 2·K/m, and tilting ω² = 6·K/m, both at its ends; on unequal springs the lower of the two roots."""
+    K, m = 1e4, MU * L
+    assert natural_frequency(sprung(uniform(), np.full(2, K))) == pytest.approx(math.sqrt(2 * K / m), rel=2e-2)
+    stiff = beam([0, L], [EI * 1e4], [STIFF], [MU], [0], [0, L], longest=L / 4)
+    assert natural_frequency(sprung(stiff, np.full(2, K))) == pytest.approx(math.sqrt(2 * K / m), rel=1e-6)
+    a, b = K, 3 * K  # of w at both ends: M = m/6·[[2, 1], [1, 2]]
+    roots = np.linalg.eigvals(np.linalg.solve(m / 6 * np.array([[2, 1], [1, 2]]), np.diag([a, b])))
+    assert natural_frequency(sprung(stiff, np.array([a, b]))) == pytest.approx(math.sqrt(roots.min()), rel=1e-6)
 
 
 def test_frequency_of_an_overhang():
