@@ -20,6 +20,15 @@ MIDDLE = Text(
     "A vertical couple is a pair of vertical forces, one at either end."
 )
 
+INHERENTLY = {
+    True: Text(
+        "ISO 21940-11, crank drives that are inherently balanced, as this one: G16 rigidly mounted, G40 elastically."
+    ),
+    False: Text(
+        "ISO 21940-11, inherently unbalanced crank drives, as this one: G250 rigidly mounted, G630 elastically."
+    ),
+}
+
 
 def notes(imbalance: ImbalanceInputs, pitch: Metre, result: ImbalanceResult, bobs: Iterable[Text]) -> Iterator[Text]:
     """`pitch`: of the cylinders; `bobs`: what is told of the bobs of the balancing machine."""
@@ -28,12 +37,7 @@ def notes(imbalance: ImbalanceInputs, pitch: Metre, result: ImbalanceResult, bob
     if imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None):
         yield UNDRILLED
     if result.webs is not None and result.webs.permitted_unbalance is not None:
-        inherently = all(balanced(result.throw, pitch))
-        yield Text(
-            "ISO 21940-11 names G16 and G40 (rigidly and elastically mounted) for crank drives that are inherently "
-            "balanced, G250 and G630 for those that are not; the bare throws of this one are {balanced}.",
-            balanced=Text("balanced") if inherently else Text("not balanced"),
-        )
+        yield INHERENTLY[all(balanced(result.throw, pitch))]
     yield MIDDLE
     if result.shaft_pair is None:
         yield from roll_notes(imbalance)

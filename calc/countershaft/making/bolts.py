@@ -318,9 +318,7 @@ def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
 class BoltsResult:
     """One bolt, and the joint.  The safeties are None where nothing puts a force on it."""
 
-    bolt_head_face: Metre | None = value(
-        "Face under a bolt's head, diameter assumed", "mm", "d_w", default=None, short=True
-    )
+    bolt_head_face: Metre | None = value("Face under a bolt's head, diameter assumed", "mm", "d_w", default=None)
     bolt_preload: Newton = value("Preload of a bolt", "N", "F_V", short=True)
     bolt_preload_vdi: Newton = value("Preload by VDI 2230", "N", "F_V")
     bolt_preload_vdi_short: Newton = value("Preload by the short form of VDI 2230", "N", "F_V")
@@ -525,7 +523,6 @@ HEAD_PRESSURE = CheckRule(
         TORQUE,
         dotted(*BOLT_KEYS, Bolts.hole_diameter),
     ),
-    proven=(),
 )
 
 
@@ -610,8 +607,8 @@ def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
 
 
 def face_notes(joint: BoltsResult) -> Iterator[Text]:
-    """What was taken for the face under the head."""
-    if joint.face.least is not None:
+    """What was taken for the face under the head, where no check of the pressure says it."""
+    if joint.face.least is not None and _strength(joint.support) is None:
         yield Text(
             "Bolts: the face under the head is assumed: {words}. Give head_diameter_mm, of flange or washer.",
             words=joint.face.words,

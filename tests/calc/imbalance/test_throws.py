@@ -8,8 +8,9 @@ import pytest
 
 from calc.engine.solve import solve as engine
 from calc.imbalance.inputs import ImbalanceInputs
+from calc.imbalance.notes import INHERENTLY
 from calc.imbalance.solve import solve
-from calc.imbalance.throws import polygons
+from calc.imbalance.throws import balanced, polygons
 from tests.calc.imbalance.engines import solved
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))
@@ -98,3 +99,14 @@ def test_unlike_cylinders_leave_the_polygon_open():
     curve = polygons(inputs, e, found.throw)[0]
     (left,) = [s for s in curve.series if s.label == "resultant" and s.variant == curve.variants[0]]
     assert np.hypot(left.x[-1], left.y[-1]) == pytest.approx(force)
+
+
+def test_the_grades_of_a_crank_drive_are_those_of_its_kind(gamma_results):
+    """ISO 21940-11 (its table at ascentialtech.com): G250 and G630 for the R753IE4, whose throws leave a couple; G16 and
+    G40 for four in line."""
+    told = " ".join(gamma_results.outcomes["imbalance"].notes)
+    assert "inherently unbalanced crank drives" in told and "G250 rigidly mounted, G630 elastically" in told
+    three, four = (solved(cylinders=n, firing_order=None) for n in (3, 4))
+    assert balanced(three[2].throw, three[1].crank.pitch) == (True, False)
+    assert balanced(four[2].throw, four[1].crank.pitch) == (True, True)
+    assert "G16 rigidly mounted, G40 elastically" in INHERENTLY[True]
