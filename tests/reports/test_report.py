@@ -190,7 +190,7 @@ def test_inputs_that_are_not_usual_stand_in_the_verdict(summary: bytes, engineer
 
 
 def test_what_the_design_file_calls_assumed_is_said(engineer: bytes, audit: bytes) -> None:
-    assumed = "Half-length “assumed: up to the front journal, which the masses as printed need”"
+    assumed = "Half-length “assumed: up to the front journal”"
     mesh = "Share of the support, idler–shaft “assumed: half of the distance is spanned by the support of the shaft”"
     short, whole = (squeezed(text_of(pdf)) for pdf in (engineer, audit))
     for said in (assumed, mesh):
