@@ -13,7 +13,7 @@ from calc.solve import solve
 
 @pytest.fixture(scope="session")
 def tight(gamma, gamma_results):
-    """The source's design, whose front journal has room for 27.5 mm."""
+    """The source's design, whose front journal has room for 28.3 mm."""
     return bearings_case(design(gamma), solve, gamma_results)
 
 
