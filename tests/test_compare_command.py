@@ -45,7 +45,7 @@ def test_the_conclusion_stands_first(capsys, found) -> None:
     places = [out.index(head) for head in heads]
     assert places == sorted(places)
     assert "the whole goes from FAIL: " in out
-    assert re.search(r"Sum of the losses +115\.1 +228\.7 +W +\+99 % +worse\n", out)
+    assert re.search(r"Sum of the losses +115\.2 +228\.8 +W +\+99 % +worse\n", out)
     assert re.search(r"bearings\.rear\.diameter_mm +40 +81\n", out)
     assert re.search(r"countershaft\.bolts +left out +6 keys\n", out)
     assert (
@@ -60,10 +60,10 @@ def test_all_of_it(capsys, found) -> None:
     assert code == 0 and "--all" not in out
     for kind in ("values", "checks"):
         assert all(re.search(rf"^  {re.escape(v['id'])}  ", out, re.MULTILINE) for v in found[kind])
-    assert re.search(r"Film at the edge, rear +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +better\n", out)
+    assert re.search(r"Film at the edge, rear +✗ FAIL 4\.765 µm +✓ pass 10\.36 µm +≥ 9 µm +better\n", out)
     assert "thread = M10x1.5" in out and "more limits" not in out
     assert re.search(r"\n  Counter-shaft +\S+ .*: \d", out)
-    assert re.search(r"bearings\.rear\.film_edge +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +−47 % +\+15 %\n", out)
+    assert re.search(r"bearings\.rear\.film_edge +✗ FAIL 4\.765 µm +✓ pass 10\.36 µm +≥ 9 µm +−47 % +\+15 %\n", out)
 
 
 def test_json_says_what_holds_outside_validity(found) -> None:

@@ -191,10 +191,12 @@ def _keys(check: Check, known: dict[str, Quantity]) -> list[str]:
 
 
 def _moved(document: Document, results: Results, key: str, about: Quantity, stop: Callable[[], bool]) -> Moved:
-    """The change of an input in its unit, and all checks after it."""
+    """The change of an input in its unit, and all checks after it: to the side where the same checks are there, since
+    where a shaft loses its outline, say, its numbers jump."""
     old = value_at(document.data, key)
     numbers = [x for x in as_list(old) if isinstance(x, (int, float))]
     size = max(map(abs, numbers)) * SMALL or (about.step or 1.0) * 0.01
+    there, first = {check.id for check in results.checks()}, None
     for change in (1, -1) if about.kind == "integer" else (size, -size):
         new = [x + change for x in numbers]
         try:
@@ -203,8 +205,11 @@ def _moved(document: Document, results: Results, key: str, about: Quantity, stop
                 after = solve(moved, results, stop)
         except BadInput:
             continue  # beyond what is allowed: the other way
-        return change, {check.id: check for check in after.checks()}
-    return None
+        found = change, {check.id: check for check in after.checks()}
+        if found[1].keys() == there:
+            return found
+        first = first or found
+    return first
 
 
 def _effect(check: Check, key: str, about: Quantity, moved: Moved) -> Effect:
