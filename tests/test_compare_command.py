@@ -121,7 +121,7 @@ def test_a_step_that_is_missing_is_not_asked(capsys) -> None:
     assert code == 0
     assert re.search(r"\n  bearings +not used +11 keys\n", out)
     assert re.search(r"\nSteps: .*Bearings · not used → ✗ FAIL", out)
-    assert re.search(r"\n  Mass of the whole shaft +– +9\.034 +kg +–\n", out)
+    assert re.search(r"\n  Mass of the whole shaft +– +9\.052 +kg +–\n", out)
     assert "Film at the edge, front" not in out  # the step says it
     steps = json.loads(said(capsys, DESIGNS / "timing_pair.toml", GAMMA, "--json")[1])["steps"]
     assert steps["bearings"] == {"a": "not_asked", "b": "fail", "moved": True}

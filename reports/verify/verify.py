@@ -100,7 +100,8 @@ def _again(raw: bytes, place: str) -> tuple[Inside, bytes, dict[str, Any], list[
 def _compared(known: Verification, it: Inside, values: dict[str, Any], solved: list[Results]) -> Verification:
     """Of a file that this program does not write so: all that is inside and differs from what it gives now by more
     than rounding."""
-    changed = tuple(name for name, sum in it.sums.items() if sha256(it.file(name)) != sum)
+    logos = {results.design.control.logo: it.said.get("logo", "") for results in solved} if "logo" in it.said else {}
+    changed = tuple(name for name, sum in (it.sums | logos).items() if sha256(it.file(name)) != sum)
     was, now = dict(_flat(it.solved())), dict(_flat(values))
     sizes = {id: size for results in solved for id, size in _nothing(results)}
     keys = dict.fromkeys([*now, *was])

@@ -87,7 +87,7 @@ def test_dimensions_measure_what_is_drawn_and_have_the_picture_of_the_sheet(shee
         number(mark) for mark in asked
     ]
     assert [d.get_measurement() for d in found] == pytest.approx(
-        [15.0, 27.5, 152.146, 1.366, 152.4, 2.08, 26.5, 335.0, 377.0], abs=0.006
+        [15.0, 27.5, 0.397, 151.364, 2.143, 151.629, 2.468, 26.5, 335.0, 377.0], abs=0.006
     )
     for d in found:
         (text,) = document.blocks.get(d.dxf.geometry).query("TEXT")

@@ -199,7 +199,7 @@ def test_figures_write_numbers_as_their_language_does(relazione: bytes) -> None:
     """Ticks, the value where the design stands, limits; and no sentence of the report has a decimal point before a
     unit but one that has no translation yet."""
     read = text_of(relazione)
-    assert "7,409 µm" in read and "86,28 N·m" in read and "17,5" in read
+    assert "7,409 µm" in read and "86,64 N·m" in read and "17,5" in read
     judge_english("it", re.findall(r"\d\.\d+ (?:µm|mm|N·m|N|W|kg|MPa|K|°C|%)(?!\w)", read))
 
 

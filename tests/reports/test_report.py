@@ -178,7 +178,7 @@ def test_a_value_outside_its_formula_is_not_called_a_pass(example: Solved, engin
         and "✓ pass" not in words[words.index("Safety against pitting") :].partition("Also judged")[0]
     )
     said = spoken(engineer)
-    for symbol in ("S_H", "σ_H", "K_V", "K_Hβ", "S_F", "K_Fβ", "p_h", "U_per"):
+    for symbol in ("S_H", "σ_H", "K_V", "K_Hβ", "S_F", "K_Fβ", "U_per"):
         assert f"{plain(symbol)} = " in said, symbol
 
 

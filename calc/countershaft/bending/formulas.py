@@ -226,7 +226,7 @@ def film_stiffness(K_xx: NewtonPerMetre, K_yy: NewtonPerMetre) -> NewtonPerMetre
     return smallest(K_xx, K_yy)
 
 
-@formula("K_B", "mechanics, springs in series: film and housing")
+@formula("K_B", "statics: springs in series, film and housing")
 def in_series(K_f: NewtonPerMetre, K_H: NewtonPerMetre) -> NewtonPerMetre:
     """>>> in_series(K_f=3e8, K_H=6e8)
     200000000.0

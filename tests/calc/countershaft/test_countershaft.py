@@ -32,8 +32,8 @@ def test_reactions_of_a_pure_couple(gamma):
     )
     r = shaft(same).result
     assert r.force == pytest.approx(0, abs=1e-6)
-    assert r.reaction_front == pytest.approx(r.couple / 0.335)
-    assert r.reaction_rear == pytest.approx(r.reaction_front)
+    assert r.reaction_front_levers == pytest.approx(r.couple / 0.335)
+    assert r.reaction_rear_levers == pytest.approx(r.reaction_front_levers)
 
 
 def test_one_degree_of_mistiming_leaves_ten_newton_metres(gamma):

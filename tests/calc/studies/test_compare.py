@@ -17,7 +17,7 @@ from calc.sheet.check import Check
 from calc.sheet.quantity import Described, Published
 from calc.sheet.step import Outcome
 from calc.solve import Results, solve
-from calc.studies.compare import Comparison, ValueDifference, compare, inputs, relative, turn
+from calc.studies.compare import SAME, Comparison, ValueDifference, compare, inputs, relative, turn
 from calc.studies.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
 from tests.conftest import DESIGNS, GAMMA
 from tests.made_checks import made_check
@@ -145,7 +145,9 @@ def test_values_in_order(found: Comparison, beta_results: Results, gamma_results
         if d.both:
             assert (d.a, d.b) == (theirs[d.id].shown, ours[d.id].shown)
     same = (theirs.keys() & ours.keys()) - {d.id for d in found.values}
-    assert same and all(theirs[id].shown == ours[id].shown for id in same)  # nothing that differs is passed over
+    assert same and all(
+        theirs[id].shown == pytest.approx(ours[id].shown, rel=SAME) for id in same
+    )  # nothing that differs is passed over
 
 
 def mirrored(found: Comparison) -> Comparison:
