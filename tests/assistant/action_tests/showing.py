@@ -158,7 +158,7 @@ async def trouble(pilot: Pilot[int], do: Do) -> None:
     assert titles(pilot) == ["Findings"] and "▸▲ Couple beyond the" in text(pilot)
     await do()
     await still(pilot)
-    assert "▸▲ Pressure" in text(pilot) and isinstance(pilot.app.focused, Checks)
+    assert "▸▲ Safety against slip" in text(pilot) and isinstance(pilot.app.focused, Checks)
 
 
 @deed
