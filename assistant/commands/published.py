@@ -279,7 +279,7 @@ def run_errata(asked: Namespace) -> int:
     else:
         for name, title in documents().items():
             if of_it := [erratum for erratum in errata if erratum.source == name]:
-                print(f"{title} ({name}): {len(of_it)} errors\n")
+                print(f"{title} ({name}): {len(of_it)} error{'s' if len(of_it) != 1 else ''}\n")
                 for erratum in of_it:
                     print("\n".join(_lines(erratum)))
     return 0
@@ -336,7 +336,7 @@ def markdown() -> str:
         of_it = list(misprints(name))
         out += [
             "",
-            f"## {title} ({name}): {len(of_it)} errors",
+            f"## {title} ({name}): {len(of_it)} error{'s' if len(of_it) != 1 else ''}",
             "",
             "| where | what | printed | right | why |",
             "|---|---|---|---|---|",
