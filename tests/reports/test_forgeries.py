@@ -11,7 +11,6 @@ import pytest
 from pypdf import PdfWriter
 
 from calc.sheet.errors import BadInput
-from reports import apart as reading
 from reports.verify.verify import Verdict, verify
 from tests.reports.forged_looks import free, looks, value, within
 from tests.reports.forgeries import KINDS, Update
@@ -61,7 +60,7 @@ def test_no_forgery_is_accepted(made: bytes, read_here: None, kind: str) -> None
 @pytest.mark.parametrize("kind", ENDLESS)
 def test_what_has_no_end_ends_its_reader(made: bytes, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
     """In a process of its own, of which only the time is waited for."""
-    monkeypatch.setattr(reading, "APPENDED_SECONDS", 5)
+    monkeypatch.setattr("reports.apart.APPENDED_SECONDS", 5)
     assert verdict(KINDS[kind](made)) is Verdict.APPENDED
 
 

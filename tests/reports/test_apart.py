@@ -7,7 +7,6 @@ import time
 import pytest
 
 from calc.design.limits import APPENDED_MEMORY
-from reports import apart as reading
 from reports.apart import Refused, apart
 
 
@@ -52,6 +51,6 @@ def test_what_the_task_gives_comes_back() -> None:
     ],
 )
 def test_what_breaks_there_is_refused_here(task: object, why: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reading, "APPENDED_SECONDS", 2)
+    monkeypatch.setattr("reports.apart.APPENDED_SECONDS", 2)
     with pytest.raises(Refused, match=why):
         apart(task, b"%PDF-1.7")  # type: ignore[arg-type]
