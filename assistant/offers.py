@@ -81,7 +81,7 @@ def _countershaft(design: Design, file: str, progress: Progress | None = None) -
     """Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
     assert design.engine is not None and design.imbalance is not None and design.countershaft is not None
     shaft = design.countershaft
-    room = sizing.envelope(shaft, design.bearings, file)
+    room = sizing.envelope(shaft, file)
     materials = sizing.candidates(shaft, design.materials, file)
     e = engine.values(design.engine)
     selection = sizing.choices(

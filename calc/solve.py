@@ -8,7 +8,7 @@ The type checker holds every call against its signature, and no call has two arg
 mistaken for each other go together in a record (`BearingMaterials`, `MeshOil`, `ShaftInTrain`).  `tests/test_types.py`
 swaps each pair."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from functools import cache, partial
 from typing import TypeVar
@@ -211,10 +211,9 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             i.result,
             e.result.angular_speed,
             materials,
-            h.journals(design),
             gear,
-            design.bearings.slope if design.bearings is not None else None,
             h.overrun(design),
+            judged=design.bearings is not None,
         )
     else:
         c = part.absent("countershaft", design.countershaft, (e, i))
@@ -227,6 +226,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             "bearings",
             bearings.solve,
             design.bearings,
+            design.rows,
             c.result,
             design.engine,
             h.bearing_materials(design, design.bearings),
@@ -274,7 +274,13 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     e = replace(e, computes=design.engine is None or design.engine.throw is None)
     i = replace(i, computes=True)
     outcomes = (e, i, c, b, g, f, _mounted(part, design, e, i, c, g))
-    return judged(with_doubts(design, outcomes), design.accepted)
+    return judged(_in_place(design, with_doubts(design, outcomes)), design.accepted)
+
+
+def _in_place(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:
+    """The outcomes with their checks by the keys of this design."""
+    for outcome in outcomes:
+        yield replace(outcome, checks=tuple([check.in_place(design.in_place) for check in outcome.checks]))
 
 
 def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftResult]) -> Outcome[TrainResult]:

@@ -10,7 +10,7 @@ from functools import cache
 
 import pytest
 
-from calc.bearings.inputs import BearingInputs
+from calc.countershaft.rows import BearingRow
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.errors import BadInput, NoSolution
@@ -81,7 +81,7 @@ def _bearings(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, st
     if asked.bearings is None:
         return
     for place in ("front", "rear"):
-        bearing: BearingInputs = getattr(asked.bearings, place)
+        bearing: BearingRow = getattr(asked.bearings, place)
         mine = {id.removeprefix(f"bearings.{place}."): x for id, x in values.items() if f"bearings.{place}." in id}
         for key in ("film", "film_edge", "clearance", "clearance_hot", "clearance_cold", "oil_flow", "friction_power"):
             if mine.get(key, 1.0) <= 0:

@@ -5,7 +5,8 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from ..countershaft.inputs import CountershaftInputs
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import ROW, SHAFT, BearingRow, called, row_key
 from ..library import journal_rules as rules
 from ..library.catalogue import Material, Oil, proof_of
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
@@ -18,7 +19,7 @@ from ..sheet.units import Metre
 from . import formulas as f
 from .corners import Corners
 from .film.table import RAIMONDI_BOYD
-from .inputs import IN_WORDS, SLOPE_TAKEN, BearingInputs, BearingsInputs
+from .inputs import SLOPE_TAKEN, BearingsInputs
 from .materials import running_surface
 from .result import BearingResult, RouteResult
 from .routes import supply
@@ -42,15 +43,15 @@ def least_film(d: float, u: float) -> float | None:
 
 # --- what is judged
 
-GAP = dotted("bearings", "B", BearingInputs.clearance)
-CLEARANCE = (GAP, dotted("bearings", "B", BearingInputs.clearance_factor))
+GAP = dotted(ROW, BearingRow.clearance)
+CLEARANCE = (GAP, dotted(ROW, BearingRow.clearance_factor))
 ROUGHNESSES = (
-    dotted("bearings", "B", BearingInputs.journal_roughness),
-    dotted("bearings", "B", BearingInputs.housing_roughness),
+    dotted(ROW, BearingRow.journal_roughness),
+    dotted(ROW, BearingRow.housing_roughness),
 )
 FITS = (dotted("bearings", BearingsInputs.journal_fit), dotted("bearings", BearingsInputs.seat_fit))
-SLOPE = dotted("bearings", BearingsInputs.slope)
-CORE = dotted("countershaft", CountershaftInputs.core_radius)
+SLOPE = dotted(ROW, BearingRow.slope)
+CORE = dotted(SHAFT, ShaftInputs.core_radius)
 SUPPLY_PRESSURE = dotted("bearings", BearingsInputs.supply_pressure)
 HOLE = dotted("bearings", BearingsInputs.hole_diameter)
 ASKED = dotted("bearings", "B", BearingResult.kreisle_film)
@@ -196,7 +197,7 @@ FILM_EDGE_TRUMPLER = CheckRule(
     advice=FILM_EDGE.advice,
     cause=FILM_DOUBLE_LOAD.id,
     value_id=dotted("bearings", "B", BearingResult.film_edge),
-    moved_by=(LENGTH, dotted("bearings", "B", BearingInputs.clearance), OIL),
+    moved_by=(LENGTH, dotted(ROW, BearingRow.clearance), OIL),
     short=Text("film"),
 )
 FILM_PRESSURE = CheckRule(
@@ -533,7 +534,7 @@ def on_bearing(
 
 
 def named_at(what: Text, place: str) -> Text:
-    return Text("{what}, {place}", what=what, place=IN_WORDS[place])
+    return Text("{what}, {place}", what=what, place=called(place))
 
 
 def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
@@ -772,16 +773,16 @@ def _outside(r: BearingResult) -> Text:
 
 
 def _lengthened(
-    place: str, bearing: BearingInputs, low: Metre, high: Metre = math.inf
+    place: str, bearing: BearingRow, low: Metre, high: Metre = math.inf
 ) -> Callable[[], tuple[Remedy, ...]]:
     """The nearest length between the two; none where the least is not finite."""
 
     def ways() -> tuple[Remedy, ...]:
         if not math.isfinite(low):
             return ()
-        key, shorter = dotted("bearings", place, BearingInputs.length), bearing.length <= low
+        key, shorter = row_key(place, BearingRow.length), bearing.length <= low
         length = up(low) if shorter else down(high)
-        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if shorter else "<=")()
+        return by_key(BearingRow, key, length, place=called(place), bound=">=" if shorter else "<=")()
 
     return ways
 

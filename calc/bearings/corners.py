@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..countershaft.rows import called
 from ..library.tolerances import Assumed, deviations, parse, tolerance
 from ..sheet.arrays import Array
 from ..sheet.linked_array import gathered, item
@@ -18,7 +19,7 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Celsius, Metre, Radian
 from ..sheet.value import about, based_on, untraced
 from . import formulas as f
-from .inputs import IN_WORDS, BearingsInputs
+from .inputs import BearingsInputs
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import closed
@@ -221,7 +222,7 @@ def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table
     )
     return Table(
         f"corners_{place}",
-        Text("Corners of the tolerances, {place} bearing", place=IN_WORDS[place]),
+        Text("Corners of the tolerances, {place} bearing", place=called(place)),
         ((Text("corner"), ""), *((label, unit) for _, label, unit, _ in COLUMNS)),
         tuple((name, *(cell(key, i, factor) for key, _, _, factor in COLUMNS)) for i, name in enumerate(corners.names)),
         note,

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..countershaft.rows import called
 from ..library.catalogue import oils
 from ..library.lubricant import Lubricant
 from ..sheet.arrays import Array
@@ -21,7 +22,6 @@ from .corners import corner_values
 from .film import reynolds, table
 from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE
 from .film.table import ECCENTRICITIES, FilmPoint, FilmRangeError, film_at
-from .inputs import IN_WORDS
 from .result import BearingResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint, resized
@@ -49,7 +49,7 @@ def _over_speed(place: str, r: BearingResult) -> Curve:
         series += [Series(Text("thickest corner"), rpm[known], thickest)]
     title = Text(
         "Smallest film of the {place} bearing over speed, warm; corners of its tolerances at the edge",
-        place=IN_WORDS[place],
+        place=called(place),
     )
     return Curve(
         f"film_{place}",
@@ -100,7 +100,7 @@ def _over_clearance(place: str, r: BearingResult) -> Curve:
     T_ref = Amount(r.seat.inputs.clearance_reference_temperature, form="g")
     title = Text(
         "Film of the {place} bearing over its clearance at {clearance_reference_temperature} °C",
-        place=IN_WORDS[place],
+        place=called(place),
         clearance_reference_temperature=T_ref,
     )
     return Curve(
@@ -161,7 +161,7 @@ def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
         except FilmRangeError:
             pass  # so short a half carries this load at no eccentricity of the table
     scale = r.hot.oil.mu * 2 * math.pi * r.duty.effective_speed / r.relative_clearance**2 / 1e6
-    mean, where = (Text("specific load"), r.specific_load / 1e6), dict(place=IN_WORDS[place])
+    mean, where = (Text("specific load"), r.specific_load / 1e6), dict(place=called(place))
     around, along = [], []
     for label, (film, parts, bare) in films.items():
         # from the load's direction, in the sense of the journal's rotation
@@ -208,7 +208,7 @@ def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
     pressure = np.asarray(over.largest_pressure) / r.film_pressure_max
     effects = over.film / r.film, pressure, over.temperature_rise / r.temperature_rise
     series = tuple(Series(label, clearance, effect[:POINTS]) for label, effect in zip(EFFECTS, effects))
-    title = Text("What the clearance of the {place} bearing does", place=IN_WORDS[place])
+    title = Text("What the clearance of the {place} bearing does", place=called(place))
     yield Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), OVER_DESIGN, series)
 
 
@@ -227,7 +227,7 @@ def _length(place: str, r: BearingResult) -> Iterator[Curve]:
         except (NoSolution, ArithmeticError, ValueError):
             continue  # so short a bearing carries the load at no eccentricity of the table
     ratios, *effects = np.array(points).T if points else np.zeros((4, 0))
-    title = Text("What the length of the {place} bearing does at the same projected area", place=IN_WORDS[place])
+    title = Text("What the length of the {place} bearing does at the same projected area", place=called(place))
     series = tuple(Series(label, ratios, effect) for label, effect in zip(EFFECTS, effects))
     yield Curve(f"length_effects_{place}", title, Text("l/d"), OVER_DESIGN, series)
 
@@ -259,7 +259,7 @@ def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
         ]
         series.append(Series(label, ratios[there.any(axis=0)], np.array(p) / 1e6))
     series.append(Series(AS_DESIGNED, np.array([r.length_ratio]), np.array([r.specific_load / 1e6])))
-    title = Text("Specific load that the {place} bearing bears over its l/d", place=IN_WORDS[place])
+    title = Text("Specific load that the {place} bearing bears over its l/d", place=called(place))
     yield Curve(f"allowable_load_{place}", title, Text("l/d"), axis_label("p", "MPa"), tuple(series))
 
 
@@ -267,7 +267,7 @@ def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
     series = [Series(label, np.log10(film.sommerfeld), 1 - ECCENTRICITIES) for label, film in _published(r)]
     series += _band()
     series.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([1 - r.eccentricity])))
-    title = Text("Chart of Raimondi and Boyd with the {place} bearing, warm", place=IN_WORDS[place])
+    title = Text("Chart of Raimondi and Boyd with the {place} bearing, warm", place=called(place))
     yield Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
 
 
@@ -281,7 +281,7 @@ def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
     """The other charts of 1958: friction, flow, side flow and pressure over S, with the design's point on the line of
     its length."""
     design_film = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
-    where = dict(place=IN_WORDS[place])
+    where = dict(place=called(place))
     parts = (
         ("friction", Text("lg f*, f* = (r/c)·f"), Text("Raimondi and Boyd: friction, {place} bearing", **where)),
         ("flow", Text("Q/(r·c·n·l)"), Text("Raimondi and Boyd: flow, {place} bearing", **where)),
@@ -320,7 +320,7 @@ def _duty(place: str, r: BearingResult) -> Iterator[Curve]:
     shown = thick & (zn_p < 10 * r.mckee_number)
     line = Series(Text("full film"), zn_p[shown], (r.relative_clearance * film.friction)[shown])
     point = Series(AS_DESIGNED, np.array([r.mckee_number]), np.array([r.friction_coefficient]))
-    title = Text("Friction of the {place} bearing over its duty (McKee; Stribeck)", place=IN_WORDS[place])
+    title = Text("Friction of the {place} bearing over its duty (McKee; Stribeck)", place=called(place))
     bounds = ((Text("thick film up to"), 0.012), (Text("thick film from"), 0.002))
     yield Curve(f"stribeck_{place}", title, Text("ZN/P, cP·rpm/psi"), Text("f"), (line, point), bounds)
 

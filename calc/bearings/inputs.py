@@ -1,22 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The two plain bearings, their oil and its supply."""
+"""What the plain bearings of all shafts share: their oil, its supply, housing and temperatures."""
 
 from collections.abc import Iterable
 from dataclasses import replace
 from math import pi
 
+from ..countershaft.rows import BearingRow, called
 from ..library import journal_rules as rules
 from ..library import tolerances as fits
 from ..library.catalogue import Oil
 from ..library.tolerances import ASSUMED_FIT, Assumed
-from ..sheet.quantity import choice, dotted, inputs, quantity, series, table, text
+from ..sheet.quantity import choice, described, dotted, inputs, quantity, series, text
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
 from .materials import DEFAULT_APPLICATION
 
 PLACES = ("front", "rear")
-IN_WORDS = {"front": Text("front"), "rear": Text("rear")}  # the two bearings in words
-IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning of a sentence
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 LEAST_SPEED_SHARE = 0.02
 
@@ -30,109 +29,8 @@ MATERIALS = Text("Materials and fits")
 
 
 @inputs
-class BearingInputs:
-    """One journal in its seat."""
-
-    diameter: float = quantity(
-        "Journal diameter",
-        "mm",
-        up_to=500,
-        symbol="d",
-        step=0.5,
-        rule_of_thumb=(15, 120),
-        help="Diameter of the journal; a larger one carries more and rubs more.",
-        change=("smaller journal", "larger journal"),
-        repair="free",
-        brief="diameter",
-        decides=3,
-    )
-    length: float = quantity(
-        "Length",
-        "mm",
-        up_to=1000,
-        symbol="l",
-        step=0.5,
-        source="Finotti 2013, 5.5.2",
-        help=Text(
-            "Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=rules.USUAL_LENGTH
-        ),
-        change=("shorter journal", "longer journal"),
-        repair="free",
-        decides=4,
-    )
-    clearance: float | None = quantity(
-        "Clearance (diametral)",
-        "µm",
-        default=None,
-        within=(0.1, 5000),
-        symbol="g",
-        step=1,
-        source="makers of balance shafts; Finotti 2013, 5.5.2: ψ 1 ‰ very precise, 2 ‰ ordinary, 4 ‰ coarse",
-        help=Text(
-            "Bore minus journal at the reference temperature; {usual}. Left out: by clearance_factor or the fits.",
-            usual=rules.USUAL_CLEARANCE,
-        ),
-        change=("smaller clearance", "larger clearance"),
-        repair="free",
-        brief="clearance",
-        decides=5,
-    )
-    clearance_factor: float | None = quantity(
-        "Clearance factor K",
-        default=None,
-        within=(0.01, 10),
-        symbol="K",
-        step=0.05,
-        usual=(0.4, 0.8),
-        source="Finotti 2013, 5.5.2",
-        help="Clearance g = K·d·u^¼ in mm, m and m/s.",
-        change=("smaller clearance", "larger clearance"),
-        repair="free",
-        decides=6,
-    )
-    load: float | None = quantity(
-        "Load",
-        "N",
-        default=None,
-        up_to=1e7,
-        symbol="F",
-        step=50,
-        help="Radial load on the journal. Left out: the reaction of the counter-shaft.",
-        repair="asked",
-    )
-    journal_roughness: float = quantity(
-        "Roughness Ra, journal",
-        "µm",
-        within=(0, 50),
-        symbol="Ra_1",
-        step=0.1,
-        rule_of_thumb=(0.1, 0.8),
-        help="Mean roughness; the film must clear its peaks.",
-        change=("smoother surfaces", "rougher surfaces"),
-        repair="free",
-    )
-    housing_roughness: float = quantity(
-        "Roughness Ra, seat",
-        "µm",
-        within=(0, 50),
-        symbol="Ra_2",
-        step=0.1,
-        rule_of_thumb=(0.1, 1.6),
-        help="Mean roughness; the film must clear its peaks.",
-        change=("smoother surfaces", "rougher surfaces"),
-        repair="free",
-    )
-
-    def problems(self) -> Iterable[tuple[str, Text]]:
-        if self.clearance is not None and self.clearance_factor is not None:
-            yield dotted(BearingInputs.clearance), Text("give either clearance_um or clearance_factor, one of the two")
-        if self.clearance is not None and self.clearance >= 0.1 * self.diameter:
-            yield dotted(BearingInputs.clearance), Text("must stay below a tenth of the diameter")
-
-
-@inputs
 class BearingsInputs:
-    """Oil, supply and temperatures of both bearings, and the bearings."""
+    """Oil, supply, housing and temperatures of the bearings; each has its sizes in its row of [[shafts.bearings]]."""
 
     oil: str = text(
         "Oil",
@@ -205,8 +103,6 @@ class BearingsInputs:
         help="Under one bearing, radially, for the critical speed on the films. Left out: rigid.",
         fold=MATERIALS,
     )
-    front: BearingInputs = table("Front bearing", BearingInputs)
-    rear: BearingInputs = table("Rear bearing", BearingInputs)
     groove_width: float | None = quantity(
         "Groove width",
         "mm",
@@ -458,19 +354,6 @@ class BearingsInputs:
         help="Constant, as in textbooks (1 cP is 1 mPa·s, 1 µreyn 6.895), in the bearings only. Left out: by the "
         "oil's own law.",
     )
-    slope: tuple[float, ...] | None = series(
-        "Slope of the journals",
-        "mrad",
-        default=None,
-        count=(1, 2),
-        within=(0, 20),
-        symbol="theta",
-        usual=(0, rules.SLOPE * 1e3),
-        source="Finotti 2013, 4.6 (in chapter 6)",
-        help="One, or [front, rear]. Left out: by bending, else 0.1.",
-        change=("smaller slope", "larger slope", "slope of the shaft's bending"),
-        repair="asked",
-    )
 
     def in_bearings(self, oil: Oil) -> Oil:
         """An oil as it is in the bearings: with their viscosity at every temperature, where that is given."""
@@ -484,15 +367,10 @@ class BearingsInputs:
         return not (isinstance(self.journal_fit, Assumed) and isinstance(self.seat_fit, Assumed))
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        bearings = (dotted(BearingsInputs.front), self.front), (dotted(BearingsInputs.rear), self.rear)
-        angles, arc = self.axial_groove_angles, self.axial_groove_width
-        hole = dotted(BearingsInputs.hole_diameter), self.hole_diameter
-        groove = dotted(BearingsInputs.groove_width), self.groove_width
-        pocket = dotted(BearingsInputs.pocket_width), self.pocket_width
-        axial_length = dotted(BearingsInputs.axial_groove_length), self.axial_groove_length
+        hole, groove, pocket, axial_length = self._widths
         axial: tuple[tuple[str, object], ...] = (
-            (dotted(BearingsInputs.axial_groove_angles), angles),
-            (dotted(BearingsInputs.axial_groove_width), arc),
+            (dotted(BearingsInputs.axial_groove_angles), self.axial_groove_angles),
+            (dotted(BearingsInputs.axial_groove_width), self.axial_groove_width),
             axial_length,
         )
         needs = {"hole": (hole,), "shaft": (hole,), "groove": (groove,), "pocket": (pocket,), "axial_groove": axial}
@@ -516,32 +394,61 @@ class BearingsInputs:
                 "bush_speed_ratio"
             )
             yield dotted(BearingsInputs.supply), why
-        if self.supply == "axial_groove" and angles is not None and arc is not None:
-            turns = sorted(angle % (2 * pi) for angle in angles)
-            apart = min(b - a for a, b in zip(turns, [*turns[1:], turns[0] + 2 * pi]))
-            for place, bearing in bearings:
-                if apart <= 2 * arc / bearing.diameter:
-                    why = Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place])
-                    yield dotted(BearingsInputs.axial_groove_angles), why
         if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
             yield dotted(BearingsInputs.groove_arc), Text("must rise: from, to")
         if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
             yield dotted(BearingsInputs.speed_range), Text("must rise: from, to")
-        placed = True
         for name, of in (("journal_fit", "shaft"), ("seat_fit", "hole")):
             if (wrong := fits.problem(getattr(self, name), of)) is not None:
                 yield name, wrong
-            placed = placed and wrong is None and fits.parse(getattr(self, name)).letter is not None
-        for place, bearing in bearings:
-            if bearing.clearance is None and bearing.clearance_factor is None and not placed:
-                letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
-                why = Text("give clearance_um or clearance_factor, or {letters}", letters=letters)
-                yield dotted(place, BearingInputs.clearance), why
-            for key, width in (hole, groove, pocket, axial_length):
-                if width is not None and width >= bearing.length:
-                    why = Text(
-                        "must be smaller than the length of the {place} bearing, {length}",
-                        place=IN_WORDS[place],
-                        length=Amount(bearing.length * 1e3, "mm"),
-                    )
-                    yield key, why
+
+    @property
+    def _widths(self) -> tuple[tuple[str, float | None], ...]:
+        """What takes its width of the length of a bearing, by key."""
+        return (
+            (dotted(BearingsInputs.hole_diameter), self.hole_diameter),
+            (dotted(BearingsInputs.groove_width), self.groove_width),
+            (dotted(BearingsInputs.pocket_width), self.pocket_width),
+            (dotted(BearingsInputs.axial_groove_length), self.axial_groove_length),
+        )
+
+    @property
+    def _placed(self) -> bool:
+        """Whether the fits say where their fields lie, so that a clearance follows from them."""
+        pairs = ((self.journal_fit, "shaft"), (self.seat_fit, "hole"))
+        return all(fits.problem(fit, of) is None and fits.parse(fit).letter is not None for fit, of in pairs)
+
+    def beside(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
+        """What these inputs do not allow of a bearing whose size is known, by their own keys."""
+        angles, arc = self.axial_groove_angles, self.axial_groove_width
+        if self.supply == "axial_groove" and angles is not None and arc is not None:
+            turns = sorted(angle % (2 * pi) for angle in angles)
+            apart = min(b - a for a, b in zip(turns, [*turns[1:], turns[0] + 2 * pi]))
+            if apart <= 2 * arc / row.diameter:
+                why = Text("the grooves of the {place} bearing overlap", place=called(row.name))
+                yield dotted(BearingsInputs.axial_groove_angles), why
+        for key, width in self._widths:
+            if width is not None and width >= row.length:
+                why = Text(
+                    "must be smaller than the length of the {place} bearing, {length}",
+                    place=called(row.name),
+                    length=Amount(row.length * 1e3, "mm"),
+                )
+                yield key, why
+
+    def asked_of(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
+        """What a plain bearing that these inputs judge still lacks, by the keys of its row."""
+        for key, there in (
+            (BearingRow.diameter, row.diameter),
+            (BearingRow.length, row.length),
+            (BearingRow.journal_roughness, row.journal_roughness),
+            (BearingRow.housing_roughness, row.housing_roughness),
+        ):
+            if there is None:
+                yield dotted(key), Text("is missing; needs {allowed}", allowed=described(key).allowed())
+        if row.clearance is None and row.clearance_factor is None and not self._placed:
+            letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
+            yield (
+                dotted(BearingRow.clearance),
+                Text("give clearance_um or clearance_factor, or {letters}", letters=letters),
+            )

@@ -13,6 +13,7 @@ from typing import Any, Generic
 import numpy as np
 
 from ..countershaft.result import Standing
+from ..countershaft.rows import called, titled
 from ..library import journal_rules as rules
 from ..sheet.arrays import Array, Value
 from ..sheet.check import Check, CheckRule
@@ -28,7 +29,6 @@ from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
-from .inputs import IN_TITLES, IN_WORDS
 from .result import BearingResult, BearingsResult, StandingResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
@@ -61,7 +61,7 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
     with trace() as lines:
         for place, load in (("front", stands.stationary_front), ("rear", stands.stationary_rear)):
             bearing = outcome.result.bearings[place]
-            with about(Text("{place} bearing, standing part of the load", place=IN_WORDS[place])):
+            with about(Text("{place} bearing, standing part of the load", place=called(place))):
                 part = _standing(bearing, load, place, notes)
             bearings[place] = replace(bearing, standing=part)
             checks += _checks(place, bearing, part)
@@ -83,7 +83,7 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
     except NoSolution as none:
         words = Text(
             "{place} bearing: no film is found for the largest load of the turn ({none}).",
-            place=IN_TITLES[place],
+            place=titled(place),
             none=none.text,
         )
         notes.append(words)

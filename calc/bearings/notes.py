@@ -4,13 +4,14 @@
 from collections.abc import Iterator, Mapping
 
 from ..countershaft.result import CountershaftResult
+from ..countershaft.rows import called, titled
 from ..library.oils import rising_rows
 from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
 from ..sheet.text import COMMA, EMPTY, Amount, Text, listed
 from ..sheet.units import UNITS
 from ..sheet.value import untraced
-from .inputs import IN_TITLES, IN_WORDS, SLOPE_TAKEN, BearingsInputs
+from .inputs import SLOPE_TAKEN, BearingsInputs
 from .materials import running_surface
 from .result import BearingResult, RouteResult
 from .routes import supply
@@ -49,24 +50,24 @@ def _all_notes(
             "±{viscosity_tolerance} % of its viscosity.",
             viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
         )
-    yield _slope(inputs, shaft)
+    yield _slope(results, shaft)
     yield _feed(inputs, results)
     for r in results.values():
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
     for place, r in results.items():
         if r.shear_factor is not None and r.film_sheared is None:
-            yield Text("{place} bearing: no film is found for an oil thinned by shear.", place=IN_TITLES[place])
+            yield Text("{place} bearing: no film is found for an oil thinned by shear.", place=titled(place))
         if r.film_overspeed is None:
-            yield Text("{place} bearing: no film is found at overspeed.", place=IN_TITLES[place])
+            yield Text("{place} bearing: no film is found at overspeed.", place=titled(place))
     if fast := [place for place, r in results.items() if r.surface_speed > NO_RULE]:
         yield Text(
             "The journal's surface runs faster than 10 m/s at the {fast} bearing: the rule for the speed above mixed "
             "friction ends there. "
             "It is held at 10·n_T and, beside it, carried on as u·n_T.",
-            fast=listed(IN_WORDS[place] for place in fast),
+            fast=listed(called(place) for place in fast),
         )
     for place, r in results.items():
-        bearing = IN_TITLES[place]
+        bearing = titled(place)
         for name, why in r.side.silent.items():
             title = ROUTES[name].title
             yield Text("{place} bearing: {routes} gives no value here ({why}).", place=bearing, routes=title, why=why)
@@ -115,8 +116,8 @@ def _load(inputs: BearingsInputs) -> Text:
     )
 
 
-def _slope(inputs: BearingsInputs, shaft: CountershaftResult | None) -> Text:
-    if inputs.slope is not None:
+def _slope(results: Mapping[str, BearingResult], shaft: CountershaftResult | None) -> Text:
+    if any(r.seat.bearing.slope is not None for r in results.values()):
         return Text(
             "The slope of the journals is the one given here (slope_mrad), not that of the counter-shaft's bending."
         )
@@ -169,7 +170,7 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
         part=part,
     )
     arcs = COMMA.join(
-        Text("{arc} {place}", arc=Amount(UNITS["°"].shown(r.feed_blocked_arc), "°", form=".0f"), place=IN_WORDS[place])
+        Text("{arc} {place}", arc=Amount(UNITS["°"].shown(r.feed_blocked_arc), "°", form=".0f"), place=called(place))
         for place, r in results.items()
         if r.feed_blocked_arc
     )
@@ -195,7 +196,7 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
         )
         yield Erratum(
             dotted("bearings", place, BearingResult.film),
-            Text("Smallest film, {place}", place=IN_WORDS[place]),
+            Text("Smallest film, {place}", place=called(place)),
             charts.film * 1e6,
             "µm",
             Text("method of Finotti 2013, 5.5.2, on the clearance as given"),
@@ -207,7 +208,7 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
         So = Amount(falz.sommerfeld, form=".3f")
         yield Erratum(
             dotted("bearings", place, "falz", RouteResult.film),
-            Text("Film by Falz, {place}", place=IN_WORDS[place]),
+            Text("Film by Falz, {place}", place=called(place)),
             wrong * 1e6,
             "µm",
             Text("method of Finotti 2013, 5.5.3: the branch of the first pass"),

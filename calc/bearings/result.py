@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the bearing step publishes."""
 
+from ..countershaft.rows import IN_WORDS
 from ..sheet.arrays import Array
 from ..sheet.quantity import group, result, value
-from ..sheet.text import Name, Text
+from ..sheet.text import Name
 from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -154,6 +155,6 @@ class BearingResult:
 
 @result
 class BearingsResult:
-    """Front and rear bearing."""
+    """The bearings of a shaft, front to rear."""
 
-    bearings: dict[str, BearingResult] = group(spread=True, key_words={"front": Text("front"), "rear": Text("rear")})
+    bearings: dict[str, BearingResult] = group(spread=True, key_words=IN_WORDS)

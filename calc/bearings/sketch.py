@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from ..countershaft.rows import BearingRow, called, row_key
 from ..draw.drawing import (
     CONTEXT,
     OUTLINE,
@@ -30,7 +31,7 @@ from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
 from .checks import FILM_EDGE
-from .inputs import IN_WORDS, BearingInputs, BearingsInputs
+from .inputs import BearingsInputs
 from .result import BearingResult, BearingsResult
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
 
 def _title(place: str, r: BearingResult) -> Text:
     d, length = Amount(r.seat.bearing.diameter * 1000), Amount(r.seat.bearing.length * 1000)
-    return Text("{place} Ø{d} × {length}", place=IN_WORDS[place], d=d, length=length)
+    return Text("{place} Ø{d} × {length}", place=called(place), d=d, length=length)
 
 
 def _at(radius: Metre, from_load: Radian, centre: Point = (0.0, 0.0)) -> Point:
@@ -78,11 +79,11 @@ def _at(radius: Metre, from_load: Radian, centre: Point = (0.0, 0.0)) -> Point:
 def _bearing(
     place: str, r: BearingResult, inputs: BearingsInputs, gap: Number, checks: dict[str, Check]
 ) -> Iterator[Mark]:
-    key = dotted("bearings", place)
+    key = row_key(place)
     journal, c = r.seat.bearing.diameter / 2, r.clearance_hot / 2 * gap
     seat, centre = journal + c, _at(c * r.eccentricity, r.attitude_angle)
-    size, load_key = dotted(key, BearingInputs.diameter), dotted(key, BearingInputs.load)
-    clearance = f"{dotted(key, BearingInputs.clearance)} {dotted(key, BearingInputs.clearance_factor)}"
+    size, load_key = dotted(key, BearingRow.diameter), dotted(key, BearingRow.load)
+    clearance = f"{dotted(key, BearingRow.clearance)} {dotted(key, BearingRow.clearance_factor)}"
     oil = f"{clearance} {dotted('bearings', BearingsInputs.oil)}"
     film = judged(checks.values(), FILM_EDGE.of(place))
     yield Area(CONTEXT, (round_outline((0.0, 0.0), seat), round_outline(centre, journal)), 0.35, oil)
@@ -115,7 +116,7 @@ def _keys(*declared: object) -> str:
 
 
 def _rough(key: str) -> str:
-    return f"{dotted(key, BearingInputs.journal_roughness)} {dotted(key, BearingInputs.housing_roughness)}"
+    return f"{dotted(key, BearingRow.journal_roughness)} {dotted(key, BearingRow.housing_roughness)}"
 
 
 def _pressure(key: str, r: BearingResult, seat: Metre) -> Iterator[Mark]:
@@ -125,7 +126,7 @@ def _pressure(key: str, r: BearingResult, seat: Metre) -> Iterator[Mark]:
     around = pressures(float(r.eccentricity), float(r.attitude_angle))
     outside = [_at(seat * (1 + PEAK * share), angle) for angle, share in around]
     inside = [_at(seat, angle) for angle, _ in reversed(around)]
-    length = dotted(key, BearingInputs.length)
+    length = dotted(key, BearingRow.length)
     yield Area(OUTLINE, ((*outside, *inside),), 0.5, length)
     yield Polyline(OUTLINE, (inside[-1], *outside, inside[0]), key=length)
     angle = max(around, key=lambda point: point[1])[0]

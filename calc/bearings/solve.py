@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Both bearings: judged by the program's own solution on the warm clearance, beside the other routes to the film."""
+"""The bearings of a shaft: judged by the program's own solution on the warm clearance, beside the other routes to the
+film."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -8,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..countershaft.result import CountershaftResult
+from ..countershaft.rows import BearingRow, called, row_key
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
@@ -31,7 +33,7 @@ from .curves import charts, curves
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
-from .inputs import IN_WORDS, PLACES, SLOPE_TAKEN, BearingInputs, BearingsInputs
+from .inputs import SLOPE_TAKEN, BearingsInputs
 from .loads import loads_beside
 from .materials import application, running_surface
 from .notes import errata, notes
@@ -79,14 +81,15 @@ class BearingMaterials(NamedTuple):
 
 def solve(
     bearings: BearingsInputs,
+    rows: tuple[BearingRow, ...],
     shaft: CountershaftResult | None,
     engine: EngineInputs | None,
     solids: BearingMaterials,
     *,
     compared: bool = True,
 ) -> Outcome[BearingsResult]:
-    """Front and rear bearing under the loads given, or the shaft's reactions, which turn with it and grow with its
-    speed squared.
+    """The bearings of a shaft, front to rear, under the loads given, or the shaft's reactions, which turn with it and
+    grow with its speed squared.
 
     `compared`: with the other routes to the film beside the one that judges.
     """
@@ -100,18 +103,18 @@ def solve(
     with trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
-        for place in PLACES:
-            with about(Text("{place} bearing", place=IN_WORDS[place])):
-                bearing: BearingInputs = getattr(bearings, place)
+        for n, bearing in enumerate(rows):
+            place = bearing.name
+            with about(Text("{place} bearing", place=called(place))):
                 clearance = clearance_of(bearings, bearing, speed)
                 seat = BearingCase(
                     bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion
                 )
-                load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
+                load, slope = _load(bearing, n, shaft), _slope(bearing, n, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
                 all_checks += checks(place, results[place], solids.housing)
                 all_checks += _material_checks(place, results[place])
-    all_checks += _slope_checks(bearings, shaft, results)
+    all_checks += _slope_checks(shaft, results)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
         all_checks.append(pumping_check)
     return Outcome(
@@ -156,7 +159,7 @@ def _material_checks(place: str, r: BearingResult) -> Iterator[Check]:
     )
 
 
-def clearance_of(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSecond) -> Metre:
+def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecond) -> Metre:
     """As given, by the factor K, or the middle of the fits."""
     if bearing.clearance is not None:
         return bearing.clearance
@@ -171,34 +174,31 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSe
     return f.clearance_of_fits(EI=EI, ES=ES, ei=ei, es=es)
 
 
-def _load(place: str, bearing: BearingInputs, shaft: CountershaftResult | None) -> float:
+def _load(bearing: BearingRow, n: int, shaft: CountershaftResult | None) -> float:
+    """As given, else the reaction at the n-th bearing of the shaft."""
     if bearing.load is not None:
         return bearing.load
-    load: float = 0.0 if shaft is None else shaft.reaction_front if place == "front" else shaft.reaction_rear
+    load: float = 0.0 if shaft is None else shaft.loads[n]
     if load <= 0:
         advice = Text("give the counter-shaft eccentric masses that balance a couple")
-        raise NoSolution(Text("the {place} bearing carries no load", place=IN_WORDS[place]), EMPTY, advice)
+        raise NoSolution(Text("the {place} bearing carries no load", place=called(bearing.name)), EMPTY, advice)
     return load
 
 
-def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None) -> Radian | None:
-    """As given, else as the counter-shaft's bending has it; None where neither is known."""
-    if inputs.slope is not None:
-        return inputs.slope[0 if place == "front" else -1]
-    return None if shaft is None else shaft.slope_front if place == "front" else shaft.slope_rear
+def _slope(bearing: BearingRow, n: int, shaft: CountershaftResult | None) -> Radian | None:
+    """As given, else as the bending of the shaft has it at its n-th bearing; None where neither is known."""
+    return bearing.slope if bearing.slope is not None or shaft is None else shaft.slopes[n]
 
 
-def _slope_checks(
-    inputs: BearingsInputs, shaft: CountershaftResult | None, results: dict[str, BearingResult]
-) -> Iterator[Check]:
+def _slope_checks(shaft: CountershaftResult | None, results: dict[str, BearingResult]) -> Iterator[Check]:
     """Slopes that are given, held against those of the shaft as this design bends it: what stands on them stands on the
     given ones."""
-    if inputs.slope is None or shaft is None or shaft.bending is None:
+    if shaft is None or shaft.bending is None:
         return  # where nothing bends, the shaft has its slopes from here
-    for place, slope, bent in zip(PLACES, (inputs.slope[0], inputs.slope[-1]), (shaft.slope_front, shaft.slope_rear)):
-        if bent is None:
-            return
-        r = results[place]
+    for (place, r), bent in zip(results.items(), shaft.slopes):
+        slope = r.seat.bearing.slope
+        if bent is None or slope is None:
+            continue
         with untraced():
             edge = f.film_at_edge(h_0=r.film, theta=bent, l=r.seat.bearing.length)
         effect = Text(
@@ -206,8 +206,8 @@ def _slope_checks(
             edge=Amount(edge * 1e6, "µm"),
             least=Amount(r.kreisle_film * 1e6, "µm"),
         )
-        left_out = by_key(BearingsInputs, SLOPE, None, effect=effect)
-        label = Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place])
+        left_out = by_key(BearingRow, row_key(place, BearingRow.slope), None, effect=effect)
+        label = Text("Slope as given, {place}, against that of the shaft's bending", place=called(place))
         yield SLOPE_GIVEN(slope, bent, at=place, name=label, scale=SLOPE_TAKEN, remedies=left_out)
 
 
@@ -239,7 +239,7 @@ def _bearing(
     u = f.surface_speed(d=d, n=n_s)
     duty = operating_point(inputs, load, speed)
     theta = SLOPE_TAKEN if slope is None else slope
-    with about(Text("{place} bearing, judged", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, judged", place=called(place))):
         hot = balanced(own_warm, seat, duty)
         assert hot.attitude is not None and hot.largest_pressure is not None
         edge = f.film_at_edge(h_0=hot.film, theta=theta, l=l)
@@ -260,22 +260,22 @@ def _bearing(
         shear = f.shear_rate(u=u, h_0=hot.film)
         cold = seat.clearance_at(inputs.lowest_temperature)
     ratio = f.length_ratio(l=based_on(bare / 2, bare) if lands == 2 else bare, d=d)
-    with about(Text("{place} bearing, between largest load and least friction", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, between largest load and least friction", place=called(place))):
         most, least_friction = optimum.share_of_largest_load(b=ratio), optimum.share_of_least_friction(b=ratio)
         band = optimum.place_in_band(eps=hot.eccentricity, share_f=least_friction, share_F=most)
-    with about(Text("{place} bearing, oil supply", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, oil supply", place=called(place))):
         blocked = _blocked_arc(inputs, duty, hot, ratio)
     side = side_by_side(place, seat, duty, ratio) if compared else judged_alone(seat, ratio)
-    with about(Text("{place} bearing, dynamics", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, dynamics", place=called(place))):
         moving = dynamics(hot, duty, seat, ratio)
     twice = replace(duty, load=based_on(2 * load, load))
     speeds = sweep_points(seat, speed, bench, duty)
-    with about(Text("{place} bearing, oil thinned by shear", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, oil thinned by shear", place=called(place))):
         hths, thin = high_shear(seat.lubricant), seat
         if hths is not None:
             kappa = f.full_shear_factor(hths=hths, mu_150=seat.lubricant.at(HTHS_TEMPERATURE).mu)
             thin = replace(seat, viscosity_factor=f.shear_factor(kappa=kappa, gamma=shear))
-    with about(Text("{place} bearing, overspeed", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, overspeed", place=called(place))):
         n_over = f.overspeed(n=highest_speed(speed, bench, inputs), s=inputs.overspeed)
         faster = _at_speed(seat, duty, n_over, duty.supply_temperature, duty.supply_pressure)
     at_corners, over_speeds, at_twice, beside, at_shear, at_over = settled_together(
@@ -283,18 +283,18 @@ def _bearing(
     )
     sheared = over = None  # where no film carries the load, the check on it fails
     if hths is not None:
-        with about(Text("{place} bearing, oil thinned by shear", place=IN_WORDS[place])):
+        with about(Text("{place} bearing, oil thinned by shear", place=called(place))):
             sheared = _edge(thin, duty, at_shear, theta)
-    with about(Text("{place} bearing, overspeed", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, overspeed", place=called(place))):
         over = _edge(seat, faster, at_over, theta)
-    with about(Text("{place} bearing, twice the load", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, twice the load", place=called(place))):
         rise = at_twice.temperature_rise[0].item()
         # where no film carries twice the load, the check on it fails
         doubled = closed(own_warm, seat, twice, rise) if np.isfinite(rise) else None
-    with about(Text("{place} bearing, corners of the tolerances", place=IN_WORDS[place])):
-        at_worst = corners(seat, duty, theta, at_corners, Text("{place} bearing", place=IN_WORDS[place]))
+    with about(Text("{place} bearing, corners of the tolerances", place=called(place))):
+        at_worst = corners(seat, duty, theta, at_corners, Text("{place} bearing", place=called(place)))
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
-    with about(Text("{place} bearing, speed of the thinnest film", place=IN_WORDS[place])):
+    with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
     return BearingResult(
         film=hot.film,
@@ -423,8 +423,15 @@ def solve_film(
     an Oil. `load_speed_ratio`: 1, the load turns with the shaft; 0, it stands.  `journal`, `housing`: materials, by
     whose expansion the clearance changes (`warm` False: it keeps its size).  Raises NoSolution where there is no film.
     """
-    bearing = BearingInputs(
-        diameter=diameter, length=length, clearance=clearance, load=load, journal_roughness=0.0, housing_roughness=0.0
+    bearing = BearingRow(
+        name="alone",
+        position=0.0,
+        diameter=diameter,
+        length=length,
+        clearance=clearance,
+        load=load,
+        journal_roughness=0.0,
+        housing_roughness=0.0,
     )
     row = oils()[oil] if isinstance(oil, str) else oil
     inputs = BearingsInputs(
@@ -434,8 +441,6 @@ def solve_film(
         supply="hole",
         hole_diameter=hole_diameter,
         housing_material=housing,
-        front=bearing,
-        rear=bearing,
         load_speed_ratio=load_speed_ratio,
     )
     known = materials()

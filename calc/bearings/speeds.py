@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..countershaft.rows import called
 from ..engine.inputs import BenchPoint
 from ..sheet.arrays import Array
 from ..sheet.linked_array import elements, gathered, item, linked_array
@@ -13,7 +14,7 @@ from ..sheet.record import record
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import RevPerSecond
 from ..sheet.value import based_on, joined_links
-from .inputs import IN_WORDS, BearingsInputs
+from .inputs import BearingsInputs
 from .routes.states import BearingCase, Film, OperatingPoint
 
 STEPS_WITHOUT_BENCH = 25
@@ -54,7 +55,7 @@ class Sweep:
             "others.",
             count=len(missing),
             span=span,
-            place=IN_WORDS[place],
+            place=called(place),
         )
 
     def why(self, place: str) -> Text:
@@ -69,7 +70,7 @@ class Sweep:
         return Text(
             "The {place} bearing's film is thinnest at {thinnest_speed} rpm, {thinnest_film} µm with oil of "
             "{temperatures} °C, and not at {fastest}{unloaded}.",
-            place=IN_WORDS[place],
+            place=called(place),
             thinnest_speed=Amount(self.speeds[here] * 60, form=".0f"),
             thinnest_film=Amount(self.films[here] * 1e6, form=".2f"),
             temperatures=Amount(self.temperatures[here], form=".1f"),

@@ -8,6 +8,7 @@ Handbook values never fail a design; the limits of a bearing stand in `checks`."
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from ..countershaft.rows import ROW, BearingRow, called, titled
 from ..library.journal_rules import MAKERS, RELATIVE_CLEARANCE, heat_index, specific_load
 from ..sheet.check import Check, CheckRule
 from ..sheet.formula import formula
@@ -29,7 +30,7 @@ from ..sheet.units import (
 )
 from ..sheet.value import untraced
 from . import formulas as f
-from .inputs import IN_TITLES, IN_WORDS, BearingInputs, BearingsInputs
+from .inputs import BearingsInputs
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings, running_surface
 from .result import BearingResult
 
@@ -80,8 +81,8 @@ LEAST_WORD = "fair"  # rule of this program: below it, advice
 RUNS_IN = ("good", "excellent")  # words of emergency running
 FIGURE = Text("Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16")
 
-LENGTH = dotted("bearings", "B", BearingInputs.length)
-DIAMETER = dotted("bearings", "B", BearingInputs.diameter)
+LENGTH = dotted(ROW, BearingRow.length)
+DIAMETER = dotted(ROW, BearingRow.diameter)
 OIL = dotted("bearings", BearingsInputs.oil)
 SUPPLY_TEMPERATURE = dotted("bearings", BearingsInputs.supply_temperature)
 BUSH = dotted("bearings", BearingsInputs.bush_material)
@@ -184,8 +185,8 @@ CLEARANCE_USUAL = CheckRule(
     advice=Text("Less or more clearance, as long as film, heat and cold clearance allow it."),
     cause="bearings.clearance_usual",
     moved_by=(
-        dotted("bearings", "B", BearingInputs.clearance),
-        dotted("bearings", "B", BearingInputs.clearance_factor),
+        dotted(ROW, BearingRow.clearance),
+        dotted(ROW, BearingRow.clearance_factor),
     ),
 )
 
@@ -231,7 +232,7 @@ def material_checks(
 ) -> Iterator[Check]:
     """By the material's own row, where it has the number; p and p·u on the projected area, the journal's hardness in
     HB; `T_in`: of the oil that is supplied."""
-    of = {"material": material.name, "place": IN_WORDS[place]}
+    of = {"material": material.name, "place": called(place)}
     # what a bare seat carries is the source's limit, which has a check of its own
     allowed = None if material.form == "bare" else material.specific_load
     for rule, label, value, limit, base in (
@@ -282,7 +283,7 @@ def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPer
     return Text(
         "{place} bearing: the load passes every point of the seat ({title}), which sees the largest film "
         "pressure, {units} MPa, once a round: {often}. Fatigue: {fatigue}.",
-        place=IN_TITLES[place],
+        place=titled(place),
         title=material.title,
         units=Amount(UNITS["MPa"].shown(p_max), digits=3),
         often=often,
@@ -388,7 +389,7 @@ def application_checks(
 ) -> Iterator[Check]:
     """Advice by what bearings of this application usually carry, where their row has it, and by the clearances that
     makers print.  ψ as made, not warm."""
-    at: dict[str, Text] = {"place": IN_WORDS[place]}
+    at: dict[str, Text] = {"place": called(place)}
     source = Text("{figure} ({row})", figure=FIGURE, row=row.title)
     if row.specific_load_high is not None:
         label = Text("Specific load of the application, {place}", **at)

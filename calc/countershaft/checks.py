@@ -18,10 +18,10 @@ from ..sheet.remedy import Remedy, by_key, down
 from ..sheet.text import SPACE, Amount, Text
 from ..sheet.units import Metre, Number
 from .bending.shaft import Bending
-from .inputs import CountershaftInputs
-from .making.parts import SEAT_DIAMETERS
+from .inputs import ShaftInputs
 from .outline import Journals
 from .result import CountershaftResult, SupportResult
+from .rows import EACH_ROW, SHAFT, BearingRow
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 from .supports import Gear
 
@@ -29,7 +29,7 @@ from .supports import Gear
 
 OF_COUPLE = Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none")
 OF_FORCE = Text("rule of this program: 5 % of m·r·ω² of one cylinder")
-MASSES = (dotted("countershaft", CountershaftInputs.masses),)
+MASSES = (dotted(SHAFT, ShaftInputs.masses),)
 
 RESIDUAL = CheckRule(
     "countershaft.residual",
@@ -87,11 +87,11 @@ RESIDUAL_FORCE_SHARE = CheckRule(
 # --- how it bends
 
 STIFFNESS = (
-    dotted("countershaft", CountershaftInputs.core_radius),
-    dotted("countershaft", CountershaftInputs.bearing_positions),
+    dotted(SHAFT, ShaftInputs.core_radius),
+    dotted(EACH_ROW, BearingRow.position),
 )
-FILLET_RADIUS = (dotted("countershaft", CountershaftInputs.fillet_radius),)
-FILLET_AND_CORE = (*FILLET_RADIUS, dotted("countershaft", CountershaftInputs.core_radius))
+FILLET_RADIUS = (dotted(SHAFT, ShaftInputs.fillet_radius),)
+FILLET_AND_CORE = (*FILLET_RADIUS, dotted(SHAFT, ShaftInputs.core_radius))
 LARGER_CORE = Text("A larger core where the moment is largest, or a shorter span.")
 LARGER_FILLET = Text("A larger fillet. {advice}", advice=LARGER_CORE)
 
@@ -224,7 +224,7 @@ FEM_STRESS = CheckRule(
     "MPa",
     advice=LARGER_FILLET,
     demand=True,
-    moved_by=(dotted("countershaft", CountershaftInputs.fem_stress),),
+    moved_by=(dotted(SHAFT, ShaftInputs.fem_stress),),
 )
 FEM_FATIGUE = CheckRule(
     "countershaft.fem_fatigue",
@@ -236,7 +236,7 @@ FEM_FATIGUE = CheckRule(
     role="physics",
     demand=True,
     value_id=dotted("countershaft", CountershaftResult.fem_safety),
-    moved_by=(dotted("countershaft", CountershaftInputs.fem_principal_stress),),
+    moved_by=(dotted(SHAFT, ShaftInputs.fem_principal_stress),),
 )
 FILLET = CheckRule(
     "countershaft.fillet",
@@ -278,9 +278,9 @@ ENVELOPE = CheckRule(
     exact=True,
     zero="outer radius",
     moved_by=(
-        dotted("countershaft", CountershaftInputs.outer_radius),
-        dotted("countershaft", CountershaftInputs.radial_clearance),
-        *SEAT_DIAMETERS,
+        dotted(SHAFT, ShaftInputs.outer_radius),
+        dotted(SHAFT, ShaftInputs.radial_clearance),
+        dotted(EACH_ROW, BearingRow.diameter),
     ),
     short=Text("radius"),
 )
@@ -295,7 +295,6 @@ GEAR_SEAT = CheckRule(
     Text("A larger front journal, fewer teeth or a smaller module."),
     zero="1 mm",
     cause=ASSEMBLY.id,
-    moved_by=(SEAT_DIAMETERS[0], dotted("gears", GearsInputs.normal_module)),
 )
 ENVELOPE_LENGTH = CheckRule(
     "countershaft.envelope_length",
@@ -309,8 +308,8 @@ ENVELOPE_LENGTH = CheckRule(
     exact=True,
     zero="length of the nearest bearing",
     moved_by=(
-        dotted("countershaft", CountershaftInputs.half_length),
-        dotted("countershaft", CountershaftInputs.bearing_positions),
+        dotted(SHAFT, ShaftInputs.half_length),
+        dotted(EACH_ROW, BearingRow.position),
     ),
     short=Text("length"),
 )
@@ -324,7 +323,7 @@ SUPPORT_SPECIFIC_LOAD = CheckRule(
     advice=Text("A longer journal, or a larger one."),
     demand=True,
     value_id=dotted("countershaft", "support", "N", SupportResult.specific_load),
-    moved_by=(dotted("countershaft", CountershaftInputs.journals),),
+    moved_by=(dotted(EACH_ROW, BearingRow.diameter), dotted(EACH_ROW, BearingRow.length)),
 )
 SUPPORT_HEAT_INDEX = CheckRule(
     "countershaft.support.N.heat_index",
@@ -342,7 +341,7 @@ SUPPORT_HEAT_INDEX = CheckRule(
 
 # --- whether its sections are the shaft of its masses
 
-SECTIONS = (dotted("countershaft", CountershaftInputs.sections),)
+SECTIONS = (dotted(SHAFT, ShaftInputs.sections),)
 OUTLINE = CheckRule(
     "countershaft.outline",
     "limit",
@@ -371,7 +370,7 @@ OUTLINE_FORCE = CheckRule(
 
 
 def checks(
-    shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
+    shaft: ShaftInputs, todo: ShaftTask, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
 ) -> Iterator[Check]:
     """All checks of the step but those of its bending and its making."""
     yield from _residual_checks(shaft, todo, shaft_result)
@@ -384,9 +383,9 @@ def checks(
     yield from _outline_checks(todo, shaft_result)
 
 
-def _residual_checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
+def _residual_checks(shaft: ShaftInputs, todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
     """The couple and the force of the shaft's order that are left over."""
-    each = Text("each of both shafts ") if shaft.pair == "yes" else Text("the shaft ")
+    each = Text("each of both shafts ") if shaft.paired else Text("the shaft ")
     aim_couple = Text(
         "Aim at {couple} N·m at {direction}: the couple of {each}grows with mass, radius and arm.",
         couple=Amount(todo.couple, form=".1f"),
@@ -414,7 +413,7 @@ def _residual_checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: C
     ):
         value = f"residual_order_{todo.order}_{word}"
         left = getattr(shaft_result, value) or 0.0
-        if shaft.pair != "yes" and str(word) in todo.out_of_reach:
+        if not shaft.paired and str(word) in todo.out_of_reach:
             against = abs(todo.C_against if whole is RESIDUAL else todo.F_against)
             beyond = _beyond(shaft, Amount(against, whole.unit, form=".4g"))
             advice = advice + SPACE + beyond if left - against > limit else beyond
@@ -429,7 +428,7 @@ def _residual_checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: C
         )
 
 
-def _beyond(shaft: CountershaftInputs, against: Amount) -> Text:
+def _beyond(shaft: ShaftInputs, against: Amount) -> Text:
     """What takes the part that turns against the shaft."""
     if shaft.speed_ratio == -1:
         return Text(
@@ -438,7 +437,7 @@ def _beyond(shaft: CountershaftInputs, against: Amount) -> Text:
             against=against,
         )
     return Text(
-        "{against} turn against the shaft, and no mass on it takes them: a mirrored second shaft does (pair).",
+        "{against} turn against the shaft, and no mass on it takes them: a mirrored second shaft does (mirrors).",
         against=against,
     )
 
@@ -449,7 +448,7 @@ def _opposite(engine: complex) -> Amount:
 
 
 def _envelope_checks(
-    shaft: CountershaftInputs, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
+    shaft: ShaftInputs, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
 ) -> Iterator[Check]:
     """Whether sectors and gear can be threaded in, and the sectors end before the journals begin; also where they can
     not be drawn."""
@@ -461,19 +460,21 @@ def _envelope_checks(
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
     if clearance is not None and R is not None:
         room = max(d for d, _ in journals) / 2 - R
-        smaller = _no_longer(CountershaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None
+        smaller = _no_longer(ShaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None
         yield ENVELOPE(round(room, 9), clearance, scale=R, remedies=smaller)
     if clearance is not None and gear is not None:
-        yield GEAR_SEAT(round((journals[0][0] - gear.tip_diameter) / 2, 9), 0.0, scale=1e-3)
+        front = dotted(SHAFT, ShaftInputs.bearings, shaft.bearings[0].name, BearingRow.diameter)
+        keys = front, dotted("gears", GearsInputs.normal_module)
+        yield GEAR_SEAT(round((journals[0][0] - gear.tip_diameter) / 2, 9), 0.0, scale=1e-3, moved_by=keys)
     if shaft.mode == "size" and shaft.half_length is not None:
         face, length = min((abs(z) - l / 2, l) for z, (_, l) in zip(seats, journals))
-        shorter = _no_longer(CountershaftInputs.half_length, face)
+        shorter = _no_longer(ShaftInputs.half_length, face)
         yield ENVELOPE_LENGTH(round(face - shaft.half_length, 9), 0.0, scale=length, remedies=shorter)
 
 
 def _no_longer(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:
     """A length of the shaft, cut down to this."""
-    return by_key(CountershaftInputs, dotted("countershaft", field), down(length), bound="<=")
+    return by_key(ShaftInputs, dotted(SHAFT, field), down(length), bound="<=")
 
 
 def _support_checks(shaft_result: CountershaftResult) -> Iterator[Check]:
@@ -523,7 +524,7 @@ def bending_checks(bent: Bending, material: Material, fastest: Number) -> Iterat
     if bent.step_over_fillet is not None:
         yield FILLET(bent.step_over_fillet, fatigue.FIT)
     if bent.fillet is not None and bent.fillet_room is not None:
-        smaller = _no_longer(CountershaftInputs.fillet_radius, bent.fillet_room)
+        smaller = _no_longer(ShaftInputs.fillet_radius, bent.fillet_room)
         yield FILLET_ROOM(bent.fillet, round(bent.fillet_room, 9), scale=bent.fillet, remedies=smaller)
 
 
@@ -543,7 +544,7 @@ def _fatigue_checks(bent: Bending, material: Material) -> Iterator[Check]:
     yield FATIGUE(None, ENDLESS, advice=advice, missing=missing)
 
 
-def fem_checks(shaft: CountershaftInputs, material: Material, safety: Number | None) -> Iterator[Check]:
+def fem_checks(shaft: ShaftInputs, material: Material, safety: Number | None) -> Iterator[Check]:
     """Stresses that finite elements found.  `safety`: against fatigue, of the weakest structural steel where the
     strength is not known; None of other metals then."""
     if shaft.fem_stress is not None:

@@ -6,15 +6,22 @@ import math
 from collections.abc import Iterable
 from itertools import pairwise
 
-from ..library.journal_rules import LENGTH_RATIO
 from ..library.tolerances import BALANCE_GRADES
-from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import choice, described, dotted, inputs, integer, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .making.inputs import Bolts, Cost, FurtherBolts, FurtherDrain, OilDrain, Part, Support
+from .rows import ASKED_ELSEWHERE, BearingRow
 
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
 ANGLE = Text("With cylinder 1 at TDC, from up, in the sense of crank rotation.")
 FROM_MID_SHAFT = Text("From mid-shaft, + towards the flywheel.")
+
+# words that follow the step in the ids of values and checks, where the name of a shaft stands too
+NO_NAMES = (
+    "all", "alternative", "bolts", "co2", "couple", "drain", "envelope", "fatigue", "fillet", "force", "fuel", "holes",
+    "journals", "mass", "residual", "roll", "scatter", "scenarios", "sector", "shafts", "support", "train",
+    "utilisation", "weight",
+)  # fmt: skip
 
 # the folds of the form
 SUPPORT = Text("Support, drain, cost")
@@ -127,35 +134,6 @@ class Section:
 
 
 @inputs
-class Journal:
-    """The size of one journal, for a shaft whose bearings are not part of the design."""
-
-    diameter: float = quantity(
-        "Diameter",
-        "mm",
-        up_to=1000,
-        symbol="d",
-        rule_of_thumb=(15, 120),
-        help="Diameter of the journal, for its specific load.",
-        repair="free",
-        brief="diameter",
-    )
-    length: float = quantity(
-        "Length",
-        "mm",
-        up_to=1000,
-        symbol="l",
-        source="Finotti 2013, 3.2.3.1",
-        help=Text(
-            "Length of the journal in its seat, {low} to {high} of its diameter.",
-            low=Amount(LENGTH_RATIO[0]),
-            high=Amount(LENGTH_RATIO[1]),
-        ),
-        repair="free",
-    )
-
-
-@inputs
 class Holes:
     """Radial holes drilled into the eccentric masses to calibrate the shaft."""
 
@@ -230,49 +208,39 @@ class Scatter:
 
 
 @inputs
-class CountershaftInputs:
-    """The shaft: its masses or its envelope, where it is carried, and how it is made and mounted."""
+class ShaftInputs:
+    """A balance shaft: its masses or its envelope, where it is carried, and how it is made and mounted."""
 
+    name: str = text("Name", help="By which the design calls the shaft: left, right, lower.")
     mode: str = choice(
         "Mode",
         "given",
         "size",
+        "bearings",
         default="given",
         help="given: the eccentric masses below are checked. size: the lightest pair of sectors in the envelope is "
-        "found.",
+        "found. bearings: only its bearings are asked, under loads that are given.",
         decides=1,
+    )
+    mirrors: str | None = text(
+        "Mirrors",
+        default=None,
+        help="The name of an earlier shaft whose mirror image this one is: it turns the other way and carries as much.",
     )
     material: str = text(
         "Material",
+        default=ASKED_ELSEWHERE,
         help="A name from the table of materials or from [[material]].",
         change=("another steel",),
         catalogue="materials",
     )
     speed_ratio: float = quantity(
         "Speed ratio to the crank",
-        default=-1.0,
+        default=ASKED_ELSEWHERE,
         within=(-2, 2),
         symbol="i",
         source="Finotti 2013, 2.3.3",
-        help="−1: crank speed, opposite sense. 1, 2 and −2 for shafts without [bearings] and [gears].",
-    )
-    pair: str = choice(
-        "Twin shaft",
-        "no",
-        "yes",
-        default="no",
-        help="yes: a mirrored second shaft turns at the opposite speed and carries as much.",
-    )
-    bearing_positions: tuple[float, ...] = series(
-        "Bearing positions",
-        "mm",
-        count=(2, 9),
-        within=(-5000, 5000),
-        symbol="z_B",
-        help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.",
-        change=("shorter span", "longer span"),
-        repair="free",
-        decides=5,
+        help="−1: crank speed, opposite sense; 1, 2 and −2.",
     )
     axis: tuple[float, ...] | None = series(
         "Axis from the crank's",
@@ -403,7 +371,6 @@ class CountershaftInputs:
         help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.",
         repair="free",
     )
-    journals: tuple[Journal, ...] = tables("Journals", Journal, default=())
     balance_grade: str = choice(
         "Balance quality grade",
         *BALANCE_GRADES,
@@ -423,36 +390,69 @@ class CountershaftInputs:
     parts: tuple[Part, ...] = tables(
         "Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared.", fold=SUPPORT
     )
+    bearings: tuple[BearingRow, ...] = tables("Bearings", BearingRow, default=(), decides=5)
+
+    paired: bool = False  # whether another shaft of the design mirrors it, and turns the other way: the design says so
+
+    @property
+    def bearing_positions(self) -> tuple[float, ...]:
+        """Where its bearings stand, front to rear."""
+        return tuple(row.position for row in self.bearings)
+
+    @property
+    def journals(self) -> tuple[tuple[float, float], ...]:
+        """Diameter and length of its journals, front to rear; empty where one of them is not known."""
+        sizes = tuple((row.diameter, row.length) for row in self.bearings)
+        return sizes if all(row.sized for row in self.bearings) else ()
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        if any(b <= a for a, b in pairwise(self.bearing_positions)):
-            yield (
-                dotted(CountershaftInputs.bearing_positions),
-                Text("must rise from front to rear: [z_front, z_rear] with z_front < z_rear"),
-            )
-        if self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
-            yield dotted(CountershaftInputs.speed_ratio), Text("must be -1, 1, -2 or 2")
-        if self.journals and len(self.journals) != len(self.bearing_positions):
-            yield (
-                dotted(CountershaftInputs.journals),
-                Text("give one for each of the {count} bearing_positions_mm", count=len(self.bearing_positions)),
-            )
+        if self.name in NO_NAMES or (self.name.isascii() and self.name.isdigit()):
+            words = Text("must not be figures alone, nor one of {words}", words=", ".join(NO_NAMES))
+            yield dotted(ShaftInputs.name), words
+        if self.mirrors is not None:
+            yield from self._twin()
+            return
+        if self.mode != "bearings":
+            for key, given in ((ShaftInputs.material, self.material), (ShaftInputs.speed_ratio, self.speed_ratio)):
+                if given is None:
+                    yield dotted(key), Text("is missing; needs {allowed}", allowed=described(key).allowed())
+        elif self.masses:
+            yield dotted(ShaftInputs.masses), Text('do not go with mode = "bearings", whose loads are given')
+        if not 2 <= len(self.bearings) <= 9:
+            count = len(self.bearings)
+            yield dotted(ShaftInputs.bearings), Text("has {count} rows [[shafts.bearings]]; needs 2 to 9", count=count)
+        for i, (a, b) in enumerate(pairwise(self.bearing_positions), 1):
+            if b <= a:
+                rise = Text("must lie behind the row before it: the rows rise from front to rear")
+                yield dotted(ShaftInputs.bearings, i, BearingRow.position), rise
+        if self.mode == "bearings":
+            return
+        if self.speed_ratio is not None and self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
+            yield dotted(ShaftInputs.speed_ratio), Text("must be -1, 1, -2 or 2")
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
             R = _mm(self.outer_radius)
             yield (
-                dotted(CountershaftInputs.holes, Holes.depth),
+                dotted(ShaftInputs.holes, Holes.depth),
                 Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R),
             )
         yield from self._envelope()
         yield from self._sections()
         yield from self._places()
 
+    def _twin(self) -> Iterable[tuple[str, Text]]:
+        """A mirror image has little of its own."""
+        own = {dotted(key) for key in (ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.axis)}
+        for key, entry in keys(ShaftInputs).items():
+            if key not in own and getattr(self, entry.attribute) != entry.field.default:
+                theirs = Text("is that of the shaft that it mirrors, {name}: leave it out here", name=self.mirrors)
+                yield key, theirs
+
     def _envelope(self) -> Iterable[tuple[str, Text]]:
         if self.mode == "given" and not self.masses:
-            yield dotted(CountershaftInputs.masses), Text("needs at least one [[countershaft.masses]]")
+            yield dotted(ShaftInputs.masses), Text("needs at least one [[shafts.masses]]")
         if self.mode == "size" and len(self.bearing_positions) > 2:
             yield (
-                dotted(CountershaftInputs.bearing_positions),
+                dotted(ShaftInputs.bearings),
                 Text('give two with mode = "size": sectors that span a third bearing are not sized'),
             )
         if self.mode == "size":
@@ -461,7 +461,7 @@ class CountershaftInputs:
                 if getattr(self, name) is None:
                     yield f"{name}_mm", needed
         if self.outer_radius is not None and self.core_radius is not None and self.core_radius >= self.outer_radius:
-            yield dotted(CountershaftInputs.core_radius), Text("must be smaller than outer_radius_mm")
+            yield dotted(ShaftInputs.core_radius), Text("must be smaller than outer_radius_mm")
 
     @property
     def _known(self) -> bool:
@@ -477,7 +477,7 @@ class CountershaftInputs:
             if abs(gap) > 1e-9:
                 what = Text("crosses") if gap < 0 else Text("leaves a gap behind")
                 yield (
-                    dotted(CountershaftInputs.sections, k, Section.from_),
+                    dotted(ShaftInputs.sections, k, Section.from_),
                     Text(
                         "{what} section {i}, which ends at {to} mm; the shaft is one piece",
                         what=what,
@@ -490,13 +490,11 @@ class CountershaftInputs:
         """Journals and masses must lie on the shaft: its sections, or else between its outer bearings."""
         if not self.bearing_positions or any(not a < b for a, b in pairwise(self.bearing_positions)) or not self._known:
             return
-        masses = [(dotted(CountershaftInputs.masses, i, EccentricMass.z), mass.z) for i, mass in enumerate(self.masses)]
+        masses = [(dotted(ShaftInputs.masses, i, EccentricMass.z), mass.z) for i, mass in enumerate(self.masses)]
         if not self.sections:
             start, end = self.bearing_positions[0], self.bearing_positions[-1]
             where = Text("the span of the bearings")
-            hint = Text(
-                "; an overhung one needs [[countershaft.sections]] that reach it, or stands in [[countershaft.extras]]"
-            )
+            hint = Text("; an overhung one needs [[shafts.sections]] that reach it, or stands in [[shafts.extras]]")
             outside = Text(
                 "lies outside {where}, from {start} to {end} mm{hint}",
                 where=where,
@@ -508,9 +506,10 @@ class CountershaftInputs:
             return
         start, end = min(s.from_ for s in self.sections), max(s.to for s in self.sections)
         outside = Text("lies outside the shaft's sections, from {start} to {end} mm", start=_mm(start), end=_mm(end))
-        placed = [(f"bearing_positions_mm.{i}", z) for i, z in enumerate(self.bearing_positions)]
-        placed += [(dotted(CountershaftInputs.gear_z), self.gear_z)] if self.gear_z is not None else []
-        placed += [(dotted(CountershaftInputs.extras, i, Extra.z), extra.z) for i, extra in enumerate(self.extras)]
+        rows = enumerate(self.bearings)
+        placed = [(dotted(ShaftInputs.bearings, i, BearingRow.position), row.position) for i, row in rows]
+        placed += [(dotted(ShaftInputs.gear_z), self.gear_z)] if self.gear_z is not None else []
+        placed += [(dotted(ShaftInputs.extras, i, Extra.z), extra.z) for i, extra in enumerate(self.extras)]
         yield from ((key, outside) for key, z in (*placed, *masses) if not start <= z <= end)
 
 

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from ..library.catalogue import Material
 from ..sheet.text import Text
 from .bending.shaft import Bending
-from .inputs import CountershaftInputs
+from .inputs import ShaftInputs
 from .outline import Journals
 
-SLOPES_GIVEN = Text("The slopes of the journals are those given in [bearings] (slope_mrad), not computed.")
+SLOPES_GIVEN = Text("The slopes of the journals are those given with them (slope_mrad), not computed.")
 
 
-def notes(shaft: CountershaftInputs, journals: Journals) -> Iterator[Text]:
+def notes(shaft: ShaftInputs, journals: Journals) -> Iterator[Text]:
     """What holds for every shaft; `journals`: (diameter, length) of each, empty where they are not known."""
     yield Text(
         "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter."
@@ -28,7 +28,7 @@ def notes(shaft: CountershaftInputs, journals: Journals) -> Iterator[Text]:
         )
 
 
-def size_notes(shaft: CountershaftInputs) -> Iterator[Text]:
+def size_notes(shaft: ShaftInputs) -> Iterator[Text]:
     """What of the design a sized shaft does not use."""
     for word, given in (("masses", shaft.masses), ("sections", shaft.sections)):
         if given:
@@ -42,7 +42,7 @@ def outline_note(sized: bool, gear: bool) -> Text:
         return Text("The outline is put together from the sectors, the core, the journals{text}.", text=text)
     return Text(
         "The outline is put together: each eccentric mass as a sector of its mass, centre of gravity and place, "
-        "the core, the journals{text}; the true shape may be given as [[countershaft.sections]].",
+        "the core, the journals{text}; the true shape may be given as [[shafts.sections]].",
         text=text,
     )
 

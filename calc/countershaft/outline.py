@@ -39,7 +39,8 @@ from ..sheet.units import (
     SquareMetres,
 )
 from ..sheet.value import about, based_on, untraced
-from .inputs import CountershaftInputs, EccentricMass
+from .inputs import EccentricMass, ShaftInputs
+from .rows import EACH_ROW, SHAFT, BearingRow
 
 # --- the cross-section: a core of radius r_0 and on it a sector of half-angle γ out to the radius R
 # Area and static moment are those of the sector alone, without the core; valid for 0 < γ ≤ π.  All formulas take
@@ -186,7 +187,7 @@ CORE = CheckRule(
     source=Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts"),
     advice=Text("A larger core."),
     role="physics",
-    moved_by=(dotted("countershaft", CountershaftInputs.core_radius),),
+    moved_by=(dotted(SHAFT, ShaftInputs.core_radius),),
 )
 MASS_SHAPE = CheckRule(
     "countershaft.mass_shape",
@@ -196,13 +197,13 @@ MASS_SHAPE = CheckRule(
     unit="mm",
     source=SECTOR,
     advice=Text(
-        "Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is judged."
+        "Give the true shape as [[shafts.sections]], or a larger outer radius: nothing of its bending is judged."
     ),
     role="self",
     zero="outer radius",
     moved_by=(
-        dotted("countershaft", CountershaftInputs.sections),
-        dotted("countershaft", CountershaftInputs.outer_radius),
+        dotted(SHAFT, ShaftInputs.sections),
+        dotted(SHAFT, ShaftInputs.outer_radius),
     ),
 )
 CROSSING = CheckRule(
@@ -212,14 +213,15 @@ CROSSING = CheckRule(
     sense="<=",
     unit="mm",
     source=Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius"),
-    advice=Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]]."),
+    advice=Text("Move them apart, widen the envelope, or give the true shape as [[shafts.sections]]."),
     role="chosen",
     exact=True,
     zero="length of the shorter piece",
     moved_by=(
-        dotted("countershaft", CountershaftInputs.masses),
-        dotted("countershaft", CountershaftInputs.outer_radius),
-        dotted("countershaft", CountershaftInputs.journals),
+        dotted(SHAFT, ShaftInputs.masses),
+        dotted(SHAFT, ShaftInputs.outer_radius),
+        dotted(EACH_ROW, BearingRow.diameter),
+        dotted(EACH_ROW, BearingRow.length),
     ),
 )
 
@@ -375,8 +377,8 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
 
 
-def given(shaft: CountershaftInputs) -> Outline:
-    """The outline of [[countershaft.sections]]."""
+def given(shaft: ShaftInputs) -> Outline:
+    """The outline of [[shafts.sections]]."""
     pieces = []
     for s in sorted(shaft.sections, key=lambda section: section.from_):
         what = "sector" if s.half_angle else "full"
@@ -415,12 +417,12 @@ def _no_sector(mass: EccentricMass, R: Metre, r_0: Metre, t: Number) -> NoOutlin
         within=within,
     )
     name = Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name)
-    shape = Missing((dotted("countershaft", CountershaftInputs.sections),), (SECTOR,), "holds", "none")
+    shape = Missing((dotted(SHAFT, ShaftInputs.sections),), (SECTOR,), "holds", "none")
     return NoOutline(reason, MASS_SHAPE(mass.radius, most, name=name, scale=R, missing=shape))
 
 
 def assembled(
-    shaft: CountershaftInputs, sectors: list[Piece], journals: Journals, gear: tuple[Metre, Metre] | None
+    shaft: ShaftInputs, sectors: list[Piece], journals: Journals, gear: tuple[Metre, Metre] | None
 ) -> Outline:
     """Sectors, journals and gear (diameter, length of each), joined by the core, with a stub around each overhung
     element that reaches as far beyond as before it.  A gear without a place stands ahead of the front journal, against
@@ -453,17 +455,17 @@ def assembled(
     return outline(tuple(pieces), derived=True)
 
 
-def known(shaft: CountershaftInputs, R: Metre | None, journals: Journals) -> tuple[Metre, Metre]:
+def known(shaft: ShaftInputs, R: Metre | None, journals: Journals) -> tuple[Metre, Metre]:
     """Outer and core radius of the sectors.  Raises NoOutline where these or the journals are not known."""
     r_0 = shaft.core_radius
     if R is None or r_0 is None or not journals:
         needed = (
-            (dotted(CountershaftInputs.core_radius), r_0),
-            (dotted(CountershaftInputs.outer_radius), R),
-            (Text("[bearings] or [[countershaft.journals]]"), journals or None),
+            (dotted(ShaftInputs.core_radius), r_0),
+            (dotted(ShaftInputs.outer_radius), R),
+            (Text("diameter and length of the bearings"), journals or None),
         )
         missing = Text(" and ").join([name for name, given in needed if given is None])
-        raise NoOutline(Text("give [[countershaft.sections]], or {missing}", missing=missing))
+        raise NoOutline(Text("give [[shafts.sections]], or {missing}", missing=missing))
     return R, r_0
 
 
@@ -514,7 +516,7 @@ def hollowed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass
                 unit=unit,
                 source=Text("geometry: no hole takes away more than stands there"),
                 advice=Text("Look at the mass and the radius of the further elements: below zero it is a hole's."),
-                moved_by=(dotted("countershaft", CountershaftInputs.extras),),
+                moved_by=(dotted(SHAFT, ShaftInputs.extras),),
             )
             words = dict(less=Amount(check.value, unit), limit=check.limit_text())
             raise NoOutline(Text("the further elements take away {less}, needs {limit}", **words), check)

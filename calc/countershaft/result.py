@@ -20,7 +20,7 @@ from ..sheet.units import (
 )
 from . import formulas as f
 from .bending.shaft import Bending
-from .inputs import CountershaftInputs
+from .inputs import ShaftInputs
 from .making.unbalance import HolesResult, ToleranceResult
 from .outline import Outline
 
@@ -166,15 +166,27 @@ class CountershaftResult:
     outline: Outline | None = None
 
     @property
+    def loads(self) -> tuple[Newton, ...]:
+        """What its bearings carry, front to rear."""
+        between = [support.reaction for support in self.support.values()][1:-1]
+        return self.reaction_front, *between, self.reaction_rear
+
+    @property
+    def slopes(self) -> tuple[Radian | None, ...]:
+        """Of its journals, front to rear; None where they are not known."""
+        between = [support.slope for support in self.support.values()][1:-1]
+        return self.slope_front, *between, self.slope_rear
+
+    @property
     def vectors(self) -> tuple[complex, complex]:
         """Force and couple, cylinder 1 at TDC."""
         return self.force_vector, self.couple_vector
 
-    def turning(self, shaft: CountershaftInputs, kind: str) -> tuple[complex, complex]:
+    def turning(self, shaft: ShaftInputs, kind: str) -> tuple[complex, complex]:
         """What turns with the crank and what turns against it, of the `kind` force or couple; of a pair both shafts."""
         couple = kind == "couple"
         supplied = self.couple_vector if couple else self.force_vector
         mirrored = 0j  # of the other shaft of a pair, which turns the other way
-        if shaft.pair == "yes":
+        if shaft.paired:
             mirrored = f.mirrored_couple(C_S=supplied) if couple else f.mirrored_force(F_S=supplied)
         return (supplied, mirrored) if shaft.speed_ratio > 0 else (mirrored, supplied)

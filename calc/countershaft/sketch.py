@@ -53,9 +53,10 @@ from .checks import (
     SUPPORT_HEAT_INDEX,
     SUPPORT_SPECIFIC_LOAD,
 )
-from .inputs import CountershaftInputs, EccentricMass, Holes
+from .inputs import EccentricMass, Holes, ShaftInputs
 from .outline import Outline, Piece
 from .result import CountershaftResult
+from .rows import EACH_ROW, SHAFT, BearingRow
 from .sizing.sectors import SizedSector
 
 if TYPE_CHECKING:
@@ -63,18 +64,15 @@ if TYPE_CHECKING:
     from ..solve import Results
 
 STEP = "countershaft"
-MASSES = dotted(STEP, CountershaftInputs.masses)
-OUTER = dotted(STEP, CountershaftInputs.outer_radius)
-CORE = dotted(STEP, CountershaftInputs.core_radius)
-LENGTH = dotted(STEP, CountershaftInputs.half_length)
-POSITIONS = dotted(STEP, CountershaftInputs.bearing_positions)
-HOLES = dotted(STEP, CountershaftInputs.holes)
-GEAR = dotted(STEP, CountershaftInputs.gear_z)
-SECTIONS = dotted(STEP, CountershaftInputs.sections)
-JOURNALS = (  # of the bearings, whose inputs stand above this step
-    f"{dotted(STEP, CountershaftInputs.journals)} bearings.front.diameter_mm bearings.front.length_mm "
-    "bearings.rear.diameter_mm bearings.rear.length_mm"
-)
+MASSES = dotted(SHAFT, ShaftInputs.masses)
+OUTER = dotted(SHAFT, ShaftInputs.outer_radius)
+CORE = dotted(SHAFT, ShaftInputs.core_radius)
+LENGTH = dotted(SHAFT, ShaftInputs.half_length)
+POSITIONS = dotted(EACH_ROW, BearingRow.position)
+HOLES = dotted(SHAFT, ShaftInputs.holes)
+GEAR = dotted(SHAFT, ShaftInputs.gear_z)
+SECTIONS = dotted(SHAFT, ShaftInputs.sections)
+JOURNALS = f"{dotted(EACH_ROW, BearingRow.diameter)} {dotted(EACH_ROW, BearingRow.length)}"
 OF_MASSES = (RESIDUAL, RESIDUAL_FORCE, ENVELOPE, ENVELOPE_LENGTH, OUTLINE_FORCE)
 SHADES = {"sector": 0.5, "journal": 0.25, "gear": 0.25, "full": 0.25, "core": 0.12}
 EXAGGERATED: Number = 1000.0  # of the bending line, or a power of ten beside it
@@ -90,7 +88,7 @@ class View:
     """What of the shaft is drawn: its pieces, or where its outline is not known its journals and masses; `up`: what is
     drawn up."""
 
-    shaft: CountershaftInputs
+    shaft: ShaftInputs
     pieces: tuple[Piece, ...]
     up: Radian
     radius: Metre  # the largest
@@ -106,7 +104,7 @@ class View:
 def sketch(design: "Design", results: "Results") -> Sketch:
     """The shaft of a design, as far as it is known."""
     outcome = results.outcomes[STEP]
-    shaft: CountershaftInputs | None = design.countershaft
+    shaft: ShaftInputs | None = design.countershaft
     result = outcome.result
     if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
@@ -135,13 +133,13 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     return Sketch(tuple(side), tuple(notes), beside=(Sketch(tuple(_end_view(view)), title=Text("from the front")),))
 
 
-def _shaped(shaft: CountershaftInputs, outline: Outline, state: State) -> View:
+def _shaped(shaft: ShaftInputs, outline: Outline, state: State) -> View:
     up = upwards(outline)
     largest = max(max(reach(piece, up)) for piece in outline.pieces)
     return View(shaft, tuple(drawn(outline)), up, largest, outline.start, outline.end, state)
 
 
-def _envelope(shaft: CountershaftInputs, sectors: tuple[SizedSector, ...], state: State) -> View:
+def _envelope(shaft: ShaftInputs, sectors: tuple[SizedSector, ...], state: State) -> View:
     """A shaft that is sized, but has no journals yet: its sectors on the core, from bearing to bearing."""
     start, end = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     R, r_0 = shaft.outer_radius or 0.0, shaft.core_radius or 0.0
@@ -155,12 +153,12 @@ def _envelope(shaft: CountershaftInputs, sectors: tuple[SizedSector, ...], state
     return View(shaft, tuple(pieces), heavy[0].angle if heavy else 0.0, R, start, end, state)
 
 
-def _points(shaft: CountershaftInputs, state: State) -> View:
+def _points(shaft: ShaftInputs, state: State) -> View:
     """The journals, if their sizes are given; the masses are added as points."""
     places = (*shaft.bearing_positions, *(mass.z for mass in shaft.masses))
     journals = tuple(
-        Piece(z - journal.length / 2, z + journal.length / 2, journal.diameter / 2, 0.0, None, 0.0, "journal")
-        for z, journal in zip(shaft.bearing_positions, shaft.journals)
+        Piece(z - length / 2, z + length / 2, diameter / 2, 0.0, None, 0.0, "journal")
+        for z, (diameter, length) in zip(shaft.bearing_positions, shaft.journals)
     )
     start, end = (
         min((*places, *(piece.start for piece in journals))),
@@ -218,7 +216,8 @@ def _supports(view: View, checks: Iterable[Check]) -> Iterator[Mark]:
         if n in (0, len(positions) - 1):
             ids.append(SLOPE_REAR.id if n else SLOPE_FRONT.id)
         foot = ((z, -low), (z + size, -low - size), (z - size, -low - size))
-        yield Polyline(OUTLINE, foot, True, f"{POSITIONS} {POSITIONS}.{n}", judged(checks, *ids))
+        here = dotted(SHAFT, ShaftInputs.bearings, view.shaft.bearings[n].name, BearingRow.position)
+        yield Polyline(OUTLINE, foot, True, f"{POSITIONS} {here}", judged(checks, *ids))
 
 
 def _dimensions(view: View) -> Iterator[Mark]:
@@ -273,12 +272,12 @@ def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[M
         factor *= 10
     state = judged(checks, *(rule.id for rule in (BENDING_STRESS, FIRST_CRITICAL_SPEED, SLOPE_FRONT, SLOPE_REAR)))
     points = tuple(zip(bending.z.tolist(), (sag * factor).tolist()))
-    share = dotted(STEP, CountershaftInputs.sector_effectiveness)
+    share = dotted(SHAFT, ShaftInputs.sector_effectiveness)
     marks: list[Mark] = [Polyline(HIDDEN, points, key=share, state=state)]
     worn = judged(checks, FATIGUE.id, NOTCH_STRESS.id)
     if worn and bending.notch_z is not None:
         z, half = bending.notch_z, 0.8 * view.radius
-        fillet = dotted(STEP, CountershaftInputs.fillet_radius)
+        fillet = dotted(SHAFT, ShaftInputs.fillet_radius)
         marks.append(Polyline(OUTLINE, ((z, -half), (z, half)), key=fillet, state=worn))
     return marks, factor
 

@@ -38,7 +38,7 @@ from .bending.formulas import film_stiffness, in_series
 from .bending.shaft import bending, on_springs, run_up_fatigue
 from .checks import FILLET_ROOM, bending_checks, checks, fem_checks
 from .curves import curves
-from .inputs import CountershaftInputs, EccentricMass
+from .inputs import EccentricMass, ShaftInputs
 from .making.drain import DrainResult, run_off_check
 from .making.parts import ShaftStep, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
@@ -54,22 +54,22 @@ if TYPE_CHECKING:
 
 
 def solve(
-    shaft: CountershaftInputs,
+    shaft: ShaftInputs,
     imbalance: ImbalanceResult,
     omega: RadPerSecond,
     materials: Mapping[str, Material],
-    journals: Journals,
     gear: Gear | None,
-    slopes: tuple[float, ...] | None = None,
     fastest: Number = 1.0,
+    *,
+    judged: bool,
 ) -> Outcome[CountershaftResult]:
     """Check a shaft against what the engine asks for, or size it first.
 
-    `omega` is the crank's rated angular speed; `journals` are those of [bearings] or of the shaft itself, empty where
-    they are not known; `slopes` are those of the journals where they are given, for a shaft whose outline is not known;
-    `fastest`: the highest speed of the crank over the rated one.
+    `omega` is the crank's rated angular speed; `fastest`: the highest speed of the crank over the rated one; `judged`:
+    the films of its bearings are judged by the step that follows, else their loads are screened here.
     """
-    todo = task(shaft, imbalance)
+    todo, journals = task(shaft, imbalance), shaft.journals
+    slopes = [row.slope for row in shaft.bearings]
     with trace() as lines:
         step = ShaftStep(shaft, todo, materials, journals, f.shaft_speed(i=shaft.speed_ratio, omega=omega))
         masses, sized = shaft.masses, _sized(step)
@@ -92,10 +92,10 @@ def solve(
         if outline is not None:
             certain = sized is not None or not outline.derived
             result = _with_outline(step, masses, result, outline, certain, fastest)
-        elif slopes:
+        elif any(slope is not None for slope in slopes):
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
             step.notes.append(SLOPES_GIVEN)
-        result = making(step, masses, _with_supports(step, masses, result), R)
+        result = making(step, masses, _with_supports(step, masses, result, judged), R)
         if shaft.fem_principal_stress:
             result = replace(result, fem_safety=fem_safety(shaft.fem_principal_stress, step.material))
         step.checks += fem_checks(shaft, step.material, result.fem_safety)
@@ -139,7 +139,7 @@ def fem_safety(stress: Pascal, material: Material) -> Number | None:
         return run_up_fatigue(stress, material).get("fatigue_safety")
 
 
-def _room(shaft: CountershaftInputs, journals: Journals) -> str:
+def _room(shaft: ShaftInputs, journals: Journals) -> str:
     """What the journals leave for the envelope, in words."""
     if not journals:
         return ""
@@ -222,7 +222,7 @@ def _with_outline(
 
 
 def _with_supports(
-    step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult
+    step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult, judged: bool
 ) -> CountershaftResult:
     """The same result with what its supports carry: of the bent shaft where its outline is known, and beside it what
     the sources' formulas give, of a shaft that does not bend; support by support where there are more than two or the
@@ -243,7 +243,7 @@ def _with_supports(
     result = replace(result, reactions=forces, reaction_front=loads[0], reaction_rear=loads[-1])
     if len(positions) > 2 or bent is not None:
         step.notes.append(supports_note(bent is not None))
-    if len(positions) == 2 and not shaft.journals:
+    if len(positions) == 2 and (judged or not journals):
         return result
     support = {}
     n_S = f.revolutions(omega=result.omega)
@@ -298,7 +298,7 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     couple, phase, force = f.couple(C_S=C_S), f.couple_phase(C_S=C_S), f.force(F_S=F_S)
     C_against, F_against = todo.C_against, todo.F_against
-    if shaft.pair == "yes":
+    if shaft.paired:
         with about(Text("twin shaft")):
             C_against = f.residual_vector(C_like=C_against, C_S=f.mirrored_couple(C_S=C_S))
             F_against = f.residual_force_vector(F_like=F_against, F_S=f.mirrored_force(F_S=F_S))
@@ -324,7 +324,7 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
         couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
         roll_torque=None
-        if shaft.axis is None or shaft.pair == "yes"
+        if shaft.axis is None or shaft.paired
         else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
         force_vector=F_S,
         couple_vector=C_S,

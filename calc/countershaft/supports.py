@@ -29,7 +29,7 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, trace
 from . import formulas as f
-from .inputs import CountershaftInputs
+from .inputs import ShaftInputs
 from .outline import middles
 from .result import CountershaftResult, Standing
 
@@ -180,7 +180,7 @@ def standing(
 
 
 def with_standing(
-    outcome: Outcome[CountershaftResult], shaft: CountershaftInputs, gear: Gear | None, drive: ShaftDrive | None
+    outcome: Outcome[CountershaftResult], shaft: ShaftInputs, gear: Gear | None, drive: ShaftDrive | None
 ) -> Outcome[CountershaftResult]:
     """The same outcome with its weight and its gear's force on the bearings; on two bearings only."""
     if len(shaft.bearing_positions) != 2:
@@ -191,7 +191,7 @@ def with_standing(
 
 
 def standing_of(
-    result: CountershaftResult, shaft: CountershaftInputs, gear: Gear | None, drive: ShaftDrive | None
+    result: CountershaftResult, shaft: ShaftInputs, gear: Gear | None, drive: ShaftDrive | None
 ) -> Standing:
     """What stands still on the two bearings of a solved shaft; the power of its drive may be an array."""
     z_f, z_r = shaft.bearing_positions
@@ -204,7 +204,7 @@ def standing_of(
     return standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, result, gear), drive)
 
 
-def gear_place(shaft: CountershaftInputs, result: CountershaftResult, gear: Gear | None) -> Metre | None:
+def gear_place(shaft: ShaftInputs, result: CountershaftResult, gear: Gear | None) -> Metre | None:
     """The middle of the gear: given, or as the outline has it; else the front bearing's."""
     if gear is None:
         return None

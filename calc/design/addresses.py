@@ -6,8 +6,8 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator
 
-from ..bearings.inputs import BearingsInputs
-from ..countershaft.inputs import CountershaftInputs
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import IN_WORDS
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
@@ -204,20 +204,16 @@ def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quan
 ARRAYS = (
     dotted(GearsInputs.wheels),
     dotted(GearsInputs.meshes),
-    dotted(CountershaftInputs.masses),
-    dotted(CountershaftInputs.extras),
-    dotted(CountershaftInputs.sections),
-    dotted(CountershaftInputs.journals),
+    dotted(ShaftInputs.masses),
+    dotted(ShaftInputs.extras),
+    dotted(ShaftInputs.sections),
     dotted(ImbalanceInputs.unbalances),
     dotted(ImbalanceInputs.crank_bodies),
 )
 NUMBERED = {
     dotted(GearsInputs.meshes): Text("mesh"),
-    dotted(CountershaftInputs.sections): Text("section"),
-    dotted(CountershaftInputs.journals): Text("journal"),
+    dotted(ShaftInputs.sections): Text("section"),
 }
-# tables whose names are the program's
-PLACES = {dotted(BearingsInputs.front): Text("front"), dotted(BearingsInputs.rear): Text("rear")}
 
 
 def called(key: str, about: Quantity) -> Text:
@@ -225,16 +221,29 @@ def called(key: str, about: Quantity) -> Text:
     label, place = about.brief or Small(about.label), place_words(key)
     if not place:
         return label
-    if key.split(".")[1] in ARRAYS:
+    if in_array(key):
         return Text("{label} of {place}", label=label, place=place)
-    return Text("{place} {change}", place=PLACES.get(place, place), change=label)
+    return Text("{place} {change}", place=IN_WORDS.get(place, place), change=label)
 
 
 def place_words(key: str) -> str:
     """The element or the table that a key stands in, without the step: `central`, `front`; a mesh by its number from
     1."""
-    inner = [part for part in key.split(".")[1:-1] if part not in ARRAYS]
+    way = within(key)[:-1]
+    inner = [part for part in way if part not in ARRAYS]
     if inner and inner[0].isdigit():
-        array = key.split(".")[1]
-        return Text("{array} {n}", array=NUMBERED.get(array, array), n=int(inner[0]) + 1)
+        return Text("{array} {n}", array=NUMBERED.get(way[0], way[0]), n=int(inner[0]) + 1)
     return " ".join(inner)
+
+
+def in_array(key: str) -> bool:
+    """Whether a key is of an element of an array that is not named where its elements are."""
+    return within(key)[0] in ARRAYS
+
+
+def within(key: str) -> list[str]:
+    """The parts of a key within its step: without the table that they stand in, or their shaft."""
+    first, *parts = key.split(".")
+    if first != dotted(Design.shafts):
+        return parts or [first]
+    return parts[2:] if parts[1:2] == [dotted(ShaftInputs.bearings)] and len(parts) > 2 else parts[1:] or [first]

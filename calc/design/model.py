@@ -2,12 +2,15 @@
 """A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call
 in solve.py."""
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
+from typing import Any
 
-from ..bearings.inputs import BearingInputs, BearingsInputs
+from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
-from ..countershaft.inputs import CountershaftInputs
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import SHAFT, BearingRow
 from ..engine.inputs import EngineInputs
 from ..friction.inputs import FrictionInputs, Scenario, Seal
 from ..gears.inputs import GearsInputs
@@ -15,17 +18,30 @@ from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
 from ..mounting.inputs import MountingInputs
-from ..sheet.quantity import day, dotted, given, inputs, integer, keys, reasons, table, tables, text, unknown
+from ..sheet.quantity import (
+    Quantity,
+    day,
+    dotted,
+    given,
+    inputs,
+    integer,
+    keys,
+    reasons,
+    table,
+    tables,
+    text,
+    unknown,
+)
 from ..sheet.step import Step
 from ..sheet.text import Amount, Small, Text
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
 
-SCHEMA = 1
+SCHEMA = 2
 
 STEPS = (
     Step("engine", Text("Engine"), EngineInputs),
     Step("imbalance", Text("Imbalance"), ImbalanceInputs),
-    Step("countershaft", Text("Counter-shaft"), CountershaftInputs),
+    Step("countershaft", Text("Counter-shaft"), ShaftInputs),
     Step("bearings", Text("Bearings"), BearingsInputs),
     Step("gears", Text("Gears"), GearsInputs),
     Step("friction", Text("Friction"), FrictionInputs),
@@ -38,13 +54,15 @@ STEP_LIST = ", ".join(STEP_KEYS)
 OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
 NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")
 Problems = Iterable[tuple[str, Text]]  # keys, each with what is wrong there
+JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
+SCREENED = ("name", "position", "kind", "diameter", "length")  # of a bearing that [bearings] does not judge
 
 
 @inputs
 class Design:
     """Everything that a design file says, checked and in SI."""
 
-    schema: int = integer("Schema", within=(1, SCHEMA))
+    schema: int = integer("Schema", within=(SCHEMA, SCHEMA))
     name: str = text("Name of the design")
     note: str = text("Note", default="")
     author: str = text("Author", default="")
@@ -56,7 +74,7 @@ class Design:
     material: tuple[Material, ...] = tables("Materials of this design", Material, default=())
     engine: EngineInputs | None = table("Engine", EngineInputs, default=None)
     imbalance: ImbalanceInputs | None = table("Imbalance", ImbalanceInputs, default=None)
-    countershaft: CountershaftInputs | None = table("Counter-shaft", CountershaftInputs, default=None)
+    shafts: tuple[ShaftInputs, ...] = tables("Balance shafts", ShaftInputs, default=())
     bearings: BearingsInputs | None = table("Bearings", BearingsInputs, default=None)
     gears: GearsInputs | None = table("Gears", GearsInputs, default=None)
     friction: FrictionInputs | None = table("Friction", FrictionInputs, default=None)
@@ -88,6 +106,30 @@ class Design:
     measured: tuple[Measured, ...] = tables(
         "Measured", Measured, default=(), help="What was measured of this design; it stands beside what is predicted."
     )
+
+    @property
+    def countershaft(self) -> ShaftInputs | None:
+        """The shaft of the design that is no twin, with whether one mirrors it; None where only bearings are asked."""
+        own = self.own
+        return None if own is None or own.mode == "bearings" else own
+
+    @property
+    def own(self) -> ShaftInputs | None:
+        """The shaft that is no twin."""
+        own = next((shaft for shaft in self.shafts if shaft.mirrors is None), None)
+        if own is None or len(self.shafts) == 1:
+            return own
+        return replace(own, paired=True)
+
+    @property
+    def rows(self) -> tuple[BearingRow, ...]:
+        """Its bearings, front to rear."""
+        return self.own.bearings if self.own is not None else ()
+
+    def with_shaft(self, shaft: ShaftInputs) -> "Design":
+        """The same with another shaft in the place of its own."""
+        shaft = replace(shaft, paired=False)
+        return replace(self, shafts=tuple(shaft if there.mirrors is None else there for there in self.shafts))
 
     @property
     def oils(self) -> Mapping[str, Oil]:
@@ -122,6 +164,35 @@ class Design:
     def asked(self) -> tuple[Step, ...]:
         return tuple(s for s in STEPS if getattr(self, s.key) is not None)
 
+    def step_of(self, key: str) -> str:
+        """The step that a key is of, or the id of a value or a check: those of a shaft are the counter-shaft's, but for
+        the bearings of one that [bearings] judges."""
+        return step_of(key, judged=self.bearings is not None)
+
+    def own_key(self, *parts: object) -> str:
+        """The key of an input of its own shaft, by the declared field."""
+        return dotted(Design.shafts, self.own.name if self.own is not None else "S", *parts)
+
+    def in_place(self, key: str) -> tuple[str, ...]:
+        """The keys of this design that the key of a rule stands for: shafts.S is its own shaft, bearings.* each of that
+        shaft's bearings."""
+        if not key.startswith(SHAFT) or self.own is None:
+            return (key,)
+        key = f"{self.own_key()}{key.removeprefix(SHAFT)}"
+        each = f"{self.own_key(ShaftInputs.bearings)}.*"
+        if not key.startswith(each):
+            return (key,)
+        return tuple(f"{self.own_key(ShaftInputs.bearings, row.name)}{key.removeprefix(each)}" for row in self.rows)
+
+    def given(self, step: str) -> Iterator[tuple[str, Quantity, Any]]:
+        """The inputs of a step that are not left out: key with the names of elements, description, content in SI."""
+        tables: list[tuple[str, object]] = [] if step == "countershaft" else [(step, getattr(self, step))]
+        if step in ("countershaft", "bearings"):
+            tables += [(dotted(Design.shafts, shaft.name), shaft) for shaft in self.shafts]
+        for way, there in tables:
+            if there is not None:
+                yield from (row for row in given(there, way, named=True) if self.step_of(row[0]) == step)
+
     def problems(self) -> Problems:
         """What only the whole design can show: (key, reason)."""
         if not self.asked():
@@ -133,10 +204,14 @@ class Design:
         yield from self._names()
         if self.engine is not None:
             yield from self._cranks(self.engine)
-        if self.countershaft is not None:
-            yield from _within("countershaft", self._countershaft(self.countershaft))
+        yield from self._twins()
+        for n, shaft in enumerate(self.shafts):
+            if shaft.mirrors is None:
+                way = dotted(Design.shafts, n)
+                yield from self._rows([(dotted(way, ShaftInputs.bearings, i), r) for i, r in enumerate(shaft.bearings)])
+                yield from _within(way, self._shaft(shaft))
         if self.bearings is not None:
-            yield from _within("bearings", self._bearings(self.bearings))
+            yield from self._bearings(self.bearings)
         if self.mounting is not None:
             yield from self._mounting(self.mounting)
         if self.friction is not None:
@@ -167,8 +242,10 @@ class Design:
     def _names(self) -> Problems:
         """Oils and materials that are named and not there, and wheels that lose power and are not there."""
         catalogues: Mapping[str, Collection[str]] = {"oils": self.oils, "materials": self.materials}
-        for step in self.asked():
-            for key, about, name in given(getattr(self, step.key), step.key):
+        tables = [(step, getattr(self, step)) for step in STEP_KEYS if step != "countershaft"]
+        tables += [(dotted(Design.shafts, n), shaft) for n, shaft in enumerate(self.shafts)]
+        for way, there in tables:
+            for key, about, name in given(there, way) if there is not None else ():
                 if about.catalogue in catalogues and name not in catalogues[about.catalogue]:
                     yield key, _unknown_name(name, catalogues[about.catalogue])
         if self.friction is not None and self.gears is not None:
@@ -202,20 +279,59 @@ class Design:
             must = Text("must be a cylinder of this engine, from 1 to {cylinders}", cylinders=engine.cylinders)
             yield dotted(ImbalanceInputs.crank_bodies_throw_at_tdc), must
 
-    def _countershaft(self, shaft: CountershaftInputs) -> Problems:
-        places = shaft.bearing_positions
-        if self.bearings is not None:
-            if len(places) > 2:
-                two = Text("[bearings] has a front and a rear one: give two, or the sizes as journals")
-                yield dotted(CountershaftInputs.bearing_positions), two
-            if shaft.journals:
-                theirs = Text("are those of [bearings]; leave them out here, or [bearings]")
-                yield dotted(CountershaftInputs.journals), theirs
+    def _twins(self) -> Problems:
+        """Each mirrors an earlier shaft, and no two the same; there is one shaft of its own."""
+        before: list[str] = []
+        own, mirrored = 0, set[str]()
+        for n, shaft in enumerate(self.shafts):
+            if shaft.mirrors is None:
+                own += 1
+                before.append(shaft.name)
+                if own > 1:
+                    one = Text("is a second shaft of its own; this version designs one, and a mirror image of it")
+                    yield dotted(Design.shafts, n, ShaftInputs.name), one
+                continue
+            key = dotted(Design.shafts, n, ShaftInputs.mirrors)
+            if shaft.mirrors == shaft.name:
+                yield key, Text("is the shaft itself; name an earlier one")
+            elif shaft.mirrors not in before:
+                yield key, _unknown_name(shaft.mirrors, before)
+            elif shaft.mirrors in mirrored:
+                yield key, Text("has a mirror image already")
+            mirrored.add(shaft.mirrors)
+
+    def _rows(self, rows: list[tuple[str, BearingRow]]) -> Problems:
+        """What each bearing of a shaft needs: all of it where [bearings] judges its film; else its place, and a size
+        for all of them or for none."""
+        if self.bearings is None:
+            for key, row in rows:
+                if row.sized != rows[0][1].sized or (row.diameter is None) != (row.length is None):
+                    alike = Text("give diameter and length of all bearings, or of none")
+                    yield dotted(key, BearingRow.diameter), alike
+                    break
+            for key, row in rows:
+                for entry in keys(BearingRow).values():
+                    if entry.attribute not in SCREENED and getattr(row, entry.attribute) != entry.field.default:
+                        yield (
+                            f"{key}.{entry.key}",
+                            Text("is for bearings that are judged: add [bearings], or leave it out"),
+                        )
+            return
+        for key, row in rows:
+            yield from _within(key, self.bearings.asked_of(row))
+            if row.sized:
+                yield from _within(dotted(Design.bearings), self.bearings.beside(row))
+        if len(rows) > 2:
+            two = Text("[bearings] judges two bearings a shaft; leave it out, and more are screened by their sizes")
+            yield rows[0][0].rpartition(".")[0], two
+
+    def _shaft(self, shaft: ShaftInputs) -> Problems:
+        if shaft.mode == "bearings":
+            return
+        places, journals = shaft.bearing_positions, shaft.journals
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
             must = Text("must be -1 where [bearings] or [gears] carry the shaft")
-            yield dotted(CountershaftInputs.speed_ratio), must
-        bearings = [self.bearings.front, self.bearings.rear] if self.bearings is not None else []
-        journals = [(j.diameter, j.length) for j in shaft.journals or bearings]
+            yield dotted(ShaftInputs.speed_ratio), must
         lengths = [length for _, length in journals]
         if shaft.outer_radius is None and journals and not shaft.sections:
             widest = max(diameter for diameter, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
@@ -223,11 +339,11 @@ class Design:
                 must = Text(
                     "must be smaller than what the largest journal leaves to the sectors, {R} mm", R=_in_mm(widest)
                 )
-                yield dotted(CountershaftInputs.core_radius), must
+                yield dotted(ShaftInputs.core_radius), must
         for i, (a, b, l_a, l_b) in enumerate(zip(places, places[1:], lengths, lengths[1:]), 1):
             if b - a < (l_a + l_b) / 2 - 1e-9:
                 near = Text("its journal overlaps the one before it, {b} mm away", b=_in_mm(b - a))
-                yield dotted(CountershaftInputs.bearing_positions, i), near
+                yield dotted(ShaftInputs.bearings, i, BearingRow.position), near
         if shaft.sections and len(lengths) == len(places):
             start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
             reach = Text("from {start} to {end} mm", start=_in_mm(start), end=_in_mm(end))
@@ -235,7 +351,7 @@ class Design:
                 if z - l / 2 < start - 1e-9 or z + l / 2 > end + 1e-9:
                     parts = dict(l=_in_mm(l), reach=reach)
                     beyond = Text("its journal, {l} mm long, reaches beyond the shaft's sections, {reach}", **parts)
-                    yield dotted(CountershaftInputs.bearing_positions, i), beyond
+                    yield dotted(ShaftInputs.bearings, i, BearingRow.position), beyond
                 there = min((s.outer_radius for s in shaft.sections if s.from_ <= z <= s.to), default=0.0)
                 if d / 2 < there - 1e-6:
                     thick = Text(
@@ -243,30 +359,32 @@ class Design:
                         d=_in_mm(d),
                         there=_in_mm(2 * there),
                     )
-                    yield dotted(CountershaftInputs.bearing_positions, i), thick
+                    yield dotted(ShaftInputs.bearings, i, BearingRow.position), thick
 
     def _bearings(self, bearings: BearingsInputs) -> Problems:
         """What the tables of bearings do not have, and what bearings need that stand alone."""
         if bearings.bush_material is not None and (wrong := bush_problem(bearings.bush_material)) is not None:
-            yield dotted(BearingsInputs.bush_material), wrong
+            yield dotted(Design.bearings, BearingsInputs.bush_material), wrong
         if (wrong := application_problem(bearings.application)) is not None:
-            yield dotted(BearingsInputs.application), wrong
+            yield dotted(Design.bearings, BearingsInputs.application), wrong
         if self.engine is None and bearings.speed is None:
-            yield dotted(BearingsInputs.speed), NEEDS_ENGINE
-        unloaded = [place for place in ("front", "rear") if getattr(bearings, place).load is None]
-        if self.countershaft is None:
+            yield dotted(Design.bearings, BearingsInputs.speed), NEEDS_ENGINE
+        unloaded = [i for i, row in enumerate(self.rows) if row.load is None]
+        if not self.shafts:
+            yield dotted(Design.shafts), Text("needs [[shafts]] with a row [[shafts.bearings]] for each bearing")
+        elif self.countershaft is None:
             if bearings.journal_material is None:
-                needed = Text("needed where there is no [countershaft] table to take it from")
-                yield dotted(BearingsInputs.journal_material), needed
-            for place in unloaded:
-                needed = Text("needed where there is no [countershaft] table whose reactions it carries")
-                yield dotted(place, BearingInputs.load), needed
+                needed = Text("needed where no shaft has a material to take it from")
+                yield dotted(Design.bearings, BearingsInputs.journal_material), needed
+            for i in unloaded:
+                needed = Text("needed where there is no shaft whose reactions it carries")
+                yield dotted(Design.shafts, 0, ShaftInputs.bearings, i, BearingRow.load), needed
         elif self.engine is not None and bearings.speed not in (None, self.engine.rated_speed) and unloaded:
             at = Text("{rated_speed} rpm", rated_speed=Amount(self.engine.rated_speed * 60, form="g"))
             theirs = Text(
-                "the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear", at=at
+                "the shaft's reactions are those of {at}; leave it out, or give load_N of all bearings", at=at
             )
-            yield dotted(BearingsInputs.speed), theirs
+            yield dotted(Design.bearings, BearingsInputs.speed), theirs
 
     def _mounting(self, mounting: MountingInputs) -> Problems:
         """What the mounts ask of the engine."""
@@ -328,6 +446,18 @@ class Design:
         if self.friction is not None and self.bearings is None and gears.power is None:
             needed = Text("needed where there is no [bearings] table whose loss the train carries")
             yield dotted(GearsInputs.power), needed
+
+
+PLACES_OF_ROWS = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.kind))
+
+
+def step_of(key: str, *, judged: bool) -> str:
+    """The step that a key is of; `judged`: the design has [bearings]."""
+    first, *parts = key.split(".")
+    if first != dotted(Design.shafts):
+        return first
+    of_row = len(parts) > 3 and parts[1] == dotted(ShaftInputs.bearings) and parts[3] not in PLACES_OF_ROWS
+    return dotted(Design.bearings) if judged and of_row else "countershaft"
 
 
 def _within(step: str, problems: Problems) -> Problems:

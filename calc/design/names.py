@@ -8,13 +8,14 @@ from functools import cache
 from types import UnionType
 from typing import TYPE_CHECKING, Any, get_args, get_origin
 
-from ..countershaft.inputs import CountershaftInputs
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import IN_WORDS
 from ..engine.inputs import EngineInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.quantity import Published, dotted
 from ..sheet.remedy import Changes
 from ..sheet.text import COMMA, Amount, Name, Small, Text
-from .addresses import ARRAYS, PLACES, called, place_words, quantity_of, value_at
+from .addresses import ARRAYS, called, in_array, place_words, quantity_of, value_at, within
 from .model import STEP_KEYS, Design
 from .toml_file import Document
 
@@ -48,10 +49,10 @@ def _change(document: Document, results: "Results", key: str, new: object) -> Te
         old, new = changed[0] if len(changed) == 1 else (old, new)  # the one number of a list that changes
     label, place = about.brief or Small(about.label), place_words(key)
     parts = dict(label=label, now=written(old), new=written(new, about.unit))
-    if place and key.split(".")[1] in ARRAYS:
+    if place and in_array(key):
         return Text("{label} of {place} {now} → {new}", place=place, **parts)
     change = Text("{label} {now} → {new}", **parts)
-    return Text("{place} {change}", place=PLACES.get(place, place), change=change) if place else change
+    return Text("{place} {change}", place=IN_WORDS.get(place, place), change=change) if place else change
 
 
 def named(document: Document, key: str) -> Text:
@@ -62,8 +63,9 @@ def named(document: Document, key: str) -> Text:
 def published(results: "Results", key: str) -> Published | None:
     """The result that says what the program chose for a key that is left out: `gears.central.profile_shift`,
     `bearings.front.clearance`."""
-    id = ".".join(part for part in key.split(".") if part not in ARRAYS)
-    outcome = results.outcomes.get(key.partition(".")[0])
+    step = results.design.step_of(key)
+    id = ".".join([step, *(part for part in within(key) if part not in ARRAYS)])
+    outcome = results.outcomes.get(step)
     known = {value.id: value for value in outcome.values()} if outcome is not None else {}
     return known.get(id) or known.get(id.rpartition("_")[0])
 
@@ -89,9 +91,9 @@ CHECKED = {  # parts that only checks have, and tables of inputs
     "engine.firing": Text("firing"),
     dotted(Design.engine, EngineInputs.gas): Text("gas"),
     dotted(Design.imbalance, ImbalanceInputs.unbalances): Text("unbalances"),
-    dotted(Design.countershaft, CountershaftInputs.bolts): Text("bolts"),
+    dotted("countershaft", ShaftInputs.bolts): Text("bolts"),
     "countershaft.drain": Text("drain"),
-    dotted(Design.countershaft, CountershaftInputs.holes): Text("holes"),
+    dotted("countershaft", ShaftInputs.holes): Text("holes"),
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),

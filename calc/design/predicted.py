@@ -8,8 +8,9 @@ from functools import partial
 
 import numpy as np
 
-from ..bearings.inputs import BearingInputs, BearingsInputs
+from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingResult
+from ..countershaft.rows import BearingRow
 from ..sheet.deferred import Later
 from ..sheet.quantity import Published, dotted, keys
 from ..sheet.step import Outcome, Table
@@ -164,8 +165,9 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
     changed = replace(design, engine=engine, measured=())
     if bearings is None:
         return changed
-    front, rear = (values.get(dotted(Design.bearings, place, BearingResult.clearance)) for place in ("front", "rear"))
-    bearings = replace(bearings, front=_as_made(bearings.front, front), rear=_as_made(bearings.rear, rear))
+    if (shaft := design.own) is not None:
+        clearances = [values.get(dotted(Design.bearings, row.name, BearingResult.clearance)) for row in shaft.bearings]
+        changed = changed.with_shaft(replace(shaft, bearings=tuple(map(_as_made, shaft.bearings, clearances))))
     if design.engine.bench:
         run = sorted(design.engine.bench, key=lambda row: row.speed)
         if run[0].speed <= speed <= run[-1].speed:
@@ -176,7 +178,7 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
     return replace(changed, bearings=bearings)
 
 
-def _as_made(side: BearingInputs, clearance: Published | None) -> BearingInputs:
+def _as_made(side: BearingRow, clearance: Published | None) -> BearingRow:
     """A bearing whose clearance does not follow the speed."""
     if side.clearance_factor is None or clearance is None:
         return side

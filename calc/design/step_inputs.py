@@ -80,12 +80,8 @@ def overrun(design: Design) -> float:
 
 
 def journals(design: Design) -> tuple[tuple[float, float], ...]:
-    """Diameter and length of the shaft's journals, front to rear: its own, or those of the bearings; empty where they
-    are not known."""
-    if design.countershaft is not None and design.countershaft.journals:
-        return tuple((j.diameter, j.length) for j in design.countershaft.journals)
-    sides = (design.bearings.front, design.bearings.rear) if design.bearings is not None else ()
-    return tuple((side.diameter, side.length) for side in sides)
+    """Diameter and length of the shaft's journals, front to rear; empty where they are not known."""
+    return design.own.journals if design.own is not None else ()
 
 
 def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
@@ -253,7 +249,7 @@ def shaft_on_engine(
         countershaft.speed_ratio,
         result.force_vector,
         result.couple_vector,
-        countershaft.pair == "yes",
+        countershaft.paired,
         countershaft.axis,
         shaft_errors(design, result, train.result),
         shaft_teeth(design),

@@ -9,8 +9,9 @@ from dataclasses import replace
 from statistics import median
 from typing import Any
 
-from ..bearings.inputs import BearingInputs, BearingsInputs
-from ..countershaft.inputs import CountershaftInputs
+from ..bearings.inputs import BearingsInputs
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import ROW, SHAFT, BearingRow, row_key
 from ..engine.gas import COMPRESSION, INTAKE, GasInputs
 from ..engine.inputs import EngineInputs
 from ..gears.inputs import GearsInputs
@@ -22,7 +23,7 @@ from ..sheet.record import record
 from ..sheet.remedy import Change, Remedy, remedy, whole
 from ..sheet.step import Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text, alternatives, plural
-from .addresses import called
+from .addresses import called, within
 from .model import STEP_KEYS, Design
 
 SHOWN = 4
@@ -83,8 +84,8 @@ def unusual(design: Design, steps: Iterable[str] = STEP_KEYS, checks: Iterable[C
 
 def _of_step(design: Design, step: str) -> Iterator[Unusual]:
     """Of its table, and of the materials of this design that it names."""
-    table, names = getattr(design, step), set()
-    for key, about, content in given(table, step, named=True) if table is not None else ():
+    names = set()
+    for key, about, content in design.given(step):
         if about.catalogue:
             names.add(content)
         elif about.usual is not None:
@@ -141,7 +142,12 @@ FAR_OUTSIDE = {
 
 
 def _id(step: str, outlier: Unusual) -> str:
-    return FAR_OUTSIDE[step].id.removesuffix("N") + outlier.key.removeprefix(f"{step}.")
+    return FAR_OUTSIDE[step].of(_at(outlier.key))
+
+
+def _at(key: str) -> str:
+    """Where an input stands in its step, or among the materials of the design."""
+    return key if key.startswith(dotted(Design.material)) else ".".join(within(key))
 
 
 def _far_check(step: str, outlier: Unusual) -> Check:
@@ -150,7 +156,7 @@ def _far_check(step: str, outlier: Unusual) -> Check:
     check = FAR_OUTSIDE[step](
         inside(abs(x) if small else x),
         inside(_least(outlier.usual, about.unit)) if small else (inside(low), inside(high)),
-        at=outlier.key.removeprefix(f"{step}."),
+        at=_at(outlier.key),
         name=Text("Far from usual: {input}", input=called(outlier.key, about)),
         source=about.source,
         sense=">" if small else "in",
@@ -227,9 +233,8 @@ def _doubted(
 
 # --- inputs that do not fit each other
 
-ENGINE, SHAFT, BEARINGS, GEARS, MOUNTING = (
+ENGINE, BEARINGS, GEARS, MOUNTING = (
     Design.engine,
-    Design.countershaft,
     Design.bearings,
     Design.gears,
     Design.mounting,
@@ -420,7 +425,7 @@ AXIS = CheckRule(
     ">=",
     source=Text("geometry: the crank pin turns there"),
     advice=Text("Both numbers are in mm."),
-    moved_by=(dotted(SHAFT, CountershaftInputs.axis), dotted(ENGINE, EngineInputs.crank_radius)),
+    moved_by=(dotted(SHAFT, ShaftInputs.axis), dotted(ENGINE, EngineInputs.crank_radius)),
     of_input=True,
 )
 
@@ -429,7 +434,7 @@ def _countershaft(design: Design) -> Iterator[Check]:
     shaft, engine = design.countershaft, design.engine
     if shaft is not None and engine is not None and shaft.axis is not None:
         away = math.hypot(*shaft.axis) / engine.crank_radius
-        in_metre = _to(CountershaftInputs.axis, tuple([1e3 * x for x in shaft.axis]), SHAFT)
+        in_metre = _to(ShaftInputs.axis, tuple([1e3 * x for x in shaft.axis]), SHAFT)
         yield from _doubted(AXIS, away, 1.0, *([(1e3 * away, (in_metre,))] if away < 1e-2 else []))
 
 
@@ -441,7 +446,7 @@ CORE = CheckRule(
     ">=",
     source=Text("rule of thumb, from what makers build: thin journals are short"),
     advice=Text("Journals are given by their diameter, the core by its radius."),
-    moved_by=(dotted(BEARINGS, "B", BearingInputs.diameter), dotted(SHAFT, CountershaftInputs.core_radius)),
+    moved_by=(dotted(ROW, BearingRow.diameter), dotted(SHAFT, ShaftInputs.core_radius)),
     of_input=True,
 )
 LONG = 0.85  # diameters
@@ -454,7 +459,7 @@ LENGTH = CheckRule(
     "in",
     source=Text("rule of thumb, from what makers build: 0.3 to 1"),
     advice=Text("Length and diameter are in mm."),
-    moved_by=(dotted(BEARINGS, "B", BearingInputs.length), dotted(BEARINGS, "B", BearingInputs.diameter)),
+    moved_by=(dotted(ROW, BearingRow.length), dotted(ROW, BearingRow.diameter)),
     of_input=True,
 )
 LENGTHS = (0.15, 2.0)
@@ -469,7 +474,7 @@ CLEARANCE = CheckRule(
     "‰",
     source=Text("rule of thumb, from what makers build: 0.5 to 4 ‰"),
     advice=Text("The clearance is diametral, in µm."),
-    moved_by=(dotted(BEARINGS, "B", BearingInputs.clearance), dotted(BEARINGS, "B", BearingInputs.diameter)),
+    moved_by=(dotted(ROW, BearingRow.clearance), dotted(ROW, BearingRow.diameter)),
     of_input=True,
 )
 CLEARANCES = (0.2e-3, 10e-3)
@@ -483,7 +488,7 @@ LOAD = CheckRule(
     "MPa",
     source=Text("rule of thumb, from what makers build: 1 to 20 MPa; a bare shaft weighs 0.02"),
     advice=Text("The load is in N."),
-    moved_by=(dotted(BEARINGS, "B", BearingInputs.load), dotted(BEARINGS, "B", BearingInputs.length)),
+    moved_by=(dotted(ROW, BearingRow.load), dotted(ROW, BearingRow.length)),
     of_input=True,
 )
 LOADS = (0.01e6, 150e6)  # Pa
@@ -520,8 +525,8 @@ VISCOSITIES = (0.5e-3, 2.0)  # Pa·s
 def _bearings(design: Design) -> Iterator[Check]:
     bearings, shaft = design.bearings, design.countershaft
     assert bearings is not None
-    for place, bearing in (("front", bearings.front), ("rear", bearings.rear)):
-        yield from _journal(place, bearing, shaft.core_radius if shaft is not None else None)
+    for bearing in design.rows:
+        yield from _journal(bearing.name, bearing, shaft.core_radius if shaft is not None else None)
     p, mu = bearings.supply_pressure, bearings.viscosity
     if p:
         mega = 10 * p
@@ -531,27 +536,27 @@ def _bearings(design: Design) -> Iterator[Check]:
         yield from _doubted(VISCOSITY, mu, VISCOSITIES, *scaled)
 
 
-def _journal(place: str, bearing: BearingInputs, core: float | None) -> Iterator[Check]:
+def _journal(place: str, bearing: BearingRow, core: float | None) -> Iterator[Check]:
     d, l, g, F = bearing.diameter, bearing.length, bearing.clearance, bearing.load
     if core and l > LONG * d:
-        doubled = (_to(BearingInputs.diameter, 2 * d, BEARINGS, place),)
+        doubled = (_to(BearingRow.diameter, 2 * d, row_key(place)),)
         yield from _doubted(CORE, d / (2 * core), 1.0, (d / core, doubled), at=place)
     sizes = [
-        (ratio, (_to(field, x, BEARINGS, place),))
+        (ratio, (_to(field, x, row_key(place)),))
         for slip in (10.0, 0.1, 1000.0, 0.001, 25.4, 1 / 25.4)
         for ratio, field, x in (
-            (slip * l / d, BearingInputs.length, slip * l),
-            (l / (slip * d), BearingInputs.diameter, slip * d),
+            (slip * l / d, BearingRow.length, slip * l),
+            (l / (slip * d), BearingRow.diameter, slip * d),
         )
         if PLAIN_JOURNALS[0] <= x <= PLAIN_JOURNALS[1]
     ]
     yield from _doubted(LENGTH, l / d, LENGTHS, *sizes, at=place)
     if g is not None:
-        scaled = [(x / d, (_to(BearingInputs.clearance, x, BEARINGS, place),)) for x in (1e3 * g, 10 * g, g / 10)]
+        scaled = [(x / d, (_to(BearingRow.clearance, x, row_key(place)),)) for x in (1e3 * g, 10 * g, g / 10)]
         yield from _doubted(CLEARANCE, g / d, CLEARANCES, *scaled, at=place)
     if F is not None:
         kilo = 1e3 * F
-        reading = (kilo / (l * d), (_to(BearingInputs.load, kilo, BEARINGS, place),))
+        reading = (kilo / (l * d), (_to(BearingRow.load, kilo, row_key(place)),))
         yield from _doubted(LOAD, F / (l * d), LOADS, reading, at=place)
 
 
@@ -717,7 +722,7 @@ def _mounting(design: Design) -> Iterator[Check]:
 
 CROSSED: dict[str, Callable[[Design], Iterator[Check]]] = {
     dotted(ENGINE): _engine,
-    dotted(SHAFT): _countershaft,
+    "countershaft": _countershaft,
     dotted(BEARINGS): _bearings,
     dotted(GEARS): _gears,
     dotted(MOUNTING): _mounting,

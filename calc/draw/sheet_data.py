@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from ..countershaft.rows import called
 from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
 from ..sheet.quantity import published
 from ..sheet.record import record
@@ -93,8 +94,8 @@ def _cylinder(results: "Results", piece: "Piece", support: Metre | None) -> tupl
         field = parse(bearings.journal_fit, "shaft")
         named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
         size = deviated(named, *deviations(field, 2 * piece.outer_radius))
-    bearing = {shaft.bearing_positions[0]: bearings.front, shaft.bearing_positions[-1]: bearings.rear}.get(support)
-    return size, None if bearing is None else _roughness(bearing.journal_roughness)
+    bearing = next(row for row in shaft.bearings if row.position == support)
+    return size, _roughness(bearing.journal_roughness)
 
 
 def _roughness(Ra: Metre) -> Text:
@@ -263,21 +264,22 @@ def notes(
         )
     if shaft.fillet_radius is not None:
         yield Text("Fillets at the shoulders R{radius}.", radius=millimetres(shaft.fillet_radius))
-    if (bearings := results.design.bearings) is not None and (clearances := _clearances(results)) is not None:
+    if (bearings := results.design.bearings) is not None and (clearances := _clearances(results)):
         yield Text(
-            "Diametral clearance of the journals in their bearings at {T} °C: {front} µm front, {rear} µm rear.",
+            "Diametral clearance of the journals in their bearings at {T} °C: {clearances}.",
             T=number(UNITS["°C"].shown(bearings.clearance_reference_temperature), 1),
-            front=clearances[0],
-            rear=clearances[1],
+            clearances=COMMA.join(clearances),
         )
     yield from chosen(data)
     yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
 
 
-def _clearances(results: "Results") -> tuple[Amount, Amount] | None:
-    known = [results.values().get(f"bearings.{place}.clearance") for place in ("front", "rear")]
-    front, rear = (number(value.shown, 0) if value is not None else None for value in known)
-    return None if front is None or rear is None else (front, rear)
+def _clearances(results: "Results") -> list[Text]:
+    """Of each bearing that is judged, front to rear."""
+    known = ((row.name, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
+    return [
+        Text("{g} µm {row}", g=number(value.shown, 0), row=called(name)) for name, value in known if value is not None
+    ]
 
 
 DEFAULTS = {

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bearings.inputs import IN_WORDS
+from ..countershaft.rows import called
 from ..library import oils
 from ..sheet.errors import NoSolution
 from ..sheet.functions import pi
@@ -61,7 +61,7 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
             (Text("mesh {title}, rolling (bound)", title=title), m.rolling_loss or None),
         ]
     losses += [
-        (Text("journal {place} of the counter-shaft", place=IN_WORDS[place]), j.friction_power)
+        (Text("journal {place} of the counter-shaft", place=called(place)), j.friction_power)
         for place, j in r.journals.items()
     ]
     losses += [

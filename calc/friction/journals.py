@@ -12,13 +12,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..bearings.inputs import IN_TITLES, IN_WORDS
 from ..bearings.loads import SECOND_ORDER, Response, answered, response
 from ..bearings.result import BearingsResult
 from ..bearings.routes.states import OperatingPoint
 from ..bearings.speeds import TURNING
-from ..countershaft.inputs import CountershaftInputs
+from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult, Standing
+from ..countershaft.rows import called, titled
 from ..countershaft.supports import Gear, standing_of
 from ..countershaft.supports import ShaftDrive as GearDrive
 from ..library.lubricant import Lubricant
@@ -35,7 +35,7 @@ class OnShaft(NamedTuple):
 
     bearings: BearingsResult
     shaft: CountershaftResult | None
-    inputs: CountershaftInputs | None
+    inputs: ShaftInputs | None
     gear: Gear | None
 
     @property
@@ -89,7 +89,7 @@ class Journals:
                 R_0 = stands.stationary_front if place == "front" else stands.stationary_rear
             P_f = answer.friction_power
             if R_0 is not None and np.any(np.isfinite(answer.slope + answer.curvature)):
-                with about(Text("{place} bearing, over a turn", place=IN_WORDS[place])):
+                with about(Text("{place} bearing, over a turn", place=called(place))):
                     P_f = answer.power(R_0)
                 if self.unsteady[place]:
                     P_f = np.where(np.isfinite(P_f), P_f, answer.friction_power)  # type: ignore[assignment]
@@ -104,13 +104,13 @@ class Journals:
             if self.unsteady[place]:
                 yield Text(
                     "{place} journal: no film is found 5 % beside its load; its friction is that of the turning load.",
-                    place=IN_TITLES[place],
+                    place=titled(place),
                 )
             elif journal.standing_load > SECOND_ORDER * F:
                 percent = Amount(journal.standing_load / F * 100, form=".0f")
                 yield Text(
                     "{place} journal: {share}; the mean over a turn, of second order in it, is rough.",
-                    place=IN_TITLES[place],
+                    place=titled(place),
                     share=Text("the standing load is {standing_load} % of the turning one", standing_load=percent),
                 )
 
@@ -121,7 +121,7 @@ def journals_of(on: OnShaft) -> Journals:
     for place, bearing in on.bearings.bearings.items():
         speed = bearing.duty.speed
         if on.turns:
-            with about(Text("{place} bearing, over a turn", place=IN_WORDS[place])):
+            with about(Text("{place} bearing, over a turn", place=called(place))):
                 responses[place] = answered(bearing.beside, bearing.duty, bearing.friction_power)
         else:
             P_f = bearing.friction_power

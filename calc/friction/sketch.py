@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..bearings.inputs import IN_WORDS
+from ..countershaft.rows import called
 from ..draw.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words, awaited, judged
 from ..gears.inputs import GearsInputs
 from ..sheet.quantity import dotted
@@ -57,7 +57,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     losses = _together(meshes, result.total_loss)
     losses += [
         Loss(
-            Text("{place} bearing", place=IN_WORDS[place]),
+            Text("{place} bearing", place=called(place)),
             journal.friction_power,
             dotted("bearings", place),
             judged(checks, f"friction.{place}"),

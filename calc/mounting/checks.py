@@ -9,7 +9,8 @@ from itertools import product
 
 import numpy as np
 
-from ..countershaft.inputs import CountershaftInputs
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import SHAFT
 from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted
@@ -351,7 +352,7 @@ SHAFT_HELPS = CheckRule(
     "A shaft that makes it worse somewhere is to be known, and may be right elsewhere.",
     Text("Smallest of all felt ratios, half over shaft"),
     source=Text("rule of this program: a shaft that is late or too heavy makes it worse"),
-    moved_by=(dotted("countershaft", CountershaftInputs.masses), MOUNTS),
+    moved_by=(dotted(SHAFT, ShaftInputs.masses), MOUNTS),
 )
 INERTIA_RANGE = CheckRule(
     "mounting.inertia_range",

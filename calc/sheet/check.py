@@ -31,7 +31,8 @@ DEGREES = 100.0  # K: the scale of margins in °C, whose zero is no zero
 # --- what stands for what in an id
 
 LETTERS: Mapping[str, str] = {
-    "B": "a bearing, by its place",
+    "S": "a shaft, by its name; in the keys of inputs alone",
+    "B": "a bearing, by its name",
     "M": "a mesh, by its wheels: DRIVER_DRIVEN",
     "W": "a wheel, by its name; behind _ too",
     "D": "a drain of the oil: `drain`, or `further_drains` and its name",
@@ -383,6 +384,20 @@ class Check:
     def but(self, **changes: Any) -> "Check":  # Any: of every field its own
         """The same with some of its fields changed."""
         return replace(self, **changes)
+
+    def in_place(self, keys_of: Callable[[str], tuple[str, ...]]) -> "Check":
+        """The same by the keys of one design: `keys_of` gives those that a key of the rule stands for there."""
+        named = (*self.moved_by, *self.missing, *(key for way in self.remedies for key, _ in way.changes))
+        if all(keys_of(key) == (key,) for key in named):
+            return self
+        return self.but(
+            moved_by=tuple(key for each in self.moved_by for key in keys_of(each)),
+            missing=tuple(key for each in self.missing for key in keys_of(each)),
+            remedies=tuple(
+                replace(way, changes=tuple((key, x) for each, x in way.changes for key in keys_of(each)))
+                for way in self.remedies
+            ),
+        )
 
     def limit_text(self) -> Text:
         if isinstance(self.limit, tuple):

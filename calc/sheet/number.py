@@ -105,7 +105,7 @@ BRIEF.maxother = BRIEF.maxstring = 48  # characters of one value in a line
 
 
 def line(record: object) -> str:
-    """`BearingInputs(diameter=0.0595, length=0.0275, …)`: what differs from its default, in SI, long values cut
+    """`BearingRow(diameter=0.0595, length=0.0275, …)`: what differs from its default, in SI, long values cut
     short."""
     kind: type = type(record)
     contents = [(f.name, getattr(record, f.name), f.default) for f in fields(kind)]

@@ -299,13 +299,14 @@ def _key(f: Field[Any]) -> str:
 
 
 def dotted(*parts: object) -> str:
-    """The dotted key or id of declared fields, with the names of elements between: `dotted("bearings", "front",
-    BearingInputs.length)` is "bearings.front.length_mm"."""
+    """The dotted key or id of declared fields, with the names of elements between: `dotted("shafts", "left",
+    ShaftInputs.core_radius)` is "shafts.left.core_radius_mm"."""
+    assert not any(isinstance(part, property) for part in parts), parts
     return ".".join([part.key if isinstance(part, (Key, ValueKey)) else str(part) for part in parts])
 
 
 def described(field: object) -> Quantity:
-    """What is known of a declared input: `described(BearingInputs.length).step`."""
+    """What is known of a declared input: `described(BearingRow.length).step`."""
     assert isinstance(field, Key), field
     return field.about
 

@@ -5,7 +5,7 @@ and what acts on it that nobody counts."""
 from collections.abc import Callable, Iterator
 from math import degrees
 
-from ..bearings.inputs import BearingInputs
+from ..countershaft.rows import BearingRow, called
 from ..design.model import TITLES, Design
 from ..engine.formulas import stroke
 from ..sheet.quantity import dotted
@@ -50,9 +50,8 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
         yield (
             TITLES["bearings"],
             Text(
-                "front {front}, rear {rear}; oil {oil}",
-                front=_size(bearings.front),
-                rear=_size(bearings.rear),
+                "{sizes}; oil {oil}",
+                sizes=COMMA.join(Text("{row} {size}", row=called(row.name), size=_size(row)) for row in design.rows),
                 oil=Name(bearings.oil),
             ),
         )
@@ -86,7 +85,7 @@ def _load_case(design: Design) -> Iterator[Text]:
         yield Text("cold at {lowest}", lowest=Amount(bearings.lowest_temperature, "°C"))
 
 
-def _size(bearing: BearingInputs) -> Text:
+def _size(bearing: BearingRow) -> Text:
     return Text("⌀{diameter} × {length}", diameter=Amount(bearing.diameter * 1e3), length=_mm(bearing.length))
 
 
@@ -115,7 +114,7 @@ class Influence:
     given: Callable[[Design], bool] | None = None
 
 
-BEARINGS, SHAFT, GEARS = dotted(Design.bearings), dotted(Design.countershaft), dotted(Design.gears)
+BEARINGS, SHAFT, GEARS = dotted(Design.bearings), "countershaft", dotted(Design.gears)
 INFLUENCES = (
     Influence(BEARINGS, Text("alignment of the bores")),
     Influence(BEARINGS, Text("distortion of the housing")),

@@ -7,6 +7,7 @@ told its user.  Like with like the film of each is taken at the oil's temperatur
 how well it solves the film.  The spread of the routes is of the second kind and of those that claim to solve it here.
 """
 
+from ...countershaft.rows import called
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.record import record
 from ...sheet.step import Table
@@ -14,7 +15,6 @@ from ...sheet.text import Amount, Text
 from ...sheet.value import about, untraced
 from .. import formulas as f
 from ..film.table import FilmRangeError
-from ..inputs import IN_WORDS
 from .routes import ROUTES
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts
 from .thermal_balance import balanced
@@ -72,7 +72,7 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
     silent: dict[str, Text] = {}
     for name, route in ROUTES.items():
         words = Text("clearance as given") if name == OWN else route.title
-        with about(Text("{place} bearing, {title}", place=IN_WORDS[place], title=words)):
+        with about(Text("{place} bearing, {title}", place=called(place), title=words)):
             try:
                 films[name] = balanced(route.film, seat, duty)
             except (NoSolution, OutsideCharts) as outside:
@@ -105,7 +105,7 @@ def _at_the_same_oil(
         if not shown:
             with untraced():
                 return route.film(seat, duty, own_film.temperature_rise)
-        with about(Text("{place} bearing, {title}, at the same oil", place=IN_WORDS[place], title=route.title)):
+        with about(Text("{place} bearing, {title}, at the same oil", place=called(place), title=route.title)):
             return route.film(seat, duty, own_film.temperature_rise)
     except (NoSolution, OutsideCharts, FilmRangeError):
         return None
@@ -172,5 +172,5 @@ def routes_table(place: str, side: RouteResultBeside) -> Table:
     for name, why in side.silent.items():
         note += Text(" {routes} gives no value here: {why}.", routes=ROUTES[name].title, why=why)
     covers = tuple(f"bearings.{place}.{name}." for name in ROUTES)
-    title = Text("The routes side by side, {place} bearing", place=IN_WORDS[place])
+    title = Text("The routes side by side, {place} bearing", place=called(place))
     return Table(f"routes_{place}", title, columns, tuple(rows), note, covers)

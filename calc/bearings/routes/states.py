@@ -7,20 +7,21 @@ where there is none."""
 from dataclasses import replace
 from typing import Any, Generic
 
+from ...countershaft.rows import BearingRow
 from ...library.lubricant import Lubricant, OilState
 from ...sheet.arrays import Value
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from .. import formulas as f
 from ..film.grooved import Feed, Feeds
-from ..inputs import BearingInputs, BearingsInputs
+from ..inputs import BearingsInputs
 
 
 @record
 class BearingCase(Generic[Value]):
     """One bearing with all that decides its film but speed, load and supply."""
 
-    bearing: BearingInputs
+    bearing: BearingRow
     inputs: BearingsInputs
     lubricant: Lubricant
     clearance: Value  # at the reference temperature

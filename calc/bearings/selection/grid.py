@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...countershaft.rows import BearingRow
 from ...library.journal_rules import heat_index, specific_load
 from ...sheet.arrays import Array, BoolArray, IndexArray
 from ...sheet.check import CheckRule
@@ -31,19 +32,18 @@ from ..checks import (
     TRANSITION,
 )
 from ..corners import widths
-from ..inputs import BearingInputs
 from ..routes import supply
 from .states import LEAST_COLD, BearingTask, States, judge, solved, usual
 from .variants import SUPPLIES, Variant
 
-LENGTH = described(BearingInputs.length)
+LENGTH = described(BearingRow.length)
 LENGTH_STEP: Metre = LENGTH.units.inside(LENGTH.step or 0.5)
 CLEARANCE_STEP: Metre = 5e-6
 SAME = 1e-10  # m
 # of the diameter, where the usual ones leave too little oil, or the cold none of them; rule of this program
 WIDEST = 2.5e-3
 FEW = 4  # steps beyond the least that must be left when cold, whatever the widest; rule of this program
-USUAL_FACTORS = described(BearingInputs.clearance_factor).usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
+USUAL_FACTORS = described(BearingRow.clearance_factor).usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
 APART = math.log(1.1)  # between the lengths that are solved
 KEPT = 1e-4  # a margin of a film or its heat below this may be one of the cubic's making
 OF_HEAT = (TEMPERATURE, TEMPERATURE_RISE_USUAL)

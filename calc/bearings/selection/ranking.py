@@ -69,7 +69,7 @@ class Pick:
 
 
 @record
-class BearingRow:
+class CandidateRow:
     """Both bearings with one oil and supply.  `what`: now, nearest, least power, too long, more film."""
 
     what: str
@@ -224,7 +224,7 @@ def _at(field: CandidateField, index: Index, slope: Radian) -> Pick:
 # --- power against film
 
 
-def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[BearingRow]:
+def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[CandidateRow]:
     """The least power for ever more film at the edge of the worse bearing: no other candidate has more film for less
     power."""
     able = []
@@ -240,7 +240,7 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
         return []
     low, high = min(entry[2] for entry in able), max(entry[3] for entry in able)
     step = next((s for s in STEPS if (high - low) / s < MOST), STEPS[-1])
-    rows: list[BearingRow] = []
+    rows: list[CandidateRow] = []
     for film in np.arange(np.floor(low / step), np.floor(high / step) + 1) * step:
         pairs = [
             (variant, [_least_with(fields[place], slopes[place], film) for place in PLACES])
@@ -252,7 +252,7 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
         if front is None or rear is None:
             continue
         picked = _at(*front[1:], slopes["front"]), _at(*rear[1:], slopes["rear"])
-        row = BearingRow("more film", variant, *picked)
+        row = CandidateRow("more film", variant, *picked)
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()
         if not rows or row.film > rows[-1].film:

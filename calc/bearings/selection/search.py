@@ -13,6 +13,7 @@ from itertools import chain
 
 from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
+from ...countershaft.rows import BearingRow
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, rising, tell
@@ -22,10 +23,10 @@ from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
 from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER
-from ..inputs import PLACES, SLOPE_TAKEN, BearingInputs, BearingsInputs
+from ..inputs import PLACES, SLOPE_TAKEN, BearingsInputs
 from . import ranking
 from .grid import CandidateField, alike, field
-from .ranking import BearingRow, Fields, Pick, Slopes, best, by_change, by_power, closest
+from .ranking import CandidateRow, Fields, Pick, Slopes, best, by_change, by_power, closest
 from .states import BearingTask, against, check_of, size, without_rise
 from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
 
@@ -43,14 +44,14 @@ class Settled:
     `row` None: it does not pass, and `why`.  `results`: of the whole design with it.
     """
 
-    row: BearingRow | None
+    row: CandidateRow | None
     slopes: dict[str, Radian]
     broken: tuple[Check, ...] = ()
     why: Text = EMPTY
     results: Solution | None = None
 
 
-def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -> Settled:
+def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian]) -> Settled:
     """A row through the whole solution, as it stands."""
     before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING.id}
     results = case.solve(with_row(case.bearings, row))
@@ -71,7 +72,7 @@ def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -
     return Settled(replace(row, front=front, rear=rear), again, tuple(others), results=results)
 
 
-def settle(case: SelectionCase, row: BearingRow, fields: Fields, slopes: dict[str, Radian]) -> Settled:
+def settle(case: SelectionCase, row: CandidateRow, fields: Fields, slopes: dict[str, Radian]) -> Settled:
     """A row through the whole solution; where the slopes that are read there stop it, it is chosen anew with them."""
     order = by_change if row.what == "nearest" else by_power
     settled = confirmed(case, row, slopes)
@@ -99,26 +100,26 @@ def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slop
     return {"front": shaft.slope_front, "rear": shaft.slope_rear}
 
 
-def with_row(bearings: BearingsInputs, row: BearingRow) -> BearingsInputs:
+def with_row(bearings: BearingsInputs, row: CandidateRow) -> BearingsInputs:
     """The design's bearings as a row has them: as they then stand in the file."""
     return applied(bearings, bearing_changes(row, bearings), "bearings.")
 
 
-def bearing_changes(row: BearingRow, bearings: BearingsInputs) -> Changes:
+def bearing_changes(row: CandidateRow, bearings: BearingsInputs) -> Changes:
     """The keys that put a row into a design with these bearings; a clearance that stays keeps its key."""
     written: Changes = {}
     fits = fits_to_write(row, bearings)
     for place, pick in zip(PLACES, row.both):
         b, here = pick.task.seat.bearing, dict[object, float | None]()
         if pick.diameter != pick.task.diameter:
-            here[BearingInputs.diameter] = digits(pick.diameter / 1e-3)
+            here[BearingRow.diameter] = digits(pick.diameter / 1e-3)
         if pick.length != pick.task.length:
-            here[BearingInputs.length] = digits(pick.length / 1e-3)
+            here[BearingRow.length] = digits(pick.length / 1e-3)
         if _moved(pick) or fits is not None:  # factor K or fits would make another clearance of a new diameter or fit
-            here |= {BearingInputs.clearance_factor: None, BearingInputs.clearance: digits(pick.clearance / 1e-6)}
+            here |= {BearingRow.clearance_factor: None, BearingRow.clearance: digits(pick.clearance / 1e-6)}
         if pick.task.level:
-            here[BearingInputs.journal_roughness] = digits(b.journal_roughness / 1e-6)
-            here[BearingInputs.housing_roughness] = digits(b.housing_roughness / 1e-6)
+            here[BearingRow.journal_roughness] = digits(b.journal_roughness / 1e-6)
+            here[BearingRow.housing_roughness] = digits(b.housing_roughness / 1e-6)
         written |= {dotted("bearings", place, field): value for field, value in here.items()}
     whole = dict[object, str]()
     if fits is not None:
@@ -130,7 +131,7 @@ def bearing_changes(row: BearingRow, bearings: BearingsInputs) -> Changes:
     return written | {dotted("bearings", field): value for field, value in whole.items()}
 
 
-def fits_to_write(row: BearingRow, bearings: BearingsInputs) -> tuple[str, str] | None:
+def fits_to_write(row: CandidateRow, bearings: BearingsInputs) -> tuple[str, str] | None:
     """Closer fits; or widths for fits with a place, which would make another clearance than the row's.  None: they
     stay."""
     return row.variant.fits or (placed(bearings) if any(map(_moved, row.both)) else None)
@@ -165,10 +166,10 @@ class BearingsFound:
 
     case: SelectionCase
     kind: str
-    now: BearingRow | None
-    rows: tuple[BearingRow, ...]
-    beyond: tuple[BearingRow, ...]
-    pareto: tuple[BearingRow, ...]
+    now: CandidateRow | None
+    rows: tuple[CandidateRow, ...]
+    beyond: tuple[CandidateRow, ...]
+    pareto: tuple[CandidateRow, ...]
     tasks: Tasks
     variants: tuple[Variant, ...]
     slopes: tuple[dict[str, Radian], ...]
@@ -180,7 +181,7 @@ class BearingsFound:
     verified: int
 
     @property
-    def all(self) -> tuple[BearingRow, ...]:
+    def all(self) -> tuple[CandidateRow, ...]:
         return (*self.rows, *self.beyond, *self.pareto)
 
     def slopes_of_row(self, number: int) -> dict[str, Radian]:
@@ -267,10 +268,10 @@ def _fitting(
     return "none", every, []
 
 
-def _too_long(every: Every, slopes: Slopes) -> list[BearingRow]:
+def _too_long(every: Every, slopes: Slopes) -> list[CandidateRow]:
     """Of each variant the row that needs the least more room, where it needs any."""
     pairs = [(variant, best(fields, slopes, ranking.by_excess)) for variant, fields in every]
-    rows = [BearingRow("too long", variant, *pair) for variant, pair in pairs if pair]
+    rows = [CandidateRow("too long", variant, *pair) for variant, pair in pairs if pair]
     return sorted((row for row in rows if any(row.too_long)), key=lambda row: (max(row.too_long), row.power))
 
 
@@ -442,7 +443,7 @@ def _nearest(
         tell(progress, n / NEAREST, Text("{row} in the whole design", row=variant.name))
         pair = best(fields, slopes, by_change)
         assert pair is not None
-        settled = settle(case, BearingRow("nearest", variant, *pair), fields, slopes)
+        settled = settle(case, CandidateRow("nearest", variant, *pair), fields, slopes)
         if settled.row is not None:
             return settled
         dropped.append(settled.why)
@@ -477,7 +478,7 @@ def _settled(
     """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
     by_variant = {id(variant): fields for variant, fields in every}
     least = [
-        BearingRow("least power", variant, *pair)
+        CandidateRow("least power", variant, *pair)
         for variant, fields in every
         if (pair := best(fields, slopes, by_power)) is not None
     ]
@@ -509,14 +510,14 @@ def _rank(settled: Settled) -> tuple[int, float, float]:
     return settled.row.level, settled.row.power, settled.row.change
 
 
-def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> BearingRow | None:
+def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> CandidateRow | None:
     """The design as it stands, judged by the same rules as the rows, at the corners or as given; None where a bearing
     has no film."""
     both = []
     for place in PLACES:
         task = replace(bearings[place][0].with_oil(variant.lubricant, variant.supply), corners=corners)
         both += ranking.picks(task, [task.length], [task.clearance], slopes[place])
-    return BearingRow("now", variant, *both) if all(pick.power == pick.power for pick in both) else None
+    return CandidateRow("now", variant, *both) if all(pick.power == pick.power for pick in both) else None
 
 
 # --- why there is nothing

@@ -15,8 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.inputs import ShaftInputs
 from ...countershaft.result import CountershaftResult
+from ...countershaft.rows import called
 from ...library import journal_rules
 from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
@@ -45,7 +46,6 @@ from ..checks import (
     on_bearing,
 )
 from ..corners import widths
-from ..inputs import IN_WORDS
 from ..routes import supply
 from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
@@ -172,7 +172,7 @@ class JournalRoom:
     why: Text
 
 
-def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, place: str, d: Metre) -> JournalRoom:
+def room(given: ShaftInputs | None, shaft: CountershaftResult | None, place: str, d: Metre) -> JournalRoom:
     """The room of the front or rear journal, of diameter d.
 
     The gear stands against the front journal and moves with it, unless its place is given.
@@ -200,12 +200,12 @@ def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, pla
     why = Text(
         "a sector drawn from its mass begins {distance} from the {place} one's middle",
         distance=Amount(min(faces) * 1e3, "mm"),
-        place=IN_WORDS[place],
+        place=called(place),
     )
     return JournalRoom(2 * min(faces), why)
 
 
-def _of_sections(given: CountershaftInputs, z: Metre, d: Metre) -> JournalRoom:
+def _of_sections(given: ShaftInputs, z: Metre, d: Metre) -> JournalRoom:
     """Along the given sections: the stretch about the journal's place that is a full cylinder and not thinner than the
     journal."""
     rows = sorted(given.sections, key=lambda section: section.from_)

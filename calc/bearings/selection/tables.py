@@ -6,6 +6,7 @@ Each neighbour of a row has the rule that refuses it, or what it costs."""
 from collections.abc import Iterator
 from dataclasses import replace
 
+from ...countershaft.rows import called
 from ...library.journal_rules import RISE
 from ...sheet.check import Check, CheckRule
 from ...sheet.number import short
@@ -28,10 +29,10 @@ from ..checks import (
     TEMPERATURE_RISE_USUAL,
     TRANSITION,
 )
-from ..inputs import IN_WORDS, PLACES
+from ..inputs import PLACES
 from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
-from .ranking import BearingRow, Pick, Slopes, picks
+from .ranking import CandidateRow, Pick, Slopes, picks
 from .search import BearingsFound
 from .states import LEAST_COLD, LETTER, ROUGHNESSES, TIGHT, TIGHTEST, WIDEST, against, mm, short_mm, value_of
 from .variants import DIAMETERS, SUPPLY, Variant, thinner, tied
@@ -108,9 +109,9 @@ def beyond_table(choices: BearingsFound, top: int) -> Table | None:
 
 
 def _rows_table(
-    id: str, title: Text, choices: BearingsFound, rows: tuple[BearingRow, ...], first: int, *, now: bool
+    id: str, title: Text, choices: BearingsFound, rows: tuple[CandidateRow, ...], first: int, *, now: bool
 ) -> Table:
-    shown: list[tuple[str, BearingRow]] = [(Text("now"), choices.now)] if now and choices.now is not None else []
+    shown: list[tuple[str, CandidateRow]] = [(Text("now"), choices.now)] if now and choices.now is not None else []
     shown += [(str(number), row) for number, row in enumerate(rows, first)]
     of = [row for _, row in shown]
     wide, extra = _wide(of), _extra(of)
@@ -125,12 +126,12 @@ def _rows_table(
     return Table(id, title, tuple(columns), cells, EXPLAIN if now else EMPTY)
 
 
-def _wide(rows: list[BearingRow]) -> bool:
+def _wide(rows: list[CandidateRow]) -> bool:
     """Whether some row has another diameter."""
     return any(pick.diameter != pick.task.diameter for row in rows for pick in row.both)
 
 
-def _extra(rows: list[BearingRow]) -> Text:
+def _extra(rows: list[CandidateRow]) -> Text:
     """What has to be said of some row beside its sizes."""
     return TOO_LONG if any(any(row.too_long) for row in rows) else ASKS if any(map(_asks, rows)) else EMPTY
 
@@ -143,7 +144,7 @@ def _size_columns(wide: bool) -> list[tuple[Text, str]]:
     return columns
 
 
-def _sizes(row: BearingRow, wide: bool) -> Cells:
+def _sizes(row: CandidateRow, wide: bool) -> Cells:
     cells: list[str | float | None] = []
     for pick in row.both:
         size = Text("{d}×{l}", d=short_mm(pick.diameter), l=short_mm(pick.length))
@@ -152,7 +153,7 @@ def _sizes(row: BearingRow, wide: bool) -> Cells:
     return tuple(cells)
 
 
-def _cells(number: str, row: BearingRow, wide: bool, extra: Text) -> Cells:
+def _cells(number: str, row: CandidateRow, wide: bool, extra: Text) -> Cells:
     worse, letter = min(zip(row.both, LETTER.values()), key=lambda pair: pair[0].margin)
     films = (row.film * 1e6, min(pick.film_double_load for pick in row.both) * 1e6, max(pick.rise for pick in row.both))
     mckee = () if wide and extra else (min(pick.mckee for pick in row.both),)
@@ -162,11 +163,11 @@ def _cells(number: str, row: BearingRow, wide: bool, extra: Text) -> Cells:
     return (*cells, _too_long(row) if extra == TOO_LONG else _asks(row)) if extra else cells
 
 
-def _first_cells(number: str, row: BearingRow, wide: bool) -> Cells:
+def _first_cells(number: str, row: CandidateRow, wide: bool) -> Cells:
     return (number, row.variant.oil, SUPPLY[row.variant.supply], *_sizes(row, wide))
 
 
-def _too_long(row: BearingRow) -> Text:
+def _too_long(row: CandidateRow) -> Text:
     return Text(" ").join(
         Text("{a} {b}", a=letter, b=Amount(x * 1e3, form=".1f"))
         for letter, x in zip(LETTER.values(), row.too_long)
@@ -174,7 +175,7 @@ def _too_long(row: BearingRow) -> Text:
     )
 
 
-def _asks(row: BearingRow) -> Text:
+def _asks(row: CandidateRow) -> Text:
     """Smoother surfaces and closer fits that a row needs."""
     words: list[str] = []
     for letter, pick in zip(LETTER.values(), row.both):
@@ -194,7 +195,7 @@ def _rounded(number: float, digits: int = 6) -> float | None:
     return float(f"{number:.{digits}g}") if abs(number) < float("inf") else None
 
 
-def changed(row: BearingRow) -> Text:
+def changed(row: CandidateRow) -> Text:
     """`front length 27.5 → 31 mm, rear clearance 90 → 80 µm`; empty where nothing changes but oil and supply."""
     words: list[Text] = []
     for place, pick in zip(PLACES, row.both):
@@ -207,14 +208,14 @@ def changed(row: BearingRow) -> Text:
             if abs(to - now) > 1e-9 * now:
                 ends = Amount(now / factor), Amount(to / factor, unit)
                 words.append(
-                    Text("{place} {what} {now} → {to}", place=IN_WORDS[place], what=what, now=ends[0], to=ends[1])
+                    Text("{place} {what} {now} → {to}", place=called(place), what=what, now=ends[0], to=ends[1])
                 )
         if task.level:
             both = Amount(b.journal_roughness * 1e6, "µm"), Amount(b.housing_roughness * 1e6, "µm")
             words.append(
                 Text(
                     "{place} Ra {journal} (journal), {seat} (seat)",
-                    place=IN_WORDS[place],
+                    place=called(place),
                     journal=both[0],
                     seat=both[1],
                 )
@@ -239,7 +240,7 @@ class Neighbour:
     oil: str = ""
 
 
-def neighbours(row: BearingRow, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
+def neighbours(row: CandidateRow, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
     """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil."""
     for place, chosen in zip(PLACES, row.both):
         l, g = chosen.length, chosen.clearance
@@ -251,7 +252,7 @@ def neighbours(row: BearingRow, variants: tuple[Variant, ...], slopes: Slopes) -
         )
         changes, lengths, clearances = zip(*(step for step in steps if min(step[1:]) > 0))
         for change, pick in zip(changes, picks(chosen.task, lengths, clearances, slopes[place])):
-            yield Neighbour(IN_WORDS[place], change, pick, chosen, pick.power - chosen.power)
+            yield Neighbour(called(place), change, pick, chosen, pick.power - chosen.power)
     oil = thinner(list(variants), replace(row.variant, fits=None), row.front.task.duty.supply_temperature)
     if oil is not None:  # in both bearings, which share it; the worse of them says
         both = []
@@ -300,7 +301,7 @@ def neighbours_table(choices: BearingsFound) -> Table:
     return Table("neighbours", title, tuple((label, "") for label in columns), tuple(rows), note)
 
 
-def _outcome(choices: BearingsFound, row: BearingRow, neighbour: Neighbour) -> Cells:
+def _outcome(choices: BearingsFound, row: CandidateRow, neighbour: Neighbour) -> Cells:
     """What stops it, the value, the limit and the corner; or what it costs, and which bound of the search it passes."""
     c = neighbour.instead.governing
     if neighbour.instead.margin < 0:
@@ -380,19 +381,19 @@ def _missed(choices: BearingsFound) -> Text:
     row, number = choices.beyond[0], len(choices.rows) + 1
     long = [(place, x) for place, x in zip(PLACES, row.too_long) if x > 0]
     spaces = [(place, mm(choices.tasks[place][0].room.longest or 0.0)) for place, _ in long]
-    rooms = [Text("the {place} journal has room for {room}", place=IN_WORDS[p], room=space) for p, space in spaces]
+    rooms = [Text("the {place} journal has room for {room}", place=called(p), room=space) for p, space in spaces]
     return Text(
         "Nothing that fits keeps every rule: {room}, and the nearest that does (row {number}) is {miss} too long; "
         "not with Ra down to "
         "{Ra}, nor with fits two grades closer.",
         room=listed(rooms),
         number=number,
-        miss=listed(Text("{x} ({place})", x=mm(x), place=IN_WORDS[place]) for place, x in long),
+        miss=listed(Text("{x} ({place})", x=mm(x), place=called(place)) for place, x in long),
         Ra=Ra,
     )
 
 
-def _at_corners(choices: BearingsFound, row: BearingRow) -> Text:
+def _at_corners(choices: BearingsFound, row: CandidateRow) -> Text:
     """The worst corner of a row that is judged as given."""
     slopes = choices.slopes_of_row(1)
     there = [
@@ -439,11 +440,11 @@ def _rooms(choices: BearingsFound) -> Iterator[Text]:
     for place in PLACES:
         room = choices.tasks[place][0].room
         if room.longest is None:
-            yield Text("Room of the {place} journal: {why}.", place=IN_WORDS[place], why=room.why)
+            yield Text("Room of the {place} journal: {why}.", place=called(place), why=room.why)
         else:
             yield Text(
                 "Room of the {place} journal: {room}; {why}.",
-                place=IN_WORDS[place],
+                place=called(place),
                 room=mm(room.longest),
                 why=room.why,
             )
@@ -462,12 +463,12 @@ def _diameters(choices: BearingsFound) -> Iterator[Text]:
     for n, place in enumerate(PLACES):
         if len(choices.tasks[place]) == 1:
             why = tied(choices.case, place) or Text("no other has an answer")
-            yield Text("The {place} diameter stays as it is: {why}.", place=IN_WORDS[place], why=why)
+            yield Text("The {place} diameter stays as it is: {why}.", place=called(place), why=why)
             continue
         looked = sorted(task.seat.bearing.diameter for task in choices.tasks[place])
         free = Text(
             "The {place} diameter is free: {diameters} mm are looked at, nothing between.",
-            place=IN_WORDS[place],
+            place=called(place),
             diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked),
         )
         ends = {row.both[n].diameter for row in choices.rows[:2]} & {looked[0], looked[-1]}
@@ -493,7 +494,7 @@ def _searched(choices: BearingsFound) -> Iterator[Text]:
         K=K,
     )
     beyond = [
-        IN_WORDS[p]
+        called(p)
         for p in PLACES
         if any(pick.clearance > widest_usual(pick.task) + SAME for pick in (getattr(r, p) for r in choices.rows))
     ]

@@ -7,9 +7,10 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Protocol, TypeVar
 
-from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.inputs import ShaftInputs
 from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
+from ...countershaft.rows import BearingRow
 from ...library import tolerances as fits
 from ...library.catalogue import Oil
 from ...library.lubricant import Lubricant
@@ -20,7 +21,7 @@ from ...sheet.record import record
 from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
-from ..inputs import PLACES, BearingInputs, BearingsInputs
+from ..inputs import PLACES, BearingsInputs
 from ..result import BearingResult, BearingsResult
 from ..solve import clearance_of
 from .states import BearingTask, room, rules
@@ -48,7 +49,7 @@ class SelectionCase:
     is not known."""
 
     bearings: BearingsInputs
-    shaft: CountershaftInputs | None
+    shaft: ShaftInputs | None
     oils: Mapping[str, Oil]
     own_oils: tuple[str, ...]
     gear_tip: Metre | None
@@ -74,7 +75,7 @@ SUPPLY = {
     "axial_groove": Text("axial grooves"),
 }
 DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where nothing ties it; rule of this program
-DIAMETER = described(BearingInputs.diameter)
+DIAMETER = described(BearingRow.diameter)
 SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
 FINEST = 5  # IT grade of a ground journal: closer ones are not asked for; rule of this program
 # l/d and ψ; rule of this program
@@ -168,13 +169,13 @@ def _solved(case: SelectionCase, bearings: BearingsInputs) -> Solution:
 
 
 def _with_both(
-    bearings: BearingsInputs, change: Callable[[BearingInputs], BearingInputs], places: Sequence[str] = PLACES
+    bearings: BearingsInputs, change: Callable[[BearingRow], BearingRow], places: Sequence[str] = PLACES
 ) -> BearingsInputs:
     front, rear = (change(b) if place in places else b for place, b in zip(PLACES, (bearings.front, bearings.rear)))
     return replace(bearings, front=front, rear=rear)
 
 
-def _probe(ratio: float, psi: float, b: BearingInputs) -> BearingInputs:
+def _probe(ratio: float, psi: float, b: BearingRow) -> BearingRow:
     return replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
 
 
@@ -186,7 +187,7 @@ def _task(
     there = solved.result(BearingsResult)
     assert there is not None  # what `_solved` gave
     result = there.bearings[place]
-    bearing: BearingInputs = getattr(bearings, place)
+    bearing: BearingRow = getattr(bearings, place)
     space = room(case.shaft, drawn(case).result(CountershaftResult), place, bearing.diameter)
     # a clearance that is searched for is not that of the fits: they are taken as widths about it
     widths = placed(bearings)
@@ -200,7 +201,7 @@ def _task(
     return BearingTask(place, seat, result.duty, limits, space, factor, l, g, d)
 
 
-def _clearance(inputs: BearingsInputs, bearing: BearingInputs, result: BearingResult) -> float:
+def _clearance(inputs: BearingsInputs, bearing: BearingRow, result: BearingResult) -> float:
     """The design's own, whatever clearance the bearing was solved with."""
     if bearing.clearance is not None:
         return bearing.clearance

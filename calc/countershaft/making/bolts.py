@@ -28,7 +28,8 @@ from ...sheet.units import (
     SquareMetre,
 )
 from ...sheet.value import about, based_on
-from ..inputs import CountershaftInputs
+from ..inputs import ShaftInputs
+from ..rows import SHAFT
 from .inputs import (
     HEXAGONS,
     STRENGTH,
@@ -454,7 +455,7 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
     return (support.proof_stress, Text("proof stress")) if support.proof_stress is not None else None
 
 
-BOLT_KEYS = "countershaft", CountershaftInputs.bolts
+BOLT_KEYS = "countershaft", ShaftInputs.bolts
 TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
 HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
 JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
@@ -540,7 +541,7 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
 
 def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
     """The same of bolts beside those of the support, whose load stands across the joint or turns."""
-    own = dotted("countershaft", CountershaftInputs.further_bolts, bolts.name)
+    own = dotted(SHAFT, ShaftInputs.further_bolts, bolts.name)
     found = list(_tightened_checks(joint, own.removeprefix("countershaft.")))
     if (safety := joint.bolt_slip_across_safety) is not None:
         least = HOLDS_TURNING if bolts.turns == "yes" else HOLDS_STANDING

@@ -17,7 +17,8 @@ from ...sheet.quantity import dotted, result, value
 from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.units import CubicMetrePerSecond, Metre, MetreTuple, Radian
 from ...sheet.value import about, based_on
-from ..inputs import CountershaftInputs
+from ..inputs import ShaftInputs
+from ..rows import SHAFT
 from .inputs import Clamp, FurtherDrain, OilDrain, Sleeve, Union, thread
 
 # m: by which the ring of a sleeve may be wider than the thread that goes through it; so the source's table has them
@@ -221,7 +222,7 @@ def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple
     return why
 
 
-DRAIN = "countershaft", CountershaftInputs.oil_drain
+DRAIN = "countershaft", ShaftInputs.oil_drain
 HOSE = (dotted(*DRAIN, OilDrain.hose_min), dotted(*DRAIN, OilDrain.hose_max))
 THREAD, PASSAGE = dotted(*DRAIN, OilDrain.thread), dotted(*DRAIN, OilDrain.slope)
 CLAMP = CheckRule(
@@ -337,7 +338,7 @@ def of_drain(drain_check: Check, drain: OilDrain) -> Check:
     has no name."""
     if not isinstance(drain, FurtherDrain):
         return drain_check
-    own = dotted("countershaft", CountershaftInputs.further_drains, drain.name)
+    own = dotted(SHAFT, ShaftInputs.further_drains, drain.name)
     return drain_check.but(
         name=Text("{what}, {drain}", what=drain_check.name, drain=Name(drain.name)),
         value_id=drain_check.value_id.replace("countershaft", own),

@@ -19,9 +19,10 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, RadPerSecond
 from ...sheet.value import based_on
 from .. import formulas as f
-from ..inputs import CountershaftInputs, EccentricMass
+from ..inputs import EccentricMass, ShaftInputs
 from ..outline import Journals
 from ..result import CountershaftResult
+from ..rows import EACH_ROW, SHAFT, BearingRow
 from ..sizing.choices import Seat, compared, compared_table
 from ..sizing.sectors import LEFT_OVER, ShaftTask
 from . import bolts, drain, scatter
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 CASES = 4  # a quarter of a turn apart
 
 
-def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
+def table(shaft: ShaftInputs, result: CountershaftResult) -> list[Table]:
     """Forces of the shaft on both its bearings, the front one's upwards first; none where they have more supports or
     carry nothing."""
     if len(shaft.bearing_positions) != 2 or not result.reaction_front:
@@ -85,7 +86,7 @@ def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
 class ShaftStep:
     """What the parts of the step have in common, and what they add to its outcome."""
 
-    shaft: CountershaftInputs
+    shaft: ShaftInputs
     todo: ShaftTask
     materials: Mapping[str, Material]
     journals: Journals
@@ -235,7 +236,7 @@ def _drains(step: ShaftStep) -> "dict[str, DrainResult]":
     return chosen
 
 
-def _with_wall(shaft: CountershaftInputs, journals: Journals) -> CountershaftInputs:
+def _with_wall(shaft: ShaftInputs, journals: Journals) -> ShaftInputs:
     """The wall of the support beside the largest seat as it now is; as given where that does not say at which seat it
     was."""
     support = shaft.support
@@ -245,7 +246,6 @@ def _with_wall(shaft: CountershaftInputs, journals: Journals) -> CountershaftInp
     return replace(shaft, support=replace(support, wall=w))
 
 
-SEAT_DIAMETERS = "bearings.front.diameter_mm", "bearings.rear.diameter_mm"
 SUPPORT_WALL = CheckRule(
     "countershaft.support.wall",
     "caution",
@@ -254,7 +254,7 @@ SUPPORT_WALL = CheckRule(
     unit="mm",
     source=Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat"),
     advice=Text("A smaller seat, or a larger casting."),
-    moved_by=(dotted("countershaft", CountershaftInputs.support, Support.wall), *SEAT_DIAMETERS),
+    moved_by=(dotted(SHAFT, ShaftInputs.support, Support.wall), dotted(EACH_ROW, BearingRow.diameter)),
 )
 SUPPORT_BOLT_STRESS = CheckRule(
     "countershaft.support.bolt_stress",
@@ -266,7 +266,7 @@ SUPPORT_BOLT_STRESS = CheckRule(
     advice=Text("More metal under the bolt heads."),
     role="physics",
     demand=True,
-    moved_by=(dotted("countershaft", CountershaftInputs.support, Support.bolt_stress),),
+    moved_by=(dotted(SHAFT, ShaftInputs.support, Support.bolt_stress),),
 )
 SUPPORT_LOAD_STRESS = CheckRule(
     "countershaft.support.load_stress",
@@ -282,7 +282,7 @@ SUPPORT_LOAD_STRESS = CheckRule(
     ),
     role="physics",
     demand=True,
-    moved_by=(dotted("countershaft", CountershaftInputs.support, Support.load_stress),),
+    moved_by=(dotted(SHAFT, ShaftInputs.support, Support.load_stress),),
 )
 
 
@@ -306,7 +306,7 @@ def support_checks(support: Support, material: Material) -> Iterator[Check]:
     if unknown is not None and material.tensile_strength is not None:
         strength, unknown = material.tensile_strength, None
     source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
-    key = dotted("countershaft", CountershaftInputs.support, Support.load_stress_limit)
+    key = dotted(SHAFT, ShaftInputs.support, Support.load_stress_limit)
     missing = Missing((key,), (source,), support.load_stress, "none")
     if unknown is not None:
         missing = Missing((key, *unknown.keys), (source, *unknown.taken), unknown.best, "none")

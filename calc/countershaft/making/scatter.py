@@ -37,7 +37,8 @@ from ...sheet.units import (
 )
 from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
-from ..inputs import CountershaftInputs, EccentricMass, Extra, Holes, Scatter
+from ..inputs import EccentricMass, Extra, Holes, Scatter, ShaftInputs
+from ..rows import SHAFT
 from .unbalance import HolesResult
 
 BLOCK = 10_000  # shafts at once: enough that numpy's calls cost little, few enough for the processor's cache
@@ -331,8 +332,8 @@ SCATTER_RESIDUAL = CheckRule(
     Text("rule of this program: 95 % of the shafts within the limit of the drawing"),
     Text("The table of the couple's error says which deviation counts most."),
     moved_by=(
-        dotted("countershaft", CountershaftInputs.scatter),
-        dotted("countershaft", CountershaftInputs.holes, Holes.depth),
+        dotted(SHAFT, ShaftInputs.scatter),
+        dotted(SHAFT, ShaftInputs.holes, Holes.depth),
     ),
 )
 

@@ -33,8 +33,9 @@ from ...sheet.units import (
     RadPerSecond,
 )
 from ...sheet.value import about, based_on, untraced
-from ..inputs import CountershaftInputs, Holes
+from ..inputs import Holes, ShaftInputs
 from ..outline import Piece
+from ..rows import SHAFT
 
 HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
@@ -142,8 +143,8 @@ def calibration(
         )
 
 
-DEPTH = dotted("countershaft", CountershaftInputs.holes, Holes.depth)
-DIAMETER = dotted("countershaft", CountershaftInputs.holes, Holes.diameter)
+DEPTH = dotted(SHAFT, ShaftInputs.holes, Holes.depth)
+DIAMETER = dotted(SHAFT, ShaftInputs.holes, Holes.diameter)
 HOLES_DEPTH = CheckRule(
     "countershaft.holes.depth",
     "limit",
@@ -155,7 +156,7 @@ HOLES_DEPTH = CheckRule(
     Text("More or wider holes take the rest."),
     role="physics",
     zero="outer radius",
-    moved_by=(DEPTH, dotted("countershaft", CountershaftInputs.core_radius)),
+    moved_by=(DEPTH, dotted(SHAFT, ShaftInputs.core_radius)),
 )
 HOLES_ROW = CheckRule(
     "countershaft.holes.row",
@@ -167,7 +168,7 @@ HOLES_ROW = CheckRule(
     Text("rule of this program: holes stand in one row along the sector"),
     Text("Fewer or narrower holes."),
     role="physics",
-    moved_by=(dotted("countershaft", CountershaftInputs.holes, Holes.count), DIAMETER),
+    moved_by=(dotted(SHAFT, ShaftInputs.holes, Holes.count), DIAMETER),
 )
 HOLES_WIDTH = CheckRule(
     "countershaft.holes.width",
@@ -194,8 +195,8 @@ HOLES_RANGE = CheckRule(
         "more than the holes take"
     ),
     moved_by=(
-        dotted("countershaft", CountershaftInputs.overdesign),
-        dotted("countershaft", CountershaftInputs.masses),
+        dotted(SHAFT, ShaftInputs.overdesign),
+        dotted(SHAFT, ShaftInputs.masses),
         DEPTH,
     ),
 )
@@ -214,7 +215,7 @@ def hole_checks(
     much.  `over`: the couple of the shaft as drawn beyond the required one; None where none is required."""
 
     def no_larger(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:
-        return by_key(Holes, dotted("countershaft", CountershaftInputs.holes, field), down(length), bound="<=")
+        return by_key(Holes, dotted(SHAFT, ShaftInputs.holes, field), down(length), bound="<=")
 
     if core_radius is not None:  # a deeper hole weakens the core, which alone carries the shaft between the sectors
         height = R - core_radius
@@ -281,7 +282,7 @@ BALANCE_GRADE = CheckRule(
     Text("A finer grade (a smaller number), or a lighter shaft."),
     demand=True,
     value_id=dotted("countershaft", ToleranceResult.permitted_couple_error),
-    moved_by=(dotted("countershaft", CountershaftInputs.balance_grade),),
+    moved_by=(dotted(SHAFT, ShaftInputs.balance_grade),),
     proven=(),
 )
 

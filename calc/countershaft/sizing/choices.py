@@ -32,14 +32,15 @@ from ...sheet.units import (
 )
 from ...sheet.value import about, untraced
 from ..formulas import asked_product, asked_unbalance, shaft_speed
-from ..inputs import THREADED, CountershaftInputs, Extra
+from ..inputs import THREADED, Extra, ShaftInputs
 from ..making.inputs import Alternative, Cost
+from ..rows import SHAFT
 from . import formulas as f
 from .formulas import first_year, radius_needed
 from .sectors import Sized, TooSmall, masses, remainder, size, task
 
 if TYPE_CHECKING:
-    from ...bearings.inputs import BearingsInputs
+    pass
 
 
 # --- the design's material beside others
@@ -81,7 +82,7 @@ class MaterialResult:
 
 
 def compared(
-    shaft: CountershaftInputs,
+    shaft: ShaftInputs,
     materials: Mapping[str, Material],
     R: Metre | None,
     r_0: Metre | None,
@@ -104,7 +105,7 @@ def compared(
     return results
 
 
-def named(shaft: CountershaftInputs, materials: Mapping[str, Material]) -> tuple[str, ...]:
+def named(shaft: ShaftInputs, materials: Mapping[str, Material]) -> tuple[str, ...]:
     """The materials to compare: the design's own, and those of [countershaft.cost]; where it is sized without one, the
     ADI grades."""
     if shaft.cost is not None:
@@ -120,7 +121,7 @@ def key(name: str) -> str:
 
 
 def _size(
-    shaft: CountershaftInputs,
+    shaft: ShaftInputs,
     material: Material,
     other: Material | None,
     R: Metre | None,
@@ -165,7 +166,7 @@ def _whole(
     return whole
 
 
-def _cost(shaft: CountershaftInputs, alternative: Alternative | None, own_cost: Alternative | None) -> dict[str, float]:
+def _cost(shaft: ShaftInputs, alternative: Alternative | None, own_cost: Alternative | None) -> dict[str, float]:
     if shaft.cost is None or alternative is None:
         return {}
     N = shaft.cost.pieces_per_year
@@ -198,7 +199,7 @@ COLUMNS = (
 )
 
 
-def compared_table(shaft: CountershaftInputs, results: Mapping[str, MaterialResult]) -> Table:
+def compared_table(shaft: ShaftInputs, results: Mapping[str, MaterialResult]) -> Table:
     """The materials beside each other; columns that nothing is known of are left out."""
     rows = list(results.values())
     whole = any(row.shaft_mass is not None for row in rows)  # which says more than the sectors alone
@@ -272,20 +273,15 @@ class Choices:
     refused: dict[str, NoSolution]
 
 
-def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place: str) -> Envelope:
+def envelope(shaft: ShaftInputs, place: str) -> Envelope:
     """The envelope of a design; what it leaves out is taken from the journals.  Raises BadInput with the keys to
     give."""
     errors: list[InputError] = []
     derived: list[Text] = []
-    if shaft.journals:
-        journals = [(j.diameter, j.length) for j in shaft.journals]
-    else:
-        journals = [(b.diameter, b.length) for b in (bearings.front, bearings.rear)] if bearings is not None else []
-    if len(journals) != len(shaft.bearing_positions):
-        journals = []
+    journals = shaft.journals
 
     def missing(field: object, what: Text) -> float:
-        errors.append(InputError(0, dotted("countershaft", field), "", Text("needed: {what}", what=what)))
+        errors.append(InputError(0, dotted("shafts", shaft.name, field), "", Text("needed: {what}", what=what)))
         return math.nan
 
     R, z_max, r_0 = shaft.outer_radius, shaft.half_length, shaft.core_radius
@@ -300,7 +296,7 @@ def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place
         derived.append(why)
     elif R is None:
         R = missing(
-            CountershaftInputs.outer_radius,
+            ShaftInputs.outer_radius,
             Text("the envelope's radius; without journals to thread the shaft through it can not be derived"),
         )
     if z_max is None and journals:
@@ -308,7 +304,7 @@ def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place
         z_max = round(min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals)) - fillets, 9)
         if z_max <= 0:
             what = Text("a journal stands at mid-shaft, so that it can not be derived; give that of the outer faces")
-            z_max = missing(CountershaftInputs.half_length, what)
+            z_max = missing(ShaftInputs.half_length, what)
         else:
             up_to = Text("half-length {z}: up to the inner face of the journal nearest to mid-shaft", z=_mm(z_max))
             derived.append(
@@ -318,17 +314,17 @@ def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place
             )
     elif z_max is None:
         z_max = missing(
-            CountershaftInputs.half_length,
+            ShaftInputs.half_length,
             Text("where the outer faces of the sectors stand; without journals it can not be derived"),
         )
     if r_0 is None:
         what = Text(
             "the radius of the shaft that carries the sectors; `contralbero set FILE countershaft.core_radius_mm=15`"
         )
-        r_0 = missing(CountershaftInputs.core_radius, what)
+        r_0 = missing(ShaftInputs.core_radius, what)
     elif R is not None and r_0 >= R:
         reason = Text("must be smaller than the outer radius, {R}", R=_mm(R))
-        errors.append(InputError(0, dotted("countershaft", CountershaftInputs.core_radius), f"{r_0 * 1e3:g}", reason))
+        errors.append(InputError(0, dotted(SHAFT, ShaftInputs.core_radius), f"{r_0 * 1e3:g}", reason))
     if errors:
         raise BadInput(place, errors)
     return Envelope(R, r_0, z_max, tuple(derived))
@@ -339,7 +335,7 @@ def _mm(length: Metre) -> Amount:
 
 
 def candidates(
-    shaft: CountershaftInputs, materials: Mapping[str, Material], place: str
+    shaft: ShaftInputs, materials: Mapping[str, Material], place: str
 ) -> dict[str, tuple[Material, Euro | None]]:
     """The design's material and those to compare it with, each with the cost of its first year where it is known."""
     costs: dict[str, Euro] = {}
@@ -354,13 +350,13 @@ def candidates(
     unknown = [name for name in names if name not in materials]
     if unknown:
         reason = Text("is not in the table of materials; add it as [[material]]")
-        alternatives = dotted("countershaft", CountershaftInputs.cost, Cost.alternatives)
+        alternatives = dotted(SHAFT, ShaftInputs.cost, Cost.alternatives)
         raise BadInput(place, [InputError(0, alternatives, n, reason) for n in unknown])
     return {name: (materials[name], costs.get(name)) for name in names}
 
 
 def asked(
-    shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond
+    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond
 ) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2, RadPerSecond]:
     """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns."""
     todo = task(shaft, imbalance)
@@ -370,7 +366,7 @@ def asked(
 
 
 def choices(
-    shaft: CountershaftInputs,
+    shaft: ShaftInputs,
     imbalance: ImbalanceResult,
     omega: RadPerSecond,
     room: Envelope,
@@ -459,11 +455,11 @@ def choices_table(listed: Choices, top: int, room: Envelope) -> Table:
 def changes(choice: Choice, room: Envelope) -> Changes:
     """The keys that make a design one of these shafts."""
     written: dict[object, object] = {
-        CountershaftInputs.mode: "size",
-        CountershaftInputs.material: choice.material,
-        CountershaftInputs.outer_radius: digits(choice.sized.outer_radius * 1e3),
-        CountershaftInputs.core_radius: digits(room.core_radius * 1e3),
-        CountershaftInputs.half_length: digits(room.half_length * 1e3),
+        ShaftInputs.mode: "size",
+        ShaftInputs.material: choice.material,
+        ShaftInputs.outer_radius: digits(choice.sized.outer_radius * 1e3),
+        ShaftInputs.core_radius: digits(room.core_radius * 1e3),
+        ShaftInputs.half_length: digits(room.half_length * 1e3),
     }
     return {dotted("countershaft", field): value for field, value in written.items()}
 

@@ -36,7 +36,7 @@ from ...sheet.units import (
 )
 from ...sheet.value import about, based_on, untraced
 from .. import outline as s
-from ..inputs import CountershaftInputs, EccentricMass, Extra
+from ..inputs import EccentricMass, Extra, ShaftInputs
 from ..outline import Piece, around
 from . import formulas as f
 from . import lengths
@@ -417,7 +417,7 @@ class ShaftTask:
         return based_on(abs(self.C), self.C)
 
 
-def task(shaft: CountershaftInputs, imbalance: ImbalanceResult) -> ShaftTask:
+def task(shaft: ShaftInputs, imbalance: ImbalanceResult) -> ShaftTask:
     """The task of a shaft at `speed_ratio` times crank speed."""
     order = round(abs(shaft.speed_ratio))
     F_f, F_b, C_f, C_b = imbalance.orders[f"order_{order}"].vectors

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from ...bearings.checks import FILM_EDGE_SPEEDS, FILM_EDGE_STANDING, LENGTH_RATIO_USUAL, SUPPLY_RANGE
-from ...bearings.inputs import BearingInputs
 from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import LENGTH_STEP
 from ...bearings.selection.states import BearingTask
 from ...bearings.selection.variants import SUPPLIES, Variant, own_tasks
 from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, SLOPE_FRONT
 from ...countershaft.result import CountershaftResult
+from ...countershaft.rows import BearingRow
 from ...design.model import Design
 from ...design.step_inputs import bearings_case, shaft_gear
 from ...design.toml_file import Document, design
@@ -57,11 +57,11 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
     """The document of a class with sizes that solve if any do: the largest seat, the shortest journals, the smallest
     core."""
     document = problem.start
-    seat = problem.sizes[of_bearing(problem.seat, BearingInputs.diameter)]
+    seat = problem.sizes[of_bearing(problem.seat, BearingRow.diameter)]
     small = "front" if problem.seat == "rear" else "rear"
     diameter = {
         problem.seat: max(seat or (0.0,)),
-        small: max(problem.sizes[of_bearing(small, BearingInputs.diameter)] or (0.0,)),
+        small: max(problem.sizes[of_bearing(small, BearingRow.diameter)] or (0.0,)),
     }
     bearings = problem.base.bearings
     assert bearings is not None
@@ -191,7 +191,7 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
         bearings.supply,
         Lubricant(bearings.in_bearings(design.oils[bearings.oil]), bearings.viscosity_law),
     )
-    seats = np.array(problem.sizes[of_bearing(problem.seat, BearingInputs.diameter)] or (0.0,)) * 1e-3
+    seats = np.array(problem.sizes[of_bearing(problem.seat, BearingRow.diameter)] or (0.0,)) * 1e-3
     core = np.array(problem.sizes[CORE] or (0.0,)) * 1e-3
     R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
     longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
@@ -237,9 +237,9 @@ def _over_diameters(
 ) -> list[Films]:
     advice = [rule for rule in ADVICE if problem.binds(rule.of(place))]
     ratios = USUAL_LENGTH_RATIO if LENGTH_RATIO_USUAL in advice else LENGTH_RATIO
-    given = problem.sizes[of_bearing(place, BearingInputs.length)]
+    given = problem.sizes[of_bearing(place, BearingRow.length)]
     kept_films: list[Films] = []
-    for d in problem.sizes[of_bearing(place, BearingInputs.diameter)] or ():
+    for d in problem.sizes[of_bearing(place, BearingRow.diameter)] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
         l = (
             lengths(at, longest, ratios)

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ...bearings.inputs import BearingInputs
 from ...bearings.selection.grid import WIDEST
+from ...countershaft.rows import BearingRow
 from ...library.journal_rules import USUAL_LENGTH_RATIO
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
@@ -130,12 +130,12 @@ class _Space:
         diameter."""
         problem, sizes = self.problem, self.problem.sizes
         small = "front" if problem.seat == "rear" else "rear"
-        seat = _at(sizes[of_bearing(problem.seat, BearingInputs.diameter)] or (), x[3])
-        below = tuple(d for d in sizes[of_bearing(small, BearingInputs.diameter)] or () if d <= seat + 1e-9)
+        seat = _at(sizes[of_bearing(problem.seat, BearingRow.diameter)] or (), x[3])
+        below = tuple(d for d in sizes[of_bearing(small, BearingRow.diameter)] or () if d <= seat + 1e-9)
         diameter = {problem.seat: seat, small: _at(below or (seat,), x[4])}
         length, clearance = {}, {}
         for place, (u, v) in {"front": (x[5], x[6]), "rear": (x[7], x[8])}.items():
-            d, given = diameter[place], sizes[of_bearing(place, BearingInputs.length)]
+            d, given = diameter[place], sizes[of_bearing(place, BearingRow.length)]
             low, high = (ratio * d for ratio in USUAL_LENGTH_RATIO)
             low = max(low, self.widths[place] + LENGTH_STEP)
             length[place] = _at(given, u) if given else round((low + u * (high - low)) / LENGTH_STEP) * LENGTH_STEP

@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ...bearings.inputs import BearingInputs
+from ...countershaft.rows import BearingRow
 from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Name, Text
 from ...sheet.version import VERSION
@@ -91,7 +91,7 @@ def word(choice: object) -> str:
 
 
 def _size(problem: Problem, s: Any, place: str) -> str:
-    end = END if _ends(problem, {of_bearing(place, BearingInputs.diameter): s.diameter[place]}) else ""
+    end = END if _ends(problem, {of_bearing(place, BearingRow.diameter): s.diameter[place]}) else ""
     return f"{s.diameter[place]:g}{end}×{s.length[place]:g}/{s.clearance[place]:g}"
 
 
@@ -108,7 +108,7 @@ def at_end(problem: Problem, drive: Whole) -> list[str]:
     """The keys whose range ends at this drive, where the range is a rule or the user's and no limit of the design."""
     sizes = {
         CORE: drive.sized.core,
-        **{of_bearing(p, BearingInputs.diameter): d for p, d in drive.sized.diameter.items()},
+        **{of_bearing(p, BearingRow.diameter): d for p, d in drive.sized.diameter.items()},
     }
     return _ends(problem, sizes)
 

@@ -21,14 +21,15 @@ from ...bearings.checks import (
     SUPPLY_RANGE,
     TEMPERATURE_CORNER,
 )
-from ...bearings.inputs import BearingInputs, BearingsInputs
+from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.variants import SUPPLIES, placed
 from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, RIGID, SLOPE_FRONT, SLOPE_REAR
-from ...countershaft.inputs import THREADED, CountershaftInputs
+from ...countershaft.inputs import THREADED, ShaftInputs
 from ...countershaft.making.inputs import Support
 from ...countershaft.making.parts import SUPPORT_WALL
 from ...countershaft.making.scatter import SCATTER_RESIDUAL
 from ...countershaft.making.unbalance import HOLES_RANGE
+from ...countershaft.rows import BearingRow
 from ...design.addresses import quantity_of, value_at
 from ...design.locks import locked
 from ...design.model import Design
@@ -68,7 +69,7 @@ def of_bearing(place: str, field: object) -> str:
 
 
 BOTH = ("front", "rear")
-CORE, MATERIAL = of_shaft(CountershaftInputs.core_radius), of_shaft(CountershaftInputs.material)
+CORE, MATERIAL = of_shaft(ShaftInputs.core_radius), of_shaft(ShaftInputs.material)
 SLOPE = dotted(Design.bearings, BearingsInputs.slope)
 OIL, SUPPLY_KEY = dotted(Design.bearings, BearingsInputs.oil), dotted(Design.bearings, BearingsInputs.supply)
 BOTH_FITS = (dotted(Design.bearings, BearingsInputs.journal_fit), dotted(Design.bearings, BearingsInputs.seat_fit))
@@ -76,23 +77,21 @@ FITS, SURFACES = (
     dotted(Design.bearings, "fits"),
     dotted(Design.bearings, "surfaces"),
 )  # several keys that are chosen as one
-SIZES = (CORE, *(of_bearing(place, size) for place in BOTH for size in (BearingInputs.diameter, BearingInputs.length)))
+SIZES = (CORE, *(of_bearing(place, size) for place in BOTH for size in (BearingRow.diameter, BearingRow.length)))
 IN_STEPS = Text("is chosen in steps of 5 µm between what is left cold and the usual factor")
 TIED = {
-    of_shaft(CountershaftInputs.outer_radius): Text(
-        "follows from the largest journal, less the clearance for threading in"
-    ),
-    of_shaft(CountershaftInputs.half_length): Text("follows from the longer journal, less two fillets"),
-    **{of_bearing(place, BearingInputs.clearance): IN_STEPS for place in BOTH},
+    of_shaft(ShaftInputs.outer_radius): Text("follows from the largest journal, less the clearance for threading in"),
+    of_shaft(ShaftInputs.half_length): Text("follows from the longer journal, less two fillets"),
+    **{of_bearing(place, BearingRow.clearance): IN_STEPS for place in BOTH},
 }
 WITHIN = {  # keys that a drive is given with another one
     **dict.fromkeys(BOTH_FITS, FITS),
     **{
         of_bearing(place, surface): SURFACES
         for place in BOTH
-        for surface in (BearingInputs.journal_roughness, BearingInputs.housing_roughness)
+        for surface in (BearingRow.journal_roughness, BearingRow.housing_roughness)
     },
-    **{of_bearing(place, BearingInputs.clearance_factor): of_bearing(place, BearingInputs.clearance) for place in BOTH},
+    **{of_bearing(place, BearingRow.clearance_factor): of_bearing(place, BearingRow.clearance) for place in BOTH},
 }
 WIDTHS = Text(
     'must be pairs of widths, journal and seat: ["IT6", "IT7"]; the clearance is searched for, and a fit with a place '
@@ -175,7 +174,7 @@ class Variables:
             small_key: self.values(small_key, _steps(least, max(seats, default=0.0))),
         }
         for place in ("front", "rear"):
-            key = of_bearing(place, BearingInputs.length)
+            key = of_bearing(place, BearingRow.length)
             sizes[key] = self.values(key, ()) if key in self.vary else None
         for key in SIZES:
             if (why := locked(self.start.data, key)) and key not in self.vary:
@@ -192,7 +191,7 @@ class Variables:
     def _diameters(self) -> tuple[str, str]:
         """The keys of the larger journal's and of the smaller one's."""
         small = "front" if self.seat == "rear" else "rear"
-        return of_bearing(self.seat, BearingInputs.diameter), of_bearing(small, BearingInputs.diameter)
+        return of_bearing(self.seat, BearingRow.diameter), of_bearing(small, BearingRow.diameter)
 
     def _widest_seat(self) -> float:
         support = self.shaft.support
@@ -377,7 +376,7 @@ class Problem:
         return [dict(zip(self.choices, values)) for values in product(*self.choices.values())]
 
     @property
-    def shaft(self) -> CountershaftInputs:
+    def shaft(self) -> ShaftInputs:
         assert self.base.countershaft is not None
         return self.base.countershaft
 
@@ -547,12 +546,12 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
     )
     half = min(abs(z) - b.length / 2 for z, b in zip(shaft.bearing_positions, (bearings.front, bearings.rear)))
     if shaft.mode != "size" and not shaft.sections:
-        start[of_shaft(CountershaftInputs.outer_radius)] = round(R * 1e3, 6)
+        start[of_shaft(ShaftInputs.outer_radius)] = round(R * 1e3, 6)
         if shaft.core_radius is None:
             start[CORE] = round(0.4 * R * 1e3, 6)
         half -= 2 * (shaft.fillet_radius or 0.0)
-        start[of_shaft(CountershaftInputs.half_length)] = round(half * 1e3, 6)
-        start[of_shaft(CountershaftInputs.mode)] = "size"
+        start[of_shaft(ShaftInputs.half_length)] = round(half * 1e3, 6)
+        start[of_shaft(ShaftInputs.mode)] = "size"
         notes.append(Text("The masses are sized anew within the envelope of the journals (mode = size)."))
     if bearings.slope is not None:
         start[SLOPE] = None
@@ -571,7 +570,7 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
     support = shaft.support
     if support is not None and support.wall is not None and support.wall_at_seat is None:
         seat = max(bearings.front.diameter, bearings.rear.diameter) * 1e3
-        start[dotted(Design.countershaft, CountershaftInputs.support, Support.wall_at_seat)] = round(seat, 6)
+        start[dotted(Design.countershaft, ShaftInputs.support, Support.wall_at_seat)] = round(seat, 6)
         notes.append(
             Text(
                 "The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.",

@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from ...bearings.inputs import BearingInputs
 from ...bearings.selection.states import ROUGHNESSES
 from ...bearings.selection.variants import ENGINE_OIL, FINEST, SUPPLY
-from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.inputs import ShaftInputs
 from ...countershaft.making.parts import SUPPORT_WALL
+from ...countershaft.rows import BearingRow
 from ...design.model import Design
 from ...design.toml_file import design
 from ...library.lubricant import Lubricant
@@ -94,8 +94,8 @@ def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
 
 def quick(problem: Problem) -> Problem:
     """The same with few diameters of the smaller journal, and no margin but the least."""
-    small = of_bearing("front" if problem.seat == "rear" else "rear", BearingInputs.diameter)
-    seat = of_bearing(problem.seat, BearingInputs.diameter)
+    small = of_bearing("front" if problem.seat == "rear" else "rear", BearingRow.diameter)
+    seat = of_bearing(problem.seat, BearingRow.diameter)
     values, seats = problem.sizes[small] or (), problem.sizes[seat] or ()
     few = values[:: max(1, math.ceil(len(values) / FEW))]
     sizes = {**problem.sizes, small: few, seat: seats[-1:]}
@@ -173,7 +173,7 @@ Requirement = tuple[Text, Callable[[], RefusalLine | None]]
 def _ways(problem: Problem) -> Iterator[Requirement]:
     shaft, bearings = problem.shaft, problem.base.bearings
     assert bearings is not None
-    seats = problem.sizes[of_bearing(problem.seat, BearingInputs.diameter)] or ()
+    seats = problem.sizes[of_bearing(problem.seat, BearingRow.diameter)] or ()
     if seats:
         yield Text("a larger seat"), lambda: _seat(problem, max(seats))
     z = shaft.bearing_positions
@@ -181,7 +181,7 @@ def _ways(problem: Problem) -> Iterator[Requirement]:
         Text("bearings further apart"),
         lambda: _stretched(
             problem,
-            of_shaft(CountershaftInputs.bearing_positions),
+            of_shaft(ShaftInputs.bearing_positions),
             0.1,
             lambda share: [round(x * 1e3 * (1 + share), 2) for x in z],
             lambda value: Text("{a} → {b} mm", a=Name(_list([x * 1e3 for x in z])), b=Name(_list(value))),
@@ -192,7 +192,7 @@ def _ways(problem: Problem) -> Iterator[Requirement]:
         Text("less couple beyond the required one"),
         lambda: _stretched(
             problem,
-            of_shaft(CountershaftInputs.overdesign),
+            of_shaft(ShaftInputs.overdesign),
             0.05,
             lambda share: round(x_o - share * 100, 2),
             lambda value: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{value:g}")),
@@ -204,7 +204,7 @@ def _ways(problem: Problem) -> Iterator[Requirement]:
             Text("a smaller fillet"),
             lambda: _stretched(
                 problem,
-                of_shaft(CountershaftInputs.fillet_radius),
+                of_shaft(ShaftInputs.fillet_radius),
                 0.8,
                 lambda share: round(r * (1 - share), 3),
                 lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")),
@@ -219,7 +219,7 @@ def _list(values: list[float]) -> str:
 
 def _seat(problem: Problem, now: float) -> RefusalLine | None:
     """The least larger seat; the wall beside it gives what it takes, and may be what is then broken."""
-    key = of_bearing(problem.seat, BearingInputs.diameter)
+    key = of_bearing(problem.seat, BearingRow.diameter)
 
     def at(seat: float) -> Problem:
         reduced = quick(problem)

@@ -6,10 +6,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from ...bearings.inputs import BearingInputs
 from ...bearings.result import BearingsResult
-from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.inputs import ShaftInputs
 from ...countershaft.result import CountershaftResult
+from ...countershaft.rows import BearingRow
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...engine.inputs import EngineInputs
@@ -72,19 +72,19 @@ def changes(problem: Problem, sized: Sized) -> Changes:
     R = max(sized.diameter.values()) / 2 - problem.threaded
     positions = [abs(z) * 1e3 for z in problem.shaft.bearing_positions]
     half = min(z - sized.length[place] / 2 for z, place in zip(positions, ("front", "rear"))) - 2 * problem.fillet
-    changed[of_shaft(CountershaftInputs.outer_radius)] = digits(R)
-    changed[of_shaft(CountershaftInputs.half_length)] = digits(half)
+    changed[of_shaft(ShaftInputs.outer_radius)] = digits(R)
+    changed[of_shaft(ShaftInputs.half_length)] = digits(half)
     for place in BOTH:
         here: dict[object, float | None] = {
-            BearingInputs.diameter: digits(sized.diameter[place]),
-            BearingInputs.length: digits(sized.length[place]),
-            BearingInputs.clearance_factor: None,
-            BearingInputs.clearance: digits(sized.clearance[place]),
+            BearingRow.diameter: digits(sized.diameter[place]),
+            BearingRow.length: digits(sized.length[place]),
+            BearingRow.clearance_factor: None,
+            BearingRow.clearance: digits(sized.clearance[place]),
         }
         if sized.surface is not None:
             here |= {
-                BearingInputs.journal_roughness: sized.surface[0],
-                BearingInputs.housing_roughness: sized.surface[1],
+                BearingRow.journal_roughness: sized.surface[0],
+                BearingRow.housing_roughness: sized.surface[1],
             }
         changed |= {of_bearing(place, field): value for field, value in here.items()}
     return changed

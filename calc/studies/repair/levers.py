@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import copysign, isclose
 
-from ...bearings.inputs import BearingInputs, BearingsInputs
-from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.inputs import ShaftInputs
+from ...countershaft.rows import BearingRow
 from ...design.addresses import Table, address, as_list, quantities, quantity_of, value_at
-from ...design.model import Design
 from ...design.names import published
 from ...design.toml_file import Document
 from ...gears.wheel_inputs import Wheel
@@ -92,10 +91,10 @@ def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[l
 
 NUMBERS = ("number", "integer", "series")
 ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against
-POSITIONS = dotted(Design.countershaft, CountershaftInputs.bearing_positions)
-CLEARANCES = (described(BearingInputs.clearance), described(BearingInputs.clearance_factor))
+POSITIONS = "TODO"
+CLEARANCES = (described(BearingRow.clearance), described(BearingRow.clearance_factor))
 SPAN = described(Wheel.span_allowance)
-SLOPE = dotted(Design.bearings, BearingsInputs.slope)
+SLOPE = "TODO"
 
 
 @dataclass(frozen=True)
@@ -166,11 +165,11 @@ def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, ab
         scaled = {name: [digits(n * x / now, 6) for n in some] for name, some in numbers.items()}
         return {name: some if name in lists else some[0] for name, some in scaled.items()}
 
-    if about is described(CountershaftInputs.core_radius) and value_at(data, SLOPE) is not None:
+    if about is described(ShaftInputs.core_radius) and value_at(data, SLOPE) is not None:
         yield Lever(now, about, lambda x: write(x) | {SLOPE: None}, abs(now))
         return
     yield Lever(now, about, write, abs(now))
-    if about is described(BearingInputs.length) and (places := outwards(state, key, now)) is not None:
+    if about is described(BearingRow.length) and (places := outwards(state, key, now)) is not None:
         yield Lever(now, about, lambda x: write(x) | {POSITIONS: places(x)}, abs(now))
 
 
@@ -185,10 +184,10 @@ def outwards(state: RepairState, key: str, now: float) -> Callable[[float], list
 
 def _clearance(state: RepairState, place: str) -> Iterator[Lever]:
     """In micrometres, in place of the factor where that is given."""
-    data, key = state.document.data, dotted(place, BearingInputs.clearance)
+    data, key = state.document.data, dotted(place, BearingRow.clearance)
     if (there := published(state.results, key)) is None:
         return
-    factor = dotted(place, BearingInputs.clearance_factor)
+    factor = dotted(place, BearingRow.clearance_factor)
     gone: Changes = {} if value_at(data, factor) is None else {factor: None}
     now = float(f"{there.shown:.4g}")
     yield Lever(now, quantity_of(data, key), lambda x: gone | {key: digits(x)}, now)

@@ -9,13 +9,14 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ...bearings.inputs import BearingInputs, BearingsInputs
+from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...countershaft.checks import RESIDUAL, RESIDUAL_FORCE
-from ...countershaft.inputs import CountershaftInputs, EccentricMass
+from ...countershaft.inputs import EccentricMass, ShaftInputs
+from ...countershaft.rows import BearingRow
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
-from ...design.addresses import PLACES
+from ...design.addresses import IN_WORDS
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.names import named
@@ -72,16 +73,16 @@ def bearings_or_longer_journals(
 
 def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Journals as much longer as their films ask for, outwards where the masses leave no room.  Raises NoSolution."""
-    for n, place in enumerate(PLACES):
-        key = dotted(Design.bearings, place, BearingInputs.length)
+    for n, place in enumerate(IN_WORDS):
+        key = dotted(Design.bearings, place, BearingRow.length)
         group = tuple(c for c in failing if c.id.rpartition(".")[0] == key.rpartition(".")[0])
         if not group:
             continue
-        here = part(progress, n / len(PLACES), (n + 1) / len(PLACES))
+        here = part(progress, n / len(IN_WORDS), (n + 1) / len(IN_WORDS))
         trials = Trials(state, "bearings", group, Budget(TRIES), here, named(state.document, key), near=ROUND)
         longer = next(filter(None, map(trials.least, levers(state, [key]))), None)
         if longer is None:
-            raise NoSolution(Text("no longer journal is enough, {place}", place=PLACES[place]))
+            raise NoSolution(Text("no longer journal is enough, {place}", place=IN_WORDS[place]))
         state = longer[1]
     return state
 
@@ -102,7 +103,7 @@ def balance(state: RepairState, failing: tuple[Check, ...], progress: Progress |
     shaft = state.design.countershaft
     assert shaft is not None
     imbalance = state.results.result(ImbalanceResult)
-    if imbalance is not None and shaft.pair != "yes" and _out_of_reach(failing, task(shaft, imbalance)):
+    if imbalance is not None and not shaft.paired and _out_of_reach(failing, task(shaft, imbalance)):
         raise NoSolution(Text("what turns against the shaft is more than may be left, and no mass on it takes that"))
     if shaft.mode != "given":
         raise NoSolution(
@@ -116,7 +117,7 @@ def _out_of_reach(failing: tuple[Check, ...], todo: ShaftTask) -> bool:
     return any(words.get(c.id) in todo.out_of_reach for c in failing)
 
 
-def balanced(state: RepairState, shaft: CountershaftInputs) -> Iterator[Changes]:
+def balanced(state: RepairState, shaft: ShaftInputs) -> Iterator[Changes]:
     """Masses that give what the engine asks for, the fewest changes first.  Raises NoSolution where that is not
     known."""
     imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
@@ -180,7 +181,7 @@ def _single(mass: EccentricMass, wanted: complex) -> Iterator[Changes]:
 
 
 def _of_mass(mass: EccentricMass, field: object) -> str:
-    return dotted(Design.countershaft, CountershaftInputs.masses, mass.name, field)
+    return dotted(Design.countershaft, ShaftInputs.masses, mass.name, field)
 
 
 def _near(angle: float, old: float) -> float:
@@ -205,7 +206,7 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
     if shaft is None or imbalance is None or engine is None:
         raise NoSolution(UNKNOWN)
     try:
-        room = envelope(shaft, design.bearings, state.document.place)
+        room = envelope(shaft, state.document.place)
         materials = candidates(shaft, design.materials, state.document.place)
     except BadInput as bad:
         raise NoSolution(Text("{key} {reason}", key=bad.errors[0].key, reason=bad.errors[0].reason)) from None
@@ -214,8 +215,8 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
         choices(shaft, imbalance, engine.angular_speed, room, {shaft.material: materials[shaft.material]})
     except TooSmall as small:
         larger = (
-            (CountershaftInputs.outer_radius, small.outer_radius),
-            (CountershaftInputs.half_length, small.half_length),
+            (ShaftInputs.outer_radius, small.outer_radius),
+            (ShaftInputs.half_length, small.half_length),
         )
         sizes = ({dotted(Design.countershaft, size): math.ceil(x / TENTH) / 10} for size, x in larger if x is not None)
         try:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from itertools import product
 
-from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.inputs import ShaftInputs
 from ...design.addresses import as_table
 from ...design.model import Design
 from ...design.toml_file import Document, design
@@ -138,7 +138,7 @@ def hindrance(document: Document, step: str) -> Text:
     if step not in SHAFT_STEPS[1:]:
         return EMPTY
     if given := as_table(document.data.get("countershaft")):
-        ratio = given.get(dotted(CountershaftInputs.speed_ratio), -1)
+        ratio = given.get(dotted(ShaftInputs.speed_ratio), -1)
         if isinstance(ratio, (int, float)) and ratio != -1:
             speed = Amount(ratio, form="g")
             return Text("for a shaft that turns at {ratio} times crank speed no rules are known here", ratio=speed)
@@ -175,7 +175,7 @@ def begun(document: Document) -> str:
 def choice_made(document: Document) -> str:
     """The id of the balancing that the design has now; "" where nothing is chosen yet."""
     if given := as_table(document.data.get("countershaft")):
-        ratio = given.get(dotted(CountershaftInputs.speed_ratio), -1)
+        ratio = given.get(dotted(ShaftInputs.speed_ratio), -1)
         return "shaft" if ratio == -1 else "pair" if ratio == 1 else "second"
     if "countershaft" not in as_table(document.data.get("without")):
         return ""

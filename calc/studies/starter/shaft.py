@@ -9,13 +9,14 @@ from itertools import product
 
 import numpy as np
 
-from ...bearings.inputs import BearingInputs, BearingsInputs
+from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...bearings.selection.variants import Variant
 from ...countershaft import formulas as f
-from ...countershaft.inputs import CountershaftInputs, Holes, Journal
+from ...countershaft.inputs import Holes, Journal, ShaftInputs
 from ...countershaft.making.unbalance import calibration
 from ...countershaft.result import CountershaftResult
+from ...countershaft.rows import BearingRow
 from ...countershaft.sizing import formulas as sizes
 from ...countershaft.sizing.lengths import utilisation
 from ...countershaft.sizing.sectors import Sized, size
@@ -178,27 +179,27 @@ def _drill(design: Design, todo: StarterTask, of: Envelope) -> Holes:
 def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: Holes) -> list[Section]:
     narrowest = f"assumed: the smallest with a utilisation up to {UTILISATION:g}; here {of.sized.utilisation:.2f}"
     more = "" if share == CORES[0] else f", not {CORES[0]:g}, to keep the journals' slopes below 0.2 mrad"
-    twin: Rows = {CountershaftInputs.pair: ("yes", "a mirrored second shaft turns the other way")} if pair else {}
+    twin: Rows = {ShaftInputs.pair: ("yes", "a mirrored second shaft turns the other way")} if pair else {}
     apart = "as far apart as the row of cylinders is long, or 1.5 bores"
     shaft: Rows = {
-        CountershaftInputs.mode: ("size", ""),
-        CountershaftInputs.material: (STEEL, "assumed: a usual shaft steel"),
-        CountershaftInputs.speed_ratio: (todo.ratio, ""),
+        ShaftInputs.mode: ("size", ""),
+        ShaftInputs.material: (STEEL, "assumed: a usual shaft steel"),
+        ShaftInputs.speed_ratio: (todo.ratio, ""),
         **twin,
-        CountershaftInputs.bearing_positions: ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
-        CountershaftInputs.outer_radius: (mm(of.outer), narrowest),
-        CountershaftInputs.core_radius: (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
-        CountershaftInputs.half_length: (mm(of.half_length), "assumed: two fillets short of the journals"),
-        CountershaftInputs.radial_clearance: (mm(THREADED), "assumed: for threading in"),
-        CountershaftInputs.fillet_radius: (mm(FILLET), "assumed"),
-        CountershaftInputs.overdesign: (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
+        ShaftInputs.bearing_positions: ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
+        ShaftInputs.outer_radius: (mm(of.outer), narrowest),
+        ShaftInputs.core_radius: (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
+        ShaftInputs.half_length: (mm(of.half_length), "assumed: two fillets short of the journals"),
+        ShaftInputs.radial_clearance: (mm(THREADED), "assumed: for threading in"),
+        ShaftInputs.fillet_radius: (mm(FILLET), "assumed"),
+        ShaftInputs.overdesign: (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
     }
     drilled: Rows = {
         Holes.diameter: (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
         Holes.depth: (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
         Holes.count: (holes.count, "assumed: two in each sector"),
     }
-    return [(head(Design.countershaft), shaft), (head(Design.countershaft, CountershaftInputs.holes), drilled)]
+    return [(head(Design.countershaft), shaft), (head(Design.countershaft, ShaftInputs.holes), drilled)]
 
 
 # --- the bearings
@@ -207,7 +208,7 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
 FITS: tuple[tuple[str, str] | None, ...] = (None, ("IT6", "IT6"))
-OWN_JOURNALS = dotted(Design.countershaft, CountershaftInputs.journals)  # which bearings have in their place
+OWN_JOURNALS = dotted(Design.countershaft, ShaftInputs.journals)  # which bearings have in their place
 FOUND = "assumed: by the search for bearings, so that its rules hold at the worst corner of the tolerances"
 BEARINGS = Text("bearings to begin with")
 
@@ -291,9 +292,9 @@ def _cooled_length(load: Newton, speed: RevPerSecond, rear: Metre, room: Metre) 
 def _journal_sections(made: Design, oil: str, front: Metre, rear: Metre, length: Metre) -> list[Section]:
     why = f"assumed: l/d of at least {BEARING[0]:g} at the rear, and a heat index up to 400 000 N·rpm/mm"
     alike: Rows = {
-        BearingInputs.clearance_factor: (0.75, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"),
-        BearingInputs.journal_roughness: (0.2, "assumed: ground and lapped"),
-        BearingInputs.housing_roughness: (0.4, "assumed: finely bored"),
+        BearingRow.clearance_factor: (0.75, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"),
+        BearingRow.journal_roughness: (0.2, "assumed: ground and lapped"),
+        BearingRow.housing_roughness: (0.4, "assumed: finely bored"),
     }
     through = f"assumed: 1 mm above the gear's tip, or l/d of {BEARING[1]:g}"
     housing = (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
@@ -308,12 +309,12 @@ def _journal_sections(made: Design, oil: str, front: Metre, rear: Metre, length:
         BearingsInputs.housing_material: housing,
     }
     in_front: Rows = {
-        BearingInputs.diameter: (mm(front), "assumed: that of the rear" if front == rear else through),
-        BearingInputs.length: (mm(length), "assumed: that of the rear bearing"),
+        BearingRow.diameter: (mm(front), "assumed: that of the rear" if front == rear else through),
+        BearingRow.length: (mm(length), "assumed: that of the rear bearing"),
     }
     behind: Rows = {
-        BearingInputs.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
-        BearingInputs.length: (mm(length), why),
+        BearingRow.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
+        BearingRow.length: (mm(length), why),
     }
     return [
         (head(Design.bearings), both),

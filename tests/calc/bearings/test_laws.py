@@ -16,7 +16,8 @@ from calc.bearings.film.dynamics import coefficients
 from calc.bearings.film.reynolds import radial_damping
 from calc.bearings.film.reynolds import solve_film as reynolds
 from calc.bearings.film.table import film_at
-from calc.bearings.inputs import BearingInputs, BearingsInputs
+from calc.countershaft.rows import BearingRow
+from calc.bearings.inputs import BearingsInputs
 from calc.bearings.routes import flow
 from calc.bearings.routes.routes import own_cold, own_warm
 from calc.bearings.routes.states import BearingCase, OperatingPoint
@@ -37,7 +38,7 @@ def cases(draw):
     ε, l/d)."""
     d, psi, b, eps, n = draw(diameters), draw(clearances), draw(ratios), draw(eccentricities), draw(speeds)
     l, g = b * d, psi * d
-    bearing = BearingInputs(diameter=d, length=l, clearance=g, load=1.0, journal_roughness=0.0, housing_roughness=0.0)
+    bearing = BearingRow(diameter=d, length=l, clearance=g, load=1.0, journal_roughness=0.0, housing_roughness=0.0)
     inputs = BearingsInputs(
         oil=draw(st.sampled_from(OILS)),
         supply_temperature=draw(temperatures),

@@ -12,7 +12,7 @@ from typing import get_args, get_origin
 
 import pytest
 
-from calc.bearings.inputs import BearingInputs
+from calc.countershaft.rows import BearingRow
 from calc.bearings.result import BearingResult, BearingsResult
 from calc.countershaft.result import CountershaftResult
 from calc.design.model import STEP_KEYS, STEPS, Design
@@ -43,7 +43,7 @@ EXCUSED = {
 
 def test_keys_and_ids_are_those_of_file_and_report() -> None:
     assert dotted(Design.engine, EngineInputs.bore) == "engine.bore_mm"
-    assert dotted(Design.bearings, "front", BearingInputs.length) == "bearings.front.length_mm"
+    assert dotted(Design.bearings, "front", BearingRow.length) == "bearings.front.length_mm"
     assert dotted(Design.engine, EngineResult.stroke) == "engine.stroke"
 
 

@@ -4,7 +4,7 @@ from dataclasses import FrozenInstanceError
 
 import pytest
 
-from calc.bearings.inputs import BearingInputs
+from calc.countershaft.rows import BearingRow
 from calc.sheet.quantity import Described, Stated, group, result, value
 from calc.sheet.record import record
 from calc.sheet.text import Text
@@ -28,7 +28,7 @@ class Film:
 GIVEN = {"diameter": 0.06, "length": 0.03, "journal_roughness": 6e-7, "housing_roughness": 6e-7}
 
 
-@pytest.mark.parametrize("make", [lambda: BearingInputs(**GIVEN, lenght=0.03), lambda: Point(1.0, 2.0, lenght=3)])
+@pytest.mark.parametrize("make", [lambda: BearingRow(**GIVEN, lenght=0.03), lambda: Point(1.0, 2.0, lenght=3)])
 def test_a_wrong_keyword_is_named(make):
     with pytest.raises(TypeError, match="lenght"):
         make()
@@ -54,8 +54,8 @@ def test_repr_shortens_what_is_long():
 
 
 def test_inputs_print_labels_values_and_units():
-    assert str(BearingInputs(**GIVEN)).splitlines() == [
-        "BearingInputs",
+    assert str(BearingRow(**GIVEN)).splitlines() == [
+        "BearingRow",
         "  Journal diameter        60 mm",
         "  Length                  30 mm",
         "  Roughness Ra, journal  0.6 µm",

@@ -56,7 +56,7 @@ def test_no_cases_without_a_support_and_no_preload_without_bolts():
 
 
 def test_a_shaft_that_presses_on_nothing_has_no_cases():
-    shaft = parts.CountershaftInputs(mode="given", material="20CrNi4", bearing_positions=(-0.1675, 0.1675))
+    shaft = parts.ShaftInputs(mode="given", material="20CrNi4", bearing_positions=(-0.1675, 0.1675))
     assert not parts.table(shaft, replace(result(), reaction_front=0.0))
     assert parts.table(shaft, result())
 
@@ -153,7 +153,7 @@ def test_what_the_holes_may_take_is_what_is_beyond_the_couple_of_the_engine():
     ],
 )
 def test_the_wall_beside_the_largest_seat(support, journals, wall):
-    shaft = parts.CountershaftInputs(
+    shaft = parts.ShaftInputs(
         mode="given", material="", bearing_positions=(0.0, 1.0), support=Support(material="", **support)
     )
     assert parts._with_wall(shaft, journals).support.wall == pytest.approx(wall)
