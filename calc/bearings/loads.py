@@ -55,11 +55,11 @@ START_LOAD = CheckRule(
 
 def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> Outcome[BearingsResult]:
     """The same outcome with the standing part of each bearing's load."""
-    if stands is None or outcome.result is None or stands.stationary_front is None or stands.stationary_rear is None:
+    if stands is None or outcome.result is None or not stands.stationary:
         return outcome
     bearings, checks, notes = {}, list(outcome.checks), list[Text]()
     with trace() as lines:
-        for place, load in (("front", stands.stationary_front), ("rear", stands.stationary_rear)):
+        for place, load in stands.stationary.items():
             bearing = outcome.result.bearings[place]
             with about(Text("{place} bearing, standing part of the load", place=called(place))):
                 part = _standing(bearing, load, place, notes)

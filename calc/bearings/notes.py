@@ -121,7 +121,7 @@ def _slope(results: Mapping[str, BearingResult], shaft: CountershaftResult | Non
         return Text(
             "The slope of the journals is the one given here (slope_mrad), not that of the counter-shaft's bending."
         )
-    if shaft is not None and shaft.slope_front is not None:
+    if shaft is not None and shaft.slopes:
         return Text(
             "The slope of the journals is that of the counter-shaft's bending, with the stiffness share of its sectors."
         )

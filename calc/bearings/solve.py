@@ -103,14 +103,14 @@ def solve(
     with trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
-        for n, bearing in enumerate(rows):
+        for bearing in rows:
             place = bearing.name
             with about(Text("{place} bearing", place=called(place))):
                 clearance = clearance_of(bearings, bearing, speed)
                 seat = BearingCase(
                     bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion
                 )
-                load, slope = _load(bearing, n, shaft), _slope(bearing, n, shaft)
+                load, slope = _load(bearing, shaft), _slope(bearing, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
                 all_checks += checks(place, results[place], solids.housing)
                 all_checks += _material_checks(place, results[place])
@@ -174,20 +174,20 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecon
     return f.clearance_of_fits(EI=EI, ES=ES, ei=ei, es=es)
 
 
-def _load(bearing: BearingRow, n: int, shaft: CountershaftResult | None) -> float:
-    """As given, else the reaction at the n-th bearing of the shaft."""
+def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:
+    """As given, else the reaction of the shaft there."""
     if bearing.load is not None:
         return bearing.load
-    load: float = 0.0 if shaft is None else shaft.loads[n]
+    load: float = 0.0 if shaft is None else shaft.loads[bearing.name]
     if load <= 0:
         advice = Text("give the counter-shaft eccentric masses that balance a couple")
         raise NoSolution(Text("the {place} bearing carries no load", place=called(bearing.name)), EMPTY, advice)
     return load
 
 
-def _slope(bearing: BearingRow, n: int, shaft: CountershaftResult | None) -> Radian | None:
-    """As given, else as the bending of the shaft has it at its n-th bearing; None where neither is known."""
-    return bearing.slope if bearing.slope is not None or shaft is None else shaft.slopes[n]
+def _slope(bearing: BearingRow, shaft: CountershaftResult | None) -> Radian | None:
+    """As given, else as the bending of the shaft has it there; None where neither is known."""
+    return bearing.slope if bearing.slope is not None or shaft is None else shaft.slopes.get(bearing.name)
 
 
 def _slope_checks(shaft: CountershaftResult | None, results: dict[str, BearingResult]) -> Iterator[Check]:
@@ -195,8 +195,8 @@ def _slope_checks(shaft: CountershaftResult | None, results: dict[str, BearingRe
     given ones."""
     if shaft is None or shaft.bending is None:
         return  # where nothing bends, the shaft has its slopes from here
-    for (place, r), bent in zip(results.items(), shaft.slopes):
-        slope = r.seat.bearing.slope
+    for place, r in results.items():
+        slope, bent = r.seat.bearing.slope, shaft.slopes.get(place)
         if bent is None or slope is None:
             continue
         with untraced():

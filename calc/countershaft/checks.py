@@ -21,7 +21,7 @@ from .bending.shaft import Bending
 from .inputs import ShaftInputs
 from .outline import Journals
 from .result import CountershaftResult, SupportResult
-from .rows import EACH_ROW, SHAFT, BearingRow
+from .rows import EACH_ROW, SHAFT, BearingRow, called
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 from .supports import Gear
 
@@ -95,33 +95,17 @@ FILLET_AND_CORE = (*FILLET_RADIUS, dotted(SHAFT, ShaftInputs.core_radius))
 LARGER_CORE = Text("A larger core where the moment is largest, or a shorter span.")
 LARGER_FILLET = Text("A larger fillet. {advice}", advice=LARGER_CORE)
 
-SLOPE_FRONT = CheckRule(
-    "countershaft.slope_front",
+JOURNAL_SLOPE = CheckRule(
+    "countershaft.slope_B",
     "caution",
     "The journal stands on the edge of its seat; a target of one maker: the film at the edge is what judges it.",
-    Text("Slope of the front journal"),
-    "<=",
-    "mrad",
-    Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker"),
-    Text("A stiffer shaft between its bearings: a larger core, or a shorter span."),
+    sense="<=",
+    unit="mrad",
+    source=Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker"),
+    advice=Text("A stiffer shaft between its bearings: a larger core, or a shorter span."),
     demand=True,
-    value_id=dotted("countershaft", CountershaftResult.slope_front),
-    moved_by=STIFFNESS,
-    short=Text("slope"),
-    decides=True,
-)
-SLOPE_REAR = CheckRule(
-    "countershaft.slope_rear",
-    "caution",
-    SLOPE_FRONT.why,
-    Text("Slope of the rear journal"),
-    "<=",
-    "mrad",
-    SLOPE_FRONT.source,
-    SLOPE_FRONT.advice,
-    demand=True,
-    cause=SLOPE_FRONT.id,
-    value_id=dotted("countershaft", CountershaftResult.slope_rear),
+    cause="countershaft.slope",
+    value_id=dotted("countershaft", CountershaftResult.slopes),
     moved_by=STIFFNESS,
     short=Text("slope"),
     decides=True,
@@ -374,9 +358,9 @@ def checks(
 ) -> Iterator[Check]:
     """All checks of the step but those of its bending and its making."""
     yield from _residual_checks(shaft, todo, shaft_result)
-    for rule, slope in ((SLOPE_FRONT, shaft_result.slope_front), (SLOPE_REAR, shaft_result.slope_rear)):
-        if slope is not None:
-            yield rule(slope, SLOPE)
+    for n, (row, slope) in enumerate(shaft_result.slopes.items()):
+        if n in (0, len(shaft.bearings) - 1):
+            yield JOURNAL_SLOPE(slope, SLOPE, at=row, name=Text("Slope of the {row} journal", row=called(row)))
     if journals:
         yield from _envelope_checks(shaft, shaft_result, journals, gear)
     yield from _support_checks(shaft_result)

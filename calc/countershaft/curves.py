@@ -11,6 +11,7 @@ from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, Newton, RadPerSecond
 from .bending.shaft import Bending
 from .result import CountershaftResult
+from .rows import called
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 
 STACK = "bending"
@@ -85,7 +86,7 @@ def _carried(shaft: CountershaftResult) -> list[tuple[Text, Newton]]:
     """The bearings, front to rear, each with what turns on it."""
     if shaft.support:
         return [(Name(name), support.reaction) for name, support in shaft.support.items()]
-    return [(Text("front"), shaft.reaction_front), (Text("rear"), shaft.reaction_rear)]
+    return [(called(row), load) for row, load in shaft.loads.items()]
 
 
 def _reactions(shaft: CountershaftResult, omega: RadPerSecond) -> Curve:

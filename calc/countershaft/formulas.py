@@ -106,15 +106,10 @@ def eccentric_mass(m: Kilogram) -> Kilogram:
     return total(m)
 
 
-@formula("R_r", "statics: reaction of the rear bearing (Finotti 2013, 3.2.3.1)")
-def reaction_rear(C_S: PhasorNewtonMetre, z_f: Metre, F_S: PhasorNewton, z_r: Metre) -> PhasorNewton:
-    """The force of the rear support on the shaft; it turns with the shaft."""
-    return -(C_S - z_f * F_S) / (z_r - z_f)
-
-
-@formula("R_f", "statics: reaction of the front bearing (Finotti 2013, 3.2.3.1)")
-def reaction_front(F_S: PhasorNewton, R_r: PhasorNewton) -> PhasorNewton:
-    return -F_S - R_r
+@formula("R_B", "statics: reaction of one of two bearings, by moments about the other (Finotti 2013, 3.2.3.1)")
+def lever_reaction(C_S: PhasorNewtonMetre, z_o: Metre, F_S: PhasorNewton, z_B: Metre) -> PhasorNewton:
+    """The force of the support at z_B on the shaft, the other one at z_o; it turns with the shaft."""
+    return -(C_S - z_o * F_S) / (z_B - z_o)
 
 
 @formula("F", "mathematics, modulus of the vector", names={"R": "R_i"})
@@ -226,14 +221,10 @@ def weight(m_S: Kilogram) -> Newton:
     return m_S * G
 
 
-@formula("G_r", "statics: lever about the front bearing", names={"z_S": "z_S"})
-def weight_rear(G_S: Newton, z_S: Metre, z_f: Metre, z_r: Metre) -> Newton:
-    return G_S * (z_S - z_f) / (z_r - z_f)
-
-
-@formula("G_f", "statics: equilibrium")
-def weight_front(G_S: Newton, G_r: Newton) -> Newton:
-    return G_S - G_r
+@formula("G_B", "statics: lever about the other bearing", names={"z_S": "z_S"})
+def lever_weight(G_S: Newton, z_S: Metre, z_o: Metre, z_B: Metre) -> Newton:
+    """On the bearing at z_B, of two, the other one at z_o."""
+    return G_S * (z_S - z_o) / (z_B - z_o)
 
 
 @formula("T", "definition: power over angular speed")
@@ -269,21 +260,13 @@ def gear_axial(F_t: Newton, beta: Radian) -> Newton:
 
 
 @formula(
-    "R_G,r",
-    "statics: levers of the tooth force about the front bearing; the thrust adds its tilting couple in the radial "
+    "R_G",
+    "statics: levers of the tooth force about the other bearing; the thrust adds its tilting couple in the radial "
     "plane, taken for the worse",
 )
-def gear_on_rear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
-    return sqrt((F_t * (z_G - z_f)) ** 2 + (F_r * abs(z_G - z_f) + F_a * d / 2) ** 2) / (z_r - z_f)
-
-
-@formula(
-    "R_G,f",
-    "statics: levers of the tooth force about the rear bearing; the thrust adds its tilting couple in the radial "
-    "plane, taken for the worse",
-)
-def gear_on_front(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
-    return sqrt((F_t * (z_r - z_G)) ** 2 + (F_r * abs(z_r - z_G) + F_a * d / 2) ** 2) / (z_r - z_f)
+def lever_gear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_o: Metre, z_B: Metre) -> Newton:
+    """On the bearing at z_B, of two, the other one at z_o."""
+    return sqrt((F_t * (z_G - z_o)) ** 2 + (F_r * abs(z_G - z_o) + F_a * d / 2) ** 2) / abs(z_B - z_o)
 
 
 @formula("R_0", "statics, weight and tooth force in line: a bound, since the wheels' places are not known")

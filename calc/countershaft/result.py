@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from ..sheet.quantity import Stated, group, result, value
+from ..sheet.quantity import Stated, group, result, value, values
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -23,6 +23,7 @@ from .bending.shaft import Bending
 from .inputs import ShaftInputs
 from .making.unbalance import HolesResult, ToleranceResult
 from .outline import Outline
+from .rows import called, sign
 
 if TYPE_CHECKING:  # loaded only where they are asked for
     from .making.bolts import BoltsResult
@@ -37,19 +38,28 @@ class Standing:
     """The standing part of the bearings' load, and the largest load over a turn."""
 
     weight: Newton | None = value("Weight of the shaft", "N", "G_S", default=None)
-    weight_front: Newton | None = value("Weight on the front bearing", "N", "G_f", default=None)
-    weight_rear: Newton | None = value("Weight on the rear bearing", "N", "G_r", default=None)
+    weights: dict[str, Newton] = values(
+        "Weight on the {row} bearing", "N", "G_*", id="weight_*", called=called, sign=sign
+    )
     gear_torque: NewtonMetre | None = value("Torque at the shaft's gear", "N·m", "T", default=None)
     gear_force_tangential: Newton | None = value("Tooth force, tangential", "N", "F_t", default=None)
     gear_force_radial: Newton | None = value("Tooth force, radial", "N", "F_r", default=None)
     gear_force_axial: Newton | None = value("Tooth force, axial", "N", "F_a", default=None)
-    stationary_front: Newton | None = value("Standing part at the front bearing, at most", "N", "R_0,f", default=None)
-    stationary_rear: Newton | None = value("Standing part at the rear bearing, at most", "N", "R_0,r", default=None)
-    reaction_front_peak: Newton | None = value(
-        "Largest load of the front bearing over a turn", "N", default=None, short=True
+    stationary: dict[str, Newton] = values(
+        "Standing part at the {row} bearing, at most",
+        "N",
+        "R_0,*",
+        id="stationary_*",
+        called=called,
+        sign=sign,
     )
-    reaction_rear_peak: Newton | None = value(
-        "Largest load of the rear bearing over a turn", "N", default=None, short=True
+    peaks: dict[str, Newton] = values(
+        "Largest load of the {row} bearing over a turn",
+        "N",
+        id="reaction_*_peak",
+        called=called,
+        sign=sign,
+        short=True,
     )
 
 
@@ -87,13 +97,23 @@ class CountershaftResult:
     )
     static_unbalance: KilogramMetre = value("Static unbalance of the shaft", "g·mm", "ΣU")
     force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True, headline=3)
-    reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f", short=True, taken_by=("bearings",))
-    reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r", short=True, taken_by=("bearings",))
-    reaction_front_levers: Newton | None = value(
-        "Reaction of the front bearing, by the levers of a rigid shaft", "N", "R_f", default=None
+    loads: dict[str, Newton] = values(
+        "Reaction of the {row} bearing",
+        "N",
+        "R_*",
+        id="reaction_*",
+        called=called,
+        sign=sign,
+        short=True,
+        taken_by=("bearings",),
     )
-    reaction_rear_levers: Newton | None = value(
-        "Reaction of the rear bearing, by the levers of a rigid shaft", "N", "R_r", default=None
+    loads_by_levers: dict[str, Newton] = values(
+        "Reaction of the {row} bearing, by the levers of a rigid shaft",
+        "N",
+        "R_*",
+        id="reaction_*_levers",
+        called=called,
+        sign=sign,
     )
     support: dict[str, SupportResult] = group(words="support")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
@@ -123,15 +143,24 @@ class CountershaftResult:
         "Couple of the given sections, off the masses'", "N·m", "ΔC_O", default=None
     )
     standing: Standing | None = group(spread=True, default=None)
-    slope_front: Radian | None = value(
-        "Slope of the front journal", "mrad", "θ_f", default=None, short=True, page_one=6
+    slopes: dict[str, Radian] = values(
+        "Slope of the {row} journal",
+        "mrad",
+        "θ_*",
+        id="slope_*",
+        called=called,
+        sign=sign,
+        short=True,
+        page_one=6,
     )
-    slope_rear: Radian | None = value("Slope of the rear journal", "mrad", "θ_r", default=None, short=True, page_one=6)
-    slope_front_stiff: Radian | None = value(
-        "Slope of the front journal, full stiffness", "mrad", "θ_f", default=None, page_one=6
-    )
-    slope_rear_stiff: Radian | None = value(
-        "Slope of the rear journal, full stiffness", "mrad", "θ_r", default=None, page_one=6
+    slopes_stiff: dict[str, Radian] = values(
+        "Slope of the {row} journal, full stiffness",
+        "mrad",
+        "θ_*",
+        id="slope_*_stiff",
+        called=called,
+        sign=sign,
+        page_one=6,
     )
     first_critical_speed: RevPerSecond | None = value(
         "First bending critical speed (natural frequency)", "rpm", "n_1", default=None, short=True
@@ -164,18 +193,6 @@ class CountershaftResult:
     couple_vector: complex
     omega: RadPerSecond  # of the shaft
     outline: Outline | None = None
-
-    @property
-    def loads(self) -> tuple[Newton, ...]:
-        """What its bearings carry, front to rear."""
-        between = [support.reaction for support in self.support.values()][1:-1]
-        return self.reaction_front, *between, self.reaction_rear
-
-    @property
-    def slopes(self) -> tuple[Radian | None, ...]:
-        """Of its journals, front to rear; None where they are not known."""
-        between = [support.slope for support in self.support.values()][1:-1]
-        return self.slope_front, *between, self.slope_rear
 
     @property
     def vectors(self) -> tuple[complex, complex]:

@@ -44,12 +44,11 @@ from .checks import (
     ENVELOPE_LENGTH,
     FATIGUE,
     FIRST_CRITICAL_SPEED,
+    JOURNAL_SLOPE,
     NOTCH_STRESS,
     OUTLINE_FORCE,
     RESIDUAL,
     RESIDUAL_FORCE,
-    SLOPE_FRONT,
-    SLOPE_REAR,
     SUPPORT_HEAT_INDEX,
     SUPPORT_SPECIFIC_LOAD,
 )
@@ -213,8 +212,7 @@ def _supports(view: View, checks: Iterable[Check]) -> Iterator[Mark]:
     for n, z in enumerate(positions):
         low = max((reach(piece, view.up)[1] for piece in view.pieces if piece.start <= z <= piece.end), default=0.0)
         ids = [rule.of(str(n + 1)) for rule in (SUPPORT_SPECIFIC_LOAD, SUPPORT_HEAT_INDEX)]
-        if n in (0, len(positions) - 1):
-            ids.append(SLOPE_REAR.id if n else SLOPE_FRONT.id)
+        ids.append(JOURNAL_SLOPE.of(view.shaft.bearings[n].name))
         foot = ((z, -low), (z + size, -low - size), (z - size, -low - size))
         here = dotted(SHAFT, ShaftInputs.bearings, view.shaft.bearings[n].name, BearingRow.position)
         yield Polyline(OUTLINE, foot, True, f"{POSITIONS} {here}", judged(checks, *ids))
@@ -270,7 +268,8 @@ def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[M
         factor /= 10
     while most * factor < SEEN[0] * view.radius:
         factor *= 10
-    state = judged(checks, *(rule.id for rule in (BENDING_STRESS, FIRST_CRITICAL_SPEED, SLOPE_FRONT, SLOPE_REAR)))
+    of_journals = [JOURNAL_SLOPE.of(row.name) for row in view.shaft.bearings]
+    state = judged(checks, BENDING_STRESS.id, FIRST_CRITICAL_SPEED.id, *of_journals)
     points = tuple(zip(bending.z.tolist(), (sag * factor).tolist()))
     share = dotted(SHAFT, ShaftInputs.sector_effectiveness)
     marks: list[Mark] = [Polyline(HIDDEN, points, key=share, state=state)]

@@ -6,7 +6,7 @@ At the end whether the oil of its bearings drains off."""
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..imbalance.remedies import roll_torque
 from ..imbalance.result import ImbalanceResult
@@ -15,7 +15,7 @@ from ..library.journal_rules import heat_index, specific_load
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
-from ..sheet.functions import pi, power, sin, smallest
+from ..sheet.functions import pi, power, sin, smallest, total
 from ..sheet.linked_array import column, elements, gathered, item
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Outcome
@@ -69,7 +69,7 @@ def solve(
     the films of its bearings are judged by the step that follows, else their loads are screened here.
     """
     todo, journals = task(shaft, imbalance), shaft.journals
-    slopes = [row.slope for row in shaft.bearings]
+    slopes = {row.name: row.slope for row in shaft.bearings if row.slope is not None}
     with trace() as lines:
         step = ShaftStep(shaft, todo, materials, journals, f.shaft_speed(i=shaft.speed_ratio, omega=omega))
         masses, sized = shaft.masses, _sized(step)
@@ -92,8 +92,8 @@ def solve(
         if outline is not None:
             certain = sized is not None or not outline.derived
             result = _with_outline(step, masses, result, outline, certain, fastest)
-        elif any(slope is not None for slope in slopes):
-            result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
+        elif slopes:
+            result = replace(result, slopes=slopes)
             step.notes.append(SLOPES_GIVEN)
         result = making(step, masses, _with_supports(step, masses, result, judged), R)
         if shaft.fem_principal_stress:
@@ -204,17 +204,15 @@ def _with_outline(
                 outline_force_deviation=f.force_deviation(F_O=F_O, F_S=result.force_vector),
                 outline_couple_deviation=f.couple_deviation(C_O=C_O, C_S=result.couple_vector),
             )
-    positions = shaft.bearing_positions
+    positions, names = shaft.bearing_positions, [row.name for row in shaft.bearings]
     bent = bending(outline, steel, omega, positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
     step.checks += [c for c in bending_checks(bent, steel, fastest) if certain or c.rule is not FILLET_ROOM]
     step.notes += bending_notes(bent, steel)
     return replace(
         result,
         bending=bent,
-        slope_front=item(bent.slopes[0]),
-        slope_rear=item(bent.slopes[-1]),
-        slope_front_stiff=item(bent.slopes_stiff[0]),
-        slope_rear_stiff=item(bent.slopes_stiff[-1]),
+        slopes=dict(zip(names, elements(bent.slopes))),
+        slopes_stiff=dict(zip(names, elements(bent.slopes_stiff))),
         first_critical_speed=bent.natural_frequency,
         first_critical_speed_stiff=bent.natural_frequency_stiff,
         first_critical_speed_without_rotary=bent.natural_frequency_without_rotary,
@@ -228,8 +226,8 @@ def _with_supports(
     the sources' formulas give, of a shaft that does not bend; support by support where there are more than two or the
     journals are the shaft's own; else [bearings] has them."""
     shaft, journals, bent = step.shaft, step.journals, result.bending
-    positions = shaft.bearing_positions
-    forces, printed = result.reactions, [result.reaction_front, result.reaction_rear]
+    positions, names = shaft.bearing_positions, [row.name for row in shaft.bearings]
+    forces, printed = result.reactions, list(result.loads.values())
     if len(positions) > 2:
         m, e, gamma, z = (column((*masses, *shaft.extras), name) for name in ("mass", "radius", "angle", "z"))
         forces = elements(reactions(f.mass_force(omega=result.omega, m=m, e=e, gamma=gamma), z, positions))
@@ -239,8 +237,8 @@ def _with_supports(
         forces = elements(bent.reactions)
         loads = [f.reaction(R=R) for R in forces]
         if len(positions) == 2:
-            result = replace(result, reaction_front_levers=printed[0], reaction_rear_levers=printed[1])
-    result = replace(result, reactions=forces, reaction_front=loads[0], reaction_rear=loads[-1])
+            result = replace(result, loads_by_levers=dict(zip(names, printed)))
+    result = replace(result, reactions=forces, loads=dict(zip(names, loads)))
     if len(positions) > 2 or bent is not None:
         step.notes.append(supports_note(bent is not None))
     if len(positions) == 2 and (judged or not journals):
@@ -295,7 +293,7 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
     """What the shaft supplies, what is left, and what two supports carry."""
     shaft, todo, omega = step.shaft, step.todo, step.omega
     F_S, C_S = _supplied(step, masses)
-    z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
+    first_row, last_row = shaft.bearings[0], shaft.bearings[-1]
     couple, phase, force = f.couple(C_S=C_S), f.couple_phase(C_S=C_S), f.force(F_S=F_S)
     C_against, F_against = todo.C_against, todo.F_against
     if shaft.paired:
@@ -304,8 +302,10 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
             F_against = f.residual_force_vector(F_like=F_against, F_S=f.mirrored_force(F_S=F_S))
     C_left = f.residual_couple(C_against=C_against, C_res=f.residual_vector(C_like=todo.C, C_S=C_S))
     F_left = f.residual_force(F_against=F_against, F_res=f.residual_force_vector(F_like=todo.F, F_S=F_S))
-    R_r = f.reaction_rear(C_S=C_S, z_f=z_f, F_S=F_S, z_r=z_r)
-    R_f = f.reaction_front(F_S=F_S, R_r=R_r)
+    R = tuple(
+        f.lever_reaction(C_S=C_S, z_o=other.position, F_S=F_S, z_B=row.position)
+        for row, other in ((first_row, last_row), (last_row, first_row))
+    )
     first = todo.order == 1
     return CountershaftResult(
         couple=couple,
@@ -317,9 +317,11 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
         residual_order_2_force=None if first else F_left,
         static_unbalance=f.static_unbalance(F_S=force, omega=omega),
         force=force,
-        reaction_front=f.reaction(R=R_f),
-        reaction_rear=f.reaction(R=R_r),
-        reactions=(R_f, R_r),
+        loads={row.name: f.reaction(R=R_B) for row, R_B in zip((first_row, last_row), R)},
+        loads_by_levers={},
+        slopes={},
+        slopes_stiff={},
+        reactions=R,
         support={},
         couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
@@ -384,9 +386,9 @@ def run_off(d: Metre, v_l: MetrePerSecond, v_t: MetrePerSecond) -> CubicMetrePer
     return pi / 8 * d**2 * smallest(v_l, v_t)
 
 
-@formula("Q_o", "given in the design: what of each bearing's oil the drain takes")
-def oil_taken(x_f: Number, Q_f: CubicMetrePerSecond, x_r: Number, Q_r: CubicMetrePerSecond) -> CubicMetrePerSecond:
-    return x_f * Q_f + x_r * Q_r
+@formula("Q_o", "given in the design: what of each bearing's oil the drain takes", names={"x": "x_B", "Q": "Q_B"})
+def oil_taken(x: Number, Q: CubicMetrePerSecond) -> CubicMetrePerSecond:
+    return total(x * Q)
 
 
 def with_oil(outcome: Outcome[CountershaftResult], bearings: "BearingsResult | None") -> Outcome[CountershaftResult]:
@@ -410,9 +412,10 @@ def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
     drain, slope = result.drain, result.drain_slope
     if drain.bore is None or slope is None or slope <= 0:
         return result
-    front, rear = bearings.bearings["front"], bearings.bearings["rear"]
+    carried = bearings.bearings.values()
     with about(Text("oil drain")):
-        nu = max(bearing.seat.oil_at(bearing.outlet_temperature).nu for bearing in (front, rear))
+        nu = max(bearing.seat.oil_at(bearing.outlet_temperature).nu for bearing in carried)
         v_l, v_t = laminar_speed(theta=slope, d=drain.bore, nu=nu), turbulent_speed(theta=slope, d=drain.bore, nu=nu)
-        flow = oil_taken(x_f=drain.oil_share[0], Q_f=front.oil_flow, x_r=drain.oil_share[1], Q_r=rear.oil_flow)
+        shares: Any = gathered(drain.oil_share)
+        flow = oil_taken(x=shares, Q=column(carried, "oil_flow"))
         return replace(result, drain_flow=flow, drain_run_off=run_off(d=drain.bore, v_l=v_l, v_t=v_t))

@@ -6,6 +6,7 @@ and in line, point loads, shear left out.  Loads and reactions are complex and t
 positive where a load in the positive direction makes it so between two supports, so that the moments over inner
 supports come out below zero (hogging)."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -103,7 +104,7 @@ def reactions(F: ComplexArray, z: Array, positions: tuple[Metre, ...]) -> Comple
                 count=len(positions),
                 what=", ".join(f"{p * 1000.0:g}" for p in positions),
             ),
-            Text("Give at least two bearing_positions_mm that rise from front to rear."),
+            Text("Give at least two bearings whose positions rise from front to rear."),
         )
     M = support_moments(F=F, z=z, z_s=positions)
     return support_reactions(F=F, z=z, z_s=positions, M=M)
@@ -142,40 +143,42 @@ class ShaftDrive(NamedTuple):
 
 
 def standing(
-    reactions: tuple[Newton, Newton],
-    positions: tuple[Metre, ...],
-    weight: tuple[Newton, Newton, Newton] | None,
+    loads: Mapping[str, Newton],
+    places: Mapping[str, Metre],
+    weight: tuple[Newton, Metre] | None,
     gear: Gear | None,
     z_G: Metre | None,
     drive: ShaftDrive | None,
 ) -> Standing:
-    """`reactions` turn with the shaft; `weight`: of the shaft, on its front and on its rear bearing; `drive` at its
-    gear."""
+    """Of two bearings, by their names: `loads` turn with the shaft; `weight`: of the shaft, and where its centre of
+    gravity lies; `drive` at its gear."""
     gear_forces: dict[str, Newton] = {}
-    on_front: Newton = 0.0
-    on_rear: Newton = 0.0
+    of_gear: dict[str, Newton] = dict.fromkeys(places, 0.0)
+    of_weight: dict[str, Newton] = dict.fromkeys(places, 0.0)
+    (one, z_1), (other, z_2) = places.items()
+    ends = ((one, z_1, z_2), (other, z_2, z_1))
     if gear is not None and drive is not None and z_G is not None:
         torque = f.gear_torque(P=drive.power, n=drive.speed)
-        z_f, z_r = positions[0], positions[-1]
         F_t = f.gear_tangential(T=torque, d=gear.diameter)
         F_r = f.gear_radial(F_t=F_t, alpha_n=gear.normal_pressure_angle, beta=gear.helix_angle)
         F_a = f.gear_axial(F_t=F_t, beta=gear.helix_angle)
-        on_front = f.gear_on_front(F_t=F_t, F_r=F_r, F_a=F_a, d=gear.diameter, z_G=z_G, z_f=z_f, z_r=z_r)
-        on_rear = f.gear_on_rear(F_t=F_t, F_r=F_r, F_a=F_a, d=gear.diameter, z_G=z_G, z_f=z_f, z_r=z_r)
+        of_gear = {
+            row: f.lever_gear(F_t=F_t, F_r=F_r, F_a=F_a, d=gear.diameter, z_G=z_G, z_o=z_o, z_B=z_B)
+            for row, z_B, z_o in ends
+        }
         gear_forces = dict(gear_torque=torque, gear_force_tangential=F_t, gear_force_radial=F_r, gear_force_axial=F_a)
-    G_S, G_f, G_r = weight if weight is not None else (None, 0.0, 0.0)
+    if weight is not None:
+        G_S, z_S = weight
+        of_weight = {row: f.lever_weight(G_S=G_S, z_S=z_S, z_o=z_o, z_B=z_B) for row, z_B, z_o in ends}
     if weight is None and not gear_forces:
-        return Standing()
-    front, rear = f.stationary(G_B=G_f, R_G=on_front), f.stationary(G_B=G_r, R_G=on_rear)
+        return Standing(weights={}, stationary={}, peaks={})
+    still = {row: f.stationary(G_B=of_weight[row], R_G=of_gear[row]) for row in places}
     return Standing(
         **gear_forces,
-        weight=G_S,
-        weight_front=None if weight is None else G_f,
-        weight_rear=None if weight is None else G_r,
-        stationary_front=front,
-        stationary_rear=rear,
-        reaction_front_peak=f.reaction_peak(R=reactions[0], R_0=front),
-        reaction_rear_peak=f.reaction_peak(R=reactions[1], R_0=rear),
+        weight=None if weight is None else weight[0],
+        weights={} if weight is None else of_weight,
+        stationary=still,
+        peaks={row: f.reaction_peak(R=loads[row], R_0=still[row]) for row in places},
     )
 
 
@@ -194,14 +197,11 @@ def standing_of(
     result: CountershaftResult, shaft: ShaftInputs, gear: Gear | None, drive: ShaftDrive | None
 ) -> Standing:
     """What stands still on the two bearings of a solved shaft; the power of its drive may be an array."""
-    z_f, z_r = shaft.bearing_positions
     weight = None
     if result.mass is not None and result.centre_of_gravity is not None:
-        G_S = f.weight(m_S=result.mass)
-        G_r = f.weight_rear(G_S=G_S, z_S=result.centre_of_gravity, z_f=z_f, z_r=z_r)
-        weight = G_S, f.weight_front(G_S=G_S, G_r=G_r), G_r
-    reactions = result.reaction_front, result.reaction_rear
-    return standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, result, gear), drive)
+        weight = f.weight(m_S=result.mass), result.centre_of_gravity
+    places = {row.name: row.position for row in shaft.bearings}
+    return standing(result.loads, places, weight, gear, gear_place(shaft, result, gear), drive)
 
 
 def gear_place(shaft: ShaftInputs, result: CountershaftResult, gear: Gear | None) -> Metre | None:

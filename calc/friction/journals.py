@@ -24,6 +24,8 @@ from ..countershaft.supports import ShaftDrive as GearDrive
 from ..library.lubricant import Lubricant
 from ..sheet.arrays import BoolArray, Num
 from ..sheet.formula import formula
+from ..sheet.functions import along
+from ..sheet.linked_array import gathered
 from ..sheet.text import Amount, Text
 from ..sheet.units import Newton, Watt
 from ..sheet.value import about, untraced
@@ -44,13 +46,9 @@ class OnShaft(NamedTuple):
         return self.shaft is not None and self.inputs is not None and len(self.inputs.bearing_positions) == 2
 
 
-@formula(
-    "P_B",
-    "mathematics: sum of both journals' friction, as judged",
-    names={"P_front": "P_f,front", "P_rear": "P_f,rear"},
-)
-def bearing_loss(P_front: Watt, P_rear: Watt) -> Watt:
-    return P_front + P_rear
+@formula("P_B", "mathematics: sum of the journals' friction, as judged", names={"P": "P_f"})
+def bearing_loss(P: Watt) -> Watt:
+    return along(P)
 
 
 class Journals:
@@ -78,7 +76,11 @@ class Journals:
             return standing_of(self.on.shaft, self.on.inputs, self.on.gear, drive)
 
     def sum(self, journals: dict[str, JournalResult]) -> Watt:
-        return bearing_loss(P_front=journals["front"].friction_power, P_rear=journals["rear"].friction_power)
+        losses = [journal.friction_power for journal in journals.values()]
+        many = any(map(np.ndim, losses))  # operating points
+        P: Any = np.stack(np.broadcast_arrays(*losses), axis=-1) if many else gathered(losses)
+        P_B: Watt = bearing_loss(P=P)
+        return P_B
 
     def journals(self, P: Watt | None) -> dict[str, JournalResult]:
         stands = self.standing(P)
@@ -86,7 +88,7 @@ class Journals:
         for place, answer in self.responses.items():
             R_0: Newton | None = None
             if stands is not None:
-                R_0 = stands.stationary_front if place == "front" else stands.stationary_rear
+                R_0 = stands.stationary.get(place)
             P_f = answer.friction_power
             if R_0 is not None and np.any(np.isfinite(answer.slope + answer.curvature)):
                 with about(Text("{place} bearing, over a turn", place=called(place))):

@@ -32,7 +32,7 @@ DEGREES = 100.0  # K: the scale of margins in °C, whose zero is no zero
 
 LETTERS: Mapping[str, str] = {
     "S": "a shaft, by its name; in the keys of inputs alone",
-    "B": "a bearing, by its name",
+    "B": "a bearing, by its name; behind _ too",
     "M": "a mesh, by its wheels: DRIVER_DRIVEN",
     "W": "a wheel, by its name; behind _ too",
     "D": "a drain of the oil: `drain`, or `further_drains` and its name",
@@ -40,7 +40,7 @@ LETTERS: Mapping[str, str] = {
     "N": "any other element, by its name",
 }
 INDEX = "#"  # in the key of an input: the place of a mesh in its array
-LETTER = re.compile(rf"(?<![^.])(?:[{''.join(LETTERS)}{INDEX}]|DRIVER|DRIVEN)(?![^.])|(?<=_)W$")
+LETTER = re.compile(rf"(?<![^.])(?:[{''.join(LETTERS)}{INDEX}]|DRIVER|DRIVEN)(?![^.])|(?<=_)[BW](?![^_.])")
 
 
 def _filled(id: str, names: Mapping[str, str]) -> str:

@@ -5,8 +5,8 @@ A field of an Inputs class is made by `quantity()` or one of its sisters, a fiel
 file, `--set`, the form, the report and the JSON all read this one description.  An input with a `default` may be left
 out: None (no tables: ()) means "choose for me"; the type checker reads the same word."""
 
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import MISSING, Field, dataclass, field, fields
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from difflib import get_close_matches
 from functools import cache
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
@@ -402,6 +402,21 @@ class Group:
     key_words: Mapping[str, Text]
 
 
+@record
+class Keyed:
+    """The description of a field that holds a number for each key of a dict: `id`, its name in an address, with * where
+    the key stands; how a key is called in the label, for {row}, and in the symbol, for *."""
+
+    id: str
+    called: Callable[[str], Text]
+    sign: Callable[[str], str]
+
+    def of(self, about: Described, key: str) -> tuple[str, Text, str]:
+        """Name, label and symbol of the number of one key."""
+        label = Text(about.label.template, row=self.called(key))
+        return self.id.replace("*", key), label, about.symbol.replace("*", self.sign(key))
+
+
 NO_GROUP = Group(False, "", NOTHING_RENAMED, True, True, EMPTY, NO_KEY_WORDS)
 
 
@@ -453,13 +468,33 @@ def group(
     return field(default=default, kw_only=True, metadata={"group": about})
 
 
-@dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
+def values(
+    label: str,
+    unit: str = "",
+    symbol: str = "",
+    *,
+    id: str,
+    called: Callable[[str], Text],
+    sign: Callable[[str], str],
+    default: T = REQUIRED,
+    **stands: Unpack[Stands],
+) -> T:
+    """A field with a number for each key of a dict, in SI, as of each bearing of a shaft: `id` "reaction_*"; the label
+    has {row} where the key is named."""
+    about = Described(Text(str(label)), unit, symbol, **stands)
+    return field(default=default, kw_only=True, metadata={"value": about, "keyed": Keyed(id, called, sign)})
+
+
+@dataclass_transform(
+    frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, values, group)
+)
 def result(cls: type[T]) -> type[T]:
     """A class of results: frozen, made by keywords, told apart by identity, since results hold arrays."""
     kind: type = frozen(cls, kw_only=True)
     for f in fields(kind):
         if (about := f.metadata.get("value")) is not None:
-            setattr(kind, f.name, ValueKey(f.name.rstrip("_"), about))
+            keyed: Keyed | None = f.metadata.get("keyed")
+            setattr(kind, f.name, ValueKey(keyed.id.replace("*", "B") if keyed else f.name.rstrip("_"), about))
     return cls
 
 
@@ -478,10 +513,12 @@ def inputs(cls: type[T]) -> type[T]:
 
 
 @cache
-def _shown(cls: type) -> tuple[tuple[str, Described | None, Group], ...]:
+def _shown(cls: type) -> tuple[tuple[str, Described | None, Group, Keyed | None], ...]:
     """The fields of a class of results that are shown: a value's description, or that of a group."""
     known = [f for f in fields(cls) if "value" in f.metadata or "group" in f.metadata]
-    return tuple((f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP)) for f in known)
+    return tuple(
+        (f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP), f.metadata.get("keyed")) for f in known
+    )
 
 
 def insides(result: object) -> list[float]:
@@ -500,9 +537,13 @@ def _gather(result: object, numbers: list[float]) -> None:
         numbers.append(result.number)
     else:
         kind: type = type(result)
-        for name, about, _ in _shown(kind):
+        for name, about, _, keyed in _shown(kind):
             content = getattr(result, name)
-            if content is not None:
+            if content is None:
+                continue
+            if keyed is not None:
+                numbers.extend(x for x in content.values() if x is not None)
+            else:
                 numbers.append(content) if about is not None else _gather(content, numbers)
 
 
@@ -533,12 +574,20 @@ def _inside(
     if wanted and not any(id.startswith(prefix) for id in wanted):
         return
     kind: type = type(result)
-    for name, about, held in _shown(kind):
+    for name, about, held, keyed in _shown(kind):
         content = getattr(result, name)
         if content is None:
             continue
         before = formerly or prefix
-        if about is not None:
+        if keyed is not None and about is not None:
+            for part, number in content.items():
+                own, label, symbol = keyed.of(about, part)
+                id = f"{prefix}.{own}"
+                if number is not None and (not wanted or id in wanted):
+                    of_part = replace(about, label=label, symbol=symbol)
+                    had = f"{formerly}.{own}" if formerly else ""
+                    yield replace(_published(id, of_part, number, had, short, leads), about=about)
+        elif about is not None:
             key = name.rstrip("_")
             id = f"{prefix}.{key}"
             if not wanted or id in wanted:

@@ -162,7 +162,7 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
         outer = design.countershaft.outer_radius
         size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass
         numbers.append((Text("shaft"), size))
-    slopes = [*results.values_of(CountershaftResult.slope_front), *results.values_of(CountershaftResult.slope_rear)]
+    slopes = results.values_of(CountershaftResult.slopes)
     numbers += [
         (Text("slope"), extreme(max, slopes)),
         (Text("first critical speed"), shown(CountershaftResult.first_critical_speed)),

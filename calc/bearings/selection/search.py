@@ -95,9 +95,9 @@ def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slop
     if bearings.slope is not None:
         return {"front": bearings.slope[0], "rear": bearings.slope[-1]}
     shaft = (results or drawn(case)).result(CountershaftResult)
-    if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
+    if shaft is None or not shaft.slopes:
         return dict(before or dict.fromkeys(PLACES, SLOPE_TAKEN))
-    return {"front": shaft.slope_front, "rear": shaft.slope_rear}
+    return dict(shaft.slopes)
 
 
 def with_row(bearings: BearingsInputs, row: CandidateRow) -> BearingsInputs:

@@ -45,7 +45,7 @@ CASES = 4  # a quarter of a turn apart
 def table(shaft: ShaftInputs, result: CountershaftResult) -> list[Table]:
     """Forces of the shaft on both its bearings, the front one's upwards first; none where they have more supports or
     carry nothing."""
-    if len(shaft.bearing_positions) != 2 or not result.reaction_front:
+    if len(shaft.bearings) != 2 or not abs(result.reactions[0]):
         return []
     front, rear = (-R for R in result.reactions)
     upwards = abs(front) / front
@@ -110,7 +110,8 @@ def making(
     result = replace(result, tolerance=_permitted(step, result), holes=_holes(step, masses, result, R))
     scattered, other, bolted = _scatter(step, masses, result), None, None
     if shaft.cost is not None or shaft.mode == "size":
-        ends = zip((*journals[:1], *journals[-1:]), (result.reaction_front, result.reaction_rear))
+        loads = list(result.loads.values())
+        ends = zip((*journals[:1], *journals[-1:]), (loads[0], loads[-1]))
         seat = max((Seat(d, l, load) for (d, l), load in ends), key=lambda seat: seat.diameter, default=None)
         other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, result.mass, seat)
         step.tables += Later(lambda: [compared_table(shaft, other)])

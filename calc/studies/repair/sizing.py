@@ -16,7 +16,7 @@ from ...countershaft.inputs import EccentricMass, ShaftInputs
 from ...countershaft.rows import BearingRow
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
-from ...design.addresses import IN_WORDS
+from ...countershaft.rows import called
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.names import named
@@ -73,16 +73,17 @@ def bearings_or_longer_journals(
 
 def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Journals as much longer as their films ask for, outwards where the masses leave no room.  Raises NoSolution."""
-    for n, place in enumerate(IN_WORDS):
-        key = dotted(Design.bearings, place, BearingRow.length)
-        group = tuple(c for c in failing if c.id.rpartition(".")[0] == key.rpartition(".")[0])
+    rows = state.design.rows
+    for n, row in enumerate(rows):
+        key = state.design.own_key(ShaftInputs.bearings, row.name, BearingRow.length)
+        group = tuple(c for c in failing if c.id.rpartition(".")[0] == dotted(Design.bearings, row.name))
         if not group:
             continue
-        here = part(progress, n / len(IN_WORDS), (n + 1) / len(IN_WORDS))
+        here = part(progress, n / len(rows), (n + 1) / len(rows))
         trials = Trials(state, "bearings", group, Budget(TRIES), here, named(state.document, key), near=ROUND)
         longer = next(filter(None, map(trials.least, levers(state, [key]))), None)
         if longer is None:
-            raise NoSolution(Text("no longer journal is enough, {place}", place=IN_WORDS[place]))
+            raise NoSolution(Text("no longer journal is enough, {place}", place=called(row.name)))
         state = longer[1]
     return state
 
@@ -181,7 +182,7 @@ def _single(mass: EccentricMass, wanted: complex) -> Iterator[Changes]:
 
 
 def _of_mass(mass: EccentricMass, field: object) -> str:
-    return dotted(Design.countershaft, ShaftInputs.masses, mass.name, field)
+    return design.own_key(ShaftInputs.masses, mass.name, field)
 
 
 def _near(angle: float, old: float) -> float:

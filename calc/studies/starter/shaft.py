@@ -105,8 +105,8 @@ def envelope(design: Design, results: Results, todo: StarterTask, core: float = 
         U = f.asked_unbalance(x_o=OVERDESIGN, F_like=todo.F, omega=todo.omega)
         P = f.asked_product(x_o=OVERDESIGN, C_like=todo.C, omega=todo.omega)
         F_S, C_S = U * todo.omega**2, P * todo.omega**2
-        R_r = f.reaction_rear(C_S=C_S, z_f=-span / 2, F_S=F_S, z_r=span / 2)
-        load = max(abs(R_r), abs(f.reaction_front(F_S=F_S, R_r=R_r)))
+        ends = ((-span / 2, span / 2), (span / 2, -span / 2))
+        load = max(abs(f.lever_reaction(C_S=C_S, z_o=z_o, F_S=F_S, z_B=z_B)) for z_B, z_o in ends)
         thicker: list[tuple[Metre, Metre, Metre, Metre, Metre]] = []
         for step in range(20, 400):
             R = step * 0.5e-3
@@ -224,7 +224,7 @@ def bearings(document: Document, results: Results) -> list[Section]:
     made, shaft = results.design, results.result(CountershaftResult)
     if made.countershaft is None or shaft is None or made.engine is None:
         raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [countershaft] first"))
-    load = max(shaft.reaction_front, shaft.reaction_rear)
+    load = max(shaft.loads.values())
     front, rear, room = _sizes(made)
     length = _cooled_length(load, made.engine.rated_speed, rear, room)
     narrowest = max(front, min(up(length / BEARING[1], 0.5e-3), rear))

@@ -250,7 +250,7 @@ def _rolling(design: Design, results: Results) -> list[Section]:
     shaft, countershaft = results.result(CountershaftResult), design.countershaft
     if shaft is None or countershaft is None or countershaft.core_radius is None:
         return []
-    bore, load = up(2 * countershaft.core_radius, 5e-3), float(math.ceil(shaft.reaction_front + shaft.reaction_rear))
+    bore, load = up(2 * countershaft.core_radius, 5e-3), float(math.ceil(sum(shaft.loads.values())))
     rows: Rows = {
         RollingBearing.name: ("shaft-bearings", ""),
         RollingBearing.wheel: ("shaft", ""),
