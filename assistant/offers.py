@@ -112,7 +112,6 @@ def _bearings(design: Design, file: str, progress: Progress | None = None) -> Of
     """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the
     worst corner."""
     assert design.bearings is not None
-    bearings = design.bearings
     case = bearings_case(design, solve)
     selection = bearing_search.search(case, progress=progress)
 
@@ -123,7 +122,7 @@ def _bearings(design: Design, file: str, progress: Progress | None = None) -> Of
             settled = bearing_search.confirmed(case, row, selection.slopes[0])
             if settled.row is None:
                 raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
-        return bearing_search.bearing_changes(row, bearings)
+        return bearing_search.bearing_changes(row, case)
 
     def written(number: int) -> Text:
         row = selection.all[number - 1]

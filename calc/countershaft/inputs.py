@@ -441,9 +441,8 @@ class ShaftInputs:
 
     def _twin(self) -> Iterable[tuple[str, Text]]:
         """A mirror image has little of its own."""
-        own = {dotted(key) for key in (ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.axis)}
         for key, entry in keys(ShaftInputs).items():
-            if key not in own and getattr(self, entry.attribute) != entry.field.default:
+            if key not in TWIN and getattr(self, entry.attribute) != entry.field.default:
                 theirs = Text("is that of the shaft that it mirrors, {name}: leave it out here", name=self.mirrors)
                 yield key, theirs
 
@@ -516,3 +515,7 @@ class ShaftInputs:
 def _mm(length: float) -> Amount:
     """A length in m as an Amount of mm, for a sentence that names the unit."""
     return Amount(length * 1000.0, form="g")
+
+
+# what a mirror image has of its own
+TWIN = tuple(dotted(key) for key in (ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.axis))

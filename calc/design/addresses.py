@@ -6,14 +6,14 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator
 
-from ..countershaft.inputs import ShaftInputs
+from ..countershaft.inputs import TWIN, ShaftInputs
 from ..countershaft.rows import IN_WORDS
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
 from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.text import Small, Text
-from .model import STEPS, Design
+from .model import STEPS, Design, step_of
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
 Table = dict[str, object]  # of a TOML document; what stands under a key is narrowed where it is read
@@ -180,22 +180,35 @@ def written(value: object) -> str:
 
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
     """Every key that this document may hold, with its description, in the order of the form."""
+    of_shafts = list(_quantities_of(Design, data, dotted(Design.shafts)))
+    judged = dotted(Design.bearings) in data
     for step in STEPS:
         if step.key in data:
             yield from _quantities(step.inputs, as_table(data[step.key]), step.key)
+        yield from ((key, about) for key, about in of_shafts if step_of(key, judged=judged) == step.key)
 
 
 def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quantity]]:
-    for key, about in keys(cls).items():
-        here = f"{prefix}.{key}"
-        inner = about.about.table
-        if inner is None:
-            yield here, about.about
-        elif about.about.kind == "table":
-            yield from _quantities(inner, as_table(data.get(key)), here)
-        else:
-            for i, item in enumerate(map(as_table, as_list(data.get(key)))):
-                yield from _quantities(inner, item, f"{here}.{item.get('name', i)}")
+    own = own_keys(cls, data)
+    for key in own:
+        yield from _quantities_of(cls, data, key, f"{prefix}.{key}")
+
+
+def _quantities_of(cls: type, data: Table, key: str, here: str = "") -> Iterator[tuple[str, Quantity]]:
+    about, here = keys(cls)[key].about, here or key
+    if about.table is None:
+        yield here, about
+    elif about.kind == "table":
+        yield from _quantities(about.table, as_table(data.get(key)), here)
+    else:
+        for i, item in enumerate(map(as_table, as_list(data.get(key)))):
+            yield from _quantities(about.table, item, f"{here}.{item.get('name', i)}")
+
+
+def own_keys(cls: type, data: Table) -> Iterable[str]:
+    """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own."""
+    of_twin = cls is ShaftInputs and data.get(dotted(ShaftInputs.mirrors))
+    return TWIN if of_twin else keys(cls)
 
 
 # --- what a key is called

@@ -12,7 +12,9 @@ from ..bearings.result import BearingsResult
 from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
 from ..bearings.speeds import highest_speed
+from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult
+from ..countershaft.rows import BearingRow
 from ..countershaft.supports import Gear, ShaftDrive
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
@@ -295,13 +297,19 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     done = results if results is not None else solve(design)
     gear = shaft_gear(design, done.result(TrainResult))
 
-    def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> Any:
+    own = design.own
+    assert own is not None  # bearings stand in its rows
+
+    def with_bearings(bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Any:
         enough = (lambda outcome: outcome.key == "bearings") if last else None
+        changed = replace(design, bearings=bearings).with_shaft(replace(own, bearings=rows))
         with recorded(False):
-            return solve(replace(design, bearings=bearings), done, enough=enough)
+            return solve(changed, done, enough=enough)
 
     return SelectionCase(
         design.bearings,
+        own.bearings,
+        design.own_key(ShaftInputs.bearings),
         design.countershaft,
         design.oils,
         tuple(oil.name for oil in design.oil),

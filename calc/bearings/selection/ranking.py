@@ -2,7 +2,7 @@
 """From all candidates to the few that are offered: the nearest to the design, the least power of each oil and supply,
 the Pareto set.
 
-Front and rear bearing do not know of each other while oil and supply are the same: each is chosen for itself.
+The bearings do not know of each other while oil and supply are the same: each is chosen for itself.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -16,7 +16,6 @@ from ...sheet.search import first, governing, least
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kelvin, Metre, Number, Radian, Watt
 from ..checks import FILM_DOUBLE_LOAD, FILM_EDGE, TEMPERATURE_RISE_USUAL
-from ..inputs import PLACES
 from .grid import CandidateField
 from .states import BearingTask, Index, States, check_of, judge, mckee, solved, usual
 from .variants import Variant
@@ -25,7 +24,7 @@ ALIKE = 0.1  # W: powers that are taken for equal, so that the smaller change go
 MOST = 12  # rows of the Pareto set
 STEPS = (0.1e-6, 0.2e-6, 0.25e-6, 0.5e-6, 1e-6, 2e-6, 5e-6, 10e-6)  # of film between them
 
-Fields = Mapping[str, Sequence[CandidateField]]  # of one variant: front and rear, a field for each diameter
+Fields = Mapping[str, Sequence[CandidateField]]  # of one variant: by bearing, front to rear, a field for each diameter
 Slopes = Mapping[str, Radian]
 # what is wanted least of every candidate, and what of equal ones
 Order = Callable[[CandidateField], tuple[Array, Array]]
@@ -70,51 +69,45 @@ class Pick:
 
 @record
 class CandidateRow:
-    """Both bearings with one oil and supply.  `what`: now, nearest, least power, too long, more film."""
+    """All bearings with one oil and supply, front to rear.  `what`: now, nearest, least power, too long, more film."""
 
     what: str
     variant: Variant
-    front: Pick
-    rear: Pick
-
-    @property
-    def both(self) -> tuple[Pick, Pick]:
-        return self.front, self.rear
+    picks: tuple[Pick, ...]
 
     @property
     def power(self) -> Watt:
-        return self.front.power + self.rear.power
+        return sum(pick.power for pick in self.picks)
 
     @property
     def film(self) -> Metre:
-        """The thinnest of both bearings, at the edge and the worst corner."""
-        return min(pick.film_edge for pick in self.both)
+        """The thinnest of them, at the edge and the worst corner."""
+        return min(pick.film_edge for pick in self.picks)
 
     @property
     def margin(self) -> Number:
-        return min(pick.margin for pick in self.both)
+        return min(pick.margin for pick in self.picks)
 
     @property
     def change(self) -> Number:
-        return sum(pick.change for pick in self.both)
+        return sum(pick.change for pick in self.picks)
 
     @property
     def corners(self) -> bool:
         """Whether it is judged at the corners of the tolerances, or as given."""
-        return all(pick.task.corners for pick in self.both)
+        return all(pick.task.corners for pick in self.picks)
 
     @property
     def level(self) -> int:
-        """By how many steps the surfaces of both are smoother."""
-        return sum(pick.task.level for pick in self.both)
+        """By how many steps the surfaces are smoother."""
+        return sum(pick.task.level for pick in self.picks)
 
     @property
-    def too_long(self) -> tuple[Metre, Metre]:
+    def too_long(self) -> tuple[Metre, ...]:
         """By how much each journal is longer than its room; 0: it fits, or its room is not known."""
-        front, rear = (
-            max(pick.length - pick.task.room.longest, 0.0) if pick.task.room.longest else 0.0 for pick in self.both
+        return tuple(
+            max(pick.length - pick.task.room.longest, 0.0) if pick.task.room.longest else 0.0 for pick in self.picks
         )
-        return front, rear
 
 
 def picks(task: BearingTask, length: Sequence[float], clearance: Sequence[float], slope: Radian) -> list[Pick]:
@@ -165,30 +158,30 @@ def by_excess(field: CandidateField) -> tuple[Array, Array]:
     return 0 * states.length if room is None else np.maximum(states.length - room, 0.0), states.power
 
 
-def best(fields: Fields, slopes: Slopes, order: Order) -> tuple[Pick, Pick] | None:
+def best(fields: Fields, slopes: Slopes, order: Order) -> tuple[Pick, ...] | None:
     """Of one oil and supply the first by an order, surfaces as they are before smoother ones; None where a bearing has
     no candidate."""
-    front, rear = (_best(fields[place], slopes[place], order) for place in PLACES)
-    if front is None or rear is None:
+    ranked = [_best(some, slopes[place], order) for place, some in fields.items()]
+    if None in ranked:
         return None
-    return _at(*front[1:], slopes["front"]), _at(*rear[1:], slopes["rear"])
+    return tuple(_at(*found[1:], slopes[place]) for place, found in zip(fields, ranked) if found is not None)
 
 
 def rank(fields: Fields, slopes: Slopes, order: Order) -> tuple[float, ...] | None:
     """Level of the surfaces, how many clearances are not usual, and what is wanted of the first by an order, as the
     grids have them; None: there is none."""
-    front, rear = (_best(fields[place], slopes[place], order) for place in PLACES)
-    return None if front is None or rear is None else tuple(map(sum, zip(front[0], rear[0])))
+    ranked = [found[0] for place, some in fields.items() if (found := _best(some, slopes[place], order)) is not None]
+    return tuple(map(sum, zip(*ranked))) if len(ranked) == len(fields) else None
 
 
 def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
     """Those that need least power; None where a bearing has no candidate."""
-    both = {
+    every = {
         place: ranked[1].task.seat.bearing.diameter
-        for place in PLACES
-        if (ranked := _best(fields[place], slopes[place], by_power))
+        for place, some in fields.items()
+        if (ranked := _best(some, slopes[place], by_power))
     }
-    return both if len(both) == len(PLACES) else None
+    return every if len(every) == len(fields) else None
 
 
 def _best(
@@ -204,16 +197,16 @@ def _best(
     return min(every, key=lambda entry: entry[0], default=None)
 
 
-def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
+def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, ...] | None:
     """Where nothing passes: the candidates with the largest least margin."""
-    if not all(fields[place] for place in PLACES):
+    if not all(fields.values()):
         return None
-    both = []
-    for place in PLACES:
-        margins = [least(field.judged(slopes[place]).values()) for field in fields[place]]
+    near = []
+    for place, some in fields.items():
+        margins = [least(field.judged(slopes[place]).values()) for field in some]
         n = max(range(len(margins)), key=lambda n: float(margins[n].max()))
-        both.append(_at(fields[place][n], np.unravel_index(int(margins[n].argmax()), margins[n].shape), slopes[place]))
-    return both[0], both[1]
+        near.append(_at(some[n], np.unravel_index(int(margins[n].argmax()), margins[n].shape), slopes[place]))
+    return tuple(near)
 
 
 def _at(field: CandidateField, index: Index, slope: Radian) -> Pick:
@@ -230,11 +223,11 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Cand
     able = []
     for variant, fields in every:
         films = [
-            [f.judged(slopes[place])[FILM_EDGE].value[f.passing(slopes[place])] for f in fields[place]]
-            for place in PLACES
+            [f.judged(slopes[place])[FILM_EDGE].value[f.passing(slopes[place])] for f in some]
+            for place, some in fields.items()
         ]
         sides = [np.concatenate(side) * 1e-6 for side in films if side]
-        if len(sides) == len(PLACES) and all(side.size for side in sides):
+        if len(sides) == len(fields) and all(side.size for side in sides):
             able.append((variant, fields, min(side.min() for side in sides), min(side.max() for side in sides)))
     if not able:
         return []
@@ -243,16 +236,16 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Cand
     rows: list[CandidateRow] = []
     for film in np.arange(np.floor(low / step), np.floor(high / step) + 1) * step:
         pairs = [
-            (variant, [_least_with(fields[place], slopes[place], film) for place in PLACES])
+            (variant, {place: _least_with(some, slopes[place], film) for place, some in fields.items()})
             for variant, fields, *_ in able
         ]
-        variant, (front, rear) = min(
-            pairs, key=lambda pair: sum(candidate[0] if candidate is not None else np.inf for candidate in pair[1])
+        variant, found = min(
+            pairs, key=lambda pair: sum(one[0] if one is not None else np.inf for one in pair[1].values())
         )
-        if front is None or rear is None:
+        if None in found.values():
             continue
-        picked = _at(*front[1:], slopes["front"]), _at(*rear[1:], slopes["rear"])
-        row = CandidateRow("more film", variant, *picked)
+        picked = tuple(_at(*one[1:], slopes[place]) for place, one in found.items() if one is not None)
+        row = CandidateRow("more film", variant, picked)
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()
         if not rows or row.film > rows[-1].film:

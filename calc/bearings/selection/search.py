@@ -13,17 +13,17 @@ from itertools import chain
 
 from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
-from ...countershaft.rows import BearingRow
+from ...countershaft.rows import BearingRow, called
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, rising, tell
 from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
-from ...sheet.text import EMPTY, SEMICOLON, Text
+from ...sheet.text import COMMA, EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
 from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER
-from ..inputs import PLACES, SLOPE_TAKEN, BearingsInputs
+from ..inputs import SLOPE_TAKEN, BearingsInputs
 from . import ranking
 from .grid import CandidateField, alike, field
 from .ranking import CandidateRow, Fields, Pick, Slopes, best, by_change, by_power, closest
@@ -54,14 +54,14 @@ class Settled:
 def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian]) -> Settled:
     """A row through the whole solution, as it stands."""
     before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING.id}
-    results = case.solve(with_row(case.bearings, row))
+    results = case.solve(*with_row(case, row))
     there = results.outcomes["bearings"]
     again = slopes_of(case, results, slopes)
-    front, rear = (pick.with_slope(again[place]) for place, pick in zip(PLACES, row.both))
+    picked = tuple(pick.with_slope(again[pick.task.place]) for pick in row.picks)
     failing = [c for c in there.checks if c.verdict == "fail"]
     if row.corners:
         failing += [c for c in there.checks if c.rule in AT_CORNERS and c.verdict != "fail" and not c.margin >= 0]
-    failing += [pick.governing for pick in (front, rear) if pick.margin < 0]
+    failing += [pick.governing for pick in picked if pick.margin < 0]
     elsewhere = chain.from_iterable(o.checks for key, o in results.outcomes.items() if key != "bearings")
     others = [c for c in elsewhere if c.verdict == "fail" and c.id not in before]
     if not any(row.too_long):
@@ -69,7 +69,7 @@ def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian])
     if there.state != "solved" or failing:
         why = against(failing[0]) if failing else there.reason
         return Settled(None, again, (), Text("{row}: {why}", row=row.variant.name, why=why), results)
-    return Settled(replace(row, front=front, rear=rear), again, tuple(others), results=results)
+    return Settled(replace(row, picks=picked), again, tuple(others), results=results)
 
 
 def settle(case: SelectionCase, row: CandidateRow, fields: Fields, slopes: dict[str, Radian]) -> Settled:
@@ -79,37 +79,42 @@ def settle(case: SelectionCase, row: CandidateRow, fields: Fields, slopes: dict[
     for _ in range(TRIES):
         if settled.row is not None:
             break
-        steeper = {place: max(slopes[place], settled.slopes[place]) for place in PLACES}
-        pair = best(fields, steeper, order) if steeper != slopes else None
-        if pair is None:
+        steeper = {place: max(slope, settled.slopes[place]) for place, slope in slopes.items()}
+        picked = best(fields, steeper, order) if steeper != slopes else None
+        if picked is None:
             break
         slopes = steeper
-        settled = confirmed(case, replace(row, front=pair[0], rear=pair[1]), slopes)
+        settled = confirmed(case, replace(row, picks=picked), slopes)
     return settled
 
 
 def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
     """As given, else of the shaft's bending; where its outline is not known any more, as before; taken where it never
     was."""
-    bearings = case.bearings
-    if bearings.slope is not None:
-        return {"front": bearings.slope[0], "rear": bearings.slope[-1]}
     shaft = (results or drawn(case)).result(CountershaftResult)
-    if shaft is None or not shaft.slopes:
-        return dict(before or dict.fromkeys(PLACES, SLOPE_TAKEN))
-    return dict(shaft.slopes)
+    bent = shaft.slopes if shaft is not None else {}
+    known = before or dict.fromkeys((row.name for row in case.rows), SLOPE_TAKEN)
+    return {row.name: row.slope if row.slope is not None else bent.get(row.name, known[row.name]) for row in case.rows}
 
 
-def with_row(bearings: BearingsInputs, row: CandidateRow) -> BearingsInputs:
+def with_row(case: SelectionCase, row: CandidateRow) -> tuple[BearingsInputs, tuple[BearingRow, ...]]:
     """The design's bearings as a row has them: as they then stand in the file."""
-    return applied(bearings, bearing_changes(row, bearings), "bearings.")
+    shared, own = _changes(row, case.bearings)
+    return applied(case.bearings, shared), tuple(applied(there, own.get(there.name, {})) for there in case.rows)
 
 
-def bearing_changes(row: CandidateRow, bearings: BearingsInputs) -> Changes:
-    """The keys that put a row into a design with these bearings; a clearance that stays keeps its key."""
-    written: Changes = {}
+def bearing_changes(row: CandidateRow, case: SelectionCase) -> Changes:
+    """The keys that put a row into a design; a clearance that stays keeps its key."""
+    shared, own = _changes(row, case.bearings)
+    written = {f"{case.place}.{name}.{key}": value for name, some in own.items() for key, value in some.items()}
+    return written | {dotted("bearings", key): value for key, value in shared.items()}
+
+
+def _changes(row: CandidateRow, bearings: BearingsInputs) -> tuple[Changes, dict[str, Changes]]:
+    """Of what all bearings share, and of each by its name; without the tables that they stand in."""
+    own: dict[str, Changes] = {}
     fits = fits_to_write(row, bearings)
-    for place, pick in zip(PLACES, row.both):
+    for pick in row.picks:
         b, here = pick.task.seat.bearing, dict[object, float | None]()
         if pick.diameter != pick.task.diameter:
             here[BearingRow.diameter] = digits(pick.diameter / 1e-3)
@@ -120,7 +125,7 @@ def bearing_changes(row: CandidateRow, bearings: BearingsInputs) -> Changes:
         if pick.task.level:
             here[BearingRow.journal_roughness] = digits(b.journal_roughness / 1e-6)
             here[BearingRow.housing_roughness] = digits(b.housing_roughness / 1e-6)
-        written |= {dotted("bearings", place, field): value for field, value in here.items()}
+        own[pick.task.place] = {dotted(field): value for field, value in here.items()}
     whole = dict[object, str]()
     if fits is not None:
         whole |= {BearingsInputs.journal_fit: fits[0], BearingsInputs.seat_fit: fits[1]}
@@ -128,13 +133,13 @@ def bearing_changes(row: CandidateRow, bearings: BearingsInputs) -> Changes:
         whole[BearingsInputs.oil] = row.variant.oil
     if row.variant.supply != bearings.supply:
         whole[BearingsInputs.supply] = row.variant.supply
-    return written | {dotted("bearings", field): value for field, value in whole.items()}
+    return {dotted(field): value for field, value in whole.items()}, own
 
 
 def fits_to_write(row: CandidateRow, bearings: BearingsInputs) -> tuple[str, str] | None:
     """Closer fits; or widths for fits with a place, which would make another clearance than the row's.  None: they
     stay."""
-    return row.variant.fits or (placed(bearings) if any(map(_moved, row.both)) else None)
+    return row.variant.fits or (placed(bearings) if any(map(_moved, row.picks)) else None)
 
 
 def _moved(pick: Pick) -> bool:
@@ -257,7 +262,7 @@ def _fitting(
         return "all", within, rows
     carried = all(
         any(candidates.carries(slopes[place]) for _, fields in every for candidates in fields[place])
-        for place in PLACES
+        for place in bearings
     )
     ways = _further(case, offered, bearings, slopes) if carried else []
     for n, (kind, tried, asked) in enumerate(ways):
@@ -271,7 +276,7 @@ def _fitting(
 def _too_long(every: Every, slopes: Slopes) -> list[CandidateRow]:
     """Of each variant the row that needs the least more room, where it needs any."""
     pairs = [(variant, best(fields, slopes, ranking.by_excess)) for variant, fields in every]
-    rows = [CandidateRow("too long", variant, *pair) for variant, pair in pairs if pair]
+    rows = [CandidateRow("too long", variant, picked) for variant, picked in pairs if picked]
     return sorted((row for row in rows if any(row.too_long)), key=lambda row: (max(row.too_long), row.power))
 
 
@@ -332,7 +337,7 @@ def _further(
 
 
 def _may_pass(fields: Fields, slopes: Slopes) -> bool:
-    return all(any(candidates.holds(slopes[place]) for candidates in fields[place]) for place in PLACES)
+    return all(any(candidates.holds(slopes[place]) for candidates in some) for place, some in fields.items())
 
 
 def _possible(bearings: Tasks) -> Tasks:
@@ -351,21 +356,22 @@ def fields_of(
 ) -> dict[str, list[CandidateField]]:
     """`too_thin` gathers oils whose film passes nowhere; a thinner one is not looked at any more.
 
-    `short`: only lengths in the room, and no rear bearing where no front one has a film that passes.
+    `short`: only lengths in the room, and no further bearing where one before has no film that passes.
     """
     known = too_thin if too_thin is not None else {}
-    fields: dict[str, list[CandidateField]] = {place: [] for place in PLACES}
-    for place in PLACES:
+    fields: dict[str, list[CandidateField]] = {place: [] for place in bearings}
+    for place, tasks_there in bearings.items():
         held = False
-        for task in bearings[place]:
+        for task in tasks_there:
             key = (variant.supply, place, task.seat.bearing.diameter)
             mu = variant.lubricant.at(task.duty.supply_temperature).mu
             if mu < known.get(key, 0.0):
                 continue
             same = (
-                front
-                for front in fields["front"]
-                if place == "rear" and alike(front.task, task) and slopes["front"] == slopes["rear"]
+                known_field
+                for other, some in fields.items()
+                for known_field in some
+                if other != place and slopes[other] == slopes[place] and alike(known_field.task, task)
             )
             twin = next(same, None)
             candidates = twin.of(task) if twin is not None else field(task, variant, slopes[place], short)
@@ -395,9 +401,9 @@ def _promising(bearings: Tasks, diameters: dict[str, Metre] | None) -> Tasks:
 def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
     """What fits, with its own surfaces, and where these are too rough with ever smoother ones until some candidate
     passes."""
-    inside: dict[str, list[CandidateField]] = {place: [] for place in PLACES}
-    for place in PLACES:
-        for candidates in (some for outside in fields[place] if (some := outside.in_room()) is not None):
+    inside: dict[str, list[CandidateField]] = {place: [] for place in fields}
+    for place, found in fields.items():
+        for candidates in (some for outside in found if (some := outside.in_room()) is not None):
             holds = candidates.holds(slopes[place])
             inside[place] += _smooth_enough(candidates, slopes[place]) if holds else [candidates]
     return inside
@@ -441,9 +447,9 @@ def _nearest(
         if n == NEAREST:
             break
         tell(progress, n / NEAREST, Text("{row} in the whole design", row=variant.name))
-        pair = best(fields, slopes, by_change)
-        assert pair is not None
-        settled = settle(case, CandidateRow("nearest", variant, *pair), fields, slopes)
+        picked = best(fields, slopes, by_change)
+        assert picked is not None
+        settled = settle(case, CandidateRow("nearest", variant, picked), fields, slopes)
         if settled.row is not None:
             return settled
         dropped.append(settled.why)
@@ -478,9 +484,9 @@ def _settled(
     """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
     by_variant = {id(variant): fields for variant, fields in every}
     least = [
-        CandidateRow("least power", variant, *pair)
+        CandidateRow("least power", variant, picked)
         for variant, fields in every
-        if (pair := best(fields, slopes, by_power)) is not None
+        if (picked := best(fields, slopes, by_power)) is not None
     ]
     nearest = _nearest(case, every, slopes, dropped, part(progress, 0.0, 0.3))
     rows = [] if nearest is None else [nearest]
@@ -513,23 +519,23 @@ def _rank(settled: Settled) -> tuple[int, float, float]:
 def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> CandidateRow | None:
     """The design as it stands, judged by the same rules as the rows, at the corners or as given; None where a bearing
     has no film."""
-    both = []
-    for place in PLACES:
-        task = replace(bearings[place][0].with_oil(variant.lubricant, variant.supply), corners=corners)
-        both += ranking.picks(task, [task.length], [task.clearance], slopes[place])
-    return CandidateRow("now", variant, *both) if all(pick.power == pick.power for pick in both) else None
+    every: list[Pick] = []
+    for place, some in bearings.items():
+        task = replace(some[0].with_oil(variant.lubricant, variant.supply), corners=corners)
+        every += ranking.picks(task, [task.length], [task.clearance], slopes[place])
+    return CandidateRow("now", variant, tuple(every)) if all(pick.power == pick.power for pick in every) else None
 
 
 # --- why there is nothing
 
 
-def _stopped(both: tuple[Pick, Pick] | None) -> Text:
-    if both is None:
+def _stopped(near: tuple[Pick, ...] | None) -> Text:
+    if near is None:
         return Text(
             "no length is left between l/d, oil supply and room, or no clearance between the cold one and the usual "
             "factor K"
         )
-    worse = min(both, key=lambda pick: pick.margin)
+    worse = min(near, key=lambda pick: pick.margin)
     return Text("{limit} at {size}", limit=against(worse.governing), size=size(worse.length, worse.clearance))
 
 
@@ -547,22 +553,20 @@ def _none_whole(dropped: list[Text]) -> NoSolution:
 def nothing(every: Every, slopes: Slopes) -> NoSolution:
     """What comes nearest over all oils and supplies, and what stops it."""
     nearest = [
-        (min(pick.margin for pick in both), variant, both)
+        (min(pick.margin for pick in near), variant, near)
         for variant, fields in every
-        if (both := closest(fields, slopes)) is not None
+        if (near := closest(fields, slopes)) is not None
     ]
     if not nearest:
         advice = Text("more room for the journals, a narrower oil supply, or a smaller journal")
         return NoSolution(Text("no bearing is left to look at"), _stopped(None), advice)
-    _, variant, both = max(nearest, key=lambda row: row[0])
-    worse = min(both, key=lambda pick: pick.margin)
-    front, rear = (size(pick.length, pick.clearance) for pick in both)
+    _, variant, near = max(nearest, key=lambda row: row[0])
+    worse = min(near, key=lambda pick: pick.margin)
+    sizes = COMMA.join(
+        Text("{place} {size}", place=called(pick.task.place), size=size(pick.length, pick.clearance)) for pick in near
+    )
     tried = Text(
-        "nearest: {row}, front {front}, rear {rear}, stopped by {limit}",
-        row=variant.name,
-        front=front,
-        rear=rear,
-        limit=against(worse.governing),
+        "nearest: {row}, {sizes}, stopped by {limit}", row=variant.name, sizes=sizes, limit=against(worse.governing)
     )
     if worse.corner:
         tried = Text("{tried} (corner: {corner})", tried=tried, corner=worse.corner)

@@ -26,7 +26,7 @@ from ...sheet.check import DEGREES, Check, CheckRule
 from ...sheet.linked_array import column
 from ...sheet.record import record
 from ...sheet.search import Judged, judged
-from ...sheet.text import Amount, Small, Text
+from ...sheet.text import EMPTY, Amount, Name, Small, Text
 from ...sheet.units import UNITS, Metre, Radian, RevPerSecond
 from .. import formulas as f
 from ..checks import (
@@ -54,7 +54,12 @@ from ..suitability import CLEARANCE_USUAL, film_asked
 # --- words that the search uses over and over
 
 
-LETTER = {"front": Text("F"), "rear": Text("R")}
+LETTERS = {"front": Text("F"), "middle": Text("M"), "rear": Text("R")}
+
+
+def letter_of(place: str) -> Text:
+    """What a bearing is called in the head of a column."""
+    return LETTERS.get(place, EMPTY) or Name(place)
 
 
 def mm(length: Metre) -> Amount:
@@ -173,14 +178,13 @@ class JournalRoom:
 
 
 def room(given: ShaftInputs | None, shaft: CountershaftResult | None, place: str, d: Metre) -> JournalRoom:
-    """The room of the front or rear journal, of diameter d.
+    """The room of a journal, of diameter d.
 
     The gear stands against the front journal and moves with it, unless its place is given.
     """
     if given is None:
         return JournalRoom(None, Text("no counter-shaft is given, so that the room for the journals is not known"))
-    at = 0 if place == "front" else -1
-    z = given.bearing_positions[at]
+    z = next(row.position for row in given.bearings if row.name == place)
     if given.mode == "size" and given.half_length is not None:
         reach = Amount(given.half_length * 1e3, "mm", form="g")
         why = Text("the sectors reach to ±{half_length} (half_length_mm)", half_length=reach)

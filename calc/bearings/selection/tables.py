@@ -3,7 +3,7 @@
 
 Each neighbour of a row has the rule that refuses it, or what it costs."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from ...countershaft.rows import called
@@ -29,12 +29,11 @@ from ..checks import (
     TEMPERATURE_RISE_USUAL,
     TRANSITION,
 )
-from ..inputs import PLACES
 from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
 from .ranking import CandidateRow, Pick, Slopes, picks
 from .search import BearingsFound
-from .states import LEAST_COLD, LETTER, ROUGHNESSES, TIGHT, TIGHTEST, WIDEST, against, mm, short_mm, value_of
+from .states import LEAST_COLD, ROUGHNESSES, TIGHT, TIGHTEST, WIDEST, against, letter_of, mm, short_mm, value_of
 from .variants import DIAMETERS, SUPPLY, Variant, thinner, tied
 
 EXPLAINED = 3  # rows whose neighbours are shown
@@ -115,7 +114,7 @@ def _rows_table(
     shown += [(str(number), row) for number, row in enumerate(rows, first)]
     of = [row for _, row in shown]
     wide, extra = _wide(of), _extra(of)
-    columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide)]
+    columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(of, wide)]
     columns += [(POWER, "W"), (EDGE, "µm"), (Name("h_2F"), "µm"), (Text("rise"), "K")]
     if not (wide and extra):  # else what binds nothing makes room
         columns.append((MCKEE, ""))
@@ -128,7 +127,7 @@ def _rows_table(
 
 def _wide(rows: list[CandidateRow]) -> bool:
     """Whether some row has another diameter."""
-    return any(pick.diameter != pick.task.diameter for row in rows for pick in row.both)
+    return any(pick.diameter != pick.task.diameter for row in rows for pick in row.picks)
 
 
 def _extra(rows: list[CandidateRow]) -> Text:
@@ -136,9 +135,10 @@ def _extra(rows: list[CandidateRow]) -> Text:
     return TOO_LONG if any(any(row.too_long) for row in rows) else ASKS if any(map(_asks, rows)) else EMPTY
 
 
-def _size_columns(wide: bool) -> list[tuple[Text, str]]:
+def _size_columns(rows: Sequence[CandidateRow], wide: bool) -> list[tuple[Text, str]]:
     columns: list[tuple[Text, str]] = []
-    for letter in LETTER.values():
+    for pick in rows[0].picks:
+        letter = letter_of(pick.task.place)
         size = Text("{letter} d×l", letter=letter) if wide else Text("{letter} l", letter=letter)
         columns += [(size, "mm"), (Text("{letter} g", letter=letter), "µm")]
     return columns
@@ -146,7 +146,7 @@ def _size_columns(wide: bool) -> list[tuple[Text, str]]:
 
 def _sizes(row: CandidateRow, wide: bool) -> Cells:
     cells: list[str | float | None] = []
-    for pick in row.both:
+    for pick in row.picks:
         size = Text("{d}×{l}", d=short_mm(pick.diameter), l=short_mm(pick.length))
         cells.append(size if wide else _rounded(pick.length * 1e3, 4))
         cells.append(_rounded(pick.clearance * 1e6, 3))
@@ -154,11 +154,15 @@ def _sizes(row: CandidateRow, wide: bool) -> Cells:
 
 
 def _cells(number: str, row: CandidateRow, wide: bool, extra: Text) -> Cells:
-    worse, letter = min(zip(row.both, LETTER.values()), key=lambda pair: pair[0].margin)
-    films = (row.film * 1e6, min(pick.film_double_load for pick in row.both) * 1e6, max(pick.rise for pick in row.both))
-    mckee = () if wide and extra else (min(pick.mckee for pick in row.both),)
+    worse = min(row.picks, key=lambda pick: pick.margin)
+    films = (
+        row.film * 1e6,
+        min(pick.film_double_load for pick in row.picks) * 1e6,
+        max(pick.rise for pick in row.picks),
+    )
+    mckee = () if wide and extra else (min(pick.mckee for pick in row.picks),)
     numbers = (_rounded(x, 3) for x in (*films, *mckee, round(worse.margin * 100, 1)))
-    by = Text("{rule} {letter}", rule=_short_name(worse.governing), letter=letter)
+    by = Text("{rule} {letter}", rule=_short_name(worse.governing), letter=letter_of(worse.task.place))
     cells: Cells = (*_first_cells(number, row, wide), _rounded(row.power, 4), *numbers, by)
     return (*cells, _too_long(row) if extra == TOO_LONG else _asks(row)) if extra else cells
 
@@ -169,8 +173,8 @@ def _first_cells(number: str, row: CandidateRow, wide: bool) -> Cells:
 
 def _too_long(row: CandidateRow) -> Text:
     return Text(" ").join(
-        Text("{a} {b}", a=letter, b=Amount(x * 1e3, form=".1f"))
-        for letter, x in zip(LETTER.values(), row.too_long)
+        Text("{a} {b}", a=letter_of(pick.task.place), b=Amount(x * 1e3, form=".1f"))
+        for pick, x in zip(row.picks, row.too_long)
         if x > 0
     )
 
@@ -178,9 +182,9 @@ def _too_long(row: CandidateRow) -> Text:
 def _asks(row: CandidateRow) -> Text:
     """Smoother surfaces and closer fits that a row needs."""
     words: list[str] = []
-    for letter, pick in zip(LETTER.values(), row.both):
+    for pick in row.picks:
         if pick.task.level:
-            b = pick.task.seat.bearing
+            letter, b = letter_of(pick.task.place), pick.task.seat.bearing
             both = Amount(b.journal_roughness * 1e6), Amount(b.housing_roughness * 1e6)
             words.append(Text("{letter} Ra {journal}/{seat}", letter=letter, journal=both[0], seat=both[1]))
     return COMMA.join([*words, *(["/".join(row.variant.fits)] if row.variant.fits else [])])
@@ -198,8 +202,8 @@ def _rounded(number: float, digits: int = 6) -> float | None:
 def changed(row: CandidateRow) -> Text:
     """`front length 27.5 → 31 mm, rear clearance 90 → 80 µm`; empty where nothing changes but oil and supply."""
     words: list[Text] = []
-    for place, pick in zip(PLACES, row.both):
-        task, b = pick.task, pick.task.seat.bearing
+    for pick in row.picks:
+        task, b, place = pick.task, pick.task.seat.bearing, pick.task.place
         for what, now, to, factor, unit in (
             (Text("diameter"), task.diameter, pick.diameter, 1e-3, "mm"),
             (Text("length"), task.length, pick.length, 1e-3, "mm"),
@@ -242,8 +246,8 @@ class Neighbour:
 
 def neighbours(row: CandidateRow, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
     """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil."""
-    for place, chosen in zip(PLACES, row.both):
-        l, g = chosen.length, chosen.clearance
+    for chosen in row.picks:
+        l, g, place = chosen.length, chosen.clearance, chosen.task.place
         (shorter, _), (tighter, wider) = beside(l, LENGTH_STEP), beside(g, CLEARANCE_STEP)
         steps = (
             (Text("l {now} → {to}", now=Amount(l * 1e3), to=Amount(shorter * 1e3, "mm")), shorter, g),
@@ -253,14 +257,14 @@ def neighbours(row: CandidateRow, variants: tuple[Variant, ...], slopes: Slopes)
         changes, lengths, clearances = zip(*(step for step in steps if min(step[1:]) > 0))
         for change, pick in zip(changes, picks(chosen.task, lengths, clearances, slopes[place])):
             yield Neighbour(called(place), change, pick, chosen, pick.power - chosen.power)
-    oil = thinner(list(variants), replace(row.variant, fits=None), row.front.task.duty.supply_temperature)
+    oil = thinner(list(variants), replace(row.variant, fits=None), row.picks[0].task.duty.supply_temperature)
     if oil is not None:  # in both bearings, which share it; the worse of them says
-        both = []
-        for place, chosen in zip(PLACES, row.both):
+        every = []
+        for chosen in row.picks:
             task = chosen.task.with_oil(oil.lubricant, oil.supply)
-            both.append((picks(task, [chosen.length], [chosen.clearance], slopes[place])[0], chosen))
-        worse, of = min(both, key=lambda pair: pair[0].margin)
-        more = sum(pick.power - chosen.power for pick, chosen in both)
+            every.append((picks(task, [chosen.length], [chosen.clearance], slopes[task.place])[0], chosen))
+        worse, of = min(every, key=lambda pair: pair[0].margin)
+        more = sum(pick.power - chosen.power for pick, chosen in every)
         yield Neighbour(Text("both"), Text("oil {oil}", oil=oil.oil), worse, of, more, oil.oil)
 
 
@@ -323,7 +327,14 @@ def _outcome(choices: BearingsFound, row: CandidateRow, neighbour: Neighbour) ->
 def pareto_table(choices: BearingsFound) -> Table:
     """More film for more power: numbered on from the rows, so that these can be taken as well."""
     wide, extra = _wide(list(choices.pareto)), _extra(list(choices.pareto))
-    columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide), (POWER, "W"), (EDGE, "µm")]
+    columns = [
+        (NUMBER, ""),
+        (OIL, ""),
+        (SUPPLIED, ""),
+        *_size_columns(choices.pareto, wide),
+        (POWER, "W"),
+        (EDGE, "µm"),
+    ]
     columns += [(extra, "mm" if extra == TOO_LONG else "")] if extra else []
     rows = []
     for number, row in enumerate(choices.pareto, len(choices.rows) + len(choices.beyond) + 1):
@@ -379,7 +390,7 @@ def _missed(choices: BearingsFound) -> Text:
             "Nothing of any length keeps every rule, not with Ra down to {Ra}, nor with fits two grades closer.", Ra=Ra
         )
     row, number = choices.beyond[0], len(choices.rows) + 1
-    long = [(place, x) for place, x in zip(PLACES, row.too_long) if x > 0]
+    long = [(pick.task.place, x) for pick, x in zip(row.picks, row.too_long) if x > 0]
     spaces = [(place, mm(choices.tasks[place][0].room.longest or 0.0)) for place, _ in long]
     rooms = [Text("the {place} journal has room for {room}", place=called(p), room=space) for p, space in spaces]
     return Text(
@@ -397,8 +408,8 @@ def _at_corners(choices: BearingsFound, row: CandidateRow) -> Text:
     """The worst corner of a row that is judged as given."""
     slopes = choices.slopes_of_row(1)
     there = [
-        picks(replace(pick.task, corners=True), [pick.length], [pick.clearance], slopes[p])[0]
-        for p, pick in zip(PLACES, row.both)
+        picks(replace(pick.task, corners=True), [pick.length], [pick.clearance], slopes[pick.task.place])[0]
+        for pick in row.picks
     ]
     below = [c for pick in there for c in pick.checks if c.margin < 0 and c.rule is not CLEARANCE_COLD]
     return Text(" Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
@@ -437,8 +448,8 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
 
 
 def _rooms(choices: BearingsFound) -> Iterator[Text]:
-    for place in PLACES:
-        room = choices.tasks[place][0].room
+    for place, tasks in choices.tasks.items():
+        room = tasks[0].room
         if room.longest is None:
             yield Text("Room of the {place} journal: {why}.", place=called(place), why=room.why)
         else:
@@ -452,7 +463,7 @@ def _rooms(choices: BearingsFound) -> Iterator[Text]:
         yield Text(
             "A journal that is too long asks for sectors that give way: their masses moved, a shorter half_length_mm, "
             "or the true shape as "
-            "[[countershaft.sections]]. Of these rows each is the shortest of its oil and supply; until the shaft "
+            "[[shafts.sections]]. Of these rows each is the shortest of its oil and supply; until the shaft "
             "gives way, "
             "countershaft.crossing fails with them."
         )
@@ -460,9 +471,10 @@ def _rooms(choices: BearingsFound) -> Iterator[Text]:
 
 def _diameters(choices: BearingsFound) -> Iterator[Text]:
     """What ties them, or which were looked at, and where the best row stands at their end."""
-    for n, place in enumerate(PLACES):
+    for n, row in enumerate(choices.case.rows):
+        place = row.name
         if len(choices.tasks[place]) == 1:
-            why = tied(choices.case, place) or Text("no other has an answer")
+            why = tied(choices.case, row) or Text("no other has an answer")
             yield Text("The {place} diameter stays as it is: {why}.", place=called(place), why=why)
             continue
         looked = sorted(task.seat.bearing.diameter for task in choices.tasks[place])
@@ -471,7 +483,7 @@ def _diameters(choices: BearingsFound) -> Iterator[Text]:
             place=called(place),
             diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked),
         )
-        ends = {row.both[n].diameter for row in choices.rows[:2]} & {looked[0], looked[-1]}
+        ends = {found.picks[n].diameter for found in choices.rows[:2]} & {looked[0], looked[-1]}
         if ends:
             free += Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop()))
         yield free
@@ -494,9 +506,9 @@ def _searched(choices: BearingsFound) -> Iterator[Text]:
         K=K,
     )
     beyond = [
-        called(p)
-        for p in PLACES
-        if any(pick.clearance > widest_usual(pick.task) + SAME for pick in (getattr(r, p) for r in choices.rows))
+        called(there.name)
+        for n, there in enumerate(choices.case.rows)
+        if any(pick.clearance > widest_usual(pick.task) + SAME for pick in (row.picks[n] for row in choices.rows))
     ]
     if beyond:
         yield Text(
@@ -504,7 +516,7 @@ def _searched(choices: BearingsFound) -> Iterator[Text]:
             places=listed(beyond),
             K=K,
         )
-    unusual = {n: c for n, row in enumerate(choices.all, 1) for pick in row.both if (c := pick.unusual) is not None}
+    unusual = {n: c for n, row in enumerate(choices.all, 1) for pick in row.picks if (c := pick.unusual) is not None}
     if unusual:
         yield Text(
             "The relative clearance of the application, {limit} (clearance_usual), goes before a wider one. Not kept, "

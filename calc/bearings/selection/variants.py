@@ -2,9 +2,9 @@
 """What is searched over: the bearings as the design has them, the oils, the supplies, and where free the diameters."""
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Protocol, TypeVar
 
 from ...countershaft.inputs import ShaftInputs
@@ -21,7 +21,7 @@ from ...sheet.record import record
 from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
-from ..inputs import PLACES, BearingsInputs
+from ..inputs import BearingsInputs
 from ..result import BearingResult, BearingsResult
 from ..solve import clearance_of
 from .states import BearingTask, room, rules
@@ -45,10 +45,12 @@ class Solution(Protocol):
 class SelectionCase:
     """`results` are those of the design as it is.  `solve`: the same with other bearings.
 
-    `own_oils`: names that the design itself has given; `gear_tip`: tip diameter of the gear on the shaft, None where it
+    `rows`: of the shaft, front to rear; `place`: the key that they stand under; `own_oils`: names that the design itself has given; `gear_tip`: tip diameter of the gear on the shaft, None where it
     is not known."""
 
     bearings: BearingsInputs
+    rows: tuple[BearingRow, ...]
+    place: str
     shaft: ShaftInputs | None
     oils: Mapping[str, Oil]
     own_oils: tuple[str, ...]
@@ -60,7 +62,7 @@ class SelectionCase:
 class Solve(Protocol):
     """The design with other bearings.  `last`: no step after the bearings is solved."""
 
-    def __call__(self, bearings: BearingsInputs, *, last: bool = False) -> Solution: ...
+    def __call__(self, bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Solution: ...
 
 
 # --- the variants
@@ -104,30 +106,31 @@ def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
         what = Text("the search for bearings does not know films between axial grooves")
         raise NoSolution(what, EMPTY, Text("search with a hole, then set the grooves"))
     by_place = {place: [task] for place, task in own_tasks(case).items()}
-    free = [place for place in PLACES if not tied(case, place)]
+    free = [row.name for row in case.rows if not tied(case, row)]
     for share in DIAMETERS if free else ():
-        other = _with_diameters(case.bearings, share, free)
+        other = _with_diameters(case.rows, share, free)
         try:
             there = _solved(case, other)
         except NoSolution:
             continue
-        for place in free:
-            by_place[place].append(_task(case, other, there, place, by_place[place][0]))
+        for row in other:
+            if row.name in free:
+                by_place[row.name].append(_task(case, row, there, by_place[row.name][0]))
     return by_place
 
 
 def own_tasks(case: SelectionCase) -> dict[str, BearingTask]:
     """Each bearing at the design's own diameter.  Raises NoSolution where what it carries can not be known."""
-    solved = _solved(case, case.bearings)
-    return {place: _task(case, case.bearings, solved, place) for place in PLACES}
+    solved = _solved(case, case.rows)
+    return {row.name: _task(case, row, solved) for row in case.rows}
 
 
-def tied(case: SelectionCase, place: str) -> Text:
+def tied(case: SelectionCase, row: BearingRow) -> Text:
     """What ties the diameter of a journal; empty where nothing does.
 
     The largest seat lets the sectors through where they are small enough for it, the front one the gear.
     """
-    shaft, bearings = case.shaft, case.bearings
+    shaft = case.shaft
     if shaft is None:
         return EMPTY
     if shaft.sections:
@@ -138,27 +141,27 @@ def tied(case: SelectionCase, place: str) -> Text:
     R = max(radii, default=shaft.outer_radius)
     if R is None:
         return Text("the shaft's outline is not known")
-    d = getattr(bearings, place).diameter
-    if R <= d / 2 + 1e-9 and d >= max(bearings.front.diameter, bearings.rear.diameter):
+    d = row.diameter
+    if R <= d / 2 + 1e-9 and d >= max(other.diameter for other in case.rows):
         return Text("the sectors are threaded in through its seat")
-    if place == "front" and case.gear_tip is not None and case.gear_tip < d:
+    if row is case.rows[0] and case.gear_tip is not None and case.gear_tip < d:
         return Text("the gear goes through its seat")
     return EMPTY
 
 
-def _solved(case: SelectionCase, bearings: BearingsInputs) -> Solution:
+def _solved(case: SelectionCase, rows: tuple[BearingRow, ...]) -> Solution:
     """Results in which the bearings have an answer: those of the design, else of one with other lengths and clearances.
 
     Only loads, speeds and limits are taken from them, which do not depend on either.
     """
-    results = case.results if bearings is case.bearings else case.solve(bearings, last=True)
+    results = case.results if rows is case.rows else case.solve(case.bearings, rows, last=True)
     outcome = results.outcomes["bearings"]
     if outcome.state == "solved":
         return results
     if outcome.state == "blocked":
         raise NoSolution(Text("the bearings are not solved yet"), outcome.reason, Text("solve the steps before"))
     for ratio, psi in PROBES:
-        probed = case.solve(_with_both(bearings, partial(_probe, ratio, psi)), last=True)
+        probed = case.solve(case.bearings, tuple(_probe(ratio, psi, row) for row in rows), last=True)
         if probed.outcomes["bearings"].state == "solved":
             return probed
     what, advice = (
@@ -168,26 +171,17 @@ def _solved(case: SelectionCase, bearings: BearingsInputs) -> Solution:
     raise NoSolution(what, outcome.reason, advice)
 
 
-def _with_both(
-    bearings: BearingsInputs, change: Callable[[BearingRow], BearingRow], places: Sequence[str] = PLACES
-) -> BearingsInputs:
-    front, rear = (change(b) if place in places else b for place, b in zip(PLACES, (bearings.front, bearings.rear)))
-    return replace(bearings, front=front, rear=rear)
-
-
 def _probe(ratio: float, psi: float, b: BearingRow) -> BearingRow:
     return replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
 
 
-def _task(
-    case: SelectionCase, bearings: BearingsInputs, solved: Solution, place: str, at_own: BearingTask | None = None
-) -> BearingTask:
+def _task(case: SelectionCase, bearing: BearingRow, solved: Solution, at_own: BearingTask | None = None) -> BearingTask:
     """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts
     from."""
     there = solved.result(BearingsResult)
     assert there is not None  # what `_solved` gave
+    place, bearings = bearing.name, case.bearings
     result = there.bearings[place]
-    bearing: BearingRow = getattr(bearings, place)
     space = room(case.shaft, drawn(case).result(CountershaftResult), place, bearing.diameter)
     # a clearance that is searched for is not that of the fits: they are taken as widths about it
     widths = placed(bearings)
@@ -221,7 +215,8 @@ def drawn(case: SelectionCase) -> Solution:
 
 @lru_cache(maxsize=1)
 def _with_short_journals(case: SelectionCase) -> Solution:
-    shortened = case.solve(_with_both(case.bearings, lambda b: replace(b, length=SHORT * b.diameter)), last=True)
+    short = tuple(replace(row, length=SHORT * row.diameter) for row in case.rows)
+    shortened = case.solve(case.bearings, short, last=True)
     return case.results if crossings(shortened) else shortened
 
 
@@ -253,11 +248,14 @@ def closer_fits(bearings: BearingsInputs) -> list[tuple[str, str]]:
     return closer
 
 
-def _with_diameters(bearings: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
-    """Diameters changed by a share, on the step of their input."""
+def _with_diameters(rows: tuple[BearingRow, ...], share: float, free: list[str]) -> tuple[BearingRow, ...]:
+    """Diameters of those that are free changed by a share, on the step of their input."""
     step = DIAMETER.units.inside(DIAMETER.step or 0.5)
-    return _with_both(
-        bearings, lambda b: replace(b, diameter=round(max(round(b.diameter * (1 + share) / step), 1) * step, 9)), places
+    return tuple(
+        replace(row, diameter=round(max(round(row.diameter * (1 + share) / step), 1) * step, 9))
+        if row.name in free
+        else row
+        for row in rows
     )
 
 

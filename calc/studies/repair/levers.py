@@ -10,6 +10,7 @@ from math import copysign, isclose
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
 from ...design.addresses import Table, address, as_list, quantities, quantity_of, value_at
+from ...design.model import Design, step_of
 from ...design.names import published
 from ...design.toml_file import Document
 from ...gears.wheel_inputs import Wheel
@@ -28,7 +29,18 @@ def kind_of(document: Document, key: str) -> tuple[str, ...]:
     """Keys of one kind are of one step and have their words in common; a key without words is a kind of its own."""
     words = quantity_of(document.data, key).change
     kind = (words.less, words.more, words.other)
-    return (key.partition(".")[0], *kind) if any(kind) else (key,)
+    return (step_of(key, judged=dotted(Design.bearings) in document.data), *kind) if any(kind) else (key,)
+
+
+def place_of(key: str) -> str:
+    """The table whose keys move together; where its bearings stand is of the shaft."""
+    place = key.rpartition(".")[0]
+    of_shaft = is_position(key) and place.startswith(dotted(Design.shafts))
+    return place.rpartition(".")[0] if of_shaft else place
+
+
+def is_position(key: str) -> bool:
+    return key.endswith(f".{dotted(BearingRow.position)}")
 
 
 def words_of(document: Document, key: str) -> ChangeWords:
@@ -81,7 +93,7 @@ def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[l
     free = [
         key
         for key, about in quantities(state.document.data)
-        if about.repair == "free" and about.kind in NUMBERS and key.startswith(f"{step}.")
+        if about.repair == "free" and about.kind in NUMBERS and state.design.step_of(key) == step
     ]
     beside = [key for key in free if near & set(key.split("."))]
     return beside, [key for key in free if key not in beside]
@@ -91,10 +103,8 @@ def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[l
 
 NUMBERS = ("number", "integer", "series")
 ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against
-POSITIONS = "TODO"
 CLEARANCES = (described(BearingRow.clearance), described(BearingRow.clearance_factor))
 SPAN = described(Wheel.span_allowance)
-SLOPE = "TODO"
 
 
 @dataclass(frozen=True)
@@ -132,7 +142,7 @@ class Lever:
 def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     """Of the keys of one kind in one place: what moves all of them, and other ways to do so."""
     key, data = keys[0], state.document.data
-    about, given, place = quantity_of(data, key), value_at(data, key), key.rpartition(".")[0]
+    about, given, place = quantity_of(data, key), value_at(data, key), place_of(key)
     if about.kind not in NUMBERS or about.repair == "asked":
         return
     if about in CLEARANCES:
@@ -165,21 +175,31 @@ def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, ab
         scaled = {name: [digits(n * x / now, 6) for n in some] for name, some in numbers.items()}
         return {name: some if name in lists else some[0] for name, some in scaled.items()}
 
-    if about is described(ShaftInputs.core_radius) and value_at(data, SLOPE) is not None:
-        yield Lever(now, about, lambda x: write(x) | {SLOPE: None}, abs(now))
+    if about is described(ShaftInputs.core_radius) and (slopes := given_slopes(state.design)):
+        yield Lever(now, about, lambda x: write(x) | dict.fromkeys(slopes), abs(now))
         return
     yield Lever(now, about, write, abs(now))
-    if about is described(BearingRow.length) and (places := outwards(state, key, now)) is not None:
-        yield Lever(now, about, lambda x: write(x) | {POSITIONS: places(x)}, abs(now))
+    if about is described(BearingRow.length) and (outer := outwards(state, key, now)) is not None:
+        yield Lever(now, about, lambda x: write(x) | outer(x), abs(now))
 
 
-def outwards(state: RepairState, key: str, now: float) -> Callable[[float], list[float]] | None:
-    """Where the bearings stand when the inner end of one stays and its length becomes another."""
-    places = value_at(state.document.data, POSITIONS) if state.design.countershaft is not None else None
-    if not isinstance(places, list) or len(places) != 2 or not all(isinstance(z, (int, float)) for z in places):
+def given_slopes(design: Design) -> list[str]:
+    """The keys of the slopes that stand for those of the shaft's bending."""
+    rows = [row for row in design.rows if row.slope is not None and design.countershaft is not None]
+    return [design.own_key(ShaftInputs.bearings, row.name, BearingRow.slope) for row in rows]
+
+
+def outwards(state: RepairState, key: str, now: float) -> Callable[[float], Changes] | None:
+    """Where a bearing at the end of the shaft stands when its inner end stays and its length becomes another."""
+    data, place = state.document.data, key.rpartition(".")[0]
+    if state.design.countershaft is None or len(state.design.rows) != 2:
         return None
-    n, side = (0, -1.0) if key.split(".")[1] == "front" else (1, 1.0)
-    return lambda x: [digits(z + side * (x - now) / 2, 6) if i == n else z for i, z in enumerate(places)]
+    there = dotted(place, BearingRow.position)
+    z = value_at(data, there)
+    if not isinstance(z, (int, float)):
+        return None
+    side = -1.0 if place.endswith(f".{state.design.rows[0].name}") else 1.0
+    return lambda x: {there: digits(z + side * (x - now) / 2, 6)}
 
 
 def _clearance(state: RepairState, place: str) -> Iterator[Lever]:

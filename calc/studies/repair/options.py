@@ -60,7 +60,7 @@ from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
 from ...sheet.verdict import named as named_checks
 from ...solve import Results, solve
 from . import sizing
-from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, words_of
+from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, place_of, words_of
 from .nearest import remedy
 from .state import ORDER, RepairState, broken, closer_limits, is_mended, state_of
 from .trials import ROUND, Trials
@@ -254,7 +254,7 @@ def _filled(state: RepairState, keys: list[str], tried: list[Changes]) -> LeverP
     sets += [changes for key in free for changes in _words(state, key)]
     by_place: dict[str, list[str]] = {}
     for key in free:
-        by_place.setdefault(key.rpartition(".")[0], []).append(key)
+        by_place.setdefault(place_of(key), []).append(key)
     moved = [lever for some in by_place.values() for lever in levers(state, some)]
     return LeverPlan(tuple(keys), tuple(moved), tuple(sets[:SETS])) if moved or sets else None
 

@@ -13,10 +13,9 @@ from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...countershaft.checks import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.inputs import EccentricMass, ShaftInputs
-from ...countershaft.rows import BearingRow
+from ...countershaft.rows import BearingRow, called
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
-from ...countershaft.rows import called
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.names import named
@@ -51,7 +50,7 @@ def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: P
     if locked(state.document.data, dotted(Design.bearings, BearingsInputs.oil)):
         case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
     settled = nearest_row(case, progress)
-    written = bearing_changes(settled.row, case.bearings) if settled.row is not None else {}
+    written = bearing_changes(settled.row, case) if settled.row is not None else {}
     if not written:
         raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
     return state.with_changes(written, settled.results if isinstance(settled.results, Results) else None)
@@ -129,7 +128,8 @@ def balanced(state: RepairState, shaft: ShaftInputs) -> Iterator[Changes]:
         U, P = remainder(U, P, shaft.extras)
     now = [m.mass * m.radius * cmath.exp(1j * m.angle) for m in shaft.masses]
     for share in SHARES:
-        yield from _ways(shaft.masses, now, share * U, share * P)
+        for way in _ways(shaft.masses, now, share * U, share * P):
+            yield {state.design.own_key(ShaftInputs.masses, key): x for key, x in way.items()}
 
 
 def _ways(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P: complex) -> Iterator[Changes]:
@@ -182,7 +182,8 @@ def _single(mass: EccentricMass, wanted: complex) -> Iterator[Changes]:
 
 
 def _of_mass(mass: EccentricMass, field: object) -> str:
-    return design.own_key(ShaftInputs.masses, mass.name, field)
+    """Among the masses of the shaft."""
+    return dotted(mass.name, field)
 
 
 def _near(angle: float, old: float) -> float:
@@ -219,7 +220,7 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
             (ShaftInputs.outer_radius, small.outer_radius),
             (ShaftInputs.half_length, small.half_length),
         )
-        sizes = ({dotted(Design.countershaft, size): math.ceil(x / TENTH) / 10} for size, x in larger if x is not None)
+        sizes = ({design.own_key(size): math.ceil(x / TENTH) / 10} for size, x in larger if x is not None)
         try:
             return first_repaired(state, "countershaft", ids, sizes, part(progress, 0.0, 0.2))
         except NoSolution:

@@ -247,7 +247,7 @@ def bearings(document: Document, results: Results) -> list[Section]:
                 break  # a wider journal is no cooler
             verdict = settled.results.outcomes["bearings"].verdict if settled.results is not None else ""
             if settled.row is not None and verdict == "pass":
-                return changed(sections, bearing_changes(settled.row, own), FOUND)
+                return changed(sections, bearing_changes(settled.row, case), FOUND)
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 
