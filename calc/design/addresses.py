@@ -11,6 +11,7 @@ from ..countershaft.rows import IN_WORDS
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
+from ..sheet.errors import written as written
 from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.text import Small, Text
 from .model import STEPS, Design, step_of
@@ -169,13 +170,6 @@ def _no_such(key: str, reason: Text) -> BadInput:
 
 def join(prefix: str, key: str) -> str:
     return f"{prefix}.{key}" if prefix and key else prefix or key
-
-
-def written(value: object) -> str:
-    if isinstance(value, dict):
-        return Text("a table")
-    text = f'"{value}"' if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
-    return text if len(text) <= 60 else text[:57] + "…"
 
 
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, TypedDict, TypeGuard, get_args
 
 from ..sheet.check import ORDER
-from ..sheet.errors import BadInput, InputError
+from ..sheet.errors import BadInput, InputError, written
 from ..sheet.number import short
 from ..sheet.text import Text
 from ..sheet.verdict import State
-from .addresses import Table, value_at, written
+from .addresses import Table, value_at
 from .disk import bare_name
 from .model import Design
 from .toml_file import Document, design, read

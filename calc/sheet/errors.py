@@ -23,6 +23,14 @@ class InputError:
         return Text("{where}: {reason}", where=prefix, reason=self.reason)
 
 
+def written(value: object) -> str:
+    """A value that was found, as a file has it, cut where it is long."""
+    if isinstance(value, dict):
+        return Text("a table")
+    text = f'"{value}"' if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
+    return text if len(text) <= 60 else text[:57] + "…"
+
+
 class Mistakes(Exception):
     """All mistakes of one reading, in the order of their lines; its words are those of the first, and how many more
     there are."""

@@ -5,6 +5,7 @@ A field of an Inputs class is made by `quantity()` or one of its sisters, a fiel
 file, `--set`, the form, the report and the JSON all read this one description.  An input with a `default` may be left
 out: None (no tables: ()) means "choose for me"; the type checker reads the same word."""
 
+import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from difflib import get_close_matches
@@ -26,6 +27,8 @@ NOTHING_RENAMED: Mapping[str, str] = {}
 NO_KEY_WORDS: Mapping[str, Text] = {}
 # the source of a usual range that practice knows and no book behind this program states
 THUMB = Text("rule of thumb, no published source")
+COMMA = re.compile(r"-?\d+,\d+")  # a decimal comma, which TOML does not know
+SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 
 
 @record
@@ -95,6 +98,24 @@ class Quantity:
         return not (
             (low is not None and x < low) or (high is not None and x > high) or (above is not None and x <= above)
         )
+
+    def refuses(self, value: object) -> Text | None:
+        """Why a value as a file has it is none of these numbers; None where it is one.  Of a list: of one of its
+        elements."""
+        whole = self.kind in ("integer", "integers")
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and isinstance(value, float)):
+            point = EMPTY
+            if isinstance(value, str) and COMMA.fullmatch(value):
+                point = Text("; write {value}", value=value.replace(",", "."))
+            return Text("must be {allowed}{point}", allowed=self.allowed(), point=point)
+        if abs(value) > 1e300 or value != value:
+            return Text("must be {allowed}, and finite", allowed=self.allowed())
+        if value and not SMALLEST <= abs(value) <= LARGEST:
+            return Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=self.allowed())
+        if not self.allows(value):
+            why = Text("; {negative}", negative=self.negative) if self.negative and value < 0 else EMPTY
+            return Text("must be {allowed}{why}", allowed=self.allowed(), why=why)
+        return None
 
     def allowed(self) -> Text:
         """What may stand here, in words."""
