@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from textual.notifications import SeverityLevel
 from textual.worker import get_current_worker
 
-from calc.design.addresses import as_table
+from calc.design.addresses import as_table, asks
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import BadInput, Cancelled
@@ -379,7 +379,7 @@ class WorkbenchEdits(WorkbenchMoves):
         if not self._can_write():
             return
         data = self.session.data
-        gears = "gears" in data and (self.step.key == "gears" or "countershaft" not in data)
+        gears = "gears" in data and (self.step.key == "gears" or not asks(data, "countershaft"))
 
         def write(path: Path | None) -> None:
             if path is not None and self._can_write():

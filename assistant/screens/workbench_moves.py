@@ -7,6 +7,7 @@ from typing import Any
 
 from textual.app import SuspendNotSupported
 
+from calc.design.addresses import asks
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
@@ -49,7 +50,7 @@ class WorkbenchMoves(WorkbenchResults):
     async def action_turn_step(self, by: int) -> None:
         self.app.forget(FIRST)
         n, idle = self.number - 1 + by, isinstance(self.focused, Form)
-        while 0 <= n < len(STEPS) and STEPS[n].optional and STEPS[n].key not in self.session.data:
+        while 0 <= n < len(STEPS) and STEPS[n].optional and not asks(self.session.data, STEPS[n].key):
             n += by  # nobody is led into what the design does without
         if 0 <= n < len(STEPS):
             await self.open_step(STEPS[n])
@@ -133,7 +134,7 @@ class WorkbenchMoves(WorkbenchResults):
 
     async def to_field(self, place: Place) -> None:
         """Open the step of a field and put the focus there."""
-        step = next((s for s in STEPS if s.key == step_of(place)), self.step)
+        step = next((s for s in STEPS if s.key == step_of(place, self.session.data)), self.step)
         self.at_pane("inputs")
         await self.open_step(step, place)
         self.form.focus_place(place, at_once=True)

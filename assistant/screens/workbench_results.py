@@ -12,6 +12,7 @@ from textual.timer import Timer
 from textual.widget import AwaitMount
 from textual.worker import get_current_worker
 
+from calc.design.addresses import asks
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import said
@@ -566,7 +567,7 @@ class WorkbenchResults(WorkbenchPanes):
         Of a step that the design does not have the inputs are shown, which say how to go on."""
         if step is not self.step:
             self._put_back_stray()
-        if step.key not in self.session.data:
+        if not asks(self.session.data, step.key):
             self.at_pane("inputs")
         idle = focus is None and isinstance(self.focused, Form)
         inside = not stay and (self.pane == "inputs" or focus is not None)

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from calc.design.addresses import Table, quantities
+from calc.design.addresses import Table, quantities, step_at
 from calc.design.model import STEP_KEYS, STEPS
 from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
 from calc.sheet.quantity import Published, Quantity, keys
@@ -56,9 +56,9 @@ def idle(place: Place, data: Table) -> bool:
     return isinstance(table, dict) and not where.holds(table) and content_at(data, place) in (None, [])
 
 
-def step_of(place: Place) -> str:
+def step_of(place: Place, data: Table) -> str:
     """The step whose form asks for an input."""
-    return FIRST if place[:1] in (DOCUMENT, NAME, NOTE) else str(place[0]) if place else ""
+    return FIRST if place[:1] in (DOCUMENT, NAME, NOTE) else step_at(data, ".".join(map(str, place)))
 
 
 def document_fold() -> int:
@@ -66,9 +66,9 @@ def document_fold() -> int:
     return len(folds(FIRST))
 
 
-def fold_at(step: str, place: Place) -> int | None:
+def fold_at(step: str, place: Place, data: Table) -> int | None:
     """The fold of a step's form that a place lies in; None where it decides, and of what is not in the form."""
-    if step_of(place) != step:
+    if not str(place[-1]).startswith(FOLD) and step_of(place, data) != step:
         return None
     if place[:1] in (DOCUMENT, NAME, NOTE):
         return document_fold()

@@ -16,7 +16,7 @@ from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
-from calc.design.addresses import quantity_of, value_at
+from calc.design.addresses import asks, quantity_of, step_at, value_at
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import in_language
@@ -91,7 +91,7 @@ class Taken(ItemList):
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
         for id in taken_over(self.step, self.session.data, values):
-            owner = id.partition(".")[0]
+            owner = step_at(self.session.data, id)
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear
                 label = say(COMMA.join((known.label, *part)))
@@ -101,7 +101,7 @@ class Taken(ItemList):
                     about = quantity_of(self.session.data, id)
                 except BadInput:
                     continue
-                content = value_at(self.session.data, id) if owner in self.session.data else None
+                content = value_at(self.session.data, id) if asks(self.session.data, owner) else None
                 if content is None:
                     continue
                 label, text, unit = say(about.label), numbers.written(content, about), about.unit
@@ -141,7 +141,7 @@ class FormParts:
     @property
     def there(self) -> bool:
         """Whether the design has the step."""
-        return self._step.key in self._session.data
+        return asks(self._session.data, self._step.key)
 
     def parts(self, rows: list[FormRow]) -> list[Part]:
         """Of these rows of inputs, and of what stands before and behind them."""
@@ -165,7 +165,7 @@ class FormParts:
 
     def fold(self, place: Place) -> int | None:
         """The fold that a place lies in."""
-        return fold_at(self._step.key, place)
+        return fold_at(self._step.key, place, self._session.data)
 
     def heading(self, row: FormRow) -> Content:
         last = row.place[-1]

@@ -80,9 +80,9 @@ class MessageLine(Widget):
     def _mistake(self, reasons: Mapping[Place, Text]) -> str:
         """Why an input is not accepted: of this step, else of another one."""
         data = self.session.data
-        mine = {place: reason for place, reason in reasons.items() if step_of(place) == self.step}
+        mine = {place: reason for place, reason in reasons.items() if step_of(place, data) == self.step}
         place, reason = next(iter((mine or reasons).items()))
-        step = "" if mine else self._title(step_of(place))
+        step = "" if mine else self._title(step_of(place, data))
         mistake = Text(
             "{key}: {reason}",
             key=label_of(data, named_key(data, place)) if place else Text("the design"),

@@ -12,7 +12,8 @@ from typing import Any
 from textual.content import Content
 from textual.widget import Widget
 
-from calc.design.addresses import Table
+from calc.countershaft.inputs import ShaftInputs
+from calc.design.addresses import Table, as_list, as_table
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.locale import Language
@@ -21,11 +22,25 @@ from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
-from ..session.guide import DOCUMENT, FIRST, FOLD, NAME, NOTE, STROKE, document_fold, fold_at, folds, idle, layout_of
+from ..session.guide import (
+    DOCUMENT,
+    FIRST,
+    FOLD,
+    NAME,
+    NOTE,
+    STROKE,
+    document_fold,
+    fold_at,
+    folds,
+    idle,
+    layout_of,
+    step_of,
+)
 from ..session.places import Place
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
+SHAFTS, ROWS = dotted(Design.shafts), dotted(ShaftInputs.bearings)
 RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
 TWICE = Quantity(
     "number", Text("Stroke"), "mm", above=0, decides=2, help=Text("Twice the crank radius, which the design file has.")
@@ -67,7 +82,7 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     ordered += sorted((row for row in form_rows if _rank(row)), key=_rank)
     folded = [row for row in form_rows if not _rank(row)]
     for n, title in enumerate(folds(step.key)):
-        if inside := tuple([row for row in folded if fold_at(step.key, row.place) == n]):
+        if inside := tuple([row for row in folded if fold_at(step.key, row.place, data) == n]):
             ordered.append(
                 FormRow("fold", (step.key, f"{FOLD}{n}"), Quantity("table", title), inside=inside, open=n in opened)
             )
@@ -103,8 +118,18 @@ def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[FormRo
 
 
 def rows(step: Step, data: Table, asked: Asked) -> list[FormRow]:
-    """All rows of a step's form, in the order of the file."""
-    return list(_rows(step.inputs, data.get(step.key, {}), (step.key,), asked, True))
+    """All rows of a step's form, in the order of the file; the bearings of a shaft stand with it by their places, all
+    else of them with what they share."""
+    shafts = as_list(data.get(SHAFTS))
+    if step.key == "countershaft":
+        all_rows = list(_array(keys(Design)[SHAFTS].about, shafts, (SHAFTS,), asked))
+    else:
+        all_rows = list(_rows(step.inputs, data.get(step.key, {}), (step.key,), asked, True))
+    if step.key == dotted(Design.bearings):
+        for n, shaft in enumerate(map(as_table, shafts)):
+            if rows_there := as_list(shaft.get(ROWS)):
+                all_rows += _array(keys(ShaftInputs)[ROWS].about, rows_there, (SHAFTS, n, ROWS), asked)
+    return [row for row in all_rows if row.kind not in ("field", "cells") or step_of(row.place, data) == step.key]
 
 
 def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iterator[FormRow]:

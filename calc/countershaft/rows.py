@@ -51,7 +51,7 @@ class BearingRow:
         help="Middle of the journal from mid-shaft, + towards the flywheel; the rows rise from front to rear.",
         change=("shorter span", "longer span"),
         repair="free",
-        decides=1,
+        decides=5,
     )
     kind: str = choice("Kind", "plain", default="plain", help="plain: a journal in its seat, on a film of oil.")
     diameter: float = quantity(

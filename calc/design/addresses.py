@@ -15,21 +15,22 @@ from ..sheet.errors import written as written
 from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.text import Small, Text
 from .model import STEPS, Design, step_of
+from .upgrade import MANY, current, formerly
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
 Table = dict[str, object]  # of a TOML document; what stands under a key is narrowed where it is read
 
 
 def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]:
-    """Where a dotted key stands in the data: elements of arrays by name, else by index.  Raises BadInput with the
-    nearest key.
+    """Where a dotted key, which may be one of schema 1, stands in the data: elements of arrays by name, else by index.
+    Raises BadInput with the nearest key.
 
     With `whole` the key may be that of a table, which else has to be one of a value in it.
     """
     path: list[str | int] = []
     here: object = data
     cls: type | None = Design
-    parts = key.split(".")
+    parts = current(data, key).split(".")
     for i, part in enumerate(parts):
         if isinstance(here, list):
             index = _element(here, part, key)
@@ -91,6 +92,8 @@ def _quantity(cls: type | None, parts: list[str], key: str) -> Quantity:
 
 def quantity_of(data: Table, key: str) -> Quantity:
     """The description of the quantity at a dotted key."""
+    if key in MANY:
+        return MANY[key]
     about = declared(address(data, key))
     assert about is not None
     return about
@@ -109,6 +112,8 @@ def declared(path: Iterable[str | int]) -> Quantity | None:
 
 def value_at(data: Table, key: str, whole: bool = False) -> object:
     """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too."""
+    if key in MANY:
+        return formerly(data, key)
     here: object = data
     for part in address(data, key, whole):
         if isinstance(here, list) and isinstance(part, int):
@@ -172,14 +177,26 @@ def join(prefix: str, key: str) -> str:
     return f"{prefix}.{key}" if prefix and key else prefix or key
 
 
+def asks(data: Table, step: str) -> bool:
+    """Whether a document has a step; that of the shafts where one of them is more than its bearings."""
+    if step != "countershaft":
+        return step in data
+    shafts = map(as_table, as_list(data.get(dotted(Design.shafts))))
+    return any(shaft.get(dotted(ShaftInputs.mode)) != "bearings" for shaft in shafts)
+
+
+def step_at(data: Table, key: str) -> str:
+    """The step that a key of a document is of."""
+    return step_of(key, judged=dotted(Design.bearings) in data)
+
+
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
     """Every key that this document may hold, with its description, in the order of the form."""
     of_shafts = list(_quantities_of(Design, data, dotted(Design.shafts)))
-    judged = dotted(Design.bearings) in data
     for step in STEPS:
         if step.key in data:
             yield from _quantities(step.inputs, as_table(data[step.key]), step.key)
-        yield from ((key, about) for key, about in of_shafts if step_of(key, judged=judged) == step.key)
+        yield from ((key, about) for key, about in of_shafts if step_at(data, key) == step.key)
 
 
 def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quantity]]:

@@ -8,7 +8,7 @@ import hashlib
 import math
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import MISSING, field, replace
 from datetime import date
@@ -25,21 +25,27 @@ from ..sheet.value import linked
 from .addresses import NAME, Table, address, as_list, changed, join, written
 from .disk import read_file
 from .limits import DESIGN_BYTES
-from .model import Design
+from .model import SCHEMA, Design
+from .upgrade import MANY, Upgraded, current, own_key, renamed, rewritten, upgraded
 
 T = TypeVar("T")
+NOTHING: Mapping[str, int] = {}
 REMARKS = Text("The design file says: {remarks}.")
 SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 
 
 @record
 class Document:
-    """The tables of a design file in the units of their keys, where each key stands, and the bytes."""
+    """The tables of a design file in the units of their keys, where each key stands, and the bytes.
+
+    A file of schema 1 is one of schema 2 here; `former`: how it was read, so that what is wrong is said by its user's
+    own keys."""
 
     data: Table
     place: str = "design"
     lines: dict[str, int] = field(default_factory=dict)
     raw: bytes = b""  # of the file as it was read
+    former: Upgraded | None = None
 
     @property
     def sha256(self) -> str:
@@ -51,21 +57,30 @@ class Document:
         """The comments beside keys in the file, by these keys, elements of arrays by index; none beside what has been
         changed since."""
         text = self.raw.decode("utf-8-sig", "replace")
-        comments = {key: words for key, words in remarks(text).items() if key in self.lines}
+        comments, file = remarks(text), tomllib.loads(text)
+        if self.former is not None:
+            file = self.former.data
+            comments = renamed(comments, file, self.former.was)
+        comments = {key: words for key, words in comments.items() if key in self.lines}
         if 0 not in self.lines.values():
             return comments
-        file = tomllib.loads(text)
         return {key: words for key, words in comments.items() if same_content(file, self.data, key)}
 
     def with_value(self, key: str, value: object) -> "Document":
         """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes
         it out.
 
-        A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.
+        A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.  Keys
+        of schema 1 are understood.
         """
+        key = current(self.data, key)
+        former = self.former and self.former.without(key)
+        if key in MANY:
+            return replace(self, data=rewritten(self.data, key, value), lines={**self.lines, key: 0}, former=former)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
         where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
-        return replace(self, data=changed(self.data, where, value), lines={**self.lines, key: 0})
+        data = changed(self.data, where, value)
+        return replace(self, data=data, lines={**self.lines, key: 0}, former=former)
 
 
 def same_content(a: Table, b: Table, key: str) -> bool:
@@ -136,7 +151,15 @@ def parse(raw: bytes, place: str) -> Document:
         raise refuse(Text("is not TOML: {sub}{hint}", sub=wrong, hint=hint), line) from None
     except ValueError as error:  # a number of 5000 digits
         raise refuse(Text("is not a design: ") + str(error)) from None
-    return Document(data, place, lines, raw)
+    return document_of(data, place, lines, raw)
+
+
+def document_of(data: Table, place: str = "design", lines: Mapping[str, int] = NOTHING, raw: bytes = b"") -> Document:
+    """The document of the tables of a file, which may be of schema 1."""
+    if data.get("schema", SCHEMA) == SCHEMA:
+        return Document(data, place, dict(lines), raw)
+    former = upgraded(data, lines)
+    return Document(former.data, place, former.lines, raw, former)
 
 
 DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}")
@@ -166,14 +189,25 @@ class _Reader:
 
     def __init__(self, document: Document) -> None:
         self.document = document
-        self.errors: list[InputError] = []
-        self.wrong: set[str] = set()  # their keys
+        self.was = document.former.was if document.former is not None else {}
+        self.errors: list[InputError] = list(document.former.errors) if document.former is not None else []
+        self.wrong: set[str] = set(document.former.wrong) if document.former is not None else set()  # their keys
 
     def error(self, key: str, value: object, reason: Text, kind: str = "text") -> object:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
+        if not self.known_wrong(key):
+            named = own_key(self.was, key)
+            self.errors.append(InputError(self.line(key), named, "" if value is None else written(value), reason))
         self.wrong.add(key)
-        self.errors.append(InputError(self.line(key), key, "" if value is None else written(value), reason))
         return PLACEHOLDER[kind]
+
+    def known_wrong(self, key: str) -> bool:
+        """Whether a key, or the table around it, is known to be wrong: what would follow from that is not said."""
+        while key:
+            if key in self.wrong:
+                return True
+            key = key.rpartition(".")[0]
+        return False
 
     def refused(self, about: Quantity, value: object, key: str) -> object:
         """Note a value that is not allowed, with what is."""
@@ -214,7 +248,7 @@ class _Reader:
         inputs = cls(**values)
         try:
             problems = getattr(inputs, "problems", lambda: ())()
-            for key, reason in [(key, reason) for key, reason in problems if join(prefix, key) not in self.wrong]:
+            for key, reason in [(key, reason) for key, reason in problems if not self.known_wrong(join(prefix, key))]:
                 self.error(join(prefix, key), _plain(data, key), reason)
         except (TypeError, ValueError, AttributeError, LookupError):
             if not self.wrong:

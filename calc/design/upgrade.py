@@ -6,6 +6,7 @@ In order: the tables of a whole design, with today's errors at the user's own ke
 design of schema 2; the four old keys that have become many."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 from itertools import pairwise
 from typing import TypeVar
@@ -28,7 +29,6 @@ BETWEEN = ("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
 POSITIONS, JOURNALS = "countershaft.bearing_positions_mm", "countershaft.journals"
 PAIR, SLOPES = "countershaft.pair", "bearings.slope_mrad"
-MANY = frozenset((POSITIONS, JOURNALS, PAIR, SLOPES))  # that have become many, see `rewritten` and `formerly`
 SHAFT_KEYS = (
     "mode", "material", "speed_ratio", "pair", "bearing_positions_mm", "axis_mm", "masses", "extras", "outer_radius_mm",
     "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm", "sections", "fillet_radius_mm",
@@ -45,6 +45,9 @@ AXIS = Quantity("series", Text("Axis from the crank's"), "mm", low=-5000, high=5
 SLOPE = Quantity("series", Text("Slope of the journals"), "mrad", low=0, high=20, count=(1, 2))
 SIZE = Quantity("number", Text("Diameter"), "mm", above=0, high=1000)  # of a journal, and its length
 TWINNED = Quantity("choice", Text("Twin shaft"), choices=("no", "yes"))
+JOURNAL_TABLES = Quantity("tables", Text("Journals"))
+# the four that have become many, see `rewritten` and `formerly`
+MANY: Mapping[str, Quantity] = {POSITIONS: PLACES, JOURNALS: JOURNAL_TABLES, PAIR: TWINNED, SLOPES: SLOPE}
 RISE = Text("must rise from front to rear: [z_front, z_rear] with z_front < z_rear")
 TWO = Text("[bearings] has a front and a rear one: give two, or the sizes as journals")
 THEIRS = Text("are those of [bearings]; leave them out here, or [bearings]")
@@ -75,6 +78,19 @@ class Upgraded:
     was: dict[str, str]
     errors: tuple[InputError, ...]
     wrong: frozenset[str]
+
+    def without(self, key: str) -> "Upgraded":
+        """The same once a key, by its name in schema 2, is given another value: what was wrong there is so no more."""
+        if not self.errors:
+            return self
+        old = own_key(self.was, key)
+        errors = tuple(error for error in self.errors if not _alike(error.key, old))
+        return replace(self, errors=errors, wrong=frozenset(there for there in self.wrong if not _alike(there, key)))
+
+
+def _alike(one: str, other: str) -> bool:
+    """Whether one is the other, or stands in it."""
+    return f"{one}.".startswith(f"{other}.") or f"{other}.".startswith(f"{one}.")
 
 
 def own_key(was: Mapping[str, str], key: str) -> str:

@@ -4,7 +4,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ..design.addresses import Table, as_table
+from ..design.addresses import Table, as_table, asks, step_at
 from ..design.model import STEPS
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
@@ -42,7 +42,7 @@ def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ())
 
     Those of the design itself, of its name or of what is measured, count with the first step, in which they are asked.
     """
-    owners = [key.partition(".")[0] for key in wrong]
+    owners = [step_at(data, key) for key in wrong]
     owners = [key if any(key == step.key for step in STEPS) else STEPS[0].key for key in owners]
     outcomes: Mapping[str, Outcome[object]] = results.outcomes if results is not None else {}
     return tuple(_state(step, data, owners.count(step.key), outcomes.get(step.key)) for step in STEPS)
@@ -59,7 +59,7 @@ def _state(step: Step, data: Table, wrong: int, outcome: Outcome[object] | None)
         reason = str(without[step.key])
         by_program = Text("left out by the program: {reason}", reason=reason)
         return state("not_asked", by_program if reason in OF_PROGRAM else Text("left out: {reason}", reason=reason))
-    if step.key not in data:
+    if not asks(data, step.key):
         todo = "engine" in data and not step.optional
         return state("todo", Text("to do")) if todo else state("not_asked", Text("not used"))
     if outcome is None or outcome.state == "not_asked":

@@ -13,7 +13,7 @@ from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...bearings.selection.variants import Variant
 from ...countershaft import formulas as f
-from ...countershaft.inputs import Holes, Journal, ShaftInputs
+from ...countershaft.inputs import Holes, ShaftInputs
 from ...countershaft.making.unbalance import calibration
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow
@@ -31,7 +31,6 @@ from ...library.lubricant import Lubricant
 from ...sheet.check import THIN_MARGIN
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import gathered
-from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Amount, Text
 from ...sheet.units import Metre, Newton, NewtonPerMetreSecond, Radian, RadPerSecond, RevPerSecond
@@ -208,7 +207,7 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
 FITS: tuple[tuple[str, str] | None, ...] = (None, ("IT6", "IT6"))
-OWN_JOURNALS = dotted(Design.countershaft, ShaftInputs.journals)  # which bearings have in their place
+OWN_JOURNALS = "countershaft.journals"  # which bearings have in their place
 FOUND = "assumed: by the search for bearings, so that its rules hold at the worst corner of the tolerances"
 BEARINGS = Text("bearings to begin with")
 
