@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from calc.design.model import SCHEMA
 from calc.design.toml_file import Document, design, read
 from calc.engine.inputs import EngineInputs
 from calc.sheet.errors import BadInput
@@ -105,7 +106,7 @@ def engine_only(id: str, path: Path) -> "Table":
     replaced."""
     engine = engines()[id]
     note = f"Begun with the data of {engine.name}: {engine.what}. They are from: {engine.source}."
-    return {"schema": 1, "name": path.stem, "note": note, "engine": {**engine_table(id), "name": path.stem}}
+    return {"schema": SCHEMA, "name": path.stem, "note": note, "engine": {**engine_table(id), "name": path.stem}}
 
 
 @dataclass(frozen=True)
@@ -151,7 +152,7 @@ def _shaking(id: str) -> Finding:
     from calc.engine.sketch import icon
     from calc.studies.starter.balancing import options, shakes_briefly, what_shakes, with_imbalance
 
-    document = Document({"schema": 1, "name": id, "engine": engine_table(id)})
+    document = Document({"schema": SCHEMA, "name": id, "engine": engine_table(id)})
     results = with_imbalance(document)
     best = next(option for option in options(document, results) if option.called_for)
     lines = (

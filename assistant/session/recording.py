@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table, address
+from calc.design.model import SCHEMA
 from calc.design.replay import RECORDED, played
 from calc.design.toml_file import Document
 from calc.sheet.errors import BadInput
@@ -77,7 +78,7 @@ class Recording:
         """The replay file.  `results` are those of the design as it is now."""
         import tomli_w
 
-        head = tomli_w.dumps({"schema": 1, "name": results.design.name, "design": self.start})
+        head = tomli_w.dumps({"schema": SCHEMA, "name": results.design.name, "design": self.start})
         rows = [*(("step", row) for row in self.steps()), *(("expect", row) for row in expected(results))]
         return "\n".join([head, *(_row(key, row) for key, row in rows)])
 

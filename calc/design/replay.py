@@ -14,8 +14,8 @@ from ..sheet.text import Text
 from ..sheet.verdict import State
 from .addresses import Table, value_at
 from .disk import bare_name
-from .model import Design
-from .toml_file import Document, design, read
+from .model import SCHEMA, Design
+from .toml_file import Document, current_document, design, read, read_as_it_is
 
 if TYPE_CHECKING:
     from ..solve import Results
@@ -104,7 +104,7 @@ class Script:
 def load(path: Path | str) -> Script:
     """Read a replay file.  Raises BadInput with every error in it."""
     path = Path(path)
-    raw = read(path)  # the same care with files that are no TOML
+    raw = read_as_it_is(path)  # the same care with files that are no TOML
     data, errors = raw.data, []
 
     def error(key: str, reason: Text, value: object = None) -> None:
@@ -116,8 +116,8 @@ def load(path: Path | str) -> Script:
     for key in data:
         if key not in {"schema", "design", "step", "expect", "name", "note"}:
             error(key, Text("is not known; a replay has schema, name, note, design, [[step]] and [[expect]]"))
-    if data.get("schema") != 1:
-        error("schema", Text("must be 1"))
+    if data.get("schema") not in (1, SCHEMA):
+        error("schema", Text("must be 1 or {n}", n=SCHEMA))
     steps, expects = data.get("step", []), data.get("expect", [])
     for key, rows in (("step", steps), ("expect", expects)):
         if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
@@ -136,7 +136,7 @@ def load(path: Path | str) -> Script:
         start = read(path.parent / given)
     elif isinstance(given, dict):
         lines = {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}
-        start = Document(given, raw.place, lines, raw.raw)
+        start = current_document(Document(given, raw.place, lines, raw.raw))
     else:
         error("design", Text("is missing; needs the path of a design file, or a whole [design] table"))
     if not expects and "expect" not in data:

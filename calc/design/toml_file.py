@@ -8,7 +8,7 @@ import hashlib
 import math
 import re
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import MISSING, field, replace
 from datetime import date
@@ -29,7 +29,6 @@ from .model import SCHEMA, Design
 from .upgrade import MANY, Upgraded, current, own_key, renamed, rewritten, upgraded
 
 T = TypeVar("T")
-NOTHING: Mapping[str, int] = {}
 REMARKS = Text("The design file says: {remarks}.")
 SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 
@@ -108,17 +107,27 @@ Like = tuple[Any, Any]  # a table, or an array of tables, without errors, and wh
 
 def read(path: Path | str) -> Document:
     """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
+    return current_document(read_as_it_is(path))
+
+
+def read_as_it_is(path: Path | str) -> Document:
+    """The same of any TOML file, by the keys that it has itself."""
     place = str(path)
     try:
         raw = read_file(path, DESIGN_BYTES)
     except OSError as error:
         reason = Text("cannot be read: {strerror}; give the path of a design file", strerror=error.strerror or error)
         raise BadInput(place, [InputError(0, "", "", reason)]) from None
-    return parse(raw, place)
+    return parsed(raw, place)
 
 
 def parse(raw: bytes, place: str) -> Document:
     """The document in the bytes of a design file."""
+    return current_document(parsed(raw, place))
+
+
+def parsed(raw: bytes, place: str) -> Document:
+    """What the bytes of a TOML file say, as they say it."""
 
     def refuse(reason: Text, line: int = 1) -> BadInput:
         return BadInput(place, [InputError(line, "", "", reason)])
@@ -151,15 +160,15 @@ def parse(raw: bytes, place: str) -> Document:
         raise refuse(Text("is not TOML: {sub}{hint}", sub=wrong, hint=hint), line) from None
     except ValueError as error:  # a number of 5000 digits
         raise refuse(Text("is not a design: ") + str(error)) from None
-    return document_of(data, place, lines, raw)
+    return Document(data, place, lines, raw)
 
 
-def document_of(data: Table, place: str = "design", lines: Mapping[str, int] = NOTHING, raw: bytes = b"") -> Document:
-    """The document of the tables of a file, which may be of schema 1."""
-    if data.get("schema", SCHEMA) == SCHEMA:
-        return Document(data, place, dict(lines), raw)
-    former = upgraded(data, lines)
-    return Document(former.data, place, former.lines, raw, former)
+def current_document(document: Document) -> Document:
+    """The same in the schema of this program."""
+    if document.data.get("schema", SCHEMA) != 1:
+        return document
+    former = upgraded(document.data, document.lines)
+    return replace(document, data=former.data, lines=former.lines, former=former)
 
 
 DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}")

@@ -740,7 +740,7 @@ def doubts(design: Design, step: str) -> tuple[Check, ...]:
         if known.isdisjoint(check.moved_by):
             alone.append(check)
             known.update(check.moved_by)
-    return (*far, *alone)
+    return tuple([check.in_place(design.in_place) for check in (*far, *alone)])
 
 
 def with_doubts(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:
