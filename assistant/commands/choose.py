@@ -19,8 +19,7 @@ from assistant.offers import offer as offer_for
 from assistant.results_text import LINE, check_line, print_findings, print_summary, sign, table_json, table_lines
 from assistant.session.editing import locked_text
 from assistant.session.guide import CHOICES
-from assistant.session.saving import asked_for, edited_text, write_asked
-from calc.design.addresses import parse_assignment
+from assistant.session.saving import asked_for, saved_text, write_asked
 from calc.design.disk import edit_file
 from calc.design.limits import DESIGN_BYTES
 from calc.design.model import TITLES, Design
@@ -100,8 +99,8 @@ def _write(path: Path, document: Document, changes: list[str], step: str, words:
     """Put a row into the file and say so; then the verdicts, the warnings of this step, and of the others what fails or
     is worse than before."""
     before = document.raw.decode("utf-8")
-    _, changed_design = changed(document, changes)
-    text = edited_text(before, dict(parse_assignment(change) for change in changes))
+    changed_document, changed_design = changed(document, changes)
+    text = saved_text(document.raw, changed_document.data)
     write_asked(path, text, expected=document.raw)
     print(f"{path} {words}; as it was before: {path}.bak")
     if shut := locked_text(document, changes):
@@ -146,8 +145,8 @@ def edit(path: Path, changes: Sequence[str]) -> None:
 
     def edited(raw: bytes) -> bytes:
         nonlocal made
-        _, made = changed(parse(raw, str(path)), changes)
-        return edited_text(raw.decode("utf-8"), dict(parse_assignment(change) for change in changes)).encode("utf-8")
+        document, made = changed(parse(raw, str(path)), changes)
+        return saved_text(raw, document.data).encode("utf-8")
 
     with asked_for(path):
         edit_file(path, DESIGN_BYTES, edited)

@@ -7,7 +7,6 @@ import os
 import re
 import sys
 import time
-import tomllib
 from argparse import Namespace
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -17,7 +16,7 @@ import numpy as np
 
 from assistant.commands.check import changed
 from assistant.results_text import print_summary, table_json, table_lines
-from assistant.session.saving import differences, edited_text, spare, write_asked
+from assistant.session.saving import saved_text, spare, write_asked
 from calc.design.toml_file import Document, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text, plural
@@ -278,11 +277,7 @@ def write(folder: Path, front: FrontFound) -> None:
 
 def drive_text(problem: Problem, drive: Document) -> str:
     """A drive as an ordinary design file: the user's own with its keys changed, comments kept."""
-    return edited_text(problem.start.raw.decode("utf-8"), differences(read_data(problem), drive.data))
-
-
-def read_data(problem: Problem) -> dict[str, Any]:
-    return tomllib.loads(problem.start.raw.decode("utf-8-sig"))
+    return saved_text(problem.start.raw, drive.data)
 
 
 def _pick(given: Namespace, document: Document, problem: Problem) -> int:

@@ -39,6 +39,16 @@ ORIGIN = re.compile(  # how a comment begins that says where a value comes from
 REASONS = ("accepted", "without", "locked")  # tables of reasons by ids, which have dots of their own
 
 
+class NeedsUpgrade(SaveError):
+    """A file of schema 1 can not say what was changed."""
+
+
+UPGRADE = Text(
+    "schema 1, in which the file is written, has no words for this change: `contralbero upgrade FILE` first, which "
+    "keeps its comments"
+)
+
+
 class ChangedOnDisk(SaveError):
     """The file was changed by another program since it was read."""
 
@@ -73,6 +83,21 @@ def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, An
             )
         )
     return mark + (edited.replace("\n", "\r\n") if crlf else edited)
+
+
+def saved_text(raw: bytes, data: Table) -> str:
+    """The text of a design file once its tables are these, in the schema that the file has.  Raises SaveError where it
+    can not be edited in place, NeedsUpgrade where its schema has no words for what changed."""
+    document = parse(raw, "")
+    before, after = document.data, data
+    if document.former is not None:
+        from calc.design.downgrade import downgraded
+
+        old, new = downgraded(before), downgraded(after)
+        if old is None or new is None:
+            raise NeedsUpgrade(UPGRADE)
+        before, after = old, new
+    return edited_text(raw.decode("utf-8"), differences(before, after))
 
 
 def fresh_text(data: Table) -> str:
@@ -295,11 +320,12 @@ class Draft:
 
     def bytes(self) -> tuple[bytes, bool]:
         """The file as it would be saved, and whether it kept its comments."""
-        changes = differences(self.saved, self.data)
-        if not changes:
+        if self.saved == self.data:
             return self.raw, True
         try:
-            return edited_text(self.raw.decode("utf-8"), changes).encode("utf-8"), True
+            return saved_text(self.raw, self.data).encode("utf-8"), True
+        except NeedsUpgrade:
+            raise
         except SaveError:  # a notation that can not be edited in place
             return fresh_text(self.data).encode("utf-8"), False
 

@@ -118,7 +118,7 @@ def renamed(entries: Mapping[str, T], data: Table, was: Mapping[str, str]) -> di
 
 def _keys(here: object, prefix: str) -> Iterator[str]:
     """All keys of nested tables, elements of arrays of tables by index."""
-    inner: Iterable[tuple[object, object]] = here.items() if isinstance(here, dict) else enumerate(_elements(here))
+    inner: Iterable[tuple[object, object]] = here.items() if isinstance(here, dict) else enumerate(elements(here))
     for part, content in inner:
         key = f"{prefix}.{part}" if prefix else str(part)
         yield key
@@ -222,7 +222,7 @@ class _Upgrade:
         pair = kept.get("pair", "no")
         if pair not in TWINNED.choices:
             self.error(PAIR, pair, Text("must be {allowed}", allowed=TWINNED.allowed()))
-        kept = _without(kept, *map(_last, (POSITIONS, JOURNALS, PAIR)))
+        kept = without(kept, *map(_last, (POSITIONS, JOURNALS, PAIR)))
         shaft = {"name": SHAFT, **kept} | ({} if "speed_ratio" in kept else {"speed_ratio": -1})
         if not rows:
             self.wrong.add("shafts.0.bearings")
@@ -308,21 +308,21 @@ class _Upgrade:
         """What stays in [bearings]."""
         moved = (FRONT, REAR, _last(SLOPES))
         known = [*(key for key in keys(BearingsInputs) if key not in moved), *moved]
-        return _without(self._known("bearings", bearings, known), *moved)
+        return without(self._known("bearings", bearings, known), *moved)
 
     # --- the wheel of the shaft
 
     def _gears(self, data: Table) -> None:
         """Says of the wheel that the last mesh drives, that it sits on the shaft."""
         gears = data.get("gears")
-        if not isinstance(gears, dict) or not (given := _elements(gears.get("wheels"))):
+        if not isinstance(gears, dict) or not (given := elements(gears.get("wheels"))):
             return
         known = [key for key in keys(Wheel) if key != "shaft"]
         for i, wheel in enumerate(given):
             if "shaft" in wheel:
                 self.error(f"gears.wheels.{i}.shaft", None, unknown("shaft", known))
-        wheels = [_without(wheel, "shaft") for wheel in given]
-        meshes = _elements(gears.get("meshes"))
+        wheels = [without(wheel, "shaft") for wheel in given]
+        meshes = elements(gears.get("meshes"))
         last = meshes[-1].get("driven") if meshes else None
         names = [wheel.get("name") for wheel in wheels]
         if isinstance(last, str) and last in names and (self.shaft is not None or self.bearings is not None):
@@ -341,7 +341,7 @@ class _Upgrade:
             data["accepted"] = self._named("accepted", accepted, lambda id, _: (self._new_id(id),))
         if isinstance(optimise := data.get("optimise"), dict) and isinstance(vary := optimise.get("vary"), dict):
             data["optimise"] = {**optimise, "vary": self._named("optimise.vary", vary, self._varied)}
-        if measured := _elements(data.get("measured")):
+        if measured := elements(data.get("measured")):
             data["measured"] = [{**row, **self._measured(row)} for row in measured]
 
     def _named(self, table: str, given: Table, new: Callable[[str, object], tuple[str, ...]]) -> Table:
@@ -418,7 +418,7 @@ def twin(shaft: Table, name: str) -> Table:
 def _with_name(table: Table, beside: Table) -> Table:
     """A table with others' keys right below its name."""
     called = {key: content for key, content in table.items() if key == "name"}
-    return {**called, **beside, **_without(table, *called)}
+    return {**called, **beside, **without(table, *called)}
 
 
 def _stands(here: object, key: str) -> bool:
@@ -491,7 +491,7 @@ def current(data: Table, key: str) -> str:
 
 def _own(data: Table, key: str) -> tuple[str, Table]:
     """The name of the shaft that is no twin, and its table, which is empty where there is none."""
-    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(_elements(data.get("shafts"))) if not _is_twin(shaft)]
+    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data.get("shafts"))) if not _is_twin(shaft)]
     if len(own) > 1:
         first, *others = [name for name, _ in own]
         there = new_keys(key, first, _row_names(own[0][1]) or row_names(2))[0]
@@ -500,7 +500,8 @@ def _own(data: Table, key: str) -> tuple[str, Table]:
     return own[0] if own else (SHAFT, {})
 
 
-def _elements(array: object) -> list[Table]:
+def elements(array: object) -> list[Table]:
+    """What stands in a document as an array of tables; empty where that is none."""
     return array if isinstance(array, list) and _tables(array) else []
 
 
@@ -509,7 +510,7 @@ def _is_twin(shaft: Table) -> bool:
 
 
 def _row_names(shaft: Table) -> list[str]:
-    return [_name(row, i) for i, row in enumerate(_elements(shaft.get("bearings")))]
+    return [_name(row, i) for i, row in enumerate(elements(shaft.get("bearings")))]
 
 
 # --- the old keys that have become many
@@ -518,9 +519,9 @@ def _row_names(shaft: Table) -> list[str]:
 def formerly(data: Table, key: str) -> object:
     """What one of the four old keys (MANY) would say of a design of schema 2; None where it would be left out."""
     name, shaft = _own(data, key)
-    rows = _elements(shaft.get("bearings"))
+    rows = elements(shaft.get("bearings"))
     if key == PAIR:
-        return "yes" if any(there.get("mirrors") == name for there in _elements(data.get("shafts"))) else None
+        return "yes" if any(there.get("mirrors") == name for there in elements(data.get("shafts"))) else None
     if key == JOURNALS:
         sizes = [{size: row[size] for size in JOURNAL_KEYS if size in row} for row in rows]
         return sizes if "bearings" not in data and any(sizes) else None
@@ -533,12 +534,12 @@ def rewritten(data: Table, key: str, value: object) -> Table:
     """A design of schema 2 after one of the four old keys (MANY) was given a value, or left out (None).  Raises
     BadInput where schema 1 would not allow it, or there are several shafts of their own."""
     name, shaft = _own(data, key)
-    shafts = _elements(data.get("shafts"))
+    shafts = elements(data.get("shafts"))
     if value is None and not shaft:
         return data
     if key == PAIR:
         return {**data, "shafts": _paired(shafts or [{"name": name}], name, shaft, value)}
-    rows = _elements(shaft.get("bearings"))
+    rows = elements(shaft.get("bearings"))
     if key == POSITIONS:
         rows = _placed(rows, value)
     elif key == SLOPES:
@@ -576,18 +577,18 @@ def _paired(shafts: list[Table], name: str, shaft: Table, value: object) -> list
 def _placed(rows: list[Table], value: object) -> list[Table]:
     """As many positions as rows: each row's; another count: rows anew, those of the same name with what they had."""
     if value is None:
-        return [_without(row, "position_mm") for row in rows]
+        return [without(row, "position_mm") for row in rows]
     places = _numbers(POSITIONS, value, PLACES)
     if len(places) != len(rows):
         had = {row.get("name"): row for row in rows}
         rows = [had.get(name, {"name": name}) for name in row_names(len(places))]
-    return [_with_name(_without(row, "position_mm"), {"position_mm": place}) for row, place in zip(rows, places)]
+    return [_with_name(without(row, "position_mm"), {"position_mm": place}) for row, place in zip(rows, places)]
 
 
 def _sloped(rows: list[Table], value: object) -> list[Table]:
     """The slope of the first row and of the last."""
     if value is None:
-        return [_without(row, "slope_mrad") for row in rows]
+        return [without(row, "slope_mrad") for row in rows]
     slopes = _numbers(SLOPES, value, SLOPE)
     ends = {0: slopes[0], len(rows) - 1: slopes[-1]}
     return [{**row, "slope_mrad": ends[i]} if i in ends else row for i, row in enumerate(rows)]
@@ -595,7 +596,7 @@ def _sloped(rows: list[Table], value: object) -> list[Table]:
 
 def _sized(rows: list[Table], value: object) -> list[Table]:
     """Diameter and length of every row."""
-    rows = [_without(row, *JOURNAL_KEYS) for row in rows]
+    rows = [without(row, *JOURNAL_KEYS) for row in rows]
     if value is None or value == []:
         return rows
     if not isinstance(value, list) or not _tables(value):
@@ -608,5 +609,6 @@ def _sized(rows: list[Table], value: object) -> list[Table]:
     return [{**row, **journal} for row, journal in zip(rows, value)]
 
 
-def _without(table: Table, *taken: str) -> Table:
+def without(table: Table, *taken: str) -> Table:
+    """A table less some of its keys."""
     return {key: content for key, content in table.items() if key not in taken}

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A design of schema 2 as schema 1 says it, for a file that was written in it and is saved again: one shaft with two
+bearings, or more without [bearings], and perhaps its mirror image."""
+
+from .toml_file import Document, current_document
+from .upgrade import FRONT, JOURNAL_KEYS, REAR, ROW_KEYS, SHAFT, TWIN, elements, row_names, twin, without
+
+Table = dict[str, object]
+OWN = ("name", "bearings", "position_mm", "kind", "slope_mrad")  # of a shaft or a row, said elsewhere in schema 1
+
+
+def downgraded(data: Table) -> Table | None:
+    """The tables in schema 1; None where they can not be said in it."""
+    made = _said(data)
+    return made if made is not None and current_document(Document(made)).data == data else None
+
+
+def _said(data: Table) -> Table | None:
+    """What schema 1 would say, whether or not it is all of it."""
+    shafts, shared = elements(data.get("shafts")), data.get("bearings")
+    made: Table = {key: content for key, content in data.items() if key != "shafts"} | {"schema": 1}
+    if "gears" in made and isinstance(gears := made["gears"], dict):
+        made["gears"] = {**gears, "wheels": [without(wheel, "shaft") for wheel in elements(gears.get("wheels"))]}
+    for table in ("locked", "accepted"):
+        if isinstance(entries := made.get(table), dict):
+            made[table] = {former_key(key): content for key, content in entries.items()}
+    if isinstance(optimise := made.get("optimise"), dict) and isinstance(vary := optimise.get("vary"), dict):
+        made["optimise"] = {**optimise, "vary": {former_key(key): content for key, content in vary.items()}}
+    if measured := elements(made.get("measured")):
+        made["measured"] = [{**row, "value": former_key(str(row.get("value", "")))} for row in measured]
+    if not shafts:
+        return made
+    shaft, *others = shafts
+    rows = elements(shaft.get("bearings"))
+    if shaft.get("name") != SHAFT or tuple(row.get("name") for row in rows) != row_names(len(rows)):
+        return None
+    if isinstance(shared, dict):
+        slopes = [row["slope_mrad"] for row in rows if "slope_mrad" in row]
+        own = {place: without(row, *OWN) for place, row in zip((FRONT, REAR), rows)}
+        made["bearings"] = {**shared, **own} | ({"slope_mrad": slopes} if slopes else {})
+    if shaft.get("mode") == "bearings":
+        return made
+    places = [row["position_mm"] for row in rows if "position_mm" in row]
+    journals = [{key: row[key] for key in JOURNAL_KEYS if key in row} for row in rows]
+    countershaft = without(shaft, *OWN) | {"bearing_positions_mm": places}
+    if not isinstance(shared, dict) and any(journals):
+        countershaft["journals"] = journals
+    if others == [twin(shaft, SHAFT)]:
+        countershaft["pair"] = "yes"
+    made["countershaft"] = countershaft
+    return made
+
+
+def former_key(key: str) -> str:
+    """What schema 1 called a key of its shaft or of one of its two bearings; any other as it is."""
+    first, *parts = key.split(".")
+    if first != "shafts" or len(parts) < 2:
+        return key
+    if parts[:2] == [TWIN, "mirrors"]:
+        return "countershaft.pair"
+    if parts[1] == "bearings" and len(parts) == 4 and parts[2] in (FRONT, REAR) and parts[3] in ROW_KEYS:
+        return ".".join(parts[1:])
+    return ".".join(["countershaft", *parts[1:]])
