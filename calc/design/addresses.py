@@ -177,6 +177,12 @@ def join(prefix: str, key: str) -> str:
     return f"{prefix}.{key}" if prefix and key else prefix or key
 
 
+def own_shafts(data: Table) -> dict[int, Table]:
+    """The shafts of a document that are no twins, by their places."""
+    shafts = enumerate(map(as_table, as_list(data.get(dotted(Design.shafts)))))
+    return {n: shaft for n, shaft in shafts if dotted(ShaftInputs.mirrors) not in shaft}
+
+
 def asks(data: Table, step: str) -> bool:
     """Whether a document has a step; that of the shafts where one of them is more than its bearings."""
     if step != "countershaft":

@@ -45,8 +45,8 @@ class Solution(Protocol):
 class SelectionCase:
     """`results` are those of the design as it is.  `solve`: the same with other bearings.
 
-    `rows`: of the shaft, front to rear; `place`: the key that they stand under; `own_oils`: names that the design itself
-    has given; `gear_tip`: tip diameter of the gear on the shaft, None where it is not known."""
+    `rows`: of the shaft, front to rear; `place`: the key that they stand under; `own_oils`: names that the design has
+    given itself; `gear_tip`: tip diameter of the gear on the shaft, None where it is not known."""
 
     bearings: BearingsInputs
     rows: tuple[BearingRow, ...]

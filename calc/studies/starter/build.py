@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import product
 
 from ...countershaft.inputs import ShaftInputs
-from ...design.addresses import as_table
+from ...design.addresses import Table, as_table, asks, own_shafts
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...engine.crank import crank
@@ -27,7 +27,7 @@ from ...solve import Results, solve
 from ..ready import APART, CRANK_ALONE, NO_PLAIN, NONE, NOTHING, ROLLING
 from . import balancing as which
 from . import shaft, train
-from .writing import Rows, Section, head, mm, table, up, written
+from .writing import Rows, Section, completed, head, mm, parted, table, up, written
 
 # --- the engine on four mounts at its corners
 # Mass and size by rule of thumb, to be weighed and measured; stiffness for its six modes to lie between the road's
@@ -103,6 +103,7 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
 # --- the steps built
 
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
+TABLES = (dotted(Design.shafts), *SHAFT_STEPS[1:])
 KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
 LEFT = "left to the mounts by the balancing that was chosen"
 TAKEN = "the pair of shafts at crank speed takes it"
@@ -137,8 +138,8 @@ def hindrance(document: Document, step: str) -> Text:
     against it."""
     if step not in SHAFT_STEPS[1:]:
         return EMPTY
-    if given := as_table(document.data.get("countershaft")):
-        ratio = given.get(dotted(ShaftInputs.speed_ratio), -1)
+    if given := own_shaft(document.data):
+        ratio = given.get(dotted(ShaftInputs.speed_ratio))
         if isinstance(ratio, (int, float)) and ratio != -1:
             speed = Amount(ratio, form="g")
             return Text("for a shaft that turns at {ratio} times crank speed no rules are known here", ratio=speed)
@@ -156,26 +157,34 @@ def begun(document: Document) -> str:
     best = which.called_for(results)
     if best != "shaft":
         return written([("[without]", {step: (_none_reason(results, best), "") for step in SHAFT_STEPS})])
-    text: list[list[Section]] = [shaft.countershaft(document, results, -1)]
+    own = shaft.countershaft(document, results, -1)
+    text: list[list[Section]] = []
     without: list[Section] = []
-    document = _with(document, text[0])
+    document = _with(document, own)
     results = _results(document, results)
     try:
-        text.append(shaft.bearings(document, results))
+        rows, shared = parted(carried := shaft.bearings(document, results))
     except NoSolution as none:
         why = ROLLING if isinstance(none, shaft.TooFast) else NO_PLAIN
         without = [("[without]", {"bearings": (why, "")})]
         document = _without(document, {"bearings": why})
     else:
-        document = _with(document, text[-1])
+        document, own = shaft.with_bearings(document, carried), completed(own, rows)
+        text.append(shared)
     text.append(train.gears_and_friction(document, _results(document, results)))
-    return "".join(written(sections) for sections in (without, *text))
+    return "".join(written(sections) for sections in (without, own, *text))
+
+
+def own_shaft(data: Table) -> Table:
+    """The shaft of a document that is no twin; empty where there is none, or only its bearings."""
+    shafts = own_shafts(data).values() if asks(data, "countershaft") else ()
+    return next(iter(shafts), {})
 
 
 def choice_made(document: Document) -> str:
     """The id of the balancing that the design has now; "" where nothing is chosen yet."""
-    if given := as_table(document.data.get("countershaft")):
-        ratio = given.get(dotted(ShaftInputs.speed_ratio), -1)
+    if given := own_shaft(document.data):
+        ratio = given.get(dotted(ShaftInputs.speed_ratio))
         return "shaft" if ratio == -1 else "pair" if ratio == 1 else "second"
     if "countershaft" not in as_table(document.data.get("without")):
         return ""
@@ -219,7 +228,7 @@ def _balanced(document: Document, balancing: str) -> Document:
         why = NONE if balancing == "none" else _none_reason(known, balancing)
         return _accepted(_without(document, dict.fromkeys(SHAFT_STEPS, why)), LEFT)
     ratio, pair = _speed(balancing, known)
-    bare = _put(document, dict.fromkeys(SHAFT_STEPS), SHAFT_STEPS)
+    bare = _put(document, dict.fromkeys(TABLES), SHAFT_STEPS)
     bare = _with(bare, shaft.countershaft(bare, which.with_imbalance(bare), ratio, pair))
     if ratio == -1:
         kept = _put(bare, {step: document.data[step] for step in SHAFT_STEPS[1:] if step in document.data})
@@ -260,7 +269,7 @@ def _bearings(document: Document) -> Document:
         sections = shaft.bearings(alone, _results(alone))
     except shaft.TooFast:
         return _without(document, {"bearings": ROLLING})
-    return _with(document.with_value(shaft.OWN_JOURNALS, None), sections)
+    return _put(shaft.with_bearings(document, sections), {}, (dotted(Design.bearings),))
 
 
 def _none_reason(known: Results, balancing: str) -> str:
@@ -287,13 +296,15 @@ def _results(document: Document, before: Results | None = None) -> Results:
 def _with(document: Document, sections: list[Section]) -> Document:
     """With these tables, which are then no longer left out."""
     tables = table(sections)
-    return _put(document, tables, tuple(tables))
+    steps = ["countershaft" if key == dotted(Design.shafts) else key for key in tables]
+    return _put(document, tables, tuple(steps))
 
 
 def _without(document: Document, reasons: dict[str, str]) -> Document:
     """Without these steps, each for its reason."""
     given = {key: value for key, value in as_table(document.data.get("without")).items() if key not in reasons}
-    return _put(document, {**dict.fromkeys(reasons), "without": {**given, **reasons}})
+    gone = [dotted(Design.shafts) if step == "countershaft" else step for step in reasons]
+    return _put(document, {**dict.fromkeys(gone), "without": {**given, **reasons}})
 
 
 def _put(document: Document, tables: Mapping[str, object], asked: tuple[str, ...] = ()) -> Document:

@@ -20,7 +20,7 @@ from ...countershaft.rows import BearingRow
 from ...countershaft.sizing import formulas as sizes
 from ...countershaft.sizing.lengths import utilisation
 from ...countershaft.sizing.sectors import Sized, size
-from ...design.addresses import Table
+from ...design.addresses import Table, own_shafts
 from ...design.model import Design
 from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document, design
@@ -31,13 +31,14 @@ from ...library.lubricant import Lubricant
 from ...sheet.check import THIN_MARGIN
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import gathered
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Amount, Text
 from ...sheet.units import Metre, Newton, NewtonPerMetreSecond, Radian, RadPerSecond, RevPerSecond
 from ...sheet.value import untraced
 from ...solve import Results, solve
 from .train import HOUSING, passing_seat, tip
-from .writing import Rows, Section, changed, down, head, mm, table, up
+from .writing import BEARING_ROW, Rows, Section, changed, down, head, mm, parted, table, up
 
 STEEL = "42CrMo4"
 UTILISATION = 0.75
@@ -50,7 +51,8 @@ BEARING = 0.35, 0.75  # length over diameter: of the rear bearing at least, of b
 THREADED = 0.2e-3
 AT_ONCE = 32  # radii that are looked at together
 UPSTREAM: tuple[str, ...] = ("schema", "name", "oil", "material", "engine", "imbalance")
-SHAFT, GIVE = Text("a counter-shaft to begin with"), Text("give [countershaft]")
+SHAFT, GIVE = Text("a counter-shaft to begin with"), Text("give [[shafts]]")
+NAME = "shaft"  # what the shaft is called
 
 
 @record
@@ -154,11 +156,10 @@ def _slope(document: Document, of: Envelope, sections: list[Section]) -> Radian:
     """The larger slope of both journals, by the shaft alone."""
     begun = design(Document({**before_shaft(document), **table(sections)}))
     assert begun.countershaft is not None
-    journals = (Journal(diameter=of.rear, length=of.length),) * 2
-    loaded = replace(begun, countershaft=replace(begun.countershaft, journals=journals))
+    rows = tuple(replace(row, diameter=of.rear, length=of.length) for row in begun.rows)
+    loaded = begun.with_shaft(replace(begun.countershaft, bearings=rows))
     shaft = solve(loaded).result(CountershaftResult)
-    slopes = (shaft.slope_front, shaft.slope_rear) if shaft is not None else (None,)
-    return max(math.inf if slope is None else slope for slope in slopes)
+    return max(shaft.slopes.values(), default=math.inf) if shaft is not None else math.inf
 
 
 def _drill(design: Design, todo: StarterTask, of: Envelope) -> Holes:
@@ -178,14 +179,12 @@ def _drill(design: Design, todo: StarterTask, of: Envelope) -> Holes:
 def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: Holes) -> list[Section]:
     narrowest = f"assumed: the smallest with a utilisation up to {UTILISATION:g}; here {of.sized.utilisation:.2f}"
     more = "" if share == CORES[0] else f", not {CORES[0]:g}, to keep the journals' slopes below 0.2 mrad"
-    twin: Rows = {ShaftInputs.pair: ("yes", "a mirrored second shaft turns the other way")} if pair else {}
-    apart = "as far apart as the row of cylinders is long, or 1.5 bores"
+    apart = "assumed: as far apart as the row of cylinders is long, or 1.5 bores"
     shaft: Rows = {
+        ShaftInputs.name: (NAME, ""),
         ShaftInputs.mode: ("size", ""),
         ShaftInputs.material: (STEEL, "assumed: a usual shaft steel"),
         ShaftInputs.speed_ratio: (todo.ratio, ""),
-        **twin,
-        ShaftInputs.bearing_positions: ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
         ShaftInputs.outer_radius: (mm(of.outer), narrowest),
         ShaftInputs.core_radius: (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
         ShaftInputs.half_length: (mm(of.half_length), "assumed: two fillets short of the journals"),
@@ -198,7 +197,16 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
         Holes.depth: (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
         Holes.count: (holes.count, "assumed: two in each sector"),
     }
-    return [(head(Design.countershaft), shaft), (head(Design.countershaft, ShaftInputs.holes), drilled)]
+    rows: list[Section] = [
+        (BEARING_ROW, {BearingRow.name: (name, ""), BearingRow.position: (mm(z), why)})
+        for name, z, why in (("front", -of.span / 2, apart), ("rear", of.span / 2, ""))
+    ]
+    mirrored: Rows = {
+        ShaftInputs.name: ("twin", ""),
+        ShaftInputs.mirrors: (NAME, "a mirrored second shaft turns the other way"),
+    }
+    twin: list[Section] = [(head(Design.shafts), mirrored)] if pair else []
+    return [(head(Design.shafts), shaft), (head(Design.shafts, ShaftInputs.holes), drilled), *rows, *twin]
 
 
 # --- the bearings
@@ -207,7 +215,6 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
 FITS: tuple[tuple[str, str] | None, ...] = (None, ("IT6", "IT6"))
-OWN_JOURNALS = "countershaft.journals"  # which bearings have in their place
 FOUND = "assumed: by the search for bearings, so that its rules hold at the worst corner of the tolerances"
 BEARINGS = Text("bearings to begin with")
 
@@ -218,29 +225,30 @@ class TooFast(NoSolution):
 
 
 def bearings(document: Document, results: Results) -> list[Section]:
-    """The tables of the bearings for the shaft of a design that has none.  Raises NoSolution, TooFast where no plain
-    bearing carries it."""
+    """The table of the bearings for the shaft of a design that has none, and what its rows have then.
+
+    Raises NoSolution, TooFast where no plain bearing carries it."""
     made, shaft = results.design, results.result(CountershaftResult)
     if made.countershaft is None or shaft is None or made.engine is None:
-        raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [countershaft] first"))
+        raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [[shafts]] first"))
     load = max(shaft.loads.values())
     front, rear, room = _sizes(made)
     length = _cooled_length(load, made.engine.rated_speed, rear, room)
     narrowest = max(front, min(up(length / BEARING[1], 0.5e-3), rear))
     given = made.friction.oil if made.friction is not None else None
     oils = OILS if given is None else (given,)  # what the design has for its teeth
-    base = document.with_value(OWN_JOURNALS, None)  # the bearings have their sizes
     tried: list[Text] = []
     # closer fits with the oil that came nearest first
     for fits, oil in [*product(FITS[:1], oils), *product(FITS[1:], reversed(oils))]:
         for front in dict.fromkeys((narrowest, rear)):
             sections = _journal_sections(made, oil, front, rear, length)
-            begun = design(Document({**base.data, **table(sections)}))
+            begun = design(with_bearings(document, sections))
             own = begun.bearings
             assert own is not None
             only = [Variant(oil, own.supply, Lubricant(own.in_bearings(begun.oils[oil]), own.viscosity_law), fits)]
+            case = bearings_case(begun, solve, solve(begun, results))
             try:
-                settled = nearest_row(bearings_case(begun, solve, solve(begun, results)), only=only)
+                settled = nearest_row(case, only=only)
             except NoSolution as none:
                 tried.append(none.text)
                 break  # a wider journal is no cooler
@@ -250,14 +258,26 @@ def bearings(document: Document, results: Results) -> list[Section]:
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 
+def with_bearings(document: Document, sections: list[Section]) -> Document:
+    """The document with the table of the bearings, and with what its shaft's rows have then."""
+    rows, others = parted(sections)
+    (bearings_of,) = [dotted(Design.shafts, n) for n in own_shafts(document.data)]
+    document = replace(document, data={**document.data, **table(others)})
+    for n, (_, row) in enumerate(rows):
+        for field, (value, _) in row.items():
+            if dotted(field) != dotted(BearingRow.name):
+                document = document.with_value(dotted(bearings_of, ShaftInputs.bearings, n, field), value)
+    return document
+
+
 def _sizes(design: Design) -> tuple[Metre, Metre, Metre]:
     """Diameters of the front and the rear journal, and the longest journal beside the sectors."""
     shaft = design.countershaft
     assert shaft is not None
     z = min(abs(shaft.bearing_positions[0]), abs(shaft.bearing_positions[-1]))
     if shaft.journals:
-        first, other = shaft.journals[0], shaft.journals[-1]
-        return first.diameter, other.diameter, max(first.length, other.length)
+        (d_first, l_first), (d_last, l_last) = shaft.journals[0], shaft.journals[-1]
+        return d_first, d_last, max(l_first, l_last)
     radii = [section.outer_radius for section in shaft.sections] or [2 * mass.radius for mass in shaft.masses]
     outer = shaft.outer_radius if shaft.outer_radius is not None else max(radii, default=0.0)
     ends = shaft.half_length
@@ -317,6 +337,6 @@ def _journal_sections(made: Design, oil: str, front: Metre, rear: Metre, length:
     }
     return [
         (head(Design.bearings), both),
-        (head(Design.bearings, BearingsInputs.front), in_front | alike),
-        (head(Design.bearings, BearingsInputs.rear), behind | alike),
+        (BEARING_ROW, {BearingRow.name: ("front", "")} | in_front | alike),
+        (BEARING_ROW, {BearingRow.name: ("rear", "")} | behind | alike),
     ]

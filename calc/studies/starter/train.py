@@ -164,10 +164,8 @@ def _too_tight(results: Results) -> int:
 def _trains(design: Design) -> Iterator[Train]:
     """Those whose wheel on the shaft goes through its front seat, and that reach from the crank to the shaft's axis."""
     shaft = design.countershaft
-    if design.bearings is not None:
-        seat = design.bearings.front.diameter
-    elif shaft is not None and shaft.journals:
-        seat = shaft.journals[0].diameter
+    if shaft is not None and shaft.journals:
+        seat = shaft.journals[0][0]
     elif shaft is not None and shaft.outer_radius is not None:
         seat = 2 * shaft.outer_radius
     else:
@@ -199,6 +197,7 @@ def _gears(design: Design, train: Train, power: float | None, allowance: tuple[i
     if train.teeth == WHEELS[0]:
         usual, module = "assumed, as in the R753IE4", "assumed: the largest up to 2 whose wheel goes through the seats"
     housing = design.bearings.housing_material if design.bearings is not None else HOUSING
+    own = design.own.name if design.own is not None else ""
     rows: Rows = {
         GearsInputs.normal_module: (mm(train.module), module),
         GearsInputs.pressure_angle: (20.0, ""),
@@ -221,7 +220,13 @@ def _gears(design: Design, train: Train, power: float | None, allowance: tuple[i
     )
     for name, teeth, why, bored in wheels:
         free = "assumed: free with the runout, cold, warm, and when the wheels are warmer"
-        wheel: Rows = {Wheel.name: (name, ""), Wheel.teeth: (teeth, why), Wheel.span_allowance: (allowance, free)}
+        carries: Rows = {Wheel.shaft: (own, "")} if name == "shaft" and own else {}
+        wheel: Rows = {
+            Wheel.name: (name, ""),
+            **carries,
+            Wheel.teeth: (teeth, why),
+            Wheel.span_allowance: (allowance, free),
+        }
         if bored:
             diameter = float(round(BORE * teeth * train.module * 1e3 / math.cos(HELIX)))
             wheel[Wheel.bore_diameter] = (diameter, bored)

@@ -7,6 +7,7 @@ import math
 import tomllib
 from collections.abc import Mapping
 
+from ...countershaft.inputs import ShaftInputs
 from ...design.addresses import Table
 from ...sheet.quantity import described, dotted
 from ...sheet.units import Metre
@@ -41,18 +42,44 @@ def table(sections: list[Section]) -> Table:
 
 
 def changed(sections: list[Section], changes: Mapping[str, object], why: str) -> list[Section]:
-    """The same with keys of single tables changed (`bearings.front.length_mm`); None takes one out."""
-    new_sections: list[Section] = [
-        (header, {dotted(field): row for field, row in rows.items()}) for header, rows in sections
-    ]
-    by_table = {header.strip("[]"): rows for header, rows in new_sections}
+    """The same with keys changed of single tables and of elements with a name (`bearings.oil`,
+    `shafts.shaft.bearings.front.length_mm`); None takes one out."""
+    new_sections: list[Section] = [(header, _by_key(rows)) for header, rows in sections]
     for key, value in changes.items():
-        where, _, name = key.rpartition(".")
+        where, _, field = key.rpartition(".")
+        rows = next(rows for header, rows in new_sections if _is_at(header, rows, where))
         if value is None:
-            by_table[where].pop(name, None)
+            rows.pop(field, None)
         else:
-            by_table[where][name] = (value, why)
+            rows[field] = (value, why)
     return new_sections
+
+
+def _is_at(header: str, rows: Rows, where: str) -> bool:
+    """Whether a section is the table at a key."""
+    if not header.startswith("[["):
+        return header.strip("[]") == where
+    name, _ = rows.get("name", ("", ""))
+    return header == BEARING_ROW and where.endswith(f".{dotted(ShaftInputs.bearings)}.{name}")
+
+
+BEARING_ROW = f"[[{dotted('shafts', ShaftInputs.bearings)}]]"
+
+
+def parted(sections: list[Section]) -> tuple[list[Section], list[Section]]:
+    """The rows of bearings, and all other sections."""
+    rows = [section for section in sections if section[0] == BEARING_ROW]
+    return rows, [section for section in sections if section[0] != BEARING_ROW]
+
+
+def completed(sections: list[Section], rows: list[Section]) -> list[Section]:
+    """The sections of a shaft, with what `rows` say more of its bearings."""
+    own, others = parted(sections)
+    return [*others, *((header, _by_key(some) | _by_key(more)) for (header, some), (_, more) in zip(own, rows))]
+
+
+def _by_key(rows: Rows) -> Rows:
+    return {dotted(field): row for field, row in rows.items()}
 
 
 def mm(length: Metre) -> float:
