@@ -7,12 +7,12 @@ import tomllib
 from collections.abc import Iterable, Iterator
 
 from ..countershaft.inputs import TWIN, ShaftInputs
-from ..countershaft.rows import IN_WORDS
+from ..countershaft.rows import IN_WORDS, BearingRow
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
 from ..sheet.errors import written as written
-from ..sheet.quantity import Quantity, dotted, keys, unknown
+from ..sheet.quantity import Key, Quantity, dotted, keys, unknown
 from ..sheet.text import Small, Text
 from .model import STEPS, Design, step_of
 from .upgrade import MANY, current, formerly
@@ -194,6 +194,24 @@ def asks(data: Table, step: str) -> bool:
 def step_at(data: Table, key: str) -> str:
     """The step that a key of a document is of."""
     return step_of(key, judged=dotted(Design.bearings) in data)
+
+
+def keys_of(cls: type, data: Table, step: str) -> list[Key]:
+    """The keys of a class of inputs that a step asks for: of the bearings of a shaft their places, or all the rest."""
+    of_row = dotted(Design.shafts, 0, ShaftInputs.bearings, 0)
+    every = keys(cls).values()
+    return [key for key in every if cls is not BearingRow or step_at(data, f"{of_row}.{key.key}") == step]
+
+
+def tables_of(data: Table, step: str) -> Iterator[tuple[type, Table, str]]:
+    """The tables of a document that a step asks for, each with its class and its key: those of [bearings] and, beside
+    it, of the shafts whose bearings it judges."""
+    key = dotted(Design.shafts)
+    if step != "countershaft" and isinstance(there := data.get(step), dict):
+        yield next(known.inputs for known in STEPS if known.key == step), there, step
+    if step == "countershaft" and asks(data, step):
+        for n, shaft in enumerate(map(as_table, as_list(data.get(key)))):
+            yield ShaftInputs, shaft, f"{key}.{shaft.get('name', n)}"
 
 
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
