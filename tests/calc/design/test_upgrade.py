@@ -77,7 +77,7 @@ def test_a_key_is_called_as_its_user_does() -> None:
     assert own_key(was, "shafts.0.masses.1.mass_kg") == "countershaft.masses.1.mass_kg"
     assert own_key(was, "shafts.0.bearings.1.length_mm") == "bearings.rear.length_mm"
     assert own_key(was, "shafts.0.bearings.1.position_mm") == "countershaft.bearing_positions_mm.1"
-    assert own_key(was, "shafts.0.bearings.0.slope_mrad") == "bearings.slope_mrad"
+    assert own_key(was, "shafts.0.bearings.1.slope_mrad") == "bearings.slope_mrad.1"
     assert own_key(was, "gears.wheels.3.shaft") == "gears.meshes.2.driven"
     assert own_key(was, "bearings.oil") == "bearings.oil"
 
