@@ -559,7 +559,7 @@ def _placed(rows: list[Table], value: object) -> list[Table]:
         return [_without(row, "position_mm") for row in rows]
     places = _numbers(POSITIONS, value, PLACES)
     if len(places) != len(rows):
-        had = {row.get("name"): row for row in rows}
+        had = {_name(row, i): row for i, row in enumerate(rows)}
         rows = [had.get(name, {"name": name}) for name in row_names(len(places))]
     return [_with_name(_without(row, "position_mm"), {"position_mm": place}) for row, place in zip(rows, places)]
 
