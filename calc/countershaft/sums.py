@@ -95,32 +95,36 @@ class SystemShaft:
         return replace(self, name=name, axis=axis)
 
 
-def rolled(shafts: Iterable[SystemShaft]) -> PhasorNewtonMetre | None:
+TOGETHER = Text("all shafts")
+
+
+def rolled(shafts: Iterable[SystemShaft], subject: Text = TOGETHER) -> PhasorNewtonMetre | None:
     """The moment about the crank's axis of the shafts of one order on the block; None where an axis is not known."""
     whole: PhasorNewtonMetre | None = None
     for shaft in shafts:
         if shaft.axis is None:
             return None
-        with about(Name(shaft.name)):
+        with about(Text("{subject}: {name}", subject=subject, name=Name(shaft.name))):
             T = (roll_forward if shaft.forward else roll_backward)(p=shaft.axis, F=shaft.force)
             whole = T if whole is None else rolls_joined(T_1=whole, T_2=T)
     return whole
 
 
-def left(engine: OrderVectors, shafts: Sequence[SystemShaft]) -> OrderVectors:
-    """What the shafts of one order leave of the engine's vectors, shaft after shaft, and of the roll.
+def left(engine: OrderVectors, shafts: Sequence[SystemShaft], subject: Text = TOGETHER) -> OrderVectors:
+    """What the shafts of one order leave of the engine's vectors, shaft after shaft, and of the roll; `subject`: whose
+    calculation this is.
 
     Of given shafts alone it is what those to be sized have to share: each −(1 + x_o)·w·F of what turns like it."""
     F_f, F_b, C_f, C_b = engine.force_forward, engine.force_backward, engine.couple_forward, engine.couple_backward
     for shaft in shafts:
-        with about(Name(shaft.name)):
+        with about(Text("{subject}: {name}", subject=subject, name=Name(shaft.name))):
             if shaft.forward:
                 F_f = f.residual_force_vector(F_like=F_f, F_S=shaft.force)
                 C_f = f.residual_vector(C_like=C_f, C_S=shaft.couple)
             else:
                 F_b = f.residual_force_vector(F_like=F_b, F_S=shaft.force)
                 C_b = f.residual_vector(C_like=C_b, C_S=shaft.couple)
-    T_S = rolled(shafts)
+    T_S = rolled(shafts, subject)
     roll = None if T_S is None or engine.roll is None else roll_together(T_S=T_S, t_n=engine.roll)
     return OrderVectors(F_f, F_b, C_f, C_b, roll, T_S)
 
@@ -178,8 +182,8 @@ def together(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]) 
     parts: dict[str, OrderLeft] = {}
     vectors: dict[int, OrderVectors] = {}
     for n, own in _by_order(shafts).items():
-        with about(Text("order {n}", n=n)):
-            found = vectors[n] = left(engine[n], own)
+        with about(subject := Text("order {n}", n=n)):
+            found = vectors[n] = left(engine[n], own, subject)
             peaks[f"residual_order_{n}_couple"] = v.couple_peak(C_f=found.couple_forward, C_b=found.couple_backward)
             peaks[f"residual_order_{n}_force"] = v.force_peak(F_f=found.force_forward, F_b=found.force_backward)
             parts[f"order_{n}"] = _parts(found)
@@ -280,44 +284,49 @@ def teeth_off(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft])
             original = next(one for one in shafts if one.name == shaft.mirrors)
             pairs.setdefault(shaft.mirrors, [original]).append(shaft)
 
-    def off(which: Sequence[SystemShaft], words: Text) -> ToothOff | None:
-        with about(words):
-            return _off(engine, shafts, which)
-
-    alone = {shaft.name: off([shaft], Text("{name} one tooth off", name=Name(shaft.name))) for shaft in shafts}
-    both = {name: off(pair, Text("{name} and its mirror image", name=Name(name))) for name, pair in pairs.items()}
+    alone = {
+        shaft.name: _off(engine, shafts, [shaft], Text("{name} one tooth off", name=Name(shaft.name)))
+        for shaft in shafts
+    }
+    both = {
+        name: _off(engine, shafts, pair, Text("{name} and its mirror image one tooth off", name=Name(name)))
+        for name, pair in pairs.items()
+    }
     return TeethOff(
         shafts={name: one for name, one in alone.items() if one is not None},
         pairs={name: pair for name, pair in both.items() if pair is not None},
-        all=off(shafts, Text("all shafts one tooth off")) if len(shafts) > 1 else None,
+        all=_off(engine, shafts, shafts, Text("all shafts one tooth off")) if len(shafts) > 1 else None,
     )
 
 
 def _off(
-    engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft], which: Sequence[SystemShaft]
+    engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft], which: Sequence[SystemShaft], words: Text
 ) -> ToothOff | None:
     values: dict[str, Any] = {}
     columns: dict[int, Any] = {}
     orders = _by_order(shafts)
     for n in _by_order(which):
-        cases = []
-        for sign in (1.0, -1.0):
-            moved = []
-            for shaft in orders[n]:
-                if shaft in which:
-                    if shaft.tooth is None:
-                        return None
-                    shaft = shaft.late_by(based_on(sign * shaft.tooth, shaft.tooth))
-                moved.append(shaft)
-            cases.append(left(engine[n], moved))
-        F_late, F_early = (v.force_peak(F_f=case.force_forward, F_b=case.force_backward) for case in cases)
-        C_late, C_early = (v.couple_peak(C_f=case.couple_forward, C_b=case.couple_backward) for case in cases)
-        rolls = [roll_amplitude(T_S=case.roll) for case in cases if case.roll is not None]
-        values[f"order_{n}_force"] = force_off(late=F_late, early=F_early)
-        values[f"order_{n}_couple"] = couple_off(late=C_late, early=C_early)
-        if rolls:
-            values[f"order_{n}_roll"] = roll_off(late=rolls[0], early=rolls[1])
-        columns[n] = (F_late, F_early), (C_late, C_early), tuple(rolls) or None
+        forces, couples, rolls = [], [], []
+        for subject, sign in ((Text("{words}, late", words=words), 1.0), (Text("{words}, early", words=words), -1.0)):
+            with about(subject):
+                moved = []
+                for shaft in orders[n]:
+                    if shaft in which:
+                        if shaft.tooth is None:
+                            return None
+                        shaft = shaft.late_by(based_on(sign * shaft.tooth, shaft.tooth))
+                    moved.append(shaft)
+                case = left(engine[n], moved, subject)
+                forces.append(v.force_peak(F_f=case.force_forward, F_b=case.force_backward))
+                couples.append(v.couple_peak(C_f=case.couple_forward, C_b=case.couple_backward))
+                if case.roll is not None:
+                    rolls.append(roll_amplitude(T_S=case.roll))
+        with about(words):
+            values[f"order_{n}_force"] = force_off(late=forces[0], early=forces[1])
+            values[f"order_{n}_couple"] = couple_off(late=couples[0], early=couples[1])
+            if rolls:
+                values[f"order_{n}_roll"] = roll_off(late=rolls[0], early=rolls[1])
+        columns[n] = tuple(forces), tuple(couples), tuple(rolls) or None
     return ToothOff(**values, columns=columns)
 
 

@@ -17,7 +17,7 @@ DATA = json.loads((Path(__file__).parents[2] / "data" / "shafts.json").read_text
 CASES = DATA["cases"]
 
 
-def given(scatter: bool) -> list[dict]:
+def rows(scatter: bool) -> list[dict]:
     """What is given of the cases that are whole designs: of their scatter, or all else."""
     return [row for row in DATA["given"] if row["case"] in CASES and (".scatter." in row["value"]) is scatter]
 

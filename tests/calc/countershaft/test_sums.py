@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given as drawn
+from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft import formulas as f
@@ -26,7 +26,7 @@ from calc.engine.result import EngineResult
 from calc.imbalance.remedies import roll_torque
 from calc.imbalance.result import ImbalanceResult
 from calc.solve import solve
-from tests.calc.countershaft.systems import CASES, called, engine, given, shafts, tolerance
+from tests.calc.countershaft.systems import CASES, called, engine, rows, shafts, tolerance
 from tests.conftest import DESIGNS
 
 SIZED = ("v2-45-sized", "twin-270-beside")  # what is left of the first order is shared
@@ -38,9 +38,9 @@ def system(case):
     known = shafts(case)
     if case not in SIZED:
         return orders, known
-    rows = CASES[case]["shafts"]
-    sized = next(row for row in rows if row.get("mode") == "size")
-    twins = [row for row in rows if row.get("repeats") == sized["name"]]
+    tables = CASES[case]["shafts"]
+    sized = next(row for row in tables if row.get("mode") == "size")
+    twins = [row for row in tables if row.get("repeats") == sized["name"]]
     share, beyond = 1 / (1 + len(twins)), sized.get("overdesign_percent", 0.0) / 100
     rest = left(orders[1], known)
     F = f.asked_unbalance(x_o=beyond, F_like=share * rest.force_backward, omega=omega) * omega**2
@@ -58,7 +58,7 @@ OF_A_SHAFT = {
     "couple_phase": lambda shaft: math.degrees(cmath.phase(shaft.couple)) % 360,
     "roll_torque": lambda shaft: roll_torque(p=shaft.axis, F=shaft.force),
 }
-GIVEN = given(scatter=False)
+GIVEN = rows(scatter=False)
 OFF = [row for row in GIVEN if row["value"].startswith("gears.")]
 SUPPLIED = [row for row in GIVEN if row["value"].split(".")[-1] in OF_A_SHAFT]
 LEFT = [row for row in GIVEN if row not in OFF and row not in SUPPLIED]
@@ -135,7 +135,7 @@ def in_time(n, orders, known):
     return [np.fft.fft(course) / TURN.size for course in (F, C, T)]
 
 
-@drawn(st.fixed_dictionaries({1: orders_of_an_engine, 2: orders_of_an_engine}), some_shafts)
+@given(st.fixed_dictionaries({1: orders_of_an_engine, 2: orders_of_an_engine}), some_shafts)
 def test_sums_against_a_turn_in_time(orders, known):
     found = together(orders, known)
     assert set(found.vectors) == {shaft.order for shaft in known}
@@ -161,7 +161,7 @@ def test_sums_against_a_turn_in_time(orders, known):
             assert cmath.rect(amount, phase) == close(2 * roll[n], abs=1e-9)
 
 
-@drawn(st.fixed_dictionaries({1: orders_of_an_engine, 2: orders_of_an_engine}), some_shafts)
+@given(st.fixed_dictionaries({1: orders_of_an_engine, 2: orders_of_an_engine}), some_shafts)
 def test_one_tooth_off_against_shafts_that_are_turned_in_time(orders, known):
     """A late shaft does what it did an angle δ of its own before, whichever way it turns."""
     found = teeth_off(orders, known)
@@ -195,7 +195,7 @@ def mirrored_engine(of):
     )
 
 
-@drawn(st.fixed_dictionaries({1: orders_of_an_engine, 2: orders_of_an_engine}), some_shafts)
+@given(st.fixed_dictionaries({1: orders_of_an_engine, 2: orders_of_an_engine}), some_shafts)
 def test_a_system_that_is_mirrored_whole_leaves_the_same(orders, known):
     mirrored = {n: mirrored_engine(of) for n, of in orders.items()}
     images = [shaft.mirror_image(shaft.name) for shaft in known]
@@ -222,7 +222,7 @@ def test_a_pair_of_mirror_images_off_together_stays_one():
     assert whole.force_forward == pytest.approx(whole.force_backward.conjugate())
 
 
-@drawn(vectors, vectors, st.sampled_from((-2, -1, 1, 2)), vectors)
+@given(vectors, vectors, st.sampled_from((-2, -1, 1, 2)), vectors)
 def test_a_shaft_repeated_at_no_distance_is_one_of_double_masses(F, C, ratio, axis):
     nothing = {abs(ratio): OrderVectors(0j, 0j, 0j, 0j, 0j)}
     one = SystemShaft("one", ratio, F, C, axis)
@@ -232,7 +232,7 @@ def test_a_shaft_repeated_at_no_distance_is_one_of_double_masses(F, C, ratio, ax
         assert getattr(twice, name) == pytest.approx(getattr(double, name), abs=1e-14)
 
 
-@drawn(st.floats(-0.2, 0.2), st.floats(-0.2, 0.2), st.floats(0.01, 0.2), vectors)
+@given(st.floats(-0.2, 0.2), st.floats(-0.2, 0.2), st.floats(0.01, 0.2), vectors)
 def test_a_mirrored_pair_at_unequal_heights_rolls_by_its_force_times_the_difference(up, down, side, F):
     """i·A·(h⁺ − h⁻) of a vertical force A; at equal heights nothing, whatever the force."""
     one = SystemShaft("one", 1, F, 0j, complex(up, side))

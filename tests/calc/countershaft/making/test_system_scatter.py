@@ -22,7 +22,7 @@ from tests.calc.countershaft.making.test_scatter import (
     target,
     vectors,
 )
-from tests.calc.countershaft.systems import CASES, called, engine, given, masses, scatter, shafts, tolerance
+from tests.calc.countershaft.systems import CASES, called, engine, masses, rows, scatter, shafts, tolerance
 
 NOTHING = OrderVectors(0j, 0j, 0j, 0j)
 ONE = SystemShaft("one", -1, FORCE, COUPLE)
@@ -36,7 +36,7 @@ def made(shaft=ONE, scatter=SOME, parts=MASSES, **changes):
     return MadeShaft(shaft=shaft, omega=OMEGA, scatter=scatter, masses=parts, **changes)
 
 
-@pytest.mark.parametrize("row", given(scatter=True), ids=called)
+@pytest.mark.parametrize("row", rows(scatter=True), ids=called)
 def test_the_given_system(row):
     case = CASES[row["case"]]
     orders, omega = engine(row["case"])
