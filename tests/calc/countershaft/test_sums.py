@@ -145,13 +145,13 @@ def test_sums_against_a_turn_in_time(orders, known):
         assert (of.force_forward, of.force_backward) == (close(F[n], abs=1e-9), close(F[-n], abs=1e-9))
         assert (of.couple_forward, of.couple_backward) == (close(C[n], abs=1e-9), close(C[-n], abs=1e-9))
         assert of.roll == close(2 * T[n], abs=1e-9)
-        # peaks and least are those of the ellipse over the turn: of this order alone, finely
-        fine = np.exp(1j * np.linspace(0, 2 * np.pi, 7201))
+        # peak and least over the turn are the half axes of an ellipse: singular values of its conjugate half diameters
         for word, forward, backward in (("force", F[n], F[-n]), ("couple", C[n], C[-n])):
-            lengths = np.abs(forward * fine + backward / fine)
-            assert getattr(found, f"residual_order_{n}_{word}") == close(lengths.max(), abs=1e-5)
+            at_tdc, quarter_on = forward + backward, 1j * (forward - backward)
+            axes = np.linalg.svd([[at_tdc.real, quarter_on.real], [at_tdc.imag, quarter_on.imag]], compute_uv=False)
             part = found.residual[f"order_{n}"]
-            assert getattr(part, f"{word}_least") == close(lengths.min(), abs=2e-3)
+            assert getattr(found, f"residual_order_{n}_{word}") == close(axes[0], abs=1e-9)
+            assert getattr(part, f"{word}_least") == close(axes[1], abs=1e-9)
             for sense, vector in (("forward", forward), ("backward", backward)):
                 length, phase = (getattr(part, f"{word}_{sense}{end}") for end in ("", "_phase"))
                 assert cmath.rect(length, phase) == close(vector, abs=1e-9)
