@@ -6,11 +6,14 @@ from typing import Any
 
 # what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
 OFFERED = {
+    "OrderVectors": ".sums",
+    "SystemShaft": ".sums",
     "permitted_unbalance": "..library.tolerances",
     "sector_area": ".outline",
     "sector_mass": ".outline",
     "size_sectors": ".sizing.sectors:pair",
     "specific_load": "..library.journal_rules",
+    "together": ".sums",
 }
 __all__ = [*OFFERED]
 

@@ -184,6 +184,24 @@ def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMet
     return modulus(C_S) * cos(argument(C_S) - argument(C_req)) - modulus(C_req)
 
 
+# --- a shaft that is late
+
+LATE = Text("kinematics: a shaft late by δ, in its own angle; σ_S = 1 with the crank, −1 against it")
+
+
+@formula("F_S,δ", LATE, names={"sigma": "σ_S", "delta": "δ_S"})
+def late_force(F_S: PhasorNewton, sigma: Number, delta: Radian) -> PhasorNewton:
+    """A vector that turns backward is F·e^(−iωt): a lag is e^(+iδ) there.  Early: δ below zero."""
+    return F_S * cis(-sigma * delta)
+
+
+@formula(
+    "C_S,δ", Text("{late}; its couple too large by s", late=LATE), names={"s": "s_C", "sigma": "σ_S", "delta": "δ_S"}
+)
+def late_couple(C_S: PhasorNewtonMetre, s: Number, sigma: Number, delta: Radian) -> PhasorNewtonMetre:
+    return C_S * (1 + s) * cis(-sigma * delta)
+
+
 # --- what is asked of a shaft to be sized
 
 

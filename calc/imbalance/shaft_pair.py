@@ -29,25 +29,36 @@ def shaft_force(F: PhasorNewton) -> Newton:
     return modulus(F)
 
 
-@formula(
-    "T_S",
-    "statics: moment about the crank's axis of two forces that turn about axes beside it, one with and one against "
-    "the crank",
-    names={"p_f": "p⁺", "p_b": "p⁻", "F_f": "F_S⁺", "F_b": "F_S⁻"},
-)
-def pair_moment(p_f: PhasorMetre, F_f: PhasorNewton, p_b: PhasorMetre, F_b: PhasorNewton) -> PhasorNewtonMetre:
-    """The moment on the block is Re(T_S·e^(inε)), positive in the sense of crank rotation; Im(p̄·F) is that of one
-    force F at p.
+ROLL_OF_A_SHAFT = Text("statics: moment about the crank's axis of a force that turns about an axis beside it")
 
-    Two equal shafts of F/2 each, one higher by Δh:
 
-    >>> abs(pair_moment(p_f=0.10 + 0.08j, F_f=1000 + 0j, p_b=0.02 - 0.08j, F_b=1000 + 0j))
-    80.0
+@formula("T_S⁺", Text("{roll}, with the crank", roll=ROLL_OF_A_SHAFT), names={"p": "p⁺", "F": "F_S⁺"})
+def roll_forward(p: PhasorMetre, F: PhasorNewton) -> PhasorNewtonMetre:
+    """The moment on the block is Re(T·e^(inε)), positive in the sense of crank rotation: Im(p̄·F) of the force as it
+    turns.  p, F: real up, imaginary 90° further in that sense; F with cylinder 1 at TDC (ε = 0).
+
+    >>> roll_forward(p=0.10 + 0.08j, F=1000 + 0j)
+    (-80-100j)
     """
-    return joined(-1j * conj(p_f) * F_f, conj(-1j * conj(p_b) * F_b))
+    return -1j * conj(p) * F
 
 
-@formula("T_roll", "mathematics: amplitude of the moment of both shafts")
+@formula("T_S⁻", Text("{roll}, against the crank", roll=ROLL_OF_A_SHAFT), names={"p": "p⁻", "F": "F_S⁻"})
+def roll_backward(p: PhasorMetre, F: PhasorNewton) -> PhasorNewtonMetre:
+    """The same of a force F·e^(−inε): i·p·F̄.  A shaft and its mirror image at equal heights raise no roll:
+
+    >>> roll_forward(p=0.10 + 0.08j, F=1000 + 0j) + roll_backward(p=0.10 - 0.08j, F=1000 + 0j)
+    0j
+    """
+    return conj(-1j * conj(p) * F)
+
+
+@formula("T_S", "mathematics: sum of the moments of two shafts, or of those before and one more")
+def rolls_joined(T_1: PhasorNewtonMetre, T_2: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return joined(T_1, T_2)
+
+
+@formula("T_roll", "mathematics: amplitude of a moment about the crank's axis")
 def roll_amplitude(T_S: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(T_S)
 
@@ -117,7 +128,7 @@ def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Ba
         t_n = e.torque.reaction_harmonics[n - 1]
         t_n = based_on(t_n, t_n, n)
         Dh = height_difference(h_f=based_on(forward[0], forward, n), h_b=backward[0])
-        T_S = pair_moment(p_f=p_f, F_f=F_f, p_b=p_b, F_b=F_b)
+        T_S = rolls_joined(T_1=roll_forward(p=p_f, F=F_f), T_2=roll_backward(p=p_b, F=F_b))
         T = roll_together(T_S=T_S, t_n=t_n)
         sways = abs(F_f + F_b.conjugate()) > 1e-9 * abs(F_f)  # else a height difference raises no moment
         return ShaftPair(

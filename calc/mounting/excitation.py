@@ -14,7 +14,6 @@ from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, modulus
 from ..sheet.units import (
-    Metre,
     NewtonMetre,
     Newtons,
     Number,
@@ -78,29 +77,6 @@ def moment_about_y(p: PhasorNewtonMetre, m: PhasorNewtonMetre) -> PhasorNewtonMe
 
 
 # --- the counter-shaft
-
-
-@formula(
-    "F_S,δ",
-    "kinematics: a shaft that turns backward and is late by δ; in e^(−iωt) a lag is e^(+iδ)",
-    names={"delta": "δ_S"},
-)
-def late_force(F_S: PhasorNewton, delta: Radian) -> PhasorNewton:
-    return F_S * cis(delta)
-
-
-@formula(
-    "C_S,δ",
-    "kinematics: a shaft that turns backward and is late by δ, its couple too large by s",
-    names={"s": "s_C", "delta": "δ_S"},
-)
-def late_couple(C_S: PhasorNewtonMetre, s: Number, delta: Radian) -> PhasorNewtonMetre:
-    return C_S * (1 + s) * cis(delta)
-
-
-@formula("M̂_z,S", "statics: moment about the crank of a force on an axis beside it")
-def shaft_roll(x_S: Metre, Y: PhasorNewton, y_S: Metre, X: PhasorNewton) -> PhasorNewtonMetre:
-    return x_S * Y - y_S * X
 
 
 @formula(

@@ -11,6 +11,7 @@ from statistics import NormalDist
 
 import numpy as np
 
+from ..countershaft.formulas import late_couple, late_force
 from ..engine import cycle as c
 from ..engine import formulas as kinematics
 from ..engine.crank import firing
@@ -20,6 +21,7 @@ from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..engine.torque import prepare
 from ..imbalance.result import ImbalanceResult
+from ..imbalance.shaft_pair import roll_backward, roll_forward
 from ..sheet.arrays import Array, ComplexArray, IndexArray
 from ..sheet.record import record
 from ..sheet.text import Text
@@ -337,15 +339,15 @@ def _with_shaft(
     F_f, F_b, C_f, C_b = (np.array(part) for part in half)
     rolled, of = np.array(roll), []
     for force, couple, back, side in sides:
-        lag = delta if back else -delta
-        F, C = x.late_force(F_S=force, delta=lag), x.late_couple(C_S=couple, s=s, delta=lag)
+        sigma = -1.0 if back else 1.0
+        F = late_force(F_S=force, sigma=sigma, delta=delta)
+        C = late_couple(C_S=couple, s=s, sigma=sigma, delta=delta)
         (F_b if back else F_f)[i] += F
         (C_b if back else C_f)[i] += C
         of += [F, C]
         if shaft.axis is not None:
-            p, m = (0j, F) if back else (F, 0j)
-            X, Y = x.vertical(p=p, m=m), x.horizontal(p=p, m=m)
-            M_z = x.shaft_roll(x_S=shaft.axis[0], Y=Y, y_S=side * shaft.axis[1], X=X)
+            p_S = based_on(complex(shaft.axis[0], side * shaft.axis[1]), shaft.axis)
+            M_z = (roll_backward if back else roll_forward)(p=p_S, F=F)
             rolled[i] += M_z
             of.append(M_z)
     parts = tuple(based_on(part, before, *of) for part, before in zip((F_f, F_b, C_f, C_b), half))

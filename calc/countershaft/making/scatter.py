@@ -14,7 +14,7 @@ from random import Random
 
 import numpy as np
 
-from ...sheet.arrays import Array, ComplexArray
+from ...sheet.arrays import Array, ComplexArray, IndexArray
 from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
@@ -27,6 +27,7 @@ from ...sheet.units import (
     Kilogram,
     KilogramMetre,
     Metre,
+    Newton,
     NewtonMetre,
     NewtonMetres,
     Number,
@@ -94,6 +95,36 @@ def couple_error(m: NewtonMetre, e: NewtonMetre, gamma: NewtonMetre, z: NewtonMe
     return sqrt(m**2 + e**2 + gamma**2 + z**2 + t**2)
 
 
+@formula("σ_F,m", Text("{propagation}: mass", propagation=PROPAGATION), names=f.MASSES | {"s": "s_m", "omega": "ω_S"})
+def force_error_by_mass(omega: RadPerSecond, e: Metre, s: Kilogram) -> Newton:
+    return omega**2 * rss(e) * s
+
+
+@formula("σ_F,e", Text("{propagation}: radius", propagation=PROPAGATION), names=f.MASSES | {"s": "s_e", "omega": "ω_S"})
+def force_error_by_radius(omega: RadPerSecond, m: Kilogram, s: Metre) -> Newton:
+    return omega**2 * rss(m) * s
+
+
+@formula("σ_F,γ", Text("{propagation}: angle", propagation=PROPAGATION), names=f.MASSES | {"s": "s_γ", "omega": "ω_S"})
+def force_error_by_angle(omega: RadPerSecond, m: Kilogram, e: Metre, s: Radian) -> Newton:
+    return omega**2 * rss(m * e) * s
+
+
+@formula("σ_F,t", Text("{propagation}: timing", propagation=PROPAGATION), names={"s": "s_t"})
+def force_error_by_timing(F_S: PhasorNewton, s: Radian) -> Newton:
+    return modulus(F_S) * s
+
+
+@formula(
+    "σ_F",
+    Text("{propagation}: root mean square", propagation=PROPAGATION),
+    names={"m": "σ_F,m", "e": "σ_F,e", "gamma": "σ_F,γ", "t": "σ_F,t"},
+)
+def force_error(m: Newton, e: Newton, gamma: Newton, t: Newton) -> Newton:
+    """Length of the error vector, whatever its direction; positions along the shaft are none of a force."""
+    return sqrt(m**2 + e**2 + gamma**2 + t**2)
+
+
 @formula(
     "C_1,p",
     "mathematics: order statistics of the shafts tried",
@@ -101,7 +132,11 @@ def couple_error(m: NewtonMetre, e: NewtonMetre, gamma: NewtonMetre, z: NewtonMe
 )
 def percentile(C: NewtonMetres, p: Number) -> NewtonMetre:
     """`C` in rising order."""
-    ordered = C
+    return ranked(C, p)
+
+
+def ranked(ordered: Array, p: float) -> float:
+    """Of numbers in rising order the smallest that the share p of them does not exceed."""
     return float(ordered[max(math.ceil(p * ordered.size) - 1, 0)].item())
 
 
@@ -115,6 +150,11 @@ class ScatterResult:
     couple_error_by_angle: NewtonMetre = value("by their angles", "N·m", "σ_C,γ")
     couple_error_by_position: NewtonMetre = value("by their positions", "N·m", "σ_C,z")
     couple_error_by_timing: NewtonMetre = value("by the timing", "N·m", "σ_C,t")
+    force_error: Newton = value("Error of the force, root mean square to first order", "N", "σ_F")
+    force_error_by_mass: Newton = value("by the masses", "N", "σ_F,m")
+    force_error_by_radius: Newton = value("by their radii", "N", "σ_F,e")
+    force_error_by_angle: Newton = value("by their angles", "N", "σ_F,γ")
+    force_error_by_timing: Newton = value("by the timing", "N", "σ_F,t")
     residual_couple_median: NewtonMetre = value("Couple left over, median of the shafts", "N·m")
     residual_couple_95: NewtonMetre = value("Couple that 95 % of the shafts stay below", "N·m")
     residual_couple_99: NewtonMetre = value("Couple that 99 % of the shafts stay below", "N·m")
@@ -241,6 +281,20 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     return best
 
 
+def calibrated(deviation: ComplexArray, influence: ComplexArray, most: KilogramMetre) -> tuple[Array, IndexArray]:
+    """What is drilled off each mass (first axis) of every shaft, nothing of those that are within; and of those that
+    are not how many drilling mends, how many are too light, how many beyond it."""
+    out = worse(deviation) > 1
+    taken = np.zeros((influence.shape[1], out.size))
+    deviation = deviation[:, out]
+    taken[:, out] = drilled_off = drill(deviation, influence, 0.0, most)
+    mended = worse(deviation - joint(influence, drilled_off)) <= 1
+    # beyond drilling, and a mass is not drilled at all
+    bare = deviation[:, ~mended & (drilled_off == 0).any(0)]
+    light = int((worse(bare - joint(influence, drill(bare, influence, -math.inf, most))) <= 1).sum())
+    return taken, np.array([mended.sum(), light, (~mended).sum() - light])
+
+
 def scattered(
     scatter: Scatter,
     masses: tuple[EccentricMass, ...],
@@ -250,7 +304,7 @@ def scattered(
 ) -> ScatterResult:
     """Many shafts by chance, what they leave over and how many drilling mends."""
     with about(Text("scatter of production")):
-        parts = _parts(scatter, masses, extras, target.omega)
+        parts = errors(scatter, masses, extras, target.omega)
     random, influence = Random(scatter.seed), target.influence(masses)
     arms = column(masses, "z") * np.exp(1j * column(masses, "angle"))
     before, after, counts, impossible = [], [], np.zeros(4, int), 0  # counts: in the order of SHARES
@@ -262,20 +316,12 @@ def scattered(
             impossible += odd
             before.append(target.residual(couple, timing))
             deviation = target.deviation(force, couple)
-            out = worse(deviation) > 1
-            counts[0] += int((~out).sum())
+            counts[0] += int((~(worse(deviation) > 1)).sum())
             if holes is None:
                 continue
-            deviation, most = deviation[:, out], holes.hole_unbalance_of_mass
-            drilled_off = drill(deviation, influence, 0.0, most)
-            mended = worse(deviation - _joint(influence, drilled_off)) <= 1
-            # beyond drilling, and a mass is not drilled at all
-            bare = deviation[:, ~mended & (drilled_off == 0).any(0)]
-            light = worse(bare - _joint(influence, drill(bare, influence, -math.inf, most))) <= 1
-            counts[1:] += int(mended.sum()), int(light.sum()), int((~mended).sum() - light.sum())
-            taken = np.zeros_like(couple)
-            taken[out] = target.omega**2 * _joint(arms, drilled_off)
-            after.append(target.residual(couple - taken, timing))
+            taken, after_drilling = calibrated(deviation, influence, holes.hole_unbalance_of_mass)
+            counts[1:] += after_drilling
+            after.append(target.residual(couple - target.omega**2 * joint(arms, taken), timing))
     of = (scatter, masses, extras, target)
     within, *others = (based_on(int(count) / scatter.shafts, *of, holes) for count in counts)
     residual = based_on(np.sort(np.concatenate(before)), *of)
@@ -288,29 +334,41 @@ def scattered(
     return ScatterResult(**parts, share_to_drill=to_drill, residual=residual, drilled=drilled, impossible=impossible)
 
 
-def _joint(influence: ComplexArray, taken: Array) -> ComplexArray:
+def joint(influence: ComplexArray, taken: Array) -> ComplexArray:
     """What is taken off all masses together.  Not by `@`: for so few masses a BLAS call costs more than it saves."""
     together: ComplexArray = np.einsum("...i,is->...s", influence, taken)
     return together
 
 
-def _parts(
+def errors(
     scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond
 ) -> dict[str, float]:
-    """The error of the couple to first order, in all and by what it comes of."""
+    """The errors of couple and force to first order, in all and by what they come of."""
     m, e, _, z = (column(masses, name) for name in NAMES)
     whole = {symbol: column((*masses, *extras), name) for symbol, name in zip(("m", "e", "gamma", "z"), NAMES)}
-    parts = dict(
+    turning = {symbol: whole[symbol] for symbol in ("m", "e", "gamma")}
+    couple = dict(
         mass=couple_error_by_mass(omega=omega, e=e, z=z, s=scatter.mass),
         radius=couple_error_by_radius(omega=omega, m=m, z=z, s=scatter.radius),
         angle=couple_error_by_angle(omega=omega, m=m, e=e, z=z, s=scatter.angle),
         position=couple_error_by_position(omega=omega, m=m, e=e, s=scatter.z),
         timing=couple_error_by_timing(C_S=f.shaft_couple(omega=omega, **whole), s=scatter.timing),
     )
-    error = couple_error(
-        m=parts["mass"], e=parts["radius"], gamma=parts["angle"], z=parts["position"], t=parts["timing"]
+    force = dict(
+        mass=force_error_by_mass(omega=omega, e=e, s=scatter.mass),
+        radius=force_error_by_radius(omega=omega, m=m, s=scatter.radius),
+        angle=force_error_by_angle(omega=omega, m=m, e=e, s=scatter.angle),
+        timing=force_error_by_timing(F_S=f.shaft_force(omega=omega, **turning), s=scatter.timing),
     )
-    return {"couple_error": error} | {f"couple_error_by_{word}": part for word, part in parts.items()}
+    of_couple = couple_error(
+        m=couple["mass"], e=couple["radius"], gamma=couple["angle"], z=couple["position"], t=couple["timing"]
+    )
+    of_force = force_error(m=force["mass"], e=force["radius"], gamma=force["angle"], t=force["timing"])
+    return (
+        {"couple_error": of_couple, "force_error": of_force}
+        | {f"couple_error_by_{word}": part for word, part in couple.items()}
+        | {f"force_error_by_{word}": part for word, part in force.items()}
+    )
 
 
 def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -> dict[str, float]:

@@ -14,7 +14,7 @@ from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
-from calc.imbalance.shaft_pair import ShaftPair, pair_moment, pair_table
+from calc.imbalance.shaft_pair import ShaftPair, pair_table, roll_backward, roll_forward
 from tests.calc.imbalance.engines import R753
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))
@@ -130,9 +130,11 @@ places = st.complex_numbers(max_magnitude=1, allow_nan=False, allow_infinity=Fal
 @given(places, places, places, places, places)
 def test_a_shift_of_both_shafts_changes_the_roll_by_the_whole_force_only(p_f, p_b, F_f, F_b, shift):
     """The moment about another axis differs by shift × resultant force, and by nothing where the two forces cancel."""
-    moved = pair_moment(p_f=p_f + shift, F_f=F_f, p_b=p_b + shift, F_b=F_b)
-    by = pair_moment(p_f=shift, F_f=F_f, p_b=shift, F_b=F_b)
-    assert abs(moved - pair_moment(p_f=p_f, F_f=F_f, p_b=p_b, F_b=F_b) - by) < 1e-10
+
+    def roll(p_f, p_b):
+        return roll_forward(p=p_f, F=F_f) + roll_backward(p=p_b, F=F_b)
+
+    assert abs(roll(p_f + shift, p_b + shift) - roll(p_f, p_b) - roll(shift, shift)) < 1e-10
 
 
 def test_the_wrong_shaft_on_top_is_advised_against():
