@@ -165,7 +165,7 @@ def solve(
     try:
         outcomes = steps(part, design, compared)
     except Enough:
-        outcomes = part.last
+        outcomes = part.outcomes
     results = Results(design, outcomes, part.kept, recording.get())
     if design.measured:
         bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it

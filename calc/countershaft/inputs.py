@@ -227,6 +227,11 @@ class ShaftInputs:
         default=None,
         help="The name of an earlier shaft whose mirror image this one is: it turns the other way and carries as much.",
     )
+    repeats: str | None = text(
+        "Repeats",
+        default=None,
+        help="The name of an earlier shaft that this one is once more, with the same sense, about an axis of its own.",
+    )
     material: str = text(
         "Material",
         default=ASKED_ELSEWHERE,
@@ -395,6 +400,11 @@ class ShaftInputs:
     paired: bool = False  # whether another shaft of the design mirrors it, and turns the other way: the design says so
 
     @property
+    def is_twin(self) -> bool:
+        """Whether it is the mirror image of another, or that once more."""
+        return self.mirrors is not None or self.repeats is not None
+
+    @property
     def bearing_positions(self) -> tuple[float, ...]:
         """Where its bearings stand, front to rear."""
         return tuple(row.position for row in self.bearings)
@@ -414,7 +424,7 @@ class ShaftInputs:
         if self.name in NO_NAMES or (self.name.isascii() and self.name.isdigit()):
             words = Text("must not be figures alone, nor one of {words}", words=", ".join(NO_NAMES))
             yield dotted(ShaftInputs.name), words
-        if self.mirrors is not None:
+        if self.is_twin:
             yield from self._twin()
             return
         if self.mode != "bearings":
@@ -451,10 +461,14 @@ class ShaftInputs:
         yield from self._places()
 
     def _twin(self) -> Iterable[tuple[str, Text]]:
-        """A mirror image has little of its own."""
+        """A twin has little of its own."""
+        if self.mirrors is not None and self.repeats is not None:
+            yield dotted(ShaftInputs.repeats), Text("leave it out beside mirrors: a shaft is a twin of one kind")
+        if self.mirrors is None and self.axis is None:
+            yield dotted(ShaftInputs.axis), Text("needed with repeats: two shafts can not turn about one axis")
         for key, entry in keys(ShaftInputs).items():
             if key not in TWIN and getattr(self, entry.attribute) != entry.field.default:
-                theirs = Text("is that of the shaft that it mirrors, {name}: leave it out here", name=self.mirrors)
+                theirs = Text("is that of its original, {name}: leave it out here", name=self.mirrors or self.repeats)
                 yield key, theirs
 
     def _envelope(self) -> Iterable[tuple[str, Text]]:
@@ -529,4 +543,4 @@ def _mm(length: float) -> Amount:
 
 
 # what a mirror image has of its own
-TWIN = tuple(dotted(key) for key in (ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.axis))
+TWIN = tuple(dotted(key) for key in (ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.repeats, ShaftInputs.axis))

@@ -201,7 +201,12 @@ def join(prefix: str, key: str) -> str:
 def own_shafts(data: Table) -> dict[int, Table]:
     """The shafts of a document that are no twins, by their places."""
     shafts = enumerate(map(as_table, as_list(data.get(dotted(Design.shafts)))))
-    return {n: shaft for n, shaft in shafts if dotted(ShaftInputs.mirrors) not in shaft}
+    return {n: shaft for n, shaft in shafts if not is_twin(shaft)}
+
+
+def is_twin(shaft: Table) -> bool:
+    """Whether a shaft of a document is the mirror image of another, or that once more."""
+    return dotted(ShaftInputs.mirrors) in shaft or dotted(ShaftInputs.repeats) in shaft
 
 
 def asks(data: Table, step: str) -> bool:
@@ -276,8 +281,7 @@ def _quantities_of(cls: type, data: Table, key: str, here: str = "") -> Iterator
 
 def own_keys(cls: type, data: Table) -> Iterable[str]:
     """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own."""
-    of_twin = cls is ShaftInputs and data.get(dotted(ShaftInputs.mirrors))
-    return TWIN if of_twin else keys(cls)
+    return TWIN if cls is ShaftInputs and is_twin(data) else keys(cls)
 
 
 # --- what a key is called

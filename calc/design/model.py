@@ -11,6 +11,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.rows import SHAFT, BearingRow
+from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
 from ..friction.inputs import FrictionInputs, Scenario, Seal
 from ..gears.inputs import GearsInputs
@@ -54,6 +55,7 @@ STEP_LIST = ", ".join(STEP_KEYS)
 OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
 NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")
 Problems = Iterable[tuple[str, Text]]  # keys, each with what is wrong there
+MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
 SCREENED = ("name", "position", "kind", "diameter", "length")  # of a bearing that [bearings] does not judge
 
@@ -118,10 +120,15 @@ class Design:
     @property
     def own(self) -> ShaftInputs | None:
         """The shaft that is no twin."""
-        own = next((shaft for shaft in self.shafts if shaft.mirrors is None), None)
-        if own is None or len(self.shafts) == 1:
+        own = next((shaft for shaft in self.shafts if not shaft.is_twin), None)
+        if own is None or not any(shaft.mirrors == own.name for shaft in self.shafts):
             return own
         return replace(own, paired=True)
+
+    @property
+    def resolved(self) -> tuple[Resolved, ...]:
+        """All shafts, each with its inputs as they are."""
+        return resolved(self.shafts)
 
     @property
     def rows(self) -> tuple[BearingRow, ...]:
@@ -131,7 +138,7 @@ class Design:
     def with_shaft(self, shaft: ShaftInputs) -> "Design":
         """The same with another shaft in the place of its own."""
         shaft = replace(shaft, paired=False)
-        return replace(self, shafts=tuple(shaft if there.mirrors is None else there for there in self.shafts))
+        return replace(self, shafts=tuple(shaft if there.name == shaft.name else there for there in self.shafts))
 
     @property
     def oils(self) -> Mapping[str, Oil]:
@@ -213,7 +220,7 @@ class Design:
             yield from self._cranks(self.engine)
         yield from self._twins()
         for n, shaft in enumerate(self.shafts):
-            if shaft.mirrors is None:
+            if not shaft.is_twin:
                 way = dotted(Design.shafts, n)
                 yield from self._rows([(dotted(way, ShaftInputs.bearings, i), r) for i, r in enumerate(shaft.bearings)])
                 yield from _within(way, self._shaft(shaft))
@@ -287,25 +294,37 @@ class Design:
             yield dotted(ImbalanceInputs.crank_bodies_throw_at_tdc), must
 
     def _twins(self) -> Problems:
-        """Each mirrors an earlier shaft, and no two the same; there is one shaft of its own."""
-        before: list[str] = []
-        own, mirrored = 0, set[str]()
+        """Whether every twin is one of an earlier shaft, and every shaft has an axis of its own."""
+        if len(self.shafts) > MOST_SHAFTS:
+            most = Text("at most {n} shafts", n=MOST_SHAFTS)
+            yield dotted(Design.shafts, MOST_SHAFTS), most
+        own: list[str] = []
         for n, shaft in enumerate(self.shafts):
-            if shaft.mirrors is None:
-                own += 1
-                before.append(shaft.name)
-                if own > 1:
-                    one = Text("is a second shaft of its own; this version designs one, and a mirror image of it")
-                    yield dotted(Design.shafts, n, ShaftInputs.name), one
+            if not shaft.is_twin:
+                own.append(shaft.name)
                 continue
-            key = dotted(Design.shafts, n, ShaftInputs.mirrors)
-            if shaft.mirrors == shaft.name:
+            field = ShaftInputs.mirrors if shaft.mirrors is not None else ShaftInputs.repeats
+            key, name = dotted(Design.shafts, n, field), shaft.mirrors or shaft.repeats or ""
+            if name == shaft.name:
                 yield key, Text("is the shaft itself; name an earlier one")
-            elif shaft.mirrors not in before:
-                yield key, _unknown_name(shaft.mirrors, before)
-            elif shaft.mirrors in mirrored:
-                yield key, Text("has a mirror image already")
-            mirrored.add(shaft.mirrors)
+            elif name in [other.name for other in self.shafts[:n] if other.is_twin]:
+                yield key, Text("is a twin itself; name the shaft that it is a twin of")
+            elif name in [other.name for other in self.shafts[n + 1 :]]:
+                yield key, Text("stands below; a twin comes behind its original")
+            elif name not in own:
+                yield key, _unknown_name(name, own)
+        yield from self._axes()
+
+    def _axes(self) -> Problems:
+        """Two shafts about one axis; a mirror image that lies on its original is judged, since both may be meant to be
+        given their place later."""
+        placed: dict[tuple[float, ...], str] = {}
+        for n, shaft in enumerate(self.shafts):
+            if shaft.axis is None:
+                continue
+            if (other := placed.get(shaft.axis)) is not None and shaft.mirrors != other:
+                yield dotted(Design.shafts, n, ShaftInputs.axis), Text("is that of {name} too", name=other)
+            placed.setdefault(shaft.axis, shaft.name)
 
     def _rows(self, rows: list[tuple[str, BearingRow]]) -> Problems:
         """What each bearing of a shaft needs: all of it where [bearings] judges its film; else its place, and a size

@@ -10,14 +10,14 @@ The letters in an id stand for elements that have names of their own."""
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal
 
 from .record import record
 from .remedy import Remedy, sentence
-from .text import COMMA, EMPTY, SEMICOLON, SPACE, Amount, Name, Text
+from .text import COMMA, EMPTY, SEMICOLON, SPACE, Amount, Name, Small, Text
 from .units import UNITS
 from .value import link_of, linked
 
@@ -397,6 +397,20 @@ class Check:
                 replace(way, changes=tuple((key, x) for each, x in way.changes for key in keys_of(each)))
                 for way in self.remedies
             ),
+        )
+
+    def of_one(self, name: str, steps: Collection[str]) -> "Check":
+        """The same as that of one of several shafts: its name stands behind the step in the ids of `steps`."""
+
+        def placed(id: str) -> str:
+            step, dot, rest = id.partition(".")
+            return f"{step}.{name}.{rest}" if dot and step in steps else id
+
+        ids = {key: placed(getattr(self, key)) for key in ("id", "cause", "value_id", "limit_id")}
+        return self.but(
+            name=Text("{name}: {check}", name=Name(name), check=Small(self.name)),
+            outside=tuple(map(placed, self.outside)),
+            **ids,
         )
 
     def limit_text(self) -> Text:

@@ -409,7 +409,7 @@ class Group:
     """The description of a field that holds further results or a dict of them.  `spread`: its own name is left out of
     the address.  `former`: the name that it had; `renamed`: the names that the keys of a dict had.  `words`: what this
     part of an address is called; `key_words`: the same of the keys of a dict that are the program's, of a dict of dicts
-    wherever they stand.
+    wherever they stand; `several`: the key of a dict stands in an address only beside another.
 
     `short`, `leads`: whether what lies in it may stand in a short report at all, and whether on its first page or for
     its step; of a dict, the keys of which it may."""
@@ -421,6 +421,7 @@ class Group:
     leads: bool | tuple[str, ...]
     words: Text
     key_words: Mapping[str, Text]
+    several: bool = False
 
 
 @record
@@ -483,9 +484,10 @@ def group(
     leads: bool | tuple[str, ...] = True,
     words: str = "",
     key_words: Mapping[str, Text] = NO_KEY_WORDS,
+    several: bool = False,
 ) -> T:
     """A field that holds further results or a dict of them."""
-    about = Group(spread, former, renamed, short, leads, Text(words), key_words)
+    about = Group(spread, former, renamed, short, leads, Text(words), key_words, several)
     return field(default=default, kw_only=True, metadata={"group": about})
 
 
@@ -580,6 +582,10 @@ def _inside(
     """`formerly`: the prefix that they had.  `group`: the description of the field that holds the result; `short`,
     `leads`: what those around it let them."""
     if isinstance(result, dict):
+        if group.several and len(result) == 1:
+            (part,) = result.values()
+            yield from _inside(part, prefix, formerly, wanted, NO_GROUP, short, leads)
+            return
         for name, part in result.items():
             if part is None:
                 continue

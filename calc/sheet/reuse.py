@@ -2,12 +2,13 @@
 """Calls the parts of a solve, and takes over from an earlier solve those whose arguments have not changed."""
 
 from collections.abc import Callable, Mapping
+from copy import copy
 from typing import Never, ParamSpec, TypeVar, cast
 
 import numpy as np
 
 from .errors import Cancelled, NoSolution
-from .step import Outcome
+from .step import Outcome, joined
 from .text import EMPTY, Text
 
 P = ParamSpec("P")
@@ -37,15 +38,22 @@ class Parts:
         enough: Callable[[Outcome[object]], bool] | None,
     ) -> None:
         self.titles, self.before, self.left_out, self.stop, self.enough = titles, before, left_out, stop, enough
+        self.name = ""  # of the shaft whose parts are called
         self.kept: dict[str, Kept] = {}
-        self.last: dict[str, Outcome[object]] = {}
+        self.last: dict[tuple[str, str], Outcome[object]] = {}  # by step and shaft
+
+    def of(self, name: str) -> "Parts":
+        """The same for the parts of one shaft, by its name."""
+        of_shaft = copy(self)  # what is kept they have together
+        of_shaft.name = name
+        return of_shaft
 
     def __call__(self, key: str, function: Callable[P, Outcome[R]], /, *args: P.args, **kwargs: P.kwargs) -> Outcome[R]:
         """The outcome of a part of the step `key`; where it finds no solution, or its arithmetic breaks down, an
         outcome that says so."""
         if self.stop():
             raise Cancelled
-        name, arguments = f"{key}.{function.__name__}", (*args, *kwargs.values())
+        name, arguments = f"{key}.{self.name}.{function.__name__}", (*args, *kwargs.values())
         known, kept = self.before.get(name, (None, None))
         outcome: Outcome[R]
         if known is not None and _same(known, arguments):
@@ -58,10 +66,18 @@ class Parts:
             except (ArithmeticError, ValueError) as error:  # numbers that are allowed one by one, but not together
                 reason = Text("the arithmetic breaks down ({error}); look for an extreme number", error=error)
                 outcome = Outcome(key, "no_solution", reason=reason)
-        self.kept[name], self.last[key] = (arguments, outcome), outcome
+        self.kept[name], self.last[key, self.name] = (arguments, outcome), outcome
         if self.enough is not None and self.enough(outcome):
             raise Enough
         return outcome
+
+    @property
+    def outcomes(self) -> dict[str, Outcome[object]]:
+        """The last outcome of each step so far; of several shafts joined."""
+        by_step: dict[str, dict[str, Outcome[object]]] = {}
+        for (key, name), outcome in self.last.items():
+            by_step.setdefault(key, {})[name] = outcome
+        return {key: joined(key, outcomes, None) for key, outcomes in by_step.items()}
 
     def absent(self, key: str, inputs: object, after: tuple[Outcome[object], ...]) -> Outcome[Never]:
         """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after`

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Generic, Literal, TypeVar
+from typing import Generic, Literal, TypeVar, cast
 
 from .arrays import Array
 from .check import Check, stretched
@@ -15,7 +15,7 @@ from .errors import NoSolution, text_of
 from .number import aligned, brief
 from .quantity import Published, insides, published
 from .record import record
-from .text import EMPTY, Amount, Text
+from .text import EMPTY, Amount, Name, Text
 from .value import Line
 from .verdict import Counts, colour_state, counts, grouped, step_state, verdict_words
 
@@ -122,6 +122,11 @@ class Curve:
     load_unit: str = ""
     short: int = 0
 
+    def of_one(self, name: str) -> "Curve":
+        """The same as that of one of several shafts."""
+        stack = f"{name}.{self.stack}" if self.stack else ""
+        return replace(self, id=f"{name}.{self.id}", title=_said_of(name, self.title), stack=stack)
+
 
 @record
 class Table:
@@ -138,6 +143,11 @@ class Table:
     note: Text = EMPTY
     covers: tuple[str, ...] = ()
     short: bool = False
+
+    def of_one(self, step: str, name: str) -> "Table":
+        """The same as that of one of several shafts."""
+        covers = tuple(f"{step}.{name}.{id.removeprefix(f'{step}.')}" for id in self.covers)
+        return replace(self, id=f"{name}.{self.id}", title=_said_of(name, self.title), covers=covers)
 
 
 @record
@@ -238,6 +248,58 @@ class Outcome(Generic[R]):
         """All values of the step, or those whose ids are `wanted`."""
         if self.result is not None:
             yield from published(self.result, self.key, wanted=wanted)
+
+
+# --- several shafts: a step has an outcome of each
+OF_SHAFTS = ("countershaft", "bearings")  # the steps that each shaft has for itself
+WORST: tuple[State, ...] = ("not_asked", "solved", "blocked", "no_solution")
+
+
+def joined(key: str, outcomes: Mapping[str, Outcome[object]], result: R | None) -> Outcome[R]:
+    """The outcomes of one step, by the shafts that they are of, as one: its state is the worst of theirs, its reason
+    that of the first in it; with more than one, each shaft's name stands in ids and before words.
+
+    `result`: of all of them, where every one is solved; None: the only one has its own."""
+    first, *others = outcomes.items()
+    if not others:
+        return cast("Outcome[R]", first[1] if result is None else replace(first[1], result=result))
+    worst = max((outcome.state for outcome in outcomes.values()), key=WORST.index)
+    reason = next(
+        Text("{name}: {reason}", name=Name(name), reason=outcome.reason) if outcome.reason else EMPTY
+        for name, outcome in outcomes.items()
+        if outcome.state == worst
+    )
+    every = [(name, outcome) for name, outcome in outcomes.items()]
+
+    def further() -> Further:
+        more = [(name, outcome.further()) for name, outcome in every if outcome.further is not None]
+        return Further(
+            curves=Later(lambda: (curve.of_one(name) for name, one in more for curve in one.curves)),
+            tables=tuple(table.of_one(key, name) for name, one in more for table in one.tables),
+            notes=tuple(_said_of(name, note) for name, one in more for note in one.notes),
+        )
+
+    return Outcome(
+        key,
+        worst,
+        result if worst == "solved" else None,
+        checks=tuple(check.of_one(name, OF_SHAFTS) for name, outcome in every for check in outcome.checks),
+        lines=Later(lambda: (line for _, outcome in every for line in outcome.lines)),
+        curves=Later(lambda: (curve.of_one(name) for name, outcome in every for curve in outcome.curves)),
+        tables=Later(lambda: (table.of_one(key, name) for name, outcome in every for table in outcome.tables)),
+        errata=Later(lambda: (erratum for _, outcome in every for erratum in outcome.errata)),
+        proposals=tuple(_said_of(name, words) for name, outcome in every for words in outcome.proposals),
+        notes=Later(lambda: (_said_of(name, note) for name, outcome in every for note in outcome.notes)),
+        reason=reason,
+        further=further if any(outcome.further is not None for _, outcome in every) else None,
+        key_curves=Later(lambda: (curve.of_one(name) for name, outcome in every for curve in outcome.key_curves)),
+        computes=any(outcome.computes for _, outcome in every),
+    )
+
+
+def _said_of(name: str, words: Text) -> Text:
+    """What is said of one of several shafts."""
+    return Text("{name}: {words}", name=Name(name), words=words)
 
 
 def judged(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Several shafts: each as it turns, a twin with what is its original's.
+
+The mirror image in the vertical plane through the crank turns the other way; its masses stand at −γ (not at γ + 180°),
+each at the same place along the engine, its axis at the same height on the other side.  A repeated shaft is the same
+once more, about an axis of its own."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Literal, TypeVar
+
+from ..sheet.record import record
+from ..sheet.value import based_on
+from .inputs import EccentricMass, Section, ShaftInputs
+
+How = Literal["own", "mirrors", "repeats"]
+M = TypeVar("M", bound=EccentricMass)
+
+
+@record
+class Resolved:
+    """One of the shafts of a design: its inputs as they are, of a twin made from those of its original; `of`: the name
+    of that, None of a shaft of its own."""
+
+    name: str
+    inputs: ShaftInputs
+    how: How = "own"
+    of: str | None = None
+
+
+def resolved(shafts: Iterable[ShaftInputs]) -> tuple[Resolved, ...]:
+    """All shafts in their order; a twin comes behind its original, which is checked elsewhere."""
+    known: dict[str, ShaftInputs] = {}
+    found = []
+    for shaft in shafts:
+        if shaft.mirrors is not None:
+            found.append(Resolved(shaft.name, mirrored(known[shaft.mirrors], shaft), "mirrors", shaft.mirrors))
+        elif shaft.repeats is not None:
+            inputs = replace(known[shaft.repeats], name=shaft.name, axis=shaft.axis)
+            found.append(Resolved(shaft.name, inputs, "repeats", shaft.repeats))
+        else:
+            known[shaft.name] = shaft
+            found.append(Resolved(shaft.name, shaft))
+    return tuple(found)
+
+
+def mirrored(original: ShaftInputs, twin: ShaftInputs) -> ShaftInputs:
+    """The inputs of the mirror image of a shaft: those of the original, turned over; of its axis its own, where it has
+    one: heights may differ, which changes no phase."""
+    axis = twin.axis
+    if axis is None and original.axis is not None:
+        up, side = original.axis
+        axis = up, based_on(-side, side)
+    return replace(
+        original,
+        name=twin.name,
+        speed_ratio=based_on(-original.speed_ratio, original.speed_ratio),
+        axis=axis,
+        masses=tuple(map(_turned_over, original.masses)),
+        extras=tuple(map(_turned_over, original.extras)),
+        sections=tuple(map(_section_turned_over, original.sections)),
+    )
+
+
+def _turned_over(mass: M) -> M:
+    return replace(mass, angle=based_on(-mass.angle, mass.angle))
+
+
+def _section_turned_over(section: Section) -> Section:
+    return section if section.angle is None else replace(section, angle=based_on(-section.angle, section.angle))
