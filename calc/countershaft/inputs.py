@@ -421,6 +421,7 @@ class ShaftInputs:
         if not 2 <= len(self.bearings) <= 9:
             count = len(self.bearings)
             yield dotted(ShaftInputs.bearings), Text("has {count} rows [[shafts.bearings]]; needs 2 to 9", count=count)
+            return
         for i, (a, b) in enumerate(pairwise(self.bearing_positions), 1):
             if b <= a:
                 rise = Text("must lie behind the row before it: the rows rise from front to rear")

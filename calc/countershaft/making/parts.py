@@ -72,7 +72,7 @@ def table(shaft: ShaftInputs, result: CountershaftResult) -> list[Table]:
         "Forces of the shaft on its bearings at {n} rpm, at four instants of a turn (Finotti 2013, 4.7, in chapter 6, "
         "spreads each over 60° of its seat); side is 90° further in the sense of crank rotation. Weight and gear force "
         "are left out, as there.{bolts} The stresses that finite elements find with them belong to "
-        "[countershaft.support].",
+        "[shafts.support].",
         n=speed,
         bolts=bolts,
     )

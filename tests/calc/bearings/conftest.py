@@ -27,7 +27,7 @@ def source(gamma):
     """The same without an outline, so that no room is known."""
     made = design(gamma)
     return bearings_case(
-        replace(made, countershaft=replace(made.countershaft, outer_radius=None, core_radius=None)), solve
+        made.with_shaft(replace(made.own, outer_radius=None, core_radius=None)), solve
     )
 
 

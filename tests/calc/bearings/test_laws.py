@@ -16,12 +16,12 @@ from calc.bearings.film.dynamics import coefficients
 from calc.bearings.film.reynolds import radial_damping
 from calc.bearings.film.reynolds import solve_film as reynolds
 from calc.bearings.film.table import film_at
-from calc.countershaft.rows import BearingRow
 from calc.bearings.inputs import BearingsInputs
 from calc.bearings.routes import flow
 from calc.bearings.routes.routes import own_cold, own_warm
 from calc.bearings.routes.states import BearingCase, OperatingPoint
 from calc.bearings.solve import solve_film
+from calc.countershaft.rows import BearingRow
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
@@ -38,7 +38,8 @@ def cases(draw):
     ε, l/d)."""
     d, psi, b, eps, n = draw(diameters), draw(clearances), draw(ratios), draw(eccentricities), draw(speeds)
     l, g = b * d, psi * d
-    bearing = BearingRow(diameter=d, length=l, clearance=g, load=1.0, journal_roughness=0.0, housing_roughness=0.0)
+    sizes = dict(diameter=d, length=l, clearance=g, load=1.0, journal_roughness=0.0, housing_roughness=0.0)
+    bearing = BearingRow(name="front", position=0.0, **sizes)
     inputs = BearingsInputs(
         oil=draw(st.sampled_from(OILS)),
         supply_temperature=draw(temperatures),
@@ -46,8 +47,6 @@ def cases(draw):
         supply="hole",
         hole_diameter=l / 10,
         housing_material="steel",
-        front=bearing,
-        rear=bearing,
         load_speed_ratio=1.0,
     )
     case = BearingCase(bearing, inputs, Lubricant(oils()[inputs.oil]), g, 1.15e-5, 1.15e-5)
