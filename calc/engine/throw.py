@@ -248,7 +248,9 @@ def _position(crank: _Throw, k: int, epsilon: float, words: str) -> Position:
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
         R, pin, journal = crank.sections(F_t, F_r, T_v)
     on_pin = replace(rod, tangential_force=F_t, radial_force=F_r)
-    return Position(**vars(on_pin), reactions=dict.fromkeys(MAIN_JOURNALS, R), torque_in_front=T_v, pin=pin, journal=journal)
+    return Position(
+        **vars(on_pin), reactions=dict.fromkeys(MAIN_JOURNALS, R), torque_in_front=T_v, pin=pin, journal=journal
+    )
 
 
 # --- what is judged

@@ -33,7 +33,9 @@ def outcome(document, **changes):
 
 def alone(**changes):
     """Two bearings without a shaft, an engine or gears, with other values as above; None takes one out."""
-    rows = {name: {"name": name, "position_mm": z, **SIZES, **ROUGHNESS} for name, z in (("front", 0.0), ("rear", 1000.0))}
+    rows = {
+        name: {"name": name, "position_mm": z, **SIZES, **ROUGHNESS} for name, z in (("front", 0.0), ("rear", 1000.0))
+    }
     table = dict(TABLE)
     for key, value in changes.items():
         place, _, name = key.rpartition("__")

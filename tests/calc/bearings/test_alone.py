@@ -22,7 +22,8 @@ def test_bearings_alone_are_solved():
     assert front.standing is None
 
 
-@pytest.mark.parametrize("name, key",
+@pytest.mark.parametrize(
+    "name, key",
     [
         ("speed_rpm", "bearings.speed_rpm"),
         ("journal_material", "bearings.journal_material"),

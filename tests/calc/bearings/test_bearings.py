@@ -9,9 +9,7 @@ from hypothesis import strategies as st
 
 from calc.bearings.checks import checks
 from calc.bearings.solve import _slope_checks
-from calc.design.toml_file import design
 from calc.library.catalogue import materials
-from calc.solve import solve
 from tests.calc.bearings.documents import outcome
 
 ALUMINIUM = materials()["EN AC-43100"]
@@ -214,7 +212,10 @@ def test_no_oil_through_a_fast_shaft(gamma):
 
 @pytest.mark.parametrize(
     "key, value, words",
-    [("shafts.shaft.bearings.front.length_mm", 4.0, "l/d"), ("shafts.shaft.masses.front.mass_kg", 300.0, "no film carries")],
+    [
+        ("shafts.shaft.bearings.front.length_mm", 4.0, "l/d"),
+        ("shafts.shaft.masses.front.mass_kg", 300.0, "no film carries"),
+    ],
 )
 def test_what_has_no_film_says_so(gamma, key, value, words):
     found = outcome(gamma.with_value(key, value), hole_diameter_mm=2.0)
@@ -243,11 +244,7 @@ def test_all_heat_leaves_with_the_oil(gamma, length, clearance, temperature):
     changed = gamma.with_value("shafts.shaft.bearings.front.clearance_factor", None).with_value(
         "shafts.shaft.bearings.front.clearance_um", clearance
     )
-    hot = (
-        outcome(changed, front__length_mm=length, supply_temperature_C=temperature)
-        .result.bearings["front"]
-        .hot
-    )
+    hot = outcome(changed, front__length_mm=length, supply_temperature_C=temperature).result.bearings["front"].hot
     assert hot.mean_temperature == pytest.approx(temperature + hot.temperature_rise / 2, abs=1e-8)
     assert hot.friction_power == pytest.approx(hot.oil.rho * hot.oil.cp * hot.oil_flow * hot.temperature_rise, rel=1e-9)
 
@@ -280,7 +277,9 @@ def test_rows_above_the_rated_speed_govern_where_masses_are_the_load(gamma):
 
 def test_a_housing_held_back_by_three_quarters_still_has_its_balance(gamma):
     """The bracket passes temperatures at which the journal would seize; the balance itself does not."""
-    document = gamma.with_value("bearings.expansion_restraint", 0.75).with_value("shafts.shaft.bearings.rear.clearance_factor", 0.8)
+    document = gamma.with_value("bearings.expansion_restraint", 0.75).with_value(
+        "shafts.shaft.bearings.rear.clearance_factor", 0.8
+    )
     r = outcome(document).result.bearings["front"]
     assert r.film * 1e6 == pytest.approx(9.548, rel=1e-3)
     assert r.temperature_rise == pytest.approx(27.45, rel=1e-3)
@@ -350,7 +349,9 @@ def test_values_found_among_many_lead_back_to_the_inputs(gamma_results):
 
     for value in ("corners.film_edge", "corners.film_double_load", "corners.outlet_temperature", "thinnest_film"):
         inputs = {key for link in chain(gamma_results, f"bearings.front.{value}") for key in link.inputs}
-        assert {"shafts.shaft.bearings.front.diameter_mm", "shafts.shaft.bearings.front.clearance_factor"} <= inputs, value
+        assert {"shafts.shaft.bearings.front.diameter_mm", "shafts.shaft.bearings.front.clearance_factor"} <= inputs, (
+            value
+        )
 
 
 def test_the_worst_of_the_corners_has_symbols_of_its_own(gamma_results):

@@ -416,7 +416,9 @@ def test_a_supply_outside_its_range_is_known_by_a_third_less_in_its_rise(gamma):
 def test_an_oil_outside_its_law_is_known_by_a_third_less_in_its_films(gamma):
     oil = {"name": "thin", "nu40_mm2_s": 6.0, "nu100_mm2_s": 2.2, "rho15_kgm3": 850.0, "base": "mineral"}
     document = replace(gamma, data={**gamma.data, "oil": [oil]}).with_value("bearings.oil", "thin")
-    document = document.with_value("shafts.shaft.bearings.front.length_mm", 45.0).with_value("shafts.shaft.bearings.rear.length_mm", 45.0)
+    document = document.with_value("shafts.shaft.bearings.front.length_mm", 45.0).with_value(
+        "shafts.shaft.bearings.rear.length_mm", 45.0
+    )
     results = solve(design(document))
     found, r = {c.id: c for c in results.checks()}, results.result(BearingsResult).bearings["front"]
     lost = (r.film - r.film_edge) / UM  # what the slope takes of the film is known

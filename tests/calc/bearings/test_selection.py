@@ -302,7 +302,9 @@ def test_smoother_surfaces_come_after_all_else(source):
     row = some.rows[0]
     written = bearing_changes(row, source)
     b = row.picks[0].task.seat.bearing
-    assert float(written["shafts.shaft.bearings.front.journal_roughness_um"]) == pytest.approx(b.journal_roughness * 1e6)
+    assert float(written["shafts.shaft.bearings.front.journal_roughness_um"]) == pytest.approx(
+        b.journal_roughness * 1e6
+    )
     limit = next(c.limit for c in row.picks[0].checks if c.id == "bearings.front.film_edge")
     assert limit == pytest.approx(7.5e6 * (b.journal_roughness + b.housing_roughness))  # Rt = 7.5·Ra, Kreisle
     assert "Ra" in changed(row)

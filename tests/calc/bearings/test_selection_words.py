@@ -172,8 +172,7 @@ def test_what_changes_in_the_first_row_is_said(found):
     asis = replace(
         first,
         picks=tuple(
-            replace(pick, task=replace(pick.task, length=pick.length, clearance=pick.clearance))
-            for pick in first.picks
+            replace(pick, task=replace(pick.task, length=pick.length, clearance=pick.clearance)) for pick in first.picks
         ),
     )
     assert (

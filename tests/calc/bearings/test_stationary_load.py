@@ -33,10 +33,7 @@ def test_the_film_under_the_largest_load_is_that_of_this_load(gamma_results):
 def test_the_orbit_takes_something_of_the_film_and_grows_with_the_force(gamma_results):
     outcome = gamma_results.outcomes["bearings"]
     r = outcome.result.bearings["front"]
-    once, twice = (
-        with_standing(outcome, stands(F, F)).result.bearings["front"].standing
-        for F in (40.0, 80.0)
-    )
+    once, twice = (with_standing(outcome, stands(F, F)).result.bearings["front"].standing for F in (40.0, 80.0))
     assert once.film_orbit < r.film
     assert r.film - twice.film_orbit == pytest.approx(2 * (r.film - once.film_orbit))
     assert twice.orbit_amplitude == pytest.approx(2 * once.orbit_amplitude)
@@ -46,8 +43,7 @@ def test_a_force_as_large_as_half_the_load_has_no_orbit_of_first_order(gamma_res
     outcome = gamma_results.outcomes["bearings"]
     half = outcome.result.bearings["front"].load / 2
     under, over = (
-        with_standing(outcome, stands(F, F)).result.bearings["front"].standing
-        for F in (0.99 * half, 1.01 * half)
+        with_standing(outcome, stands(F, F)).result.bearings["front"].standing for F in (0.99 * half, 1.01 * half)
     )
     assert under.film_orbit is not None
     assert over.film_orbit is None and over.film_load_peak is not None

@@ -23,7 +23,11 @@ STEEL = {
     "expansion_1e6_K": 11.5,
     "kind": "steel",
 }
-NAMES = {1: ["front"], 2: ["front", "rear"], 3: ["front", "middle", "rear"]}  # of so many bearings, as an upgrade has them
+NAMES = {
+    1: ["front"],
+    2: ["front", "rear"],
+    3: ["front", "middle", "rear"],
+}  # of so many bearings, as an upgrade has them
 
 
 def rows(journals=(), places=(-167.5, 167.5)):

@@ -96,7 +96,12 @@ def test_a_force_is_judged_by_one_cylinder():
 # --- slopes
 @pytest.mark.parametrize(
     "slopes, front, rear",
-    [([0.25] * 2, "pass", "pass"), ([0.2, 0.26], "pass", "warn"), ([0.26, 0.23], "warn", "pass"), ([0.24] * 2, "pass", "pass")],
+    [
+        ([0.25] * 2, "pass", "pass"),
+        ([0.2, 0.26], "pass", "warn"),
+        ([0.26, 0.23], "warn", "pass"),
+        ([0.24] * 2, "pass", "pass"),
+    ],
 )
 def test_given_slopes_against_a_quarter_of_a_milliradian(gamma, slopes, front, rear):
     document = gamma.with_value("shafts.shaft.core_radius_mm", None)
@@ -108,8 +113,7 @@ def test_given_slopes_against_a_quarter_of_a_milliradian(gamma, slopes, front, r
 
 def test_a_thin_core_bends_too_far():
     thick, thin = (
-        outcome(core_radius_mm=r, bearings=SEATED, sector_effectiveness=0.2, outer_radius_mm=40.5)
-        for r in (15.0, 11.0)
+        outcome(core_radius_mm=r, bearings=SEATED, sector_effectiveness=0.2, outer_radius_mm=40.5) for r in (15.0, 11.0)
     )
     assert (
         verdicts(thick)["slope_rear"] == "pass"
@@ -164,7 +168,9 @@ def test_the_widest_sector_must_go_through(front, rear, room):
         {"from_mm": a, "to_mm": b, "outer_radius_mm": R}
         for a, b, R in ((-182.0, -152.0, 29.75), (-1.0, 1.0, 15.0), (152.0, 182.0, 43.2))
     ]
-    made = outcome(sections=sorted(sections, key=lambda one: one["from_mm"]), bearings=rows(SEATS), radial_clearance_mm=0.1)
+    made = outcome(
+        sections=sorted(sections, key=lambda one: one["from_mm"]), bearings=rows(SEATS), radial_clearance_mm=0.1
+    )
     assert found(made, "envelope").value == pytest.approx(room)
 
 
@@ -180,9 +186,7 @@ def test_the_sectors_end_where_the_journals_begin(half_length, verdict):
 
 def test_masses_too_large_to_stand_side_by_side_are_no_shaft():
     """4.5 kg as a sector of this size is 281 mm long."""
-    made = outcome(
-        core_radius_mm=15.0, outer_radius_mm=40.3, bearings=SEATED, masses=[{**FRONT, "mass_kg": 4.5}, REAR]
-    )
+    made = outcome(core_radius_mm=15.0, outer_radius_mm=40.3, bearings=SEATED, masses=[{**FRONT, "mass_kg": 4.5}, REAR])
     assert verdicts(made)["crossing"] == "fail" and found(made, "crossing").kind == "limit" and made.verdict == "fail"
 
 

@@ -772,16 +772,12 @@ def test_how_it_would_fit():
     check = judged(SIZED | {"radial_clearance": 0.2 * mm}, outline=wide)["envelope"]
     assert check.verdict == "fail" and not check.remedies
     (smaller,) = fillet_room(2.6).remedies
-    assert (
-        smaller.changes == (("shafts.S.fillet_radius_mm", pytest.approx(2.5)),) and "at most 2.5" in smaller.words
-    )
+    assert smaller.changes == (("shafts.S.fillet_radius_mm", pytest.approx(2.5)),) and "at most 2.5" in smaller.words
     assert fillet_room(2.6).zero_scale == pytest.approx(2.6)
 
 
 def test_keys_of_the_fillet():
-    assert (
-        fillet_room(2.6).moved_by == bent("fillet", step_over_fillet=1.0).moved_by == ("shafts.S.fillet_radius_mm",)
-    )
+    assert fillet_room(2.6).moved_by == bent("fillet", step_over_fillet=1.0).moved_by == ("shafts.S.fillet_radius_mm",)
 
 
 AIM = "Aim at {} at {}°: the {} of {} grows with mass{}"

@@ -42,10 +42,13 @@ REAR_ROW = """[[shafts.bearings]]
 name = "rear"
 position_mm = 167.5
 """
-ROWS = """[[shafts.bearings]]
+ROWS = (
+    """[[shafts.bearings]]
 name = "front"
 position_mm = -167.5
-""" + REAR_ROW
+"""
+    + REAR_ROW
+)
 # what is told where it stands, not where something was added
 ELSEWHERE = {
     "bearings.0.position_mm": "position_mm = -167.5",
@@ -188,7 +191,12 @@ def test_it_is_refused_by_its_key_and_line(added, key, words):
         ("position_mm = 167.5", "position_mm = -168.5", "bearings.1.position_mm", "rise"),
         (REAR_ROW, "", "bearings", "needs 2 to 9"),
         ("position_mm = 167.5", "position_mm = inf", "bearings.1.position_mm", "finite"),
-        (REAR_ROW, REAR_ROW + "diameter_mm = 40.0\nlength_mm = 20.0\n", "bearings.1.diameter_mm", "of all bearings, or of none"),
+        (
+            REAR_ROW,
+            REAR_ROW + "diameter_mm = 40.0\nlength_mm = 20.0\n",
+            "bearings.1.diameter_mm",
+            "of all bearings, or of none",
+        ),
         ("speed_ratio = -1", "speed_ratio = -1.5", "speed_ratio", "-1, 1, -2 or 2"),
         ("speed_ratio = -1", "speed_ratio = 0", "speed_ratio", "-1, 1, -2 or 2"),
         ("speed_ratio = -1\n", "", "speed_ratio", "is missing"),
@@ -289,7 +297,9 @@ def rows_at(positions):
 
 def seats(positions):
     sizes = {"diameter_mm": number(10, 120), "length_mm": number(5, 40)}
-    return st.tuples(*(table({key: st.just(x) for key, x in row.items()} | sizes) for row in rows_at(positions))).map(list)
+    return st.tuples(*(table({key: st.just(x) for key, x in row.items()} | sizes) for row in rows_at(positions))).map(
+        list
+    )
 
 
 @st.composite

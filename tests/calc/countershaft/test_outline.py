@@ -164,7 +164,9 @@ def test_an_overhung_element_gets_a_stub_of_the_core_around_it():
 
 def test_a_mass_of_nothing_is_no_sector():
     made = result(masses=[*HALVES, {**FRONT, "name": "none", "mass_kg": 0.0, "z_mm": 0.0}], bearings=SEATED, **CORE)
-    assert made.slopes["front"] == pytest.approx(result(masses=HALVES, bearings=SEATED, **CORE).slopes["front"], rel=1e-12)
+    assert made.slopes["front"] == pytest.approx(
+        result(masses=HALVES, bearings=SEATED, **CORE).slopes["front"], rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("degrees", [0.5, 10, 45, 90, 135, 179])

@@ -55,7 +55,9 @@ def test_an_overhung_spur_wheel_is_a_lever():
 
 def test_thrust_only_adds():
     spur, helical = stands(gear=GEAR._replace(helix_angle=1e-6)), stands()
-    assert helical.stationary["front"] > spur.stationary["front"] and helical.stationary["rear"] > spur.stationary["rear"]
+    assert (
+        helical.stationary["front"] > spur.stationary["front"] and helical.stationary["rear"] > spur.stationary["rear"]
+    )
     C = helical.gear_force_axial * 0.027  # tilting couple of the thrust, in the radial plane
     front = math.hypot(helical.gear_force_tangential * 356.25, helical.gear_force_radial * 356.25 + C * 1e3) / 335
     assert helical.stationary["front"] == pytest.approx(front, rel=1e-9)
@@ -64,9 +66,9 @@ def test_thrust_only_adds():
 def test_the_largest_load_is_the_sum():
     r = stands(weight=WEIGHT, reactions=(1706.0, 1713.0))
     bare = stands()
-    assert r.stationary["front"] == pytest.approx(45 + bare.stationary["front"]) and r.stationary["rear"] == pytest.approx(
-        35 + bare.stationary["rear"]
-    )
+    assert r.stationary["front"] == pytest.approx(45 + bare.stationary["front"]) and r.stationary[
+        "rear"
+    ] == pytest.approx(35 + bare.stationary["rear"])
     assert r.peaks["front"] == pytest.approx(1706 + r.stationary["front"])
     assert r.peaks["rear"] == pytest.approx(1713 + r.stationary["rear"])
 
@@ -76,7 +78,10 @@ def test_nothing_is_known_without_weight_and_drive():
         r = stands(gear=gear, drive=drive)
         assert r.gear_torque is None and r.stationary == r.peaks == {}
     alone = stands(weight=WEIGHT, gear=None)
-    assert alone.stationary == pytest.approx({"front": 45.0, "rear": 35.0}, rel=1e-12) and alone.gear_force_tangential is None
+    assert (
+        alone.stationary == pytest.approx({"front": 45.0, "rear": 35.0}, rel=1e-12)
+        and alone.gear_force_tangential is None
+    )
 
 
 def test_the_weight_is_shared_by_the_lever():
@@ -91,7 +96,9 @@ def test_in_the_design(gamma):
     """Weight with g = 9.80665 m/s² on both bearings; a given power of 1.4 kW in place of the closed balance."""
     made = solve(design(gamma.with_value("gears.power_kW", 1.4))).outcomes["countershaft"].result
     r = made.standing
-    assert r.weight == pytest.approx(9.80665 * made.mass) and r.weights["front"] + r.weights["rear"] == pytest.approx(r.weight)
+    assert r.weight == pytest.approx(9.80665 * made.mass) and r.weights["front"] + r.weights["rear"] == pytest.approx(
+        r.weight
+    )
     assert r.weights["rear"] * 0.335 == pytest.approx(r.weight * (made.centre_of_gravity - FRONT), rel=1e-12)
     assert r.gear_torque == pytest.approx(5.1419, abs=5e-5)
     d = 2e-3 * 25 / math.cos(math.radians(21.916))

@@ -9,7 +9,18 @@ import pytest
 
 from calc.design.toml_file import design
 from calc.solve import solve
-from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, OMEGA, REAR, SEATED, document, outcome, result, rows, verdicts
+from tests.calc.countershaft.shafts import (
+    ENVELOPE,
+    FRONT,
+    OMEGA,
+    REAR,
+    SEATED,
+    document,
+    outcome,
+    result,
+    rows,
+    verdicts,
+)
 
 SIZE = {"mode": "size", **ENVELOPE, "bearings": SEATED}
 

@@ -70,7 +70,9 @@ def variant(name, **bearings):
 
 def with_sections():
     data = copy.deepcopy(read(GAMMA).data)
-    data["shafts"][0]["sections"] = SECTIONS
+    (shaft,) = data["shafts"]
+    shaft["sections"] = SECTIONS
+    shaft["bearings"] = [{key: row[key] for key in ("name", "position_mm")} for row in shaft["bearings"]]
     return {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance", "shafts")}
 
 

@@ -10,7 +10,19 @@ from calc.countershaft.making import parts
 from calc.countershaft.making.inputs import Support
 from calc.countershaft.making.unbalance import permitted
 from calc.design.toml_file import design
-from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, OMEGA, REAR, SEATED, bearing_rows, document, outcome, result, rows
+from tests.calc.countershaft.shafts import (
+    ENVELOPE,
+    FRONT,
+    JOURNALS,
+    OMEGA,
+    REAR,
+    SEATED,
+    bearing_rows,
+    document,
+    outcome,
+    result,
+    rows,
+)
 
 SUPPORT = {"material": "EN AC-43100"}
 BOLTS = {

@@ -211,7 +211,7 @@ def test_what_the_envelope_lacks_is_named(case):
         envelope(replace(shaft, core_radius=None), "here.toml")
     assert len(caught.value.errors) == 1 and "here.toml" in str(caught.value)
     with pytest.raises(BadInput) as caught:
-        envelope(replace(shaft, core_radius=None), None, "here.toml")
+        envelope(replace(bare(shaft), core_radius=None), "here.toml")
     assert {e.key for e in caught.value.errors} == {
         f"shafts.shaft.{n}_mm" for n in ("outer_radius", "half_length", "core_radius")
     }
@@ -276,7 +276,9 @@ def test_a_material_that_does_not_fit_is_said(case):
 def test_where_nothing_fits_the_reason_is_that_of_the_densest(case):
     shaft, balance, omega = case
     with pytest.raises(NoSolution) as caught:
-        choices(shaft, balance, omega, Envelope(0.0402, 0.015, 0.152, (), "shaft"), candidates(shaft, MATERIALS, "here"))
+        choices(
+            shaft, balance, omega, Envelope(0.0402, 0.015, 0.152, (), "shaft"), candidates(shaft, MATERIALS, "here")
+        )
     assert caught.value.possible_couple == pytest.approx(552.8, abs=0.05)
 
 
