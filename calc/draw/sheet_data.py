@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ..countershaft.rows import called
 from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
 from ..sheet.quantity import published
 from ..sheet.record import record
@@ -276,10 +275,8 @@ def notes(
 
 def _clearances(results: "Results") -> list[Text]:
     """Of each bearing that is judged, front to rear."""
-    known = ((row.name, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
-    return [
-        Text("{g} µm {row}", g=number(value.shown, 0), row=called(name)) for name, value in known if value is not None
-    ]
+    known = ((row.in_words, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
+    return [Text("{g} µm {row}", g=number(value.shown, 0), row=row) for row, value in known if value is not None]
 
 
 DEFAULTS = {
