@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from calc.design.addresses import Table, address, changed, parse_assignment, quantity_of, value_at
+from calc.design.addresses import Table, address, changed, every, parse_assignment, quantity_of, value_at
 from calc.design.locks import locked, toggled
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, parse
@@ -66,7 +66,7 @@ def locked_text(document: Document, changes: Iterable[str]) -> Text:
 def _different(document: Document, changes: Iterable[str]) -> Iterator[tuple[str, Any, tuple[Quantity, object] | None]]:
     """Keys with their new values, each with its description and the value before; None of an element that only the
     changes make."""
-    for key, value in map(parse_assignment, changes):
+    for key, value in _each(document, changes):
         try:
             there = quantity_of(document.data, key), value_at(document.data, key)
         except BadInput:
@@ -74,6 +74,15 @@ def _different(document: Document, changes: Iterable[str]) -> Iterator[tuple[str
             continue
         if there[1] != value:
             yield key, value, there
+
+
+def _each(document: Document, changes: Iterable[str]) -> Iterator[tuple[str, object]]:
+    """Keys with their new values, one with a * as all that it stands for."""
+    for key, value in map(parse_assignment, changes):
+        try:
+            yield from ((each, value) for each in every(document.data, key))
+        except BadInput:
+            yield key, value
 
 
 def _part(value: Any, unit: str = "") -> Part:

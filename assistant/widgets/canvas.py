@@ -322,6 +322,12 @@ def noted(notes: list[str], columns: int) -> list[str]:
     return rows
 
 
+def covers(key: str, lit: str) -> bool:
+    """Whether a key is that of an input, or of a table that has it; * stands for any element."""
+    parts, inner = key.split("."), lit.split(".")
+    return len(parts) <= len(inner) and all(a in (b, "*") for a, b in zip(parts, inner))
+
+
 class Canvas:
     """The cells of a picture: `fill` below lines below `text`."""
 
@@ -333,7 +339,7 @@ class Canvas:
         self.fills: list[tuple[int, float]] = []  # role and shade of each value of `raster.fill`
 
     def role(self, mark: Mark) -> int:
-        if self.lit and any(self.lit == key or self.lit.startswith(f"{key}.") for key in mark.key.split()):
+        if self.lit and any(covers(key, self.lit) for key in mark.key.split()):
             return LIT
         return STATES[mark.state] if mark.state else FAINT if mark.layer in (CONTEXT, AXIS, HIDDEN) else NORMAL
 

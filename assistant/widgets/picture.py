@@ -81,7 +81,8 @@ class Picture(Widget, can_focus=True):
             sketch = sketch_of(self.step, self.design, self.results, math.radians(self.degrees), self.view)
             if isinstance(sketch, Sketch):
                 self.views = sketch.views
-                return draw(sketch, columns, rows, signs, say, self.lit), sketch.turning
+                lit = self.design.as_in_rules(self.lit) if self.design is not None else self.lit
+                return draw(sketch, columns, rows, signs, say, lit), sketch.turning
         except Exception:  # a picture that cannot be drawn never stops the work that it shows
             sketch = FAILED
         return Content.styled(say(sketch), signs.style("muted")), False

@@ -7,12 +7,12 @@ import tomllib
 from collections.abc import Iterable, Iterator
 
 from ..countershaft.inputs import TWIN, ShaftInputs
-from ..countershaft.rows import IN_WORDS
+from ..countershaft.rows import IN_WORDS, BearingRow
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
 from ..sheet.errors import written as written
-from ..sheet.quantity import Quantity, dotted, keys, unknown
+from ..sheet.quantity import Key, Quantity, dotted, keys, unknown
 from ..sheet.text import Small, Text
 from .model import STEPS, Design, step_of
 from .upgrade import MANY, current, formerly
@@ -56,6 +56,21 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
     return tuple(path)
 
 
+def every(data: Table, key: str) -> list[str]:
+    """The keys that one with a * among its parts stands for: those of all elements of that array; any other key alone.
+    Raises BadInput where nothing matches."""
+    before, star, after = key.partition(".*.")
+    if not star:
+        return [key]
+    here: object = data
+    for part in address(data, before, whole=True):
+        here = here[part] if isinstance(here, list) and isinstance(part, int) else as_table(here).get(str(part))
+    names = [str(as_table(item).get("name", n)) for n, item in enumerate(here if isinstance(here, list) else ())]
+    if not names:
+        raise _no_such(key, Text("nothing stands where the * is"))
+    return [each for name in names for each in every(data, f"{before}.{name}.{after}")]
+
+
 def _element(tables: list[object], part: str, key: str) -> int:
     """The index of the table that has this name, or this place."""
     called = [
@@ -94,7 +109,7 @@ def quantity_of(data: Table, key: str) -> Quantity:
     """The description of the quantity at a dotted key."""
     if key in MANY:
         return MANY[key]
-    about = declared(address(data, key))
+    about = declared(address(data, every(data, key)[0]))
     assert about is not None
     return about
 
@@ -111,9 +126,15 @@ def declared(path: Iterable[str | int]) -> Quantity | None:
 
 
 def value_at(data: Table, key: str, whole: bool = False) -> object:
-    """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too."""
+    """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too.
+
+    With a * in the key: what stands at all of its keys, None where it differs."""
     if key in MANY:
         return formerly(data, key)
+    first, *others = every(data, key)
+    if others:
+        value = value_at(data, first, whole)
+        return value if all(value_at(data, other, whole) == value for other in others) else None
     here: object = data
     for part in address(data, key, whole):
         if isinstance(here, list) and isinstance(part, int):
@@ -194,6 +215,24 @@ def asks(data: Table, step: str) -> bool:
 def step_at(data: Table, key: str) -> str:
     """The step that a key of a document is of."""
     return step_of(key, judged=dotted(Design.bearings) in data)
+
+
+def keys_of(cls: type, data: Table, step: str) -> list[Key]:
+    """The keys of a class of inputs that a step asks for: of the bearings of a shaft their places, or all the rest."""
+    of_row = dotted(Design.shafts, 0, ShaftInputs.bearings, 0)
+    every = keys(cls).values()
+    return [key for key in every if cls is not BearingRow or step_at(data, f"{of_row}.{key.key}") == step]
+
+
+def tables_of(data: Table, step: str) -> Iterator[tuple[type, Table, str]]:
+    """The tables of a document that a step asks for, each with its class and its key: those of [bearings] and, beside
+    it, of the shafts whose bearings it judges."""
+    key = dotted(Design.shafts)
+    if step != "countershaft" and isinstance(there := data.get(step), dict):
+        yield next(known.inputs for known in STEPS if known.key == step), there, step
+    if step == "countershaft" and asks(data, step):
+        for n, shaft in enumerate(map(as_table, as_list(data.get(key)))):
+            yield ShaftInputs, shaft, f"{key}.{shaft.get('name', n)}"
 
 
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:

@@ -173,6 +173,11 @@ class Design:
         """The key of an input of its own shaft, by the declared field."""
         return dotted(Design.shafts, self.own.name if self.own is not None else "S", *parts)
 
+    def as_in_rules(self, key: str) -> str:
+        """A key of this design as rules and pictures spell it: shafts.S for its own shaft."""
+        own = f"{self.own_key()}."
+        return f"{SHAFT}.{key.removeprefix(own)}" if key.startswith(own) else key
+
     def in_place(self, key: str) -> tuple[str, ...]:
         """The keys of this design that the key of a rule stands for: shafts.S is its own shaft, bearings.* each of that
         shaft's bearings."""

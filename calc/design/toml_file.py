@@ -22,7 +22,7 @@ from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.toml_scan import Beyond, key_lines, remarks
 from ..sheet.value import linked
-from .addresses import NAME, Table, address, as_list, changed, join, written
+from .addresses import NAME, Table, address, as_list, changed, every, join, written
 from .disk import read_file
 from .limits import DESIGN_BYTES
 from .model import SCHEMA, Design
@@ -70,9 +70,15 @@ class Document:
         it out.
 
         A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.  Keys
-        of schema 1 are understood.
+        of schema 1 are understood; a * among the parts of a key stands for all elements of an array.
         """
-        key = current(self.data, key)
+        first, *others = every(self.data, key)
+        if others:
+            document = self
+            for each in (first, *others):
+                document = document.with_value(each, value)
+            return document
+        key = current(self.data, first)
         former = self.former and self.former.without(key)
         if key in MANY:
             return replace(self, data=rewritten(self.data, key, value), lines={**self.lines, key: 0}, former=former)

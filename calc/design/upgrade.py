@@ -107,7 +107,7 @@ def own_key(was: Mapping[str, str], key: str) -> str:
 def renamed(entries: Mapping[str, T], data: Table, was: Mapping[str, str]) -> dict[str, T]:
     """What is known by the keys of a file of schema 1, lines or remarks, by the keys of its `Upgraded.data`."""
     known = {}
-    for key in _keys(data, ""):
+    for key in _keys(data, lambda _, n: str(n)):
         old = own_key(was, key)
         while key in was and old not in entries and "." in old:  # of a list that has become many
             old = old.rpartition(".")[0]
@@ -116,17 +116,25 @@ def renamed(entries: Mapping[str, T], data: Table, was: Mapping[str, str]) -> di
     return known
 
 
-def _keys(here: object, prefix: str) -> Iterator[str]:
-    """All keys of nested tables, elements of arrays of tables by index."""
-    inner: Iterable[tuple[object, object]] = here.items() if isinstance(here, dict) else enumerate(elements(here))
+def _keys(here: object, name: Callable[[object, int], str], prefix: str = "") -> Iterator[str]:
+    """All keys of nested tables, elements of arrays of tables by what `name` calls them."""
+    inner: Iterable[tuple[str, object]] = here.items() if isinstance(here, dict) else ()
+    if isinstance(here, list) and _tables(here):
+        inner = ((name(item, n), item) for n, item in enumerate(here))
     for part, content in inner:
-        key = f"{prefix}.{part}" if prefix else str(part)
+        key = f"{prefix}.{part}" if prefix else part
         yield key
-        yield from _keys(content, key)
+        yield from _keys(content, name, key)
 
 
 def _tables(content: object) -> bool:
     return isinstance(content, list) and all(isinstance(item, dict) for item in content)
+
+
+def elements(table: Table, key: str) -> list[Table]:
+    """The array of tables at a key of a table; empty where there is none."""
+    array = table.get(key)
+    return array if isinstance(array, list) and _tables(array) else []
 
 
 def upgraded(data: Table, lines: Mapping[str, int]) -> Upgraded:
@@ -252,7 +260,8 @@ class _Upgrade:
         for i, name in enumerate(self.rows):
             key, row = f"shafts.0.bearings.{i}", Table(name=name)
             self.was[key] = f"{JOURNALS}.{i}" if self.bearings is None else f"bearings.{name}"
-            self.was |= {f"{key}.position_mm": f"{POSITIONS}.{i}", f"{key}.slope_mrad": SLOPES}
+            self.was[f"{key}.position_mm"] = f"{POSITIONS}.{i}"
+            self.was[f"{key}.slope_mrad"] = f"{SLOPES}.{i}" if len(slopes) > 1 else SLOPES
             if places:
                 row["position_mm"] = places[i]
             elif self.shaft is not None:
@@ -315,14 +324,14 @@ class _Upgrade:
     def _gears(self, data: Table) -> None:
         """Says of the wheel that the last mesh drives, that it sits on the shaft."""
         gears = data.get("gears")
-        if not isinstance(gears, dict) or not (given := elements(gears.get("wheels"))):
+        if not isinstance(gears, dict) or not (given := elements(gears, "wheels")):
             return
         known = [key for key in keys(Wheel) if key != "shaft"]
         for i, wheel in enumerate(given):
             if "shaft" in wheel:
                 self.error(f"gears.wheels.{i}.shaft", None, unknown("shaft", known))
         wheels = [without(wheel, "shaft") for wheel in given]
-        meshes = elements(gears.get("meshes"))
+        meshes = elements(gears, "meshes")
         last = meshes[-1].get("driven") if meshes else None
         names = [wheel.get("name") for wheel in wheels]
         if isinstance(last, str) and last in names and (self.shaft is not None or self.bearings is not None):
@@ -341,8 +350,9 @@ class _Upgrade:
             data["accepted"] = self._named("accepted", accepted, lambda id, _: (self._new_id(id),))
         if isinstance(optimise := data.get("optimise"), dict) and isinstance(vary := optimise.get("vary"), dict):
             data["optimise"] = {**optimise, "vary": self._named("optimise.vary", vary, self._varied)}
-        if measured := elements(data.get("measured")):
-            data["measured"] = [{**row, **self._measured(row)} for row in measured]
+        if measured := elements(data, "measured"):
+            given = frozenset(_keys(self.data, _name))
+            data["measured"] = [{**row, **self._measured(row, given)} for row in measured]
 
     def _named(self, table: str, given: Table, new: Callable[[str, object], tuple[str, ...]]) -> Table:
         """A table by keys or ids, with those of schema 2."""
@@ -374,12 +384,12 @@ class _Upgrade:
         own = word in (FRONT, REAR) if step == "bearings" else step == "countershaft" and not rest.startswith(SUMS)
         return ".".join(filter(None, (step, SHAFT if self.pair and own and rest else "", rest)))
 
-    def _measured(self, row: Table) -> Table:
-        """The value of a row: the key of an input, where there is one, else the id of a value."""
+    def _measured(self, row: Table, given: Collection[str]) -> Table:
+        """The value of a row: the key of an input, where one is given, else the id of a value."""
         value = row.get("value")
         if not isinstance(value, str) or value in MANY:
             return {}
-        return {"value": self._new_keys(value)[0] if _stands(self.data, value) else self._new_id(value)}
+        return {"value": self._new_keys(value)[0] if value in given else self._new_id(value)}
 
 
 def _last(key: str) -> str:
@@ -419,16 +429,6 @@ def _with_name(table: Table, beside: Table) -> Table:
     """A table with others' keys right below its name."""
     called = {key: content for key, content in table.items() if key == "name"}
     return {**called, **beside, **without(table, *called)}
-
-
-def _stands(here: object, key: str) -> bool:
-    """Whether something stands at a dotted key in nested tables, elements of arrays by name or index."""
-    for part in key.split("."):
-        if isinstance(here, list):
-            here = {_name(item, i): item for i, item in enumerate(here)}.get(part)
-        else:
-            here = here.get(part) if isinstance(here, dict) else None
-    return here is not None
 
 
 def _name(item: object, place: int) -> str:
@@ -491,7 +491,7 @@ def current(data: Table, key: str) -> str:
 
 def _own(data: Table, key: str) -> tuple[str, Table]:
     """The name of the shaft that is no twin, and its table, which is empty where there is none."""
-    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data.get("shafts"))) if not _is_twin(shaft)]
+    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data, "shafts")) if not _is_twin(shaft)]
     if len(own) > 1:
         first, *others = [name for name, _ in own]
         there = new_keys(key, first, _row_names(own[0][1]) or row_names(2))[0]
@@ -500,17 +500,12 @@ def _own(data: Table, key: str) -> tuple[str, Table]:
     return own[0] if own else (SHAFT, {})
 
 
-def elements(array: object) -> list[Table]:
-    """What stands in a document as an array of tables; empty where that is none."""
-    return array if isinstance(array, list) and _tables(array) else []
-
-
 def _is_twin(shaft: Table) -> bool:
     return "mirrors" in shaft or "repeats" in shaft
 
 
 def _row_names(shaft: Table) -> list[str]:
-    return [_name(row, i) for i, row in enumerate(elements(shaft.get("bearings")))]
+    return [_name(row, i) for i, row in enumerate(elements(shaft, "bearings"))]
 
 
 # --- the old keys that have become many
@@ -519,9 +514,9 @@ def _row_names(shaft: Table) -> list[str]:
 def formerly(data: Table, key: str) -> object:
     """What one of the four old keys (MANY) would say of a design of schema 2; None where it would be left out."""
     name, shaft = _own(data, key)
-    rows = elements(shaft.get("bearings"))
+    rows = elements(shaft, "bearings")
     if key == PAIR:
-        return "yes" if any(there.get("mirrors") == name for there in elements(data.get("shafts"))) else None
+        return "yes" if any(there.get("mirrors") == name for there in elements(data, "shafts")) else None
     if key == JOURNALS:
         sizes = [{size: row[size] for size in JOURNAL_KEYS if size in row} for row in rows]
         return sizes if "bearings" not in data and any(sizes) else None
@@ -534,12 +529,12 @@ def rewritten(data: Table, key: str, value: object) -> Table:
     """A design of schema 2 after one of the four old keys (MANY) was given a value, or left out (None).  Raises
     BadInput where schema 1 would not allow it, or there are several shafts of their own."""
     name, shaft = _own(data, key)
-    shafts = elements(data.get("shafts"))
+    shafts = elements(data, "shafts")
     if value is None and not shaft:
         return data
     if key == PAIR:
         return {**data, "shafts": _paired(shafts or [{"name": name}], name, shaft, value)}
-    rows = elements(shaft.get("bearings"))
+    rows = elements(shaft, "bearings")
     if key == POSITIONS:
         rows = _placed(rows, value)
     elif key == SLOPES:
@@ -580,7 +575,7 @@ def _placed(rows: list[Table], value: object) -> list[Table]:
         return [without(row, "position_mm") for row in rows]
     places = _numbers(POSITIONS, value, PLACES)
     if len(places) != len(rows):
-        had = {row.get("name"): row for row in rows}
+        had = {_name(row, i): row for i, row in enumerate(rows)}
         rows = [had.get(name, {"name": name}) for name in row_names(len(places))]
     return [_with_name(without(row, "position_mm"), {"position_mm": place}) for row, place in zip(rows, places)]
 

@@ -9,12 +9,15 @@ from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
+from calc.countershaft.inputs import ShaftInputs
+from calc.countershaft.rows import BearingRow
+from calc.design.addresses import as_list, as_table, keys_of, own_keys, own_shafts, step_at, tables_of
 from calc.design.model import Design
 from calc.design.names import choice_word
 from calc.locale import Language
 from calc.sheet.expression import symbol as greek
 from calc.sheet.number import SUPERSCRIPTS
-from calc.sheet.quantity import Key, Quantity, keys
+from calc.sheet.quantity import Key, Quantity, described, dotted, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Text
 from calc.sheet.units import UNITS
@@ -27,6 +30,7 @@ from ..typesetting.typeset import symbol
 from .nomenclature import noted
 from .values import paired_table
 
+SHAFTS, BEARINGS, NAME = dotted(Design.shafts), dotted(Design.bearings), dotted(ShaftInputs.name)
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
 # how a help begins to say, in each language, what the program does then
@@ -109,8 +113,8 @@ def _part_name(part: dict[str, Any], i: int) -> str:
 class _Tables:
     """Collects the tables of one step."""
 
-    def __init__(self, context: Context) -> None:
-        self.context = context
+    def __init__(self, context: Context, step: Step) -> None:
+        self.context, self.step = context, step.key
         self.words, self.text, self.say, self.all = context.words, context.text, context.say, context.audit
         self.blocks: list[Block] = []
         self.left_out: list[str] = []
@@ -120,7 +124,7 @@ class _Tables:
         """One table of inputs, and after it those inside it."""
         rows: list[tuple[str | Cell, ...]] = []
         inner: list[Key] = []
-        for key in keys(cls).values():
+        for key in self.keys(cls, data):
             if key.about.kind in ("table", "tables"):
                 inner.append(key)
                 continue
@@ -150,6 +154,11 @@ class _Tables:
             )
             self.blocks += named_table(title, columns, rows)
         self.inside(inner, data, prefix)
+
+    def keys(self, cls: type, data: dict[str, Any]) -> list[Key]:
+        """Those of a table that the step asks for; what it is called stands in its title."""
+        known = keys_of(cls, self.context.document.data, self.step)
+        return [key for key in known if key.key in own_keys(cls, data) and (cls is not ShaftInputs or key.key != NAME)]
 
     def inside(self, inner: list[Key], data: dict[str, Any], prefix: str, whose: str = "") -> None:
         """Tables in a table: neighbours of one class stand beside each other.  `whose`: the part that they belong
@@ -181,7 +190,7 @@ class _Tables:
         if not parts or cls is None:
             return
         self.beside(title, cls, parts)
-        inner = [key for key in keys(cls).values() if key.about.kind in ("table", "tables")]
+        inner = [key for key in self.keys(cls, {}) if key.about.kind in ("table", "tables")]
         for i, (name, data) in enumerate(parts):
             self.inside(inner, data, f"{prefix}.{data.get('name', i)}" if title else prefix, name)
 
@@ -190,7 +199,7 @@ class _Tables:
         between = 0 if self.all or total <= LONG else total - 2 * ENDS
         parts = [*parts[:ENDS], *parts[-ENDS:]] if between else parts
         shown: list[tuple[Key, list[_Given]]] = []
-        for key in keys(cls).values():
+        for key in self.keys(cls, {}):
             given = [_given(key, data) for _, data in parts]
             if key.key == "name" or key.about.kind in ("table", "tables"):
                 continue
@@ -247,11 +256,21 @@ class _Tables:
 
 def input_blocks(context: Context, step: Step) -> list[Block]:
     """The inputs of one step, with what the program takes where the file says nothing."""
-    data = context.document.data.get(step.key)
-    if not isinstance(data, dict):
+    data = context.document.data
+    there = list(tables_of(data, step.key))
+    if not there:
         return []
-    tables = _Tables(context)
-    tables.plain("", step.inputs, data, step.key)
+    tables = _Tables(context, step)
+    for cls, content, key in there:
+        tables.plain(str(content.get(NAME, "")) if len(there) > 1 else "", cls, content, key)
+    if step.key == BEARINGS:
+        for n, shaft in own_shafts(data).items():
+            rows = [
+                (str(row.get(NAME, i + 1)), row) for i, row in enumerate(map(as_table, as_list(shaft.get(BEARINGS))))
+            ]
+            tables.parts(
+                context.say(described(ShaftInputs.bearings).label), BearingRow, rows, dotted(SHAFTS, n, BEARINGS)
+            )
     w = context.words
     if tables.default:
         tables.blocks = noted_below(tables.blocks, w["defaults"], gap=3.0)
@@ -269,7 +288,8 @@ def remarks(context: Context, *tables: str) -> list[Block]:
     assumed."""
     by_comment: dict[str, list[str]] = {}  # a comment → the keys beside which it stands
     for key, words in context.document.remarks.items():
-        if key.partition(".")[0] in tables and (context.audit or ASSUMED.match(words)):
+        of_step = step_at(context.document.data, key)
+        if of_step in tables and (context.audit or ASSUMED.match(words)):
             by_comment.setdefault(words if len(words) <= REMARK else f"{words[:REMARK]}…", []).append(
                 _called(context, key)
             )
@@ -313,9 +333,11 @@ def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
                     named.setdefault(content, known.about.catalogue)
 
     for _, step, _ in context.steps():
-        if (data := context.document.data.get(step.key)) is None:
+        there = list(tables_of(context.document.data, step.key))
+        for cls, data, _ in there:
+            look(cls, data)
+        if not there:
             continue
-        look(step.inputs, data)
         for key in keys(step.inputs).values():  # a default counts as named
             if key.about.catalogue and isinstance(key.field.default, str):
                 named.setdefault(key.field.default, key.about.catalogue)

@@ -34,7 +34,6 @@ from ...sheet.value import about, untraced
 from ..formulas import asked_product, asked_unbalance, shaft_speed
 from ..inputs import THREADED, Extra, ShaftInputs
 from ..making.inputs import Alternative, Cost
-from ..rows import SHAFT
 from . import formulas as f
 from .formulas import first_year, radius_needed
 from .sectors import Sized, TooSmall, masses, remainder, size, task
@@ -248,12 +247,13 @@ STEP = 1e-4  # m, to which the radii between the two ends are rounded up: a tent
 
 @record
 class Envelope:
-    """Where the sectors may be, and in words what of it was derived."""
+    """Where the sectors of a shaft may be, and in words what of it was derived."""
 
     outer_radius: Metre
     core_radius: Metre
     half_length: Metre
     derived: tuple[Text, ...]
+    shaft: str
 
 
 @record
@@ -319,15 +319,16 @@ def envelope(shaft: ShaftInputs, place: str) -> Envelope:
         )
     if r_0 is None:
         what = Text(
-            "the radius of the shaft that carries the sectors; `contralbero set FILE countershaft.core_radius_mm=15`"
+            "the radius of the shaft that carries the sectors; `contralbero set FILE {key}=15`",
+            key=dotted("shafts", shaft.name, ShaftInputs.core_radius),
         )
         r_0 = missing(ShaftInputs.core_radius, what)
     elif R is not None and r_0 >= R:
         reason = Text("must be smaller than the outer radius, {R}", R=_mm(R))
-        errors.append(InputError(0, dotted(SHAFT, ShaftInputs.core_radius), f"{r_0 * 1e3:g}", reason))
+        errors.append(InputError(0, dotted("shafts", shaft.name, ShaftInputs.core_radius), f"{r_0 * 1e3:g}", reason))
     if errors:
         raise BadInput(place, errors)
-    return Envelope(R, r_0, z_max, tuple(derived))
+    return Envelope(R, r_0, z_max, tuple(derived), shaft.name)
 
 
 def _mm(length: Metre) -> Amount:
@@ -350,7 +351,7 @@ def candidates(
     unknown = [name for name in names if name not in materials]
     if unknown:
         reason = Text("is not in the table of materials; add it as [[material]]")
-        alternatives = dotted(SHAFT, ShaftInputs.cost, Cost.alternatives)
+        alternatives = dotted("shafts", shaft.name, ShaftInputs.cost, Cost.alternatives)
         raise BadInput(place, [InputError(0, alternatives, n, reason) for n in unknown])
     return {name: (materials[name], costs.get(name)) for name in names}
 
@@ -461,7 +462,7 @@ def changes(choice: Choice, room: Envelope) -> Changes:
         ShaftInputs.core_radius: digits(room.core_radius * 1e3),
         ShaftInputs.half_length: digits(room.half_length * 1e3),
     }
-    return {dotted("countershaft", field): value for field, value in written.items()}
+    return {dotted("shafts", room.shaft, field): value for field, value in written.items()}
 
 
 # --- the least mass of the sectors against their outer radius, a line a material

@@ -12,7 +12,7 @@ from statistics import NormalDist
 
 import numpy as np
 
-from ...design.addresses import address, quantity_of, value_at
+from ...design.addresses import address, every, quantity_of, value_at
 from ...design.toml_file import Document
 from ...sheet.arrays import Array
 from ...sheet.errors import BadInput, InputError
@@ -117,10 +117,10 @@ def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
     different."""
     first: dict[tuple[str | int, ...], str] = {}
     for variable in inputs:
-        where = address(document.data, variable.key)
-        if where in first:
-            return first[where]
-        first[where] = variable.key
+        for where in (address(document.data, key) for key in every(document.data, variable.key)):
+            if where in first:
+                return first[where]
+            first[where] = variable.key
     return None
 
 

@@ -232,7 +232,7 @@ def test_an_unknown_material_of_the_cost_is_named(case):
 
 
 # --- the ranking
-ROOM = Envelope(0.043, 0.015, 0.152, ())
+ROOM = Envelope(0.043, 0.015, 0.152, (), "shaft")
 
 
 def test_the_lightest_stands_first_and_each_is_the_least_of_its_radius(case):
@@ -265,7 +265,7 @@ def test_more_couple_is_asked_for_where_drilling_takes_some_away(case):
 
 def test_a_material_that_does_not_fit_is_said(case):
     shaft, balance, omega, _ = case
-    room = Envelope(0.041, 0.015, 0.152, ())
+    room = Envelope(0.041, 0.015, 0.152, (), "shaft")
     found = choices(shaft, balance, omega, room, candidates(shaft, MATERIALS, "here"))
     assert set(found.refused) == {"ADI"} and {c.material for c in found.shafts} == {"steel"}
     assert "ADI does not fit: it takes an outer radius of" in choices_table(found, 5, room).note
@@ -274,7 +274,7 @@ def test_a_material_that_does_not_fit_is_said(case):
 def test_where_nothing_fits_the_reason_is_that_of_the_densest(case):
     shaft, balance, omega, _ = case
     with pytest.raises(NoSolution) as caught:
-        choices(shaft, balance, omega, Envelope(0.0402, 0.015, 0.152, ()), candidates(shaft, MATERIALS, "here"))
+        choices(shaft, balance, omega, Envelope(0.0402, 0.015, 0.152, (), "shaft"), candidates(shaft, MATERIALS, "here"))
     assert caught.value.possible_couple == pytest.approx(552.8, abs=0.05)
 
 
