@@ -197,10 +197,11 @@ class Variables:
                 self.wrong(key, (own_errors or bad.errors)[0].reason, value)
 
     def _places(self, key: str) -> tuple[str, ...]:
-        """How the keys of its errors begin: elements of arrays by index; of what is said of all bearings, at them."""
+        """How the keys of its errors begin, in either schema: elements of arrays by index; of what is said of all
+        bearings, at them."""
         data, there = self.start.data, self.keys.design.own_key(ShaftInputs.bearings) if key in MANY else key
         places = [".".join(map(str, address(data, each, whole=True))) for each in every(data, there)]
-        return tuple(f"{self._as_written(place)}." for place in places)
+        return tuple(f"{where}." for place in places for where in (place, self._as_written(place)))
 
     def sizes(self) -> dict[str, tuple[float, ...] | None]:
         d_seat, d_small = self.seat.diameter * 1e3, self.small.diameter * 1e3
