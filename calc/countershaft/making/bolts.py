@@ -182,9 +182,8 @@ def friction_angle_source(mu: Number) -> Radian:
     return atan(mu)
 
 
-@formula("r_h", Text("{source}: friction at the outer edge of the head", source=SOURCE), unit="mm")
+@formula("r_h", Text("{source}: friction of the head at half of its width across flats", source=SOURCE), unit="mm")
 def friction_radius_source(s: Metre) -> Metre:
-    """`s`: the width across flats, which the source takes for the diameter of the face."""
     return s / 2
 
 
