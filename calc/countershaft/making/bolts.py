@@ -475,7 +475,10 @@ SLIP_VDI = CheckRule(
     "Below it the joint may work under a load that turns; it slips at 1, which is the limit.",
     Text("Safety against slip while the load turns, as VDI 2230 asks for"),
     source=Text("VDI 2230-1, R12, from memory: 1.8 where the load comes from alternate sides, 1.2 where it stands"),
-    advice=SLIP.advice,
+    advice=Text(
+        "More or larger bolts, a larger torque, or rows of bolts further apart; or joint_friction, where it is known "
+        "to be more."
+    ),
     demand=True,
     cause="countershaft.J.slip",
     value_id=dotted("countershaft", BoltsResult.bolt_slip_safety),
