@@ -3,6 +3,7 @@
 
 from collections.abc import Iterable, Iterator
 from math import pi
+from typing import ClassVar
 
 from ..sheet.quantity import choice, dotted, inputs, integer, integers, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
@@ -206,6 +207,8 @@ class BenchPoint:
 @inputs
 class EngineInputs:
     """Crank train, masses and rated speed."""
+
+    REFUSED: ClassVar[dict[str, Text]] = {"stroke_mm": Text("is not known; give crank_radius_mm, which is half of it")}
 
     name: str = text("Engine", help="A name for screen and report.")
     layout: str = choice(
