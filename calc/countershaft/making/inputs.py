@@ -243,6 +243,11 @@ class Bolts:
                     d=Amount(face * 1000.0, form="g"),
                 ),
             )
+        if s is not None and s <= D:
+            yield (
+                dotted(Bolts.across_flats),
+                Text("must be larger than the thread, {d} mm", d=Amount(D * 1000.0, form="g")),
+            )
         if self.hole_diameter <= D:
             yield (
                 dotted(Bolts.hole_diameter),

@@ -412,6 +412,7 @@ def test_the_smallest_face_that_a_head_may_have_lies_on_something(s, hole):
     """0.89·16 = 14.24 mm of a plain hexagon, 18.5 mm of a flange on M10: the pressure under it was below zero."""
     wrong = Bolts(**{**SOURCE, "head_diameter": None, "across_flats": s, "hole_diameter": hole}).problems()
     assert [key for key, _ in wrong] == ["hole_diameter_mm"]
+    assert [key for key, _ in Bolts(**{**SOURCE, "across_flats": 10e-3}).problems()] == ["across_flats_mm"]
     fits = Bolts(**{**SOURCE, "head_diameter": None, "across_flats": s, "hole_diameter": hole - 2e-4})
     assert list(fits.problems()) == []
     assert bolts.tightened(fits, None).bolt_head_pressure_most > 0
