@@ -61,21 +61,20 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         print(fill(told, 116, initial_indent="    ", subsequent_indent="    "))
         return 0
     if asked.value not in values:
-        for check in results.checks():
-            if asked.value in (check.id, results.former_id(check.id)):
-                chains = Chains(results)
-                head = (
-                    f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip()
-                    + f", needs {check.limit_text()}."
-                )
-                if (judged := chains.behind(check)) is not None:
-                    if not asked.json:
-                        print(f"{head} Its value:\n")
-                    return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
-                lines, taken = chains.of_check(check)
-                return _print_chain(
-                    asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by)
-                )
+        if (check := results.check(asked.value)) is not None:
+            chains = Chains(results)
+            head = (
+                f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip()
+                + f", needs {check.limit_text()}."
+            )
+            if (judged := chains.behind(check)) is not None:
+                if not asked.json:
+                    print(f"{head} Its value:\n")
+                return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
+            lines, taken = chains.of_check(check)
+            return _print_chain(
+                asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by)
+            )
         step = results.outcomes.get(asked.value.partition(".")[0])
         if step is not None and step.state != "solved":
             state = step.state.replace("not_asked", "not used").replace("_", " ")

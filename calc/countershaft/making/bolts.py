@@ -30,7 +30,11 @@ from ...sheet.units import (
 from ...sheet.value import about, based_on
 from ..inputs import CountershaftInputs
 from .inputs import (
+    FLANGE,
+    FLANGES,
     HEXAGONS,
+    PLAIN,
+    PLAINEST,
     STRENGTH,
     Bolts,
     FurtherBolts,
@@ -47,10 +51,6 @@ if TYPE_CHECKING:
 # VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the
 # wrench, so the unfavourable end is taken.
 ALPHA_A = 2.0
-# Faces under a head that is known by its width across flats s alone, or by its thread D: a flanged one by DIN 6921
-# (least of the face 1.96·D to 2.03·D, outside of the flange 2.2·D to 2.4·D), a plain hexagon by ISO 4017 (0.89·s to s).
-FLANGE, FLANGES = 2.0, (1.95, 2.2)
-PLAIN, PLAINEST = 0.95, 0.89
 # VDI 2230-1, R12: safety against slip where the load stands still, and where it comes from alternate sides
 HOLDS_STANDING, HOLDS_TURNING = 1.2, 1.8
 NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
@@ -91,11 +91,10 @@ def face(bolts: Bolts, D: Metre) -> Face:
         return Face(bolts.head_diameter)
     s = bolts.across_flats
     assert s is not None
-    plain = HEXAGONS.get(round(D * 1e3, 6))
     across, size = Amount(s * 1e3, "mm", form="g"), bolts.thread
     with about(Text("bolts, largest face")):
         most = flanged_face(share=FLANGES[1], D=D)
-    if plain is not None and s * 1e3 < plain:
+    if bolts.flanged:
         with about(Text("bolts, face")):
             taken = flanged_face(share=FLANGE, D=D)
         with about(Text("bolts, smallest face")):
@@ -105,7 +104,7 @@ def face(bolts: Bolts, D: Metre) -> Face:
             "hexagon on {thread}",
             face=Amount(taken * 1e3, "mm", form="g"),
             across=across,
-            plain=Amount(plain, form="g"),
+            plain=Amount(HEXAGONS[round(D * 1e3, 6)], form="g"),
             thread=size,
         )
         return Face(taken, least, most, words)
@@ -456,7 +455,8 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
 BOLT_KEYS = "countershaft", CountershaftInputs.bolts
 TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
 HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
-JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
+SPAN = dotted(*BOLT_KEYS, Bolts.row_span)
+JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), SPAN)
 SLIP = CheckRule(
     "countershaft.J.slip",
     "limit",
@@ -556,7 +556,7 @@ def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
         yield check.but(
             name=Text("{what}, {bolts}", what=check.name, bolts=Name(bolts.name)),
             value_id=value.replace("countershaft", own),
-            moved_by=tuple([key.replace(dotted(*BOLT_KEYS), own) for key in check.moved_by]),
+            moved_by=tuple([key.replace(dotted(*BOLT_KEYS), own) for key in check.moved_by if key != SPAN]),
         )
 
 
