@@ -31,7 +31,11 @@ from ...sheet.value import about, based_on
 from ..inputs import ShaftInputs
 from ..rows import SHAFT
 from .inputs import (
+    FLANGE,
+    FLANGES,
     HEXAGONS,
+    PLAIN,
+    PLAINEST,
     STRENGTH,
     Bolts,
     FurtherBolts,
@@ -48,10 +52,6 @@ if TYPE_CHECKING:
 # VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the
 # wrench, so the unfavourable end is taken.
 ALPHA_A = 2.0
-# Faces under a head that is known by its width across flats s alone, or by its thread D: a flanged one by DIN 6921
-# (least of the face 1.96·D to 2.03·D, outside of the flange 2.2·D to 2.4·D), a plain hexagon by ISO 4017 (0.89·s to s).
-FLANGE, FLANGES = 2.0, (1.95, 2.2)
-PLAIN, PLAINEST = 0.95, 0.89
 # VDI 2230-1, R12: safety against slip where the load stands still, and where it comes from alternate sides
 HOLDS_STANDING, HOLDS_TURNING = 1.2, 1.8
 NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
@@ -92,11 +92,10 @@ def face(bolts: Bolts, D: Metre) -> Face:
         return Face(bolts.head_diameter)
     s = bolts.across_flats
     assert s is not None
-    plain = HEXAGONS.get(round(D * 1e3, 6))
     across, size = Amount(s * 1e3, "mm", form="g"), bolts.thread
     with about(Text("bolts, largest face")):
         most = flanged_face(share=FLANGES[1], D=D)
-    if plain is not None and s * 1e3 < plain:
+    if bolts.flanged:
         with about(Text("bolts, face")):
             taken = flanged_face(share=FLANGE, D=D)
         with about(Text("bolts, smallest face")):
@@ -106,7 +105,7 @@ def face(bolts: Bolts, D: Metre) -> Face:
             "hexagon on {thread}",
             face=Amount(taken * 1e3, "mm", form="g"),
             across=across,
-            plain=Amount(plain, form="g"),
+            plain=Amount(HEXAGONS[round(D * 1e3, 6)], form="g"),
             thread=size,
         )
         return Face(taken, least, most, words)
@@ -183,9 +182,8 @@ def friction_angle_source(mu: Number) -> Radian:
     return atan(mu)
 
 
-@formula("r_h", Text("{source}: friction at the outer edge of the head", source=SOURCE), unit="mm")
+@formula("r_h", Text("{source}: friction of the head at half of its width across flats", source=SOURCE), unit="mm")
 def friction_radius_source(s: Metre) -> Metre:
-    """`s`: the width across flats, which the source takes for the diameter of the face."""
     return s / 2
 
 
@@ -458,7 +456,8 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
 BOLT_KEYS = SHAFT, ShaftInputs.bolts
 TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
 HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
-JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
+SPAN = dotted(*BOLT_KEYS, Bolts.row_span)
+JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), SPAN)
 SLIP = CheckRule(
     "countershaft.J.slip",
     "limit",
@@ -477,7 +476,10 @@ SLIP_VDI = CheckRule(
     "Below it the joint may work under a load that turns; it slips at 1, which is the limit.",
     Text("Safety against slip while the load turns, as VDI 2230 asks for"),
     source=Text("VDI 2230-1, R12, from memory: 1.8 where the load comes from alternate sides, 1.2 where it stands"),
-    advice=SLIP.advice,
+    advice=Text(
+        "More or larger bolts, a larger torque, or rows of bolts further apart; or joint_friction, where it is known "
+        "to be more."
+    ),
     demand=True,
     cause="countershaft.J.slip",
     value_id=dotted("countershaft", BoltsResult.bolt_slip_safety),
@@ -555,7 +557,7 @@ def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
         yield check.but(
             name=Text("{what}, {bolts}", what=check.name, bolts=Name(bolts.name)),
             value_id=value.replace("countershaft", id),
-            moved_by=tuple([moving.replace(dotted(*BOLT_KEYS), key) for moving in check.moved_by]),
+            moved_by=tuple([m.replace(dotted(*BOLT_KEYS), key) for m in check.moved_by if m != SPAN]),
         )
 
 

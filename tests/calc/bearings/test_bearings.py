@@ -332,6 +332,8 @@ def test_a_given_viscosity_has_its_film_whatever_its_heat(gamma):
     r = found.result.bearings["front"]
     assert r.temperature_rise > 200 and verdicts(found)["bearings.front.temperature"] == "fail"
     assert any("the heat has no balance" in note for note in found.notes)
+    assert r.corners.outlet_temperature == pytest.approx(r.corners.columns["outlet_temperature"].max(), rel=1e-6)
+    assert r.corners.outlet_temperature > r.outlet_temperature
     # clearance at 200 K of heat, 100 K above the supply on average
     psi = r.seat.clearance_at(r.duty.supply_temperature + 100.0) / r.seat.bearing.diameter
     assert r.sommerfeld == pytest.approx(0.8 * r.duty.effective_speed / (r.specific_load * psi**2), rel=1e-9)

@@ -189,6 +189,10 @@ def test_on_its_films_a_shaft_has_a_lower_critical_speed_and_in_a_soft_housing_a
     speeds = [housed.first_critical_speed_on_films, rigid.first_critical_speed_on_films, rigid.first_critical_speed]
     assert speeds == sorted(speeds) and len(set(speeds)) == 3
     assert housed.first_critical_speed == rigid.first_critical_speed
+    shown = {
+        id: of.short for id, of in solve(design(soft)).values().items() if id.startswith("countershaft.first_crit")
+    }
+    assert [id.rpartition("speed")[2] for id, short in shown.items() if short] == ["", "_on_films"]
     # as stiff as pins: 10⁹ N/mm in series leave the films alone
     stiff = solve(design(gamma.with_value("bearings.housing_stiffness_N_mm", 1e9))).shaft
     assert stiff.first_critical_speed_on_films == pytest.approx(rigid.first_critical_speed_on_films, rel=1e-4)
