@@ -171,13 +171,13 @@ def multipliers(alpha: float, product: float, where: Stretches) -> tuple[float, 
     def reach(x: float, y: float) -> float:
         asked = alpha * x + product * y
         least = 1 / max(abs(x + y * face) for stretch in where for face in stretch)
-        if asked <= 0:
-            return least
 
         def missing(r: float) -> float:
             a, p, _ = supply(r * x, r * y, where)
             return a * x + p * y - asked
 
+        if missing(least) >= 0:  # next to nothing is asked along it, or less
+            return least
         near, far = least, 2 * least
         while missing(far) < 0:
             if far > FAR:
