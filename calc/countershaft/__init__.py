@@ -10,7 +10,9 @@ OFFERED = {
     "sector_area": ".outline",
     "sector_mass": ".outline",
     "size_sectors": ".sizing.sectors:pair",
+    "size_stretches": ".sizing.stretches",
     "specific_load": "..library.journal_rules",
+    "stretches": ".sizing.stretches",
 }
 __all__ = [*OFFERED]
 

@@ -12,7 +12,7 @@ at Re beyond 10 000."""
 
 import numpy as np
 
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, Num
 from ...sheet.formula import formula
 from ...sheet.functions import acos, largest, pi, resultant, smallest, sqrt
 from ...sheet.quantity import result, value
@@ -106,18 +106,19 @@ def counted_in_shell(P_low: Watt) -> Watt:
 
 
 def mass_loss(
-    b: Array,
-    R: Array,
-    r_0: Array,
+    b: Num,
+    R: Num,
+    r_0: Num,
     omega: RadPerSecond,
     rho: KilogramPerMetre3,
     mu: PascalSecond = AIR_VISCOSITY,
     shell_gap: Metre | None = None,
 ) -> MassLoss:
-    """Of the sectors of a shaft that turns at ω: their lengths, outer and core radii, an element each.
+    """Of the sectors of a shaft that turns at ω: their lengths, outer and core radii, an element each, or of one.
 
     ρ: density of the mist (24 kg/m³ by the tests of wheels); μ: viscosity of the air in it, which drops of oil do not
     thicken; `shell_gap`: between the sectors and the shell that covers them, None where nothing does."""
+    b, R, r_0 = (np.atleast_1d(x) for x in (b, R, r_0))
     t = R if shell_gap is None else shell_gap
     C_Z = skin_friction(Re=gap_reynolds(rho=rho, omega=omega, R=R, t=t, mu=mu))
     low = least_loss(P_Z=cylinder_loss(C_Z=C_Z, rho=rho, omega=omega, R=R, b=b))

@@ -24,7 +24,7 @@ def values(name):
 
 
 def lost(b, R, r_0, rpm, rho, mu=1.8e-5, shell_gap=None):
-    return t.mass_loss(np.array(b), np.array(R), np.array(r_0), rpm * math.pi / 30, rho, mu, shell_gap)
+    return t.mass_loss(b, R, r_0, rpm * math.pi / 30, rho, mu, shell_gap)
 
 
 def friction_of(Re):
@@ -34,7 +34,7 @@ def friction_of(Re):
 @pytest.mark.parametrize("name", LOSSES)
 def test_the_given_losses(name):
     case = LOSSES[name]
-    b, R, r_0 = ([case[key] * 1e-3] for key in ("length_mm", "outer_radius_mm", "core_radius_mm"))
+    b, R, r_0 = (case[key] * 1e-3 for key in ("length_mm", "outer_radius_mm", "core_radius_mm"))
     gap = case["shell_gap_mm"]
     found = lost(
         b, R, r_0, case["speed_rpm"], case["density_kgm3"], case["viscosity_Pas"], None if gap is None else gap * 1e-3
@@ -94,7 +94,7 @@ SIZES = st.lists(st.tuples(st.floats(0.01, 0.2), st.floats(0.012, 0.06), st.floa
 def test_each_sector_adds_its_own_and_what_is_counted_lies_between(sizes, rpm, rho, gap):
     b, R, r_0 = np.array([(b, R, R * share) for b, R, share in sizes]).T
     found = lost(b, R, r_0, rpm, rho, shell_gap=gap)
-    each = [lost([x], [y], [z], rpm, rho, shell_gap=gap) for x, y, z in zip(b, R, r_0)]
+    each = [lost(x, y, z, rpm, rho, shell_gap=gap) for x, y, z in zip(b, R, r_0)]
     for name in ("mass_loss_low", "mass_loss_high"):
         assert getattr(found, name) == pytest.approx(sum(getattr(one, name) for one in each), rel=1e-12)
     assert 0 < found.mass_loss_low <= found.mass_loss <= found.mass_loss_high
@@ -120,7 +120,7 @@ def test_flows_of_one_reynolds_number_are_alike(sizes, x, speed):
 
 def test_what_the_viscosity_of_the_mist_does_to_the_low_end():
     """The program's own air, 9 % thicker than that of the given values, moves the low end by 1.3 %."""
-    case = dict(b=np.array([0.16]), R=np.array([0.022]), r_0=np.array([0.008]), omega=400 * math.pi, rho=24.0)
+    case = dict(b=0.16, R=0.022, r_0=0.008, omega=400 * math.pi, rho=24.0)
     assert AIR_VISCOSITY / 1.8e-5 == pytest.approx(1.09, abs=5e-3)
     thicker = t.mass_loss(**case).mass_loss_low / t.mass_loss(mu=1.8e-5, **case).mass_loss_low
     assert thicker == pytest.approx(1.013, abs=5e-4)
