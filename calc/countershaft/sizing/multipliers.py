@@ -13,7 +13,7 @@ may carry two, opposed.  |h| is straight in each part: the sector begins at the 
 part, or ends where |h| = γ/sin γ.  The function is concave and has a slope everywhere, which is what is still missing
 of α and Π: where nothing is missing, the sectors are the lightest of their kind, and no other search is needed.  They
 are there whenever the stretches, filled to 90° on the sides that h says, can give more than is asked.  A sector that is
-twisted along z, or several in a row, would save up to 1.5 % more."""
+twisted along z, or several in a row, would save up to 2.5 % more."""
 
 import math
 from collections.abc import Callable, Iterable

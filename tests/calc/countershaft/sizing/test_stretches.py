@@ -273,6 +273,44 @@ def test_two_stretches_are_filled_where_force_and_couple_point_different_ways():
     assert not found.lightest and sized(U, 0.0001 * K, where).lightest
 
 
+def test_filled_stretches_are_not_the_most_that_unequal_ones_hold():
+    """What the module says of them: with a front sector of 0.37 in place of 0.68 the larger sine falls by 12 %."""
+    where = ((-1.0, -0.32), (0.42, 0.71))
+    U, P = (-0.106 - 0.127j) * K, (0.369 - 0.086j) * K
+    filled = sized(U, P, where)
+    shorter = sized(U, P, ((-1.0, -0.63), where[1]))
+    assert 0.8 < shorter.utilisation / filled.utilisation < 0.9 and shorter.mass < 0.95 * filled.mass
+
+
+@settings(max_examples=20, deadline=None)
+@given(tasks())
+def test_what_a_twisted_sector_would_save(case):
+    """The least mass where every slice may have its own half-angle, bounded from below at any multipliers: 2.5 % less
+    at most."""
+    alpha, product, where, _ = case
+    lam = np.array(m.multipliers(alpha, product, where))
+    mass = m.supply(*lam, where)[2]
+
+    def bound(lam):
+        least = lam @ (alpha, product)
+        for a, b in where:
+            ends = np.linspace(a, b, 2001)
+            h = np.maximum(np.abs(lam[0] + lam[1] * (ends[1:] + ends[:-1]) / 2), 1.0)
+            least -= np.mean(np.sqrt(h**2 - 1) - np.arccos(1 / h)) * (b - a)
+        return least
+
+    step, least = 0.1 * np.hypot(*lam), bound(lam)
+    compass = np.exp(2j * np.pi * np.arange(12) / 12)
+    while step > 1e-4 * np.hypot(*lam):
+        around = [lam + step * np.array([way.real, way.imag]) for way in compass]
+        best = max(around, key=bound)
+        if bound(best) > least:
+            lam, least = best, bound(best)
+        else:
+            step /= 2
+    assert 0.975 * mass < least <= mass * (1 + 1e-6)
+
+
 def test_next_to_nothing_across_is_one_direction():
     """Between sectors that must not turn a couple across of 1e-9 is no reason to refuse; one of 1e-5 is."""
     where = stretches(0.1, [(-0.04, 0.02), (0.04, 0.02)])
