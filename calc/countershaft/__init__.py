@@ -12,7 +12,9 @@ OFFERED = {
     "sector_area": ".outline",
     "sector_mass": ".outline",
     "size_sectors": ".sizing.sectors:pair",
+    "size_stretches": ".sizing.stretches",
     "specific_load": "..library.journal_rules",
+    "stretches": ".sizing.stretches",
     "together": ".sums",
 }
 __all__ = [*OFFERED]

@@ -125,6 +125,43 @@ def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
     return gamma * (R**4 - r_0**4) / 2 + pi * r_0**4 / 2
 
 
+# --- a bore along the whole shaft, and sectors of another density than the core
+
+BORED = Text("geometry: less the bore along the whole shaft")
+HEAVIER = Text("geometry: sectors of another density, as if of the core's")
+
+
+@formula("A_b", BORED, unit="mm²")
+def bored_area(A: SquareMetre, r_b: Metre) -> SquareMetre:
+    return A - pi * r_b**2
+
+
+@formula("I_b", Text("{bored}; of a section that bends about its own centre", bored=BORED), unit="mm⁴")
+def bored_inertia(I: Metre4, r_b: Metre) -> Metre4:
+    return I - pi * r_b**4 / 4
+
+
+@formula("I_p,b", BORED, unit="mm⁴")
+def bored_polar_moment(I_p: Metre4, r_b: Metre) -> Metre4:
+    return I_p - pi * r_b**4 / 2
+
+
+@formula("A_w", HEAVIER, unit="mm²", names={"nu": "ν_ρ"})
+def weighing_area(A_tot: SquareMetre, A: SquareMetre, nu: Number) -> SquareMetre:
+    """ν: density of the sectors over that of the core; A: of the sector alone."""
+    return A_tot + (nu - 1) * A
+
+
+@formula("S_w", HEAVIER, unit="mm³", names={"S": "S_γ", "nu": "ν_ρ"})
+def weighing_moment(S: PhasorCubicMetre, nu: Number) -> PhasorCubicMetre:
+    return nu * S
+
+
+@formula("I_p,w", HEAVIER, unit="mm⁴", names={"nu": "ν_ρ"})
+def weighing_polar_moment(I_p: Metre4, gamma: Radian, R: Metre, r_0: Metre, nu: Number) -> Metre4:
+    return I_p + (nu - 1) * gamma * (R**4 - r_0**4) / 2
+
+
 # --- the outline
 
 Journals = tuple[tuple[Metre, Metre], ...]  # diameter and length of each, front to rear; empty where they are not known
@@ -156,6 +193,8 @@ class Outline:
     """The pieces of the shaft, touching one another, and their sections' properties, an element each.
 
     `inertia` is that of the full section in its weaker plane; `moment` the static moment S·e^{iγ} of what is eccentric.
+    `heavier`: density of the sectors over that of the core; `weighing_area`, `weighing_moment`: of sections that weigh
+    as much with the density of the core.  `bore`: the radius of a bore along the whole shaft.
     """
 
     pieces: tuple[Piece, ...]
@@ -163,6 +202,10 @@ class Outline:
     area: Array
     inertia: Array
     moment: ComplexArray
+    weighing_area: Array
+    weighing_moment: ComplexArray
+    bore: Metre = 0.0
+    heavier: Number = 1.0
 
     @property
     def plain(self) -> bool:
@@ -346,8 +389,9 @@ def around(z: Metre, b: Metre, what: Text) -> tuple[Metre, Metre]:
         return front_face(z=z, b=b), rear_face(z=z, b=b)
 
 
-def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
-    """Pieces with the properties of their sections.  Raises NoOutline where one is too thin to join its neighbours."""
+def outline(pieces: tuple[Piece, ...], derived: bool, bore: Metre = 0.0, heavier: Number = 1.0) -> Outline:
+    """Pieces with the properties of their sections; `bore`: radius of a bore along the whole shaft, `heavier`: density
+    of the sectors over that of the core.  Raises NoOutline where one is too thin to join its neighbours."""
     thinnest, largest = (pick(pieces, key=lambda piece: piece.outer_radius) for pick in (min, max))
     if thinnest.outer_radius < THIN * largest.outer_radius:
         reason = Text(
@@ -357,12 +401,20 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
         )
         name = Text("Radius of {said}", said=_stretch(thinnest))
         raise NoOutline(reason, CORE(thinnest.outer_radius, THIN * largest.outer_radius, name=name))
+    if bore and (
+        hollowed := [p for p in pieces if bore >= (p.outer_radius if p.half_angle is None else p.core_radius)]
+    ):
+        width = Amount(bore * 2000.0)
+        raise NoOutline(Text("a bore of {width} mm leaves nothing of {said}", width=width, said=_stretch(hollowed[0])))
     sectors = np.array([p.half_angle is not None for p in pieces])
     R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
     moment = np.zeros(len(pieces), dtype=complex)
     with about(Text("full sections of the shaft")):
         area = cylinder_area(R=R[~sectors])
         inertia = cylinder_inertia(R=R[~sectors])
+        if bore:
+            area, inertia = bored_area(A=area, r_b=bore), bored_inertia(I=inertia, r_b=bore)
+    weighing: Array | None = None
     if sectors.any():
         gamma = gathered(p.half_angle for p in pieces if p.half_angle is not None)
         R, r_0 = R[sectors], r_0[sectors]
@@ -370,11 +422,28 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
             A = sector_area(gamma=gamma, R=R, r_0=r_0)
             S = sector_moment(gamma=gamma, R=R, r_0=r_0)
             whole = whole_area(A=A, r_0=r_0)
+            if bore:
+                whole = bored_area(A=whole, r_b=bore)
             y = whole_centre(S=S, A_tot=whole)
+            I = sector_inertia(R=R, r_0=r_0, gamma=gamma, A_tot=whole, y=y)
+            if bore:
+                I = bored_inertia(I=I, r_b=bore)
+            if heavier != 1:
+                weighing = where(sectors, weighing_area(A_tot=whole, A=A, nu=heavier), area)
             area = where(sectors, whole, area)
-            inertia = where(sectors, sector_inertia(R=R, r_0=r_0, gamma=gamma, A_tot=whole, y=y), inertia)
+            inertia = where(sectors, I, inertia)
             moment = where(sectors, directed_moment(S=S, gamma=column(pieces, "angle")[sectors]), moment[~sectors])
-    return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
+    return Outline(
+        pieces=pieces,
+        derived=derived,
+        area=area,
+        inertia=inertia,
+        moment=moment,
+        weighing_area=area if weighing is None else weighing,
+        weighing_moment=moment if heavier == 1 else weighing_moment(S=moment, nu=heavier),
+        bore=bore,
+        heavier=heavier,
+    )
 
 
 def given(shaft: ShaftInputs) -> Outline:
@@ -524,7 +593,7 @@ def hollowed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass
 
 def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> tuple[Kilogram, Metre]:
     """Mass of the whole shaft and its centre of gravity along the axis."""
-    A = shape.area
+    A = shape.weighing_area
     l, z = _extent(shape)
     m, z_m = column(extras, "mass"), column(extras, "z")
     if not extras:
@@ -541,6 +610,11 @@ def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Eccent
     m, e = column(extras, "mass"), column(extras, "radius")
     R, r_0 = column(shape.pieces, "outer_radius"), column(shape.pieces, "core_radius")
     I_p = polar_moment(gamma=gamma, R=R, r_0=r_0)
+    if shape.heavier != 1:
+        nu = np.where([piece.half_angle is None for piece in shape.pieces], 1.0, shape.heavier)
+        I_p = weighing_polar_moment(I_p=I_p, gamma=gamma, R=R, r_0=r_0, nu=nu)
+    if shape.bore:
+        I_p = bored_polar_moment(I_p=I_p, r_b=shape.bore)
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 
@@ -566,7 +640,7 @@ def vectors_of(
     shape: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, F_x: complex, C_x: complex
 ) -> tuple[complex, complex]:
     """Force and couple of the outline about mid-shaft, with those of the further elements."""
-    S = shape.moment
+    S = shape.weighing_moment
     l, z = _extent(shape)
     return outline_force(omega=omega, rho=rho, S=S, l=l, F_x=F_x), outline_couple(
         omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x

@@ -6,6 +6,7 @@ from typing import Any
 
 # what this package offers, each from its module; loaded when it is asked for
 OFFERED = {
+    "mass_loss": ".losses.turning_masses",
     "schlenk": ".models",
     "solve_loss": ".solve",
 }

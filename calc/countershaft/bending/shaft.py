@@ -299,6 +299,8 @@ def bending(
         I = outline.inertia
         EI = f.bending_stiffness(E=material.E, I=I)
         core = f.core_inertia(I=I, r_0=column(outline.pieces, "core_radius"), sector=shaft.sector)
+        if outline.bore:
+            core = np.where(shaft.sector, s.bored_inertia(I=core, r_b=outline.bore), core)
         EI_s = _shared(material, core, effectiveness, I)
     given = shaft.given
     with about(Text("bending of the shaft, full stiffness")):
@@ -385,13 +387,12 @@ def _prepared(
 ) -> _Shaft:
     G = f.shear_modulus(E=material.E, nu=material.poisson)
     kappa = f.shear_coefficient(nu=material.poisson)
-    A, S = outline.area, outline.moment
     masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
     forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else np.zeros(0, dtype=complex)
     given = _Given(
-        S_s=f.shear_stiffness(kappa=kappa, G=G, A=A),
-        mu=f.line_mass(rho=material.density, A=A),
-        q=f.line_load(omega=omega, rho=material.density, S=S),
+        S_s=f.shear_stiffness(kappa=kappa, G=G, A=outline.area),
+        mu=f.line_mass(rho=material.density, A=outline.weighing_area),
+        q=f.line_load(omega=omega, rho=material.density, S=outline.weighing_moment),
         F=forces,
         m=masses,
         omega=omega,
@@ -423,6 +424,8 @@ def _frequencies(
         side = f.sideways_inertia(
             R=column(outline.pieces, "outer_radius"), r_0=column(outline.pieces, "core_radius"), gamma=gamma
         )
+        if outline.bore:
+            side = s.bored_inertia(I=side, r_b=outline.bore)
         weaker = f.weaker_inertia(I=inertia, I_side=side)
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)

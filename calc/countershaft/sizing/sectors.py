@@ -75,7 +75,7 @@ class Sized:
 
 
 @record
-class _Room:
+class Room:
     """The envelope that the sectors may fill, what they are made of, and the speed and the fillets of the shaft."""
 
     omega: RadPerSecond
@@ -91,13 +91,16 @@ class TooSmall(NoSolution):
 
     `possible` is the share of force and couple that the envelope holds, `possible_couple` that of a pure couple [N·m];
     `product` the unbalance times distance that further elements would have to bring in the couple's direction, without
-    a force of their own."""
+    a force of their own.  Beside inner bearings also `gap`, by how much all of their gaps would have to be narrower,
+    and `density`, that of the sectors."""
 
     possible: Number
     possible_couple: NewtonMetre | None
     outer_radius: Metre
     half_length: Metre
     product: KilogramMetre2 | None
+    gap: Metre | None = None
+    density: KilogramPerMetre3 | None = None
 
 
 @result
@@ -125,7 +128,7 @@ def pair(
         product = f.product_missing(C=C, C_max=most, omega=omega)
         asked = Text("a couple of {c} N·m", c=Amount(C, form=".4g"))
         length = f.half_length_needed(z_max=z_max, u=u)
-        raise _refusal(u, asked, most, length, product, _Room(omega, rho, R, r_0, z_max, fillet))
+        raise _refusal(u, asked, most, length, product, Room(omega, rho, R, r_0, z_max, fillet))
     gamma = f.pair_half_angle(K=K, z_max=z_max)
     q = f.pair_ratio(gamma=gamma)
     b = f.pair_length(z_max=z_max, q=q)
@@ -199,14 +202,19 @@ def size(
     U, P = remainder(U, P, extras)
     with untraced():
         k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
+    needed(U, P, k, z_max)
+    room = Room(omega, rho, R, r_0, z_max, fillet)
+    return _of_pair(P, room) if abs(U) * z_max <= DUST * abs(P) else _of_search(U, P, room)
+
+
+def needed(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, k: Kilogram, z_max: Metre) -> None:
+    """Raises NoSolution where nothing is asked of the sectors."""
     if max(abs(U), abs(P) / z_max) <= DUST * k * z_max:
         raise NoSolution(
             Text("there is nothing for the sectors to balance"),
             Text("force and couple asked of the shaft, less its further elements"),
             Text("leave the counter-shaft out, or the further elements that do all its work"),
         )
-    room = _Room(omega, rho, R, r_0, z_max, fillet)
-    return _of_pair(P, room) if abs(U) * z_max <= DUST * abs(P) else _of_search(U, P, room)
 
 
 def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Extra, ...]) -> Asked:
@@ -219,7 +227,7 @@ def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Ext
     return f.unbalance_left(U=U, U_x=U_x), f.product_left(P=P, P_x=P_x)
 
 
-def _of_pair(P: PhasorKilogramMetre2, room: _Room) -> Sized:
+def _of_pair(P: PhasorKilogramMetre2, room: Room) -> Sized:
     with about(Text("sectors")):
         C = f.couple_asked(P=P, omega=room.omega)
         half = pair(C, room.omega, room.rho, room.R, room.r_0, room.z_max, room.fillet)
@@ -238,7 +246,7 @@ def _of_pair(P: PhasorKilogramMetre2, room: _Room) -> Sized:
         )
 
 
-def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, room: _Room) -> Sized:
+def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, room: Room) -> Sized:
     z_max = room.z_max
     with about(Text("sectors")):
         k = f.unbalance_per_length(rho=room.rho, R=room.R, r_0=room.r_0)
@@ -253,8 +261,8 @@ def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, room: _Room) -> 
         z_f, z_r = f.front_place(b=b_f, z_max=z_max), f.rear_place(b=b_r, z_max=z_max)
         U_r = f.rear_unbalance(P=P, z_f=z_f, U=U, z_r=z_r)
         U_f = f.front_unbalance(U=U, U_r=U_r)
-    front = _sector("front", U_f, b_f, z_f, k, room)
-    rear = _sector("rear", U_r, b_r, z_r, k, room)
+    front = sector("front", U_f, b_f, z_f, k, room)
+    rear = sector("rear", U_r, b_r, z_r, k, room)
     return Sized(
         mass=f.both_masses(m_f=front.mass, m_r=rear.mass),
         utilisation=u,
@@ -267,7 +275,7 @@ def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, room: _Room) -> 
     )
 
 
-def _sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, room: _Room) -> SizedSector:
+def sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, room: Room) -> SizedSector:
     if abs(U) <= DUST * k * room.z_max:  # the other one does all
         return SizedSector(length=0.0, half_angle=0.0, mass=0.0, radius=0.0, angle=0.0, z=z)
     with about(Text("{name} sector", name=name)):
@@ -306,7 +314,7 @@ def pieces(sized: Sized) -> list[Piece]:
 # --- where it does not fit
 
 
-def _too_small(alpha: PhasorNumber, product: PhasorNumber, u: Number, k: Kilogram, room: _Room) -> TooSmall:
+def _too_small(alpha: PhasorNumber, product: PhasorNumber, u: Number, k: Kilogram, room: Room) -> TooSmall:
     """With a force there is no closed form: each answer is where the utilisation comes to 1."""
     z_max, omega = room.z_max, room.omega
     with untraced():
@@ -318,11 +326,17 @@ def _too_small(alpha: PhasorNumber, product: PhasorNumber, u: Number, k: Kilogra
         if _load(alpha, 0j) < 1:
             missing = root(lambda x: _load(alpha, product * (1 - x)) - 1, 0.0, 1.0) * abs(product) * k * z_max**2
     force, couple = abs(alpha) * k * z_max * omega**2, abs(product) * k * z_max**2 * omega**2
+    return _refusal(u, in_words(force, couple, z_max), None, longer * z_max, missing, room)
+
+
+def in_words(force: Newton, couple: NewtonMetre, z_max: Metre) -> Text:
+    """What is asked of the sectors."""
     newton, newton_metre = Amount(force, form=".4g"), Amount(couple, form=".4g")
-    asked = Text("a force of {force} N", force=newton)
-    if couple > DUST * force * z_max:
-        asked = Text("a force of {force} N with a couple of {couple} N·m", force=newton, couple=newton_metre)
-    return _refusal(u, asked, None, longer * z_max, missing, room)
+    if force * z_max <= DUST * couple:
+        return Text("a couple of {c} N·m", c=newton_metre)
+    if couple <= DUST * force * z_max:
+        return Text("a force of {force} N", force=newton)
+    return Text("a force of {force} N with a couple of {couple} N·m", force=newton, couple=newton_metre)
 
 
 def _load(alpha: PhasorNumber, product: PhasorNumber) -> float:
@@ -330,43 +344,58 @@ def _load(alpha: PhasorNumber, product: PhasorNumber) -> float:
 
 
 def _refusal(
-    u: Number, asked: Text, most: NewtonMetre | None, length: Metre, product: KilogramMetre2 | None, room: _Room
+    u: Number, asked: Text, most: NewtonMetre | None, length: Metre, product: KilogramMetre2 | None, room: Room
 ) -> TooSmall:
     """`most`: the couple that the envelope holds; `length`: the half-length needed.  The advice is rounded up: with it
     it does fit."""
     radius = f.radius_needed(R=room.R, r_0=room.r_0, u=u)
-    reach = (
-        Amount(most, "N·m", form=".1f") if most is not None else Text("{u} % of that", u=Amount(100 / u, form=".1f"))
-    )
-    what = Text(
-        "{asked} does not fit into the envelope: it holds {reach} at most (utilisation {u})",
-        asked=asked,
-        reach=reach,
-        u=Amount(u, form=".3f"),
-    )
+    reach = Amount(most, "N·m", form=".1f") if most is not None else share_of_that(u)
     tried = Text(
         "two sectors from {r_0} to {r} mm up to ±{z_max} mm, half-angle up to 90°",
         r_0=Amount(room.r_0 * 1000.0, form="g"),
         r=Amount(room.R * 1000.0, form="g"),
         z_max=Amount(room.z_max * 1000.0, form="g"),
     )
-    ways = [Text("an outer radius of {up} mm at this core and length", up=_up(radius * 1000.0, 2))]
-    ways.append(Text("a half-length of {up} mm at this radius", up=_up(length * 1000.0, 1)))
-    if product is not None:
-        missing = _up(product * 1000000.0, 1)
-        ways.append(
-            Text(
-                "further elements (extras) that bring {up} kg·mm² of unbalance times distance in its direction",
-                up=missing,
-            )
-        )
-    error = TooSmall(what, tried, Text("it takes {ways}", ways=Text(", or ").join(ways)))
-    error.possible, error.possible_couple = 1 / u, most
+    error = too_small(u, asked, reach, tried, larger(radius, length, product))
+    error.possible_couple = most
     error.outer_radius, error.half_length, error.product = radius, length, product
     return error
 
 
-def _up(x: float, digits: int) -> str:
+def larger(radius: Metre, length: Metre, product: KilogramMetre2 | None) -> list[Text]:
+    """What would help, each alone."""
+    ways = [Text("an outer radius of {up} mm at this core and length", up=up(radius * 1000.0, 2))]
+    ways.append(Text("a half-length of {up} mm at this radius", up=up(length * 1000.0, 1)))
+    if product is not None:
+        ways.append(
+            Text(
+                "further elements (extras) that bring {up} kg·mm² of unbalance times distance in its direction",
+                up=up(product * 1000000.0, 1),
+            )
+        )
+    return ways
+
+
+def share_of_that(u: Number) -> Text:
+    """What the envelope holds of what is asked."""
+    return Text("{u} % of that", u=Amount(100 / u, form=".1f"))
+
+
+def too_small(u: Number, asked: Text, reach: Amount | Text, tried: Text, ways: list[Text]) -> TooSmall:
+    """The refusal in words; the sizes that would help are the caller's to add."""
+    what = Text(
+        "{asked} does not fit into the envelope: it holds {reach} at most (utilisation {u})",
+        asked=asked,
+        reach=reach,
+        u=Amount(u, form=".3f"),
+    )
+    error = TooSmall(what, tried, Text("it takes {ways}", ways=Text(", or ").join(ways)))
+    error.possible = 1 / u
+    return error
+
+
+def up(x: float, digits: int) -> str:
+    """A size that would be enough, rounded up."""
     return f"{math.ceil(x * 10**digits * (1 - 1e-12)) / 10**digits:.{digits}f}"
 
 

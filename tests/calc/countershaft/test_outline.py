@@ -7,13 +7,29 @@ import numpy as np
 import pytest
 
 from calc.countershaft import outline as o
+from calc.countershaft.bending.formulas import shear_coefficient, shear_modulus
+from calc.countershaft.bending.shaft import bending
 from calc.countershaft.inputs import EccentricMass, Extra
 from calc.countershaft.outline import MASS_SHAPE, NoOutline, Piece, half_angle, narrowness, outline, sectors_of
 from calc.design.toml_file import design
+from calc.library.catalogue import materials
 from calc.sheet.errors import BadInput
 from calc.sheet.value import trace
 from calc.solve import solve
-from tests.calc.countershaft.shafts import FRONT, JOURNALS, REAR, SEATED, document, outcome, result, rows, verdicts
+from tests.calc.countershaft.shafts import (
+    FRONT,
+    JOURNALS,
+    REAR,
+    SEATED,
+    UP,
+    document,
+    drawn_shaft,
+    outcome,
+    piece,
+    result,
+    rows,
+    verdicts,
+)
 
 CORE = {"core_radius_mm": 15.0, "outer_radius_mm": 40.3}
 HALVES = [{**m, "mass_kg": 2.608345, "radius_mm": 18.830668, "z_mm": z} for m, z in ((FRONT, -76.5), (REAR, 76.5))]
@@ -453,3 +469,121 @@ def test_outer_radius_of_a_given_shaft_is_that_of_the_largest_seat():
     assert left_out.slopes["front"] == said.slopes["front"]
     threaded = result(core_radius_mm=14.0, bearings=SEATED, radial_clearance_mm=0.1)
     assert max(p.outer_radius for p in threaded.outline.pieces if p.what == "sector") == pytest.approx(0.0404)
+
+
+# --- hollow shafts, and sectors of a heavier material
+BORE, HEAVIER, RHO = 0.009, 17600 / 7860, 7860.0
+
+
+def fibres(piece, bore=0.0, heavier=1.0):
+    """The section of a piece cut into small patches: their areas, places and densities over that of the core."""
+    r = (np.arange(1500) + 0.5) / 1500 * piece.outer_radius
+    phi = (np.arange(1440) + 0.5) / 1440 * 2 * math.pi
+    dA = r[:, None] * (piece.outer_radius / 1500) * (2 * math.pi / 1440) * np.ones_like(phi)
+    z = r[:, None] * np.exp(1j * phi)
+    core = r[:, None] < (piece.outer_radius if piece.half_angle is None else piece.core_radius)
+    around = np.angle(np.exp(1j * (phi - piece.angle)))
+    sector = ~core & (np.abs(around) < (piece.half_angle or 0.0))
+    there = (core | sector) & (r[:, None] > bore)
+    return np.where(there, dA, 0.0).ravel(), z.ravel(), np.where(sector, heavier, 1.0).ravel()
+
+
+@pytest.mark.parametrize("bore, heavier", [(0.0, HEAVIER), (BORE, 1.0), (BORE, HEAVIER)])
+def test_a_bore_and_heavy_sectors_against_the_patches_of_each_section(bore, heavier):
+    solid = drawn_shaft(60.0, 110.0)
+    shape = outline(solid.pieces, derived=True, bore=bore, heavier=heavier)
+    lengths = np.array([part.length for part in shape.pieces])
+    middles = np.array([(part.start + part.end) / 2 for part in shape.pieces])
+    weights, moments, inertias = [], [], []
+    for n, part in enumerate(shape.pieces):
+        dA, z, density = fibres(part, bore, heavier)
+        assert shape.area[n] == pytest.approx(dA.sum(), rel=2e-3)
+        assert shape.moment[n] == pytest.approx((dA * z).sum(), abs=3e-3 * part.outer_radius**3)
+        own = z * np.exp(-1j * part.angle)
+        own -= (dA * own).sum() / dA.sum()
+        assert shape.inertia[n] == pytest.approx((dA * own.real**2).sum(), rel=5e-3)
+        weights.append((dA * density).sum())
+        moments.append((dA * density * z).sum())
+        inertias.append((dA * density * abs(z) ** 2).sum())
+    m, z_S = o.weighed(shape, RHO, ())
+    assert m == pytest.approx(RHO * np.dot(weights, lengths), rel=2e-3)
+    assert z_S == pytest.approx(np.dot(weights, lengths * middles) / np.dot(weights, lengths), abs=1e-4)
+    assert o.turning_inertia(shape, RHO, ()) == pytest.approx(RHO * np.dot(inertias, lengths), rel=2e-3)
+    F, C = o.vectors_of(shape, RHO, 300.0, 0j, 0j)
+    force = 300.0**2 * RHO * np.dot(moments, lengths)
+    assert F == pytest.approx(force, abs=5e-3 * abs(force))
+    assert C == pytest.approx(300.0**2 * RHO * np.dot(moments, lengths * middles), rel=5e-3)
+
+
+def test_a_bore_takes_nothing_of_the_force_and_heavy_sectors_give_in_proportion():
+    solid = drawn_shaft()
+    hollow, heavy = (outline(solid.pieces, True, **kind) for kind in ({"bore": BORE}, {"heavier": HEAVIER}))
+    whole = np.array(o.vectors_of(solid, RHO, 300.0, 0j, 0j))
+    assert np.array(o.vectors_of(hollow, RHO, 300.0, 0j, 0j)) == pytest.approx(whole, rel=1e-12)
+    assert np.array(o.vectors_of(heavy, RHO, 300.0, 0j, 0j)) == pytest.approx(HEAVIER * whole, rel=1e-12)
+    bore = math.pi * BORE**2 * (solid.end - solid.start)
+    assert o.weighed(solid, RHO, ())[0] - o.weighed(hollow, RHO, ())[0] == pytest.approx(RHO * bore, rel=1e-9)
+
+
+@pytest.mark.parametrize("bar", [piece(-500, 500, 12, "full"), piece(-500, 500, 12, "sector", 40.0, 0.0, 11)])
+def test_a_tube_is_stiffer_for_its_mass(bar):
+    """The first natural frequency of a slender one goes with √(I/A), of a narrow sector with that of bending sideways;
+    of a full one that makes √(1 + (r_b/R)²) of the solid bar's."""
+    first = [
+        bending(outline((bar,), False, bore=bore), materials()["20CrNi4"], 100.0, (-0.49, 0.49)).natural_frequency
+        for bore in (0.0, BORE)
+    ]
+    dA, z, _ = fibres(bar)
+    tube = abs(z) > BORE
+    I, A = (dA * z.imag**2)[tube].sum() / (dA * z.imag**2).sum(), dA[tube].sum() / dA.sum()
+    assert first[1] / first[0] == pytest.approx(math.sqrt(I / A), rel=3e-3)
+    if bar.half_angle is None:
+        assert first[1] / first[0] == pytest.approx(math.sqrt(1 + (BORE / 0.012) ** 2), rel=3e-3)
+
+
+def test_heavy_sectors_slow_the_shaft_down():
+    bar = piece(-500, 500, 12, "sector", 100.0, 0.0, 9)
+    plain, heavy = (outline((bar,), False, heavier=ratio) for ratio in (1.0, HEAVIER))
+    first = [bending(x, materials()["20CrNi4"], 100.0, (-0.49, 0.49)).natural_frequency for x in (plain, heavy)]
+    assert first[1] / first[0] == pytest.approx(math.sqrt(plain.area.item() / heavy.weighing_area.item()), rel=3e-3)
+
+
+def sag(shape, steel, omega):
+    """The largest deflection between its supports by moments and shears, both integrated along the shaft."""
+    z, dz = np.linspace(shape.start, shape.end, 200_001, retstep=True)
+    n = np.searchsorted([part.end for part in shape.pieces[:-1]], z)
+    q = omega**2 * steel.density * (shape.weighing_moment * np.exp(-1j * UP)).real[n]
+    front, rear = POSITIONS
+    R_r = -np.sum(q * (z - front)) * dz / (rear - front)
+    V = np.cumsum(q) * dz + (-q.sum() * dz - R_r) * (z >= front) + R_r * (z >= rear)
+    slope = np.cumsum(np.cumsum(V) * dz / (steel.E * shape.inertia[n])) * dz
+    G = shear_modulus(E=steel.E, nu=steel.poisson)
+    w = np.cumsum(slope - V / (shear_coefficient(nu=steel.poisson) * G * shape.area[n])) * dz
+    ends = np.interp(POSITIONS, z, w)
+    return np.abs(w - np.interp(z, POSITIONS, ends))[(z > front) & (z < rear)].max()
+
+
+def test_a_hollow_shaft_with_heavy_sectors_bends_as_its_moments_say():
+    solid, steel, omega = drawn_shaft(), materials()["20CrNi4"], 10.0  # so slow that it is bent by its sectors alone
+    for kind in ({}, {"bore": BORE}, {"heavier": HEAVIER}, {"bore": BORE, "heavier": HEAVIER}):
+        shape = outline(solid.pieces, True, **kind)
+        between = slice(*np.searchsorted(bending(shape, steel, omega, POSITIONS).z, POSITIONS))
+        found = np.abs(bending(shape, steel, omega, POSITIONS).vectors)[between].max()
+        assert found == pytest.approx(sag(shape, steel, omega), rel=1e-2)
+
+
+def test_where_sectors_lend_no_stiffness_the_ring_of_the_core_bends():
+    solid, steel = drawn_shaft(), materials()["20CrNi4"]
+    plain, hollow = (
+        np.abs(bending(outline(solid.pieces, True, bore=bore), steel, 10.0, POSITIONS, effectiveness=0.0).vectors).max()
+        for bore in (0.0, BORE)
+    )
+    ring = 1 / (1 - (BORE / 0.015) ** 4)
+    assert 1 + 0.8 * (ring - 1) < hollow / plain < 1.05 * ring
+
+
+def test_a_bore_that_leaves_nothing_is_told():
+    with pytest.raises(NoOutline, match=r"a bore of 30 mm leaves nothing of the core"):
+        outline(drawn_shaft().pieces, True, bore=0.015)
+    with pytest.raises(NoOutline, match="leaves nothing of the sector"):
+        outline((piece(-10, 10, 20, "sector", 90.0, 0.0, 8),), False, bore=0.008)

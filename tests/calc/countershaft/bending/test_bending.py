@@ -200,7 +200,7 @@ def test_narrow_sectors_swing_across_their_plane_of_symmetry():
     weak = narrow.inertia.copy()
     weak[S] = f.sideways_inertia(R=40.3 * mm, r_0=15 * mm, gamma=math.radians(30))
     assert weak[4] < narrow.inertia[4] / 2
-    other = type(narrow)(pieces=narrow.pieces, derived=False, area=narrow.area, inertia=weak, moment=narrow.moment)
+    other = replace(narrow, inertia=weak)
     assert r.natural_frequency == pytest.approx(bent(1.0, found=other, extras=()).natural_frequency, rel=1e-9)
     assert bent(0.3, found=narrow, extras=()).natural_frequency < r.natural_frequency
 
