@@ -6,11 +6,17 @@ from typing import Any
 
 # what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
 OFFERED = {
+    "Rigid": ".bending.carried",
+    "Spring": ".bending.carried",
+    "at_rest": ".bending.condensed",
+    "carried": ".bending.carried",
+    "condensed": ".bending.condensed",
     "permitted_unbalance": "..library.tolerances",
     "sector_area": ".outline",
     "sector_mass": ".outline",
     "size_sectors": ".sizing.sectors:pair",
     "specific_load": "..library.journal_rules",
+    "standing_on": ".bending.condensed",
 }
 __all__ = [*OFFERED]
 
