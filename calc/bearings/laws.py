@@ -12,7 +12,7 @@ from ..sheet.functions import power
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Newton, Number, PascalSecond, RevPerSecond
-from .film.table import eccentricity_from, film_hold, sommerfeld_range
+from .film.table import eccentricity_from, film_hold
 
 CENTRED, FARTHEST = 0.02, 0.98  # ε: the ends of the film table
 BEGUN = 0.9  # ε: no film is thinner where a solution is looked for first
@@ -50,10 +50,8 @@ class Film:
 
     def _held(self, eps: Number) -> Hold:
         S, load_slope, attitude, turning = film_hold(eps, self.l / self.d)
-        F, radius = self.scale / S, self.c / 2
-        return Hold(
-            F, F * load_slope / radius, F / (eps * radius), self.sense * attitude, self.sense * turning / radius
-        )
+        F, radius, sense = self.scale / S, self.c / 2, self.sense
+        return Hold(F, F * load_slope / radius, F / (eps * radius), sense * attitude, sense * turning / radius)
 
     def hold(self, e: Metre) -> Hold:
         eps = 2 * e / self.c
@@ -63,11 +61,10 @@ class Film:
         return Hold(k * e, k, k, self.centred.attitude)
 
     def begin(self, F: Newton) -> Metre:
-        least, most = sommerfeld_range(self.l / self.d)
-        if F * most <= self.scale:
-            return F / self.centred.secant
-        S, radius = self.scale / F, self.c / 2
-        return radius * (BEGUN if S <= least else min(BEGUN, eccentricity_from(S, self.l / self.d)))
+        eps = eccentricity_from(self.scale / F, self.l / self.d, outside="nan")
+        if eps <= BEGUN:
+            return eps * self.c / 2
+        return F / self.centred.secant if F < self.centred.force else BEGUN * self.c / 2
 
     def farthest(self, e: Metre) -> Metre:
         return min(FARTHEST * self.c / 2, (self.c / 2 + e) / 2)

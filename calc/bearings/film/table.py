@@ -294,17 +294,12 @@ def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> 
     return FilmPoint(inside, sommerfeld, attitude, friction, flow, side_flow_ratio, pressure_ratio, damping)
 
 
-def sommerfeld_range(length_ratio: float) -> tuple[float, float]:
-    """S at the largest and at the smallest ε of the table.  Raises FilmRangeError outside it."""
-    loads = column_at(length_ratio).loads
-    low, high = (math.exp(-load) / (2.0 * math.pi * length_ratio**2) for load in (loads[-1], loads[0]))
-    return low, high
-
-
 def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outside) -> float:
     try:
         column = column_at(length_ratio)
-        low, high = sommerfeld_range(length_ratio)
+        low, high = (
+            math.exp(-load) / (2.0 * math.pi * length_ratio**2) for load in (column.loads[-1], column.loads[0])
+        )
         if not low * (1.0 - SLACK) <= sommerfeld <= high * (1.0 + SLACK):
             raise FilmRangeError(
                 Text("Sommerfeld number S"),

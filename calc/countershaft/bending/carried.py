@@ -8,6 +8,7 @@ method on the real and imaginary parts.  All numbers stand in the frame of the s
 import cmath
 import math
 from collections.abc import Sequence
+from functools import cache
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -93,7 +94,7 @@ class Carried:
     """The shaft on its N supports: displacements x of its journals, loads, tilts θ of its sections there.
 
     `stiffness`, N/m: of each support to a load that stands, infinite of a rigid one, 0 of one that does not touch.
-    `steps`: Newton's."""
+    `steps`: Newton's, of the last attempt."""
 
     x: ComplexArray
     load: ComplexArray
@@ -108,22 +109,15 @@ def carried(
     """The loads of the supports, one law for each.  `names` of the supports and `name` of the shaft are what an error
     calls them.
 
-    Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, then with the
-    supports that have play made soft and stiff again."""
+    Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, then with
+    supports that have play made soft and stiff again, first those whose journal began in it, then all."""
     rows = [i for i, law in enumerate(laws) if not isinstance(law, Rigid)]
     free = [law for law in laws if not isinstance(law, Rigid)]
     equation = _equation(shaft, rows)
-    begun = [_begun(law, F, LEAST * equation.largest) for law, F in zip(free, shaft.f_c[rows].tolist())]
+    begun = _begun(equation, free)
     now, found = _newton(equation, free, begun)
-    steps = now.step
     if not found:
-        play = [law.hold(0.0).secant == 0.0 for law in free]
-        middle = [has and not start for has, start in zip(play, begun)]
-        soft = middle if any(middle) else play
-        for share in SOFTENED:
-            softened = [law.softer(share) if is_soft else law for law, is_soft in zip(free, soft)]
-            now, found = _newton(equation, softened, now.x)
-            steps += now.step
+        now, found = _softened(equation, free, begun, now)
     if not found:
         called = [names[i] if names else str(i + 1) for i in rows]
         raise NoSolution(
@@ -134,14 +128,13 @@ def carried(
     x[rows] = now.x
     load = shaft.f_c - shaft.K_c @ x
     load[rows] = now.load
-    slope, secant = np.array([(held.slope, held.secant) for held in now.held]).reshape(-1, 2).T
-    stiffness[rows] = f.mean_stiffness(k_t=slope, k_s=secant)
+    stiffness[rows] = [f.mean_stiffness(k_t=held.slope, k_s=held.secant) for held in now.held]
     return Carried(
         x=x,
         load=f.shared_load(K_c=shaft.K_c, f_c=shaft.f_c, x=x, P=load),
         theta=f.tilted(theta_0=shaft.theta_0, Theta=shaft.Theta, x=x),
         stiffness=stiffness,
-        steps=steps,
+        steps=now.step,
     )
 
 
@@ -151,8 +144,8 @@ class _Equation:
 
     K: Array
     f: Array
-    each: IndexArray  # the supports
-    largest: Newton  # |f_c| of all, rigid ones too
+    at: tuple[IndexArray, IndexArray]  # rows and columns of the four derivatives of each P
+    largest: Newton  # |f_c| of all supports, rigid ones too
 
 
 class _Now(NamedTuple):
@@ -170,7 +163,13 @@ def _equation(shaft: Condensed, rows: list[int]) -> _Equation:
     n = len(rows)
     K = np.zeros((n, 2, n, 2))
     K[:, 0, :, 0] = K[:, 1, :, 1] = shaft.K_c[rows][:, rows]
-    return _Equation(K.reshape(2 * n, 2 * n), _parts(shaft.f_c[rows]), np.arange(n), float(np.abs(shaft.f_c).max()))
+    return _Equation(K.reshape(2 * n, 2 * n), _parts(shaft.f_c[rows]), _blocks(n), float(np.abs(shaft.f_c).max()))
+
+
+@cache
+def _blocks(n: int) -> tuple[IndexArray, IndexArray]:
+    real = np.arange(0, 2 * n, 2)
+    return np.stack([real, real, real + 1, real + 1], 1).ravel(), np.stack([real, real + 1] * 2, 1).ravel()
 
 
 def _parts(numbers: Sequence[complex] | ComplexArray) -> Array:
@@ -182,22 +181,26 @@ def _direction(x: complex) -> complex:
     return x / abs(x) if x else 1.0 + 0j
 
 
-def _begun(law: Law, F: complex, least: Newton) -> complex:
-    """Where a support carries what a rigid one would."""
-    if abs(F) <= least:
-        return 0j
-    e = law.begin(abs(F))
-    return cmath.rect(e, cmath.phase(F) - law.hold(e).attitude)
+def _begun(equation: _Equation, laws: Sequence[Law]) -> _Now:
+    """Where each support carries what a rigid one would."""
+    loads: list[complex] = equation.f.view(np.complex128).tolist()
+    least = LEAST * equation.largest
+    e = [law.begin(abs(F)) if abs(F) > least else 0.0 for law, F in zip(laws, loads)]
+    held = [law.hold(e_i) for law, e_i in zip(laws, e)]
+    x = [cmath.rect(e_i, cmath.phase(F) - h.attitude) for e_i, h, F in zip(e, held, loads)]
+    return _now(equation, laws, x, held=held)
 
 
-def _now(equation: _Equation, laws: Sequence[Law], x: list[complex], step: int) -> _Now:
-    held = [law.hold(abs(x_i)) for law, x_i in zip(laws, x)]
+def _now(
+    equation: _Equation, laws: Sequence[Law], x: list[complex], step: int = 0, held: list[Hold] | None = None
+) -> _Now:
+    held = held or [law.hold(abs(x_i)) for law, x_i in zip(laws, x)]
     load = [cmath.rect(h.force, h.attitude) * _direction(x_i) for h, x_i in zip(held, x)]
     missing = equation.f - equation.K @ _parts(x) - _parts(load)
     return _Now(step, x, held, load, missing, max(map(abs, missing.view(np.complex128).tolist()), default=0.0))
 
 
-def _tangent(held: Hold, x: complex) -> tuple[tuple[float, float], tuple[float, float]]:
+def _tangent(held: Hold, x: complex) -> tuple[float, float, float, float]:
     """By how much the real part of P moves with the real and with the imaginary part of x; and the imaginary part of
     P."""
     u = _direction(x)
@@ -205,18 +208,14 @@ def _tangent(held: Hold, x: complex) -> tuple[tuple[float, float], tuple[float, 
     outward = turned * complex(held.slope, held.force * held.turning)
     sideways = turned * complex(0.0, held.secant)
     real, imag = outward * u.real - sideways * u.imag, outward * u.imag + sideways * u.real
-    return (real.real, imag.real), (real.imag, imag.imag)
+    return real.real, imag.real, real.imag, imag.imag
 
 
-def _newton(equation: _Equation, laws: Sequence[Law], x: list[complex]) -> tuple[_Now, bool]:
+def _newton(equation: _Equation, laws: Sequence[Law], now: _Now) -> tuple[_Now, bool]:
     """Where it ends, and whether that is an equilibrium."""
-    n = len(laws)
-    now = _now(equation, laws, x, 0)
     while now.worst > SETTLED * equation.largest and now.step < STEPS:
         J = equation.K.copy()
-        J.reshape(n, 2, n, 2)[equation.each, :, equation.each, :] += [
-            _tangent(h, x_i) for h, x_i in zip(now.held, now.x)
-        ]
+        J[equation.at] += [part for h, x_i in zip(now.held, now.x) for part in _tangent(h, x_i)]
         try:
             way = np.linalg.solve(J, now.missing).view(np.complex128).tolist()
         except np.linalg.LinAlgError:
@@ -234,3 +233,17 @@ def _newton(equation: _Equation, laws: Sequence[Law], x: list[complex]) -> tuple
             return now, False
         now = nearer
     return now, now.worst <= SETTLED * equation.largest
+
+
+def _softened(equation: _Equation, laws: Sequence[Law], begun: _Now, now: _Now) -> tuple[_Now, bool]:
+    """The same from where it ended, with supports that have play soft at first: those whose journal began in it, then
+    all."""
+    play = [law.hold(0.0).secant == 0.0 for law in laws]
+    found = False
+    for soft in ([has and not x for has, x in zip(play, begun.x)], play):
+        if found or not any(soft):
+            continue
+        for share in SOFTENED:
+            softened = [law.softer(share) if is_soft else law for law, is_soft in zip(laws, soft)]
+            now, found = _newton(equation, softened, _now(equation, softened, now.x))
+    return now, found
