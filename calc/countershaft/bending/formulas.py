@@ -358,6 +358,13 @@ def shared_load(K_c: NewtonsPerMetre, f_c: PhasorNewtons, x: PhasorMetres, P: Ph
     return P
 
 
+@formula("x", "geometry: the journal lags its load by the attitude angle", shows="e·e^{−i·φ}·P/|P|")
+def displaced(P: PhasorNewtons, e: Metres, phi: Radians) -> PhasorMetres:
+    """Of journals whose loads are known; e of each, φ below zero where the shaft turns against the crank."""
+    x: ComplexArray = e * np.exp(-1j * phi) * P / np.abs(P)
+    return x
+
+
 @formula("θ", "statics: slopes on rigid supports, and what the displaced journals add", shows="θ_0 + Θ·x")
 def tilted(theta_0: PhasorRadians, Theta: RadiansPerMetre, x: PhasorMetres) -> PhasorRadians:
     """The rotation of the sections at the supports, in the films."""
