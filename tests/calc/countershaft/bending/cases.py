@@ -49,9 +49,7 @@ def turning(case):
 
 
 def still(case, wheel=None):
-    return countershaft.at_rest(
-        pieces(case), supports(case), material(case), points(case), case.get("eta", 1.0), wheel
-    )
+    return countershaft.at_rest(pieces(case), supports(case), material(case), points(case), case.get("eta", 1.0), wheel)
 
 
 def given(name):

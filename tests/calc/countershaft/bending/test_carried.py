@@ -75,7 +75,9 @@ def test_a_stiff_shaft_shares_by_the_lever_rule():
     lift, tilt = np.linalg.solve(straight.T @ (k[:, None] * straight) + inertia, straight.T @ shaft.f_c)
     assert carried.load == pytest.approx(k * (lift + tilt * shaft.z), rel=1e-3)
     assert carried.theta == pytest.approx(np.full(4, tilt), rel=1e-2)
-    assert f.cone(x_f=carried.x[0], x_r=carried.x[3], z_f=shaft.z[0], z_r=shaft.z[3]) == pytest.approx(abs(tilt), rel=1e-2)
+    assert f.cone(x_f=carried.x[0], x_r=carried.x[3], z_f=shaft.z[0], z_r=shaft.z[3]) == pytest.approx(
+        abs(tilt), rel=1e-2
+    )
 
 
 class Stiffening:

@@ -79,19 +79,21 @@ def test_on_springs_it_stands_as_the_whole_beam_does():
     assert shaft.deflection(x) == pytest.approx(whole[::2], rel=1e-7, abs=1e-12)
 
 
-lengths = st.floats(0.02, 0.3)
+lengths = st.floats(0.1, 0.4)
 beams = st.lists(
-    st.tuples(lengths, st.floats(1e2, 1e6), st.floats(1e6, 1e9), st.floats(0.5, 50), st.complex_numbers(max_magnitude=5e4)),
+    st.tuples(
+        lengths, st.floats(1e2, 1e6), st.floats(1e6, 1e9), st.floats(0.5, 50), st.complex_numbers(max_magnitude=5e4)
+    ),
     min_size=1,
     max_size=5,
 )
-places = st.lists(st.integers(0, 20), min_size=2, max_size=5, unique=True).map(sorted)
+places = st.lists(st.integers(0, 10), min_size=2, max_size=5, unique=True).map(sorted)
 
 
 def drawn(pieces, pins):
     l, EI, S, mu, q = (np.array(column) for column in zip(*pieces))
     ends = np.append(0.0, np.cumsum(l))
-    return beam(ends, EI, S, mu, q, np.array(pins) / 20 * ends[-1], longest=0.05)
+    return beam(ends, EI, S, mu, q, np.array(pins) / 10 * ends[-1], longest=0.05)
 
 
 @settings(max_examples=50, deadline=None)
@@ -106,8 +108,8 @@ def test_forces_and_inertia_are_in_equilibrium(pieces, pins, omega, seed):
     r = shaft.K_c @ x - shaft.f_c
     for move, arm in ((up, np.ones(len(pins))), (about, shaft.z)):  # virtual work of a rigid move
         loads = move @ model.f, omega**2 * move @ model.M @ u, r @ arm
-        terms = abs(move) @ abs(model.f) + omega**2 * abs(move) @ abs(model.M) @ abs(u) + abs(shaft.K_c) @ abs(x) @ arm
-        assert abs(sum(loads)) <= 1e-6 * terms + 1e-9
+        terms = abs(move) @ abs(model.f) + omega**2 * abs(move) @ abs(model.M) @ abs(u)
+        assert abs(sum(loads)) <= 1e-6 * terms + 1e-11 * abs(model.K).max() * abs(x).max() * arm.max()
 
 
 @settings(max_examples=50, deadline=None)
@@ -115,8 +117,8 @@ def test_forces_and_inertia_are_in_equilibrium(pieces, pins, omega, seed):
 def test_stiffness_is_mutual_and_a_rigid_move_asks_for_inertia_alone(pieces, pins, omega):
     model = drawn(pieces, pins)
     shaft, still = of_beam(model, omega), of_beam(model, 0.0)
-    dust = 1e-9 * abs(model.K).max()
-    assert abs(shaft.K_c - shaft.K_c.T).max() <= dust
+    dust = 1e-11 * abs(model.K).max()
+    assert abs(shaft.K_c - shaft.K_c.T).max() <= dust  # Maxwell and Betti
     assert abs(still.K_c.sum(1)).max() <= dust
     assert abs(still.K_c @ still.z).max() <= dust * max(abs(still.z))
 
@@ -173,7 +175,9 @@ def test_springs_rigid_supports_and_those_that_do_not_touch(k):
 
 
 @settings(max_examples=50, deadline=None)
-@given(k=st.lists(st.floats(1e6, 1e10), min_size=3, max_size=3), lift=st.floats(-1e-4, 1e-4), tilt=st.floats(-1e-3, 1e-3))
+@given(
+    k=st.lists(st.floats(1e6, 1e10), min_size=3, max_size=3), lift=st.floats(-1e-4, 1e-4), tilt=st.floats(-1e-3, 1e-3)
+)
 def test_a_rigid_move_of_all_bores_gives_nothing(k, lift, tilt):
     shaft = cases.still(cases.STANDING["sectors-mean-plane"])
     on = countershaft.standing_on(shaft, np.array(k))
