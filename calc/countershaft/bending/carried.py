@@ -124,16 +124,17 @@ def carried(
             Text("bearings of {name} find no common place", name=name),
             COMMA.join(law.said(row, abs(x)) for law, row, x in zip(free, called, now.x)),
         )
-    x, stiffness = np.zeros(len(laws), dtype=complex), np.full(len(laws), math.inf)
+    x = np.zeros(len(laws), dtype=complex)
     x[rows] = now.x
     load = shaft.f_c - shaft.K_c @ x
     load[rows] = now.load
-    stiffness[rows] = [f.mean_stiffness(k_t=held.slope, k_s=held.secant) for held in now.held]
+    tangents = np.full((2, len(laws)), math.inf)
+    tangents[:, rows] = [[held.slope for held in now.held], [held.secant for held in now.held]]
     return Carried(
         x=x,
         load=f.shared_load(K_c=shaft.K_c, f_c=shaft.f_c, x=x, P=load),
         theta=f.tilted(theta_0=shaft.theta_0, Theta=shaft.Theta, x=x),
-        stiffness=stiffness,
+        stiffness=f.mean_stiffness(k_t=tangents[0], k_s=tangents[1]),
         steps=now.step,
     )
 

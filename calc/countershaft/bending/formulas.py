@@ -378,6 +378,7 @@ def tilted(theta_0: PhasorRadians, Theta: RadiansPerMetre, x: PhasorMetres) -> P
     shows="|Re(θ·x*)|/|x|; |θ| of a journal that runs centred",
 )
 def tilt_along(theta: PhasorRadians, x: PhasorMetres) -> Radians:
+    """Half a bearing's length times this is missing of the narrowest film at its edge."""
     e = np.abs(x)
     centred = e < CENTRED
     along: Array = np.where(centred, np.abs(theta), np.abs((theta * np.conj(x)).real) / np.where(centred, 1.0, e))
@@ -422,7 +423,7 @@ def wheel_load(G_F: Number, G_C: PerMetre, F_t: Newton, F_r: Newton, F_a: Newton
 
 
 @formula(
-    "R_c", Text("{bound}: every bore by t/2 off the line", bound=BOUND), shows="t/2·Σ_j |A_ij|, A = K_0·k/(K_0 + k)"
+    "R_c", Text("{bound}: every bore by t/2 off the line", bound=BOUND), shows="t/2·Σ_j |A_ij|, A = k − k·(K_0 + k)⁻¹·k"
 )
 def alignment_load(t: Metre, A: NewtonsPerMetre) -> Newtons:
     """`A`: how much less stands on the row's support for each metre by which the column's bore is off the line."""

@@ -4,6 +4,7 @@ table, and the equations themselves."""
 import math
 import random
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -193,7 +194,7 @@ def any_shaft(draw, rolling=0.4, play=40e-6):
     core, outer, l = radius * draw.uniform(0.5, 0.9), radius * draw.uniform(1.5, 3.0), min(1.6 * radius, 0.25 * span)
     half_angle, angle = math.radians(draw.uniform(30, 75)), draw.uniform(0, 2 * math.pi)
     pieces = [Piece(z[0] - l, z[0] + l, radius, 0.0, None, 0.0, "full")]
-    for front, rear in zip(z, z[1:]):
+    for front, rear in pairwise(z):
         middle = (front + rear) / 2
         if (couple and abs(middle) < 1e-9) or (not couple and draw.random() < 0.1):
             pieces.append(Piece(front + l, rear - l, core, 0.0, None, 0.0, "full"))
@@ -270,6 +271,17 @@ def test_the_journal_lags_its_load():
     lag = np.angle(carried.load / carried.x)
     eps = abs(carried.x) / 35e-6
     assert lag == pytest.approx([film_at(e, 20 / 30).attitude for e in eps], rel=1e-6)
+
+
+def test_it_begins_where_each_film_carries_what_a_pin_would():
+    """Of a shaft that gives way without any force that is the place: nothing is left for Newton's method."""
+    case = cases.SHARE["overhung"]
+    shaft = replace(cases.turning(case), K_c=np.zeros((2, 2)))
+    carried = countershaft.carried(shaft, [law(row, case) for row in case["laws"]])
+    assert carried.steps == 0
+    eps = abs(carried.x) / 35e-6
+    lag = np.array([film_at(e, 20 / 30).attitude for e in eps])
+    assert carried.x == pytest.approx(f.displaced(P=shaft.f_c, e=abs(carried.x), phi=lag), rel=1e-7)
 
 
 def test_films_of_no_clearance_are_pins():
