@@ -47,7 +47,7 @@ class Law(Protocol):
         """How far from the middle a step from e may lead."""
 
     def softer(self, share: Number) -> "Law":
-        """The same with a share of its stiffness; itself, if it holds the journal in its middle too."""
+        """The same with a share of its stiffness; itself, if it holds the journal wherever that is."""
 
     def said(self, name: str, e: Metre) -> Text:
         """What a user knows it by, and what is wrong where the journal is at e."""
@@ -109,15 +109,15 @@ def carried(
     """The loads of the supports, one law for each.  `names` of the supports and `name` of the shaft are what an error
     calls them.
 
-    Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, then with
-    supports that have play made soft and stiff again, first those whose journal began in it, then all."""
+    Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, from there
+    with all supports that have play made soft and stiff again."""
     rows = [i for i, law in enumerate(laws) if not isinstance(law, Rigid)]
     free = [law for law in laws if not isinstance(law, Rigid)]
     equation = _equation(shaft, rows)
-    begun = _begun(equation, free)
-    now, found = _newton(equation, free, begun)
-    if not found:
-        now, found = _softened(equation, free, begun, now)
+    now, found = _newton(equation, free, _begun(equation, free))
+    for share in () if found else SOFTENED:
+        softened = [law.softer(share) for law in free]
+        now, found = _newton(equation, softened, _now(equation, softened, now.x))
     if not found:
         called = [names[i] if names else str(i + 1) for i in rows]
         raise NoSolution(
@@ -177,11 +177,6 @@ def _parts(numbers: Sequence[complex] | ComplexArray) -> Array:
     return np.array(numbers, dtype=np.complex128).view(np.float64)
 
 
-def _direction(x: complex) -> complex:
-    """x/|x|; of no displacement any."""
-    return x / abs(x) if x else 1.0 + 0j
-
-
 def _begun(equation: _Equation, laws: Sequence[Law]) -> _Now:
     """Where each support carries what a rigid one would."""
     loads: list[complex] = equation.f.view(np.complex128).tolist()
@@ -196,7 +191,7 @@ def _now(
     equation: _Equation, laws: Sequence[Law], x: list[complex], step: int = 0, held: list[Hold] | None = None
 ) -> _Now:
     held = held or [law.hold(abs(x_i)) for law, x_i in zip(laws, x)]
-    load = [cmath.rect(h.force, h.attitude) * _direction(x_i) for h, x_i in zip(held, x)]
+    load = [cmath.rect(h.force, h.attitude + cmath.phase(x_i)) for h, x_i in zip(held, x)]
     missing = equation.f - equation.K @ _parts(x) - _parts(load)
     return _Now(step, x, held, load, missing, max(map(abs, missing.view(np.complex128).tolist()), default=0.0))
 
@@ -204,8 +199,7 @@ def _now(
 def _tangent(held: Hold, x: complex) -> tuple[float, float, float, float]:
     """By how much the real part of P moves with the real and with the imaginary part of x; and the imaginary part of
     P."""
-    u = _direction(x)
-    turned = cmath.rect(1.0, held.attitude) * u
+    u, turned = cmath.rect(1.0, cmath.phase(x)), cmath.rect(1.0, held.attitude + cmath.phase(x))
     outward = turned * complex(held.slope, held.force * held.turning)
     sideways = turned * complex(0.0, held.secant)
     real, imag = outward * u.real - sideways * u.imag, outward * u.imag + sideways * u.real
@@ -234,17 +228,3 @@ def _newton(equation: _Equation, laws: Sequence[Law], now: _Now) -> tuple[_Now, 
             return now, False
         now = nearer
     return now, now.worst <= SETTLED * equation.largest
-
-
-def _softened(equation: _Equation, laws: Sequence[Law], begun: _Now, now: _Now) -> tuple[_Now, bool]:
-    """The same from where it ended, with supports that have play soft at first: those whose journal began in it, then
-    all."""
-    play = [law.hold(0.0).secant == 0.0 for law in laws]
-    found = False
-    for soft in ([has and not x for has, x in zip(play, begun.x)], play):
-        if found or not any(soft):
-            continue
-        for share in SOFTENED:
-            softened = [law.softer(share) if is_soft else law for law, is_soft in zip(laws, soft)]
-            now, found = _newton(equation, softened, _now(equation, softened, now.x))
-    return now, found

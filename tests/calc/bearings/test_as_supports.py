@@ -240,7 +240,6 @@ def test_three_thousand_shafts_find_their_place():
     assert sum(shared_or_full(*any_shaft(draw)) for _ in range(3000)) >= 2990
 
 
-# a journal begins in its play; none does; one does, and all supports have to be soft
 @pytest.mark.parametrize("seed, play", [(2172, 100e-6), (1752, 100e-6), (1559, 300e-6)])
 def test_supports_with_much_play_are_made_soft_first(seed, play, monkeypatch):
     """Where Newton's method alone ends where too few supports touch."""
