@@ -20,6 +20,7 @@ from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Number, RadPerSecond
 from ...sheet.value import untraced
+from ..formulas import line_weight, weight
 from ..inputs import EccentricMass
 from ..outline import Outline, Piece, outline
 from . import formulas as f
@@ -147,8 +148,8 @@ def at_rest(
     with untraced():
         still = prepared(shape, material, 0.0, supports, points)
     given = still.given
-    given["q"] = (-f.line_weight(mu=given["mu"])).astype(np.complex128)
-    given["F"] = (-f.point_weight(m=given["m"])).astype(np.complex128)
+    given["q"] = (-line_weight(mu=given["mu"])).astype(np.complex128)
+    given["F"] = (-weight(m_S=given["m"])).astype(np.complex128)
     core = f.core_inertia(I=shape.inertia, r_0=column(shape.pieces, "core_radius"), sector=still.sector)
     mean = f.mean_inertia(I=shape.inertia, I_side=sideways(shape)) if still.sector.any() else shape.inertia
     model = still.model(shared_stiffness(material, core, effectiveness, mean))

@@ -11,7 +11,6 @@ from ...sheet.formula import formula
 from ...sheet.functions import cos, largest, modulus, pi, sin, smallest, sqrt
 from ...sheet.text import Text
 from ...sheet.units import (
-    Kilogram,
     KilogramMetre,
     KilogramMetres,
     KilogramPerMetre,
@@ -48,7 +47,6 @@ from ...sheet.units import (
     RevPerSecond,
     SquareMetre,
 )
-from ..formulas import G
 from . import beam as b
 from .beam import Beam, Bent
 
@@ -404,16 +402,6 @@ def mean_stiffness(k_t: NewtonPerMetre, k_s: NewtonPerMetre) -> NewtonPerMetre:
 @formula("I_m", "geometry: mean second moment of both planes, as a section that turns bends under a load that stands")
 def mean_inertia(I: Metre4, I_side: Metre4) -> Metre4:
     return (I + I_side) / 2
-
-
-@formula("q_G", "definition: weight per length", names={"mu": "ρ_l", "G": "g"})
-def line_weight(mu: KilogramPerMetre) -> NewtonPerMetre:
-    return mu * G
-
-
-@formula("G_i", "definition: weight of each further mass", names={"m": "m_i", "G": "g"})
-def point_weight(m: Kilogram) -> Newton:
-    return m * G
 
 
 @formula("R_G", Text("{bound}: tooth force and tilting couple of its thrust", bound=BOUND))
