@@ -1,6 +1,7 @@
 """Supports that share what turns: against closed forms, limits, and reference values of another program."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -154,6 +155,23 @@ def test_a_shaft_without_load_lies_in_the_middle():
     case = cases.SHARE["four-supports"] | {"points": []}
     carried = countershaft.carried(cases.turning(case), [Spring(8e7)] * 4)
     assert abs(carried.load).max() == 0.0 == carried.steps
+
+
+def test_a_step_is_halved_until_less_is_missing():
+    """Supports that level off, looked for too far out: whole steps of Newton's method lead ever farther."""
+
+    class Levelling(Stiffening):
+        def hold(self, e):
+            t = e / 1e-5
+            F = 2000 * math.atan(t)
+            return Hold(F, 2000 / 1e-5 / (1 + t**2), F / e if e else 2000 / 1e-5)
+
+        def begin(self, F):
+            return 5e-5
+
+    shaft = replace(SHAFT, K_c=np.zeros((4, 4)))
+    carried = countershaft.carried(shaft, [Levelling(0, 0, 0)] * 4)
+    assert abs(carried.x) == pytest.approx(1e-5 * np.tan(abs(shaft.f_c) / 2000), rel=1e-6)
 
 
 def test_what_finds_no_place_is_said():
