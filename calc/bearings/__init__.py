@@ -7,6 +7,8 @@ from typing import Any
 # what this package offers, each from its module; loaded when it is asked for
 OFFERED = {
     "Feed": ".film.grooved",
+    "Film": ".as_supports",
+    "Rolling": ".as_supports",
     "film_at": ".film.table",
     "relative_clearance": ".formulas",
     "solve_film": ".solve",

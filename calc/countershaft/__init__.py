@@ -8,12 +8,18 @@ from typing import Any
 OFFERED = {
     "OrderVectors": ".sums",
     "SystemShaft": ".sums",
+    "Rigid": ".bending.carried",
+    "Spring": ".bending.carried",
+    "at_rest": ".bending.condensed",
+    "carried": ".bending.carried",
+    "condensed": ".bending.condensed",
     "permitted_unbalance": "..library.tolerances",
     "sector_area": ".outline",
     "sector_mass": ".outline",
     "size_sectors": ".sizing.sectors:pair",
     "size_stretches": ".sizing.stretches",
     "specific_load": "..library.journal_rules",
+    "standing_on": ".bending.condensed",
     "stretches": ".sizing.stretches",
     "together": ".sums",
 }

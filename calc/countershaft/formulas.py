@@ -10,10 +10,12 @@ from ..sheet.text import Text
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
+    KilogramPerMetre,
     Metre,
     MetrePerSecond2,
     Newton,
     NewtonMetre,
+    NewtonPerMetre,
     Number,
     PhasorKilogramMetre,
     PhasorKilogramMetre2,
@@ -237,6 +239,11 @@ def weight(m_S: Kilogram) -> Newton:
     88.59327...
     """
     return m_S * G
+
+
+@formula("q_G", "definition: weight per length", names={"mu": "ρ_l", "G": "g"})
+def line_weight(mu: KilogramPerMetre) -> NewtonPerMetre:
+    return mu * G
 
 
 @formula("G_B", "statics: lever about the other bearing", names={"z_S": "z_S"})

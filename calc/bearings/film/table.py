@@ -42,6 +42,7 @@ Outside: TypeAlias = Literal["raise", "nan"]
 TABLE = Path(__file__).parents[2] / "library" / "tables" / "film_table.npy"
 QUANTITIES = ("ln(So/So_short)", "phi", "Q", "Qs/Q", "P/pmax", "ln(C_rr/C_rr,short)")
 
+ECCENTRICITY = Text("eccentricity ratio")
 SLACK = 1e-9  # relative: a value this far outside, from rounding, counts as the limit
 
 
@@ -235,6 +236,26 @@ def film_slopes(eccentricity: Value, length_ratio: Num, *, outside: Outside = "r
     return slopes
 
 
+def film_hold(eccentricity: float, length_ratio: float) -> tuple[Number, Number, Radian, Radian]:
+    """S, d ln So/dε, φ and dφ/dε at one point: of `film_at` and `film_slopes` what is asked for again and again.
+
+    Raises FilmRangeError outside the table."""
+    column, table = column_at(length_ratio), film_nodes()
+    eps = within(ECCENTRICITY, eccentricity, table.eccentricities)
+    x = math.atanh(eps)
+    node = min(bisect_right(table.x_list, x), len(table.x_list) - 1) - 1
+    step = table.x_list[node + 1] - table.x_list[node]
+    part = (x - table.x_list[node]) / step
+    (So_0, phi_0), (So_1, phi_1), (So_2, phi_2), (So_3, phi_3) = column.values[2 * node : 2 * node + 4, :2].tolist()
+    a, b, c, d = hermite(part, step)
+    load, attitude = a * So_0 + b * So_1 + c * So_2 + d * So_3, a * phi_0 + b * phi_1 + c * phi_2 + d * phi_3
+    sommerfeld = math.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(eps))
+    a, b, c, d = hermite_slope(part, step)
+    load, turning = a * So_0 + b * So_1 + c * So_2 + d * So_3, a * phi_0 + b * phi_1 + c * phi_2 + d * phi_3
+    per_eccentricity = 1.0 / (1.0 - eps**2)  # dx/dε
+    return sommerfeld, (load + short_bearing_slope(eps)) * per_eccentricity, attitude, turning * per_eccentricity
+
+
 def eccentricity_from(sommerfeld: Value, length_ratio: Num, *, outside: Outside = "raise") -> Value:
     """The eccentricity ε that carries the load: the table's S(ε, l/d), strictly decreasing in ε, turned round.
 
@@ -255,7 +276,7 @@ def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> 
     try:
         column = column_at(length_ratio)
         table = film_nodes()
-        inside = within(Text("eccentricity ratio"), eccentricity, table.eccentricities)
+        inside = within(ECCENTRICITY, eccentricity, table.eccentricities)
     except FilmRangeError:
         if outside == "nan":
             return FilmPoint(*(math.nan,) * 8)
@@ -365,9 +386,7 @@ def _read(
 ) -> tuple[Array, Array, Array]:
     """ε and l/d within the table, and its quantities there, along the last axis."""
     table = film_nodes()
-    eccentricity = clipped(
-        Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside
-    )
+    eccentricity = clipped(ECCENTRICITY, eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
     length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, across = cells(table.x, np.arctanh(eccentricity), weights)

@@ -195,9 +195,9 @@ def displaced(beam: Beam, omega: RadPerSecond = 0.0) -> ComplexArray:
     return u
 
 
-def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:
-    """The displaced beam with its reactions and moments."""
-    u = displaced(beam, omega)
+def bend(beam: Beam, omega: RadPerSecond = 0.0, u: ComplexArray | None = None) -> Bent:
+    """The displaced beam with its reactions and moments; `u`: w and θ of each node, where they are known already."""
+    u = displaced(beam, omega) if u is None else u
     reactions = (beam.K[beam.pinned] - omega**2 * beam.M[beam.pinned]) @ u - beam.f[beam.pinned]
     z, w = beam.z, u[::2]
     ends = np.stack([u[:-2:2], u[1:-2:2], u[2::2], u[3::2]], 1)

@@ -6,9 +6,9 @@ that of the journal."""
 
 import numpy as np
 
-from ...sheet.arrays import Array, BoolArray
+from ...sheet.arrays import Array, BoolArray, ComplexArray
 from ...sheet.formula import formula
-from ...sheet.functions import cos, largest, pi, sin, smallest
+from ...sheet.functions import cos, largest, modulus, pi, sin, smallest, sqrt
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramMetre,
@@ -32,12 +32,17 @@ from ...sheet.units import (
     NewtonsPerMetre,
     Number,
     Pascal,
+    PerMetre,
     PhasorCubicMetre,
+    PhasorMetre,
+    PhasorMetres,
     PhasorNewtonPerMetre,
     PhasorNewtons,
     PhasorNewtonsPerMetre,
+    PhasorRadians,
     Radian,
     Radians,
+    RadiansPerMetre,
     RadPerSecond,
     RevPerSecond,
     SquareMetre,
@@ -332,3 +337,83 @@ def limiting_share(
 @formula("a", "geometry: way of the journal's edge by its slope", unit="µm")
 def edge_displacement(theta: Radian, l: Metre) -> Metre:
     return theta * l / 2
+
+
+# --- on supports that give way
+# x: displacement of each journal, complex, in the frame of the shaft; θ₀, Θ, K_c, f_c: the shaft seen from its supports
+
+CENTRED: Metre = 1e-9  # a journal that is displaced by less has no direction
+SHARED = Text("statics: the shaft bends between supports that give way, K_c·x + P(x) = f_c")
+MEAN_TANGENT = Text(
+    "statics: a force that stands goes round in the frame of the shaft, and meets the mean of both tangents"
+)
+BOUND = Text("statics, a bound: nothing is known of the directions, so that all add up")
+
+
+@formula("P", SHARED, shows="P of each support where K_c·x + P(x) = f_c, Newton's method; P(x) the law of each support")
+def shared_load(K_c: NewtonsPerMetre, f_c: PhasorNewtons, x: PhasorMetres, P: PhasorNewtons) -> PhasorNewtons:
+    """The loads of the supports, in the frame of the shaft.  `P` is found from the others and the laws."""
+    return P
+
+
+@formula("x", "geometry: the journal lags its load by the attitude angle", shows="e·e^{−i·φ}·P/|P|")
+def displaced(P: PhasorNewtons, e: Metres, phi: Radians) -> PhasorMetres:
+    """Of journals whose loads are known; e of each, φ below zero where the shaft turns against the crank."""
+    x: ComplexArray = e * np.exp(-1j * phi) * P / np.abs(P)
+    return x
+
+
+@formula("θ", "statics: slopes on rigid supports, and what the displaced journals add", shows="θ_0 + Θ·x")
+def tilted(theta_0: PhasorRadians, Theta: RadiansPerMetre, x: PhasorMetres) -> PhasorRadians:
+    """The rotation of the sections at the supports, in the films."""
+    tilts: ComplexArray = theta_0 + Theta @ x
+    return tilts
+
+
+@formula(
+    "θ_x",
+    "geometry: the part of the tilt that lies in the plane of the narrowest film",
+    shows="|Re(θ·x*)|/|x|; |θ| of a journal that runs centred",
+)
+def tilt_along(theta: PhasorRadians, x: PhasorMetres) -> Radians:
+    """Half a bearing's length times this is missing of the narrowest film at its edge."""
+    e = np.abs(x)
+    centred = e < CENTRED
+    along: Array = np.where(centred, np.abs(theta), np.abs((theta * np.conj(x)).real) / np.where(centred, 1.0, e))
+    return along
+
+
+@formula("γ_c", "geometry: half-angle of the cone on which the straight line through the outer journals goes round")
+def cone(x_f: PhasorMetre, x_r: PhasorMetre, z_f: Metre, z_r: Metre) -> Radian:
+    return modulus((x_r - x_f) / (z_r - z_f))
+
+
+@formula("k", MEAN_TANGENT, names={"k_t": "d|P|/de", "k_s": "|P|/e"})
+def mean_stiffness(k_t: NewtonPerMetre, k_s: NewtonPerMetre) -> NewtonPerMetre:
+    """>>> mean_stiffness(k_t=9e7, k_s=3e7)
+    60000000.0
+    """
+    return (k_t + k_s) / 2
+
+
+# --- what stands in the housing
+
+
+@formula("I_m", "geometry: mean second moment of both planes, as a section that turns bends under a load that stands")
+def mean_inertia(I: Metre4, I_side: Metre4) -> Metre4:
+    return (I + I_side) / 2
+
+
+@formula("R_G", Text("{bound}: tooth force and tilting couple of its thrust", bound=BOUND))
+def wheel_load(G_F: Number, G_C: PerMetre, F_t: Newton, F_r: Newton, F_a: Newton, d: Metre) -> Newton:
+    """G_F, G_C: what 1 N and 1 N·m at the wheel put on the support."""
+    return G_F * sqrt(F_t**2 + F_r**2) + G_C * F_a * d / 2
+
+
+@formula(
+    "R_c", Text("{bound}: every bore by t/2 off the line", bound=BOUND), shows="t/2·Σ_j |A_ij|, A = k − k·(K_0 + k)⁻¹·k"
+)
+def alignment_load(t: Metre, A: NewtonsPerMetre) -> Newtons:
+    """`A`: how much less stands on the row's support for each metre by which the column's bore is off the line."""
+    loads: Array = t / 2 * np.abs(A).sum(1)
+    return loads

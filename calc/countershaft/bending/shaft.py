@@ -293,15 +293,15 @@ def bending(
 
     Raises NoSolution where a journal or a further element lies beyond the shaft's ends.
     """
-    _places(outline, positions, extras)
+    within_shaft(outline, positions, extras)
     with about(Text("bending of the shaft")):
-        shaft = _prepared(outline, material, omega, positions, extras)
+        shaft = prepared(outline, material, omega, positions, extras)
         I = outline.inertia
         EI = f.bending_stiffness(E=material.E, I=I)
         core = f.core_inertia(I=I, r_0=column(outline.pieces, "core_radius"), sector=shaft.sector)
         if outline.bore:
             core = np.where(shaft.sector, s.bored_inertia(I=core, r_b=outline.bore), core)
-        EI_s = _shared(material, core, effectiveness, I)
+        EI_s = shared_stiffness(material, core, effectiveness, I)
     given = shaft.given
     with about(Text("bending of the shaft, full stiffness")):
         stiff = shaft.model(EI)
@@ -361,7 +361,8 @@ def run_up_fatigue(stress: Pascal, material: Material) -> dict[str, float]:
     }
 
 
-def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...]) -> None:
+def within_shaft(outline: Outline, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...]) -> None:
+    """Raises NoSolution where a journal or a further element lies beyond the shaft's ends."""
     elements = [(z, Text("{z} mm (a bearing)", z=Amount(z * 1000.0, form="g"))) for z in positions]
     elements += [(x.z, Text("{z} mm ({name})", z=Amount(x.z * 1000.0, form="g"), name=x.name)) for x in extras]
     outside = [text for z, text in elements if not outline.start - SAME <= z <= outline.end + SAME]
@@ -378,13 +379,14 @@ def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[Eccent
         )
 
 
-def _prepared(
+def prepared(
     outline: Outline,
     material: Material,
     omega: RadPerSecond,
     positions: tuple[Metre, ...],
     extras: tuple[EccentricMass, ...],
 ) -> _Shaft:
+    """Mass, shear stiffness and load of each piece at `omega`; the bending stiffness is the variants' own."""
     G = f.shear_modulus(E=material.E, nu=material.poisson)
     kappa = f.shear_coefficient(nu=material.poisson)
     masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
@@ -403,7 +405,16 @@ def _prepared(
     return _Shaft(outline=outline, sector=sector, places=z, given=given)
 
 
-def _shared(material: Material, core: Array, eta: Number, inertia: Array) -> Array:
+def sideways(outline: Outline) -> Array:
+    """The second moments of area of the sections that bend across their plane of symmetry."""
+    # π: the full cylinder
+    gamma = gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces)
+    R, r_0 = column(outline.pieces, "outer_radius"), column(outline.pieces, "core_radius")
+    side = f.sideways_inertia(R=R, r_0=r_0, gamma=gamma)
+    return s.bored_inertia(I=side, r_b=outline.bore) if outline.bore else side
+
+
+def shared_stiffness(material: Material, core: Array, eta: Number, inertia: Array) -> Array:
     """The bending stiffness with a share of what the sectors add to the core."""
     return f.bending_stiffness(E=material.E, I=f.shared_inertia(I_0=core, eta=eta, I=inertia))
 
@@ -419,16 +430,10 @@ def _frequencies(
     outline = shaft.outline
     inertia = outline.inertia
     if shaft.sector.any():
-        # π: the full cylinder
-        gamma = gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces)
-        side = f.sideways_inertia(
-            R=column(outline.pieces, "outer_radius"), r_0=column(outline.pieces, "core_radius"), gamma=gamma
-        )
-        if outline.bore:
-            side = s.bored_inertia(I=side, r_b=outline.bore)
+        side = sideways(outline)
         weaker = f.weaker_inertia(I=inertia, I_side=side)
         if np.any(weaker < inertia * (1 - 1e-9)):
-            stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
+            stiffnesses = shared_stiffness(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             inertia = weaker
     j = f.rotary_inertia(rho=material.density, I=inertia)
     shared, whole = stiffnesses

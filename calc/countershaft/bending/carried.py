@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the supports share what turns with the shaft: each gives way by its own law, and the shaft bends between them.
+
+Every support is round: what it does to a journal depends on how far that is off its middle, and turns with it.  Of a
+journal displaced by x = e·û it takes the load P = F(e)·e^{iφ(e)}·û (`Law`); K_c·x + P(x) = f_c is solved by Newton's
+method on the real and imaginary parts.  All numbers stand in the frame of the shaft, in SI."""
+
+import cmath
+import math
+from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from ...sheet.arrays import Array, ComplexArray, IndexArray
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ...sheet.text import COMMA, Amount, Text
+from ...sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian
+from . import formulas as f
+from .condensed import Condensed
+
+# --- what a support is
+
+
+class Hold(NamedTuple):
+    """What a support does to a journal at a distance e from its middle: its load F, dF/de, and F/e, at the middle the
+    limit of it; the angle by which the load is ahead of the displacement, and its slope, rad/m."""
+
+    force: Newton
+    slope: NewtonPerMetre
+    secant: NewtonPerMetre
+    attitude: Radian = 0.0
+    turning: float = 0.0
+
+
+class Law(Protocol):
+    """What Newton's method asks of a support."""
+
+    def hold(self, e: Metre) -> Hold: ...
+
+    def begin(self, F: Newton) -> Metre:
+        """Where a journal that it may have to hold with F is looked for first."""
+
+    def farthest(self, e: Metre) -> Metre:
+        """How far from the middle a step from e may lead."""
+
+    def softer(self, share: Number) -> "Law":
+        """The same with a share of its stiffness; itself, if it holds the journal wherever that is."""
+
+    def said(self, name: str, e: Metre) -> Text:
+        """What a user knows it by, and what is wrong where the journal is at e."""
+
+
+@record
+class Spring:
+    """A support that gives way by its load over k, N/m."""
+
+    k: NewtonPerMetre
+
+    def hold(self, e: Metre) -> Hold:
+        return Hold(self.k * e, self.k, self.k)
+
+    def begin(self, F: Newton) -> Metre:
+        return F / self.k
+
+    def farthest(self, e: Metre) -> Metre:
+        return math.inf
+
+    def softer(self, share: Number) -> "Spring":
+        return self
+
+    def said(self, name: str, e: Metre) -> Text:
+        return Text("support {name}: {k}", name=name, k=Amount(self.k / 1e3, "N/mm"))
+
+
+@record
+class Rigid:
+    """A support that does not give way."""
+
+
+# --- the shaft on them
+
+LEAST = 0.01  # of the largest f_c: where there is less, the journal begins in the middle of its support
+SETTLED = 1e-10  # of the largest f_c: what may be missing to equilibrium
+STEPS = 60
+HALVINGS = 40  # a step that has to be shorter than this leads nowhere
+SOFTENED = (1e-3, 1e-2, 0.1, 1.0)  # of their stiffness, one after the other: supports with play, where all else fails
+
+
+@record
+class Carried:
+    """The shaft on its N supports: displacements x of its journals, loads, tilts θ of its sections there.
+
+    `stiffness`, N/m: of each support to a load that stands, infinite of a rigid one, 0 of one that does not touch.
+    `steps`: Newton's, of the last attempt."""
+
+    x: ComplexArray
+    load: ComplexArray
+    theta: ComplexArray
+    stiffness: Array
+    steps: int
+
+
+def carried(
+    shaft: Condensed, laws: Sequence[Law | Rigid], names: Sequence[str] = (), name: str = "the shaft"
+) -> Carried:
+    """The loads of the supports, one law for each.  `names` of the supports and `name` of the shaft are what an error
+    calls them.
+
+    Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, from there
+    with all supports that have play made soft and stiff again."""
+    rows = [i for i, law in enumerate(laws) if not isinstance(law, Rigid)]
+    free = [law for law in laws if not isinstance(law, Rigid)]
+    equation = _equation(shaft, rows)
+    now, found = _newton(equation, free, _begun(equation, free))
+    for share in () if found else SOFTENED:
+        softened = [law.softer(share) for law in free]
+        now, found = _newton(equation, softened, _now(equation, softened, now.x))
+    if not found:
+        called = [names[i] if names else str(i + 1) for i in rows]
+        raise NoSolution(
+            Text("bearings of {name} find no common place", name=name),
+            COMMA.join(law.said(row, abs(x)) for law, row, x in zip(free, called, now.x)),
+        )
+    x = np.zeros(len(laws), dtype=complex)
+    x[rows] = now.x
+    load = shaft.f_c - shaft.K_c @ x
+    load[rows] = now.load
+    tangents = np.full((2, len(laws)), math.inf)
+    tangents[:, rows] = [[held.slope for held in now.held], [held.secant for held in now.held]]
+    return Carried(
+        x=x,
+        load=f.shared_load(K_c=shaft.K_c, f_c=shaft.f_c, x=x, P=load),
+        theta=f.tilted(theta_0=shaft.theta_0, Theta=shaft.Theta, x=x),
+        stiffness=f.mean_stiffness(k_t=tangents[0], k_s=tangents[1]),
+        steps=now.step,
+    )
+
+
+@record
+class _Equation:
+    """K_c·x + P(x) = f_c of n supports that give way; of each first the real part, then the imaginary one."""
+
+    K: Array
+    f: Array
+    at: tuple[IndexArray, IndexArray]  # rows and columns of the four derivatives of each P
+    largest: Newton  # |f_c| of all supports, rigid ones too
+
+
+class _Now(NamedTuple):
+    """Where Newton's method stands."""
+
+    step: int
+    x: list[complex]
+    held: list[Hold]
+    load: list[complex]
+    missing: Array  # f_c − K_c·x − P
+    worst: Newton
+
+
+def _equation(shaft: Condensed, rows: list[int]) -> _Equation:
+    n = len(rows)
+    K = np.zeros((n, 2, n, 2))
+    K[:, 0, :, 0] = K[:, 1, :, 1] = shaft.K_c[rows][:, rows]
+    return _Equation(K.reshape(2 * n, 2 * n), _parts(shaft.f_c[rows]), _blocks(n), float(np.abs(shaft.f_c).max()))
+
+
+@cache
+def _blocks(n: int) -> tuple[IndexArray, IndexArray]:
+    real = np.arange(0, 2 * n, 2)
+    return np.stack([real, real, real + 1, real + 1], 1).ravel(), np.stack([real, real + 1] * 2, 1).ravel()
+
+
+def _parts(numbers: Sequence[complex] | ComplexArray) -> Array:
+    return np.array(numbers, dtype=np.complex128).view(np.float64)
+
+
+def _begun(equation: _Equation, laws: Sequence[Law]) -> _Now:
+    """Where each support carries what a rigid one would."""
+    loads: list[complex] = equation.f.view(np.complex128).tolist()
+    least = LEAST * equation.largest
+    e = [law.begin(abs(F)) if abs(F) > least else 0.0 for law, F in zip(laws, loads)]
+    held = [law.hold(e_i) for law, e_i in zip(laws, e)]
+    x = [cmath.rect(e_i, cmath.phase(F) - h.attitude) for e_i, h, F in zip(e, held, loads)]
+    return _now(equation, laws, x, held=held)
+
+
+def _now(
+    equation: _Equation, laws: Sequence[Law], x: list[complex], step: int = 0, held: list[Hold] | None = None
+) -> _Now:
+    held = held or [law.hold(abs(x_i)) for law, x_i in zip(laws, x)]
+    load = [cmath.rect(h.force, h.attitude + cmath.phase(x_i)) for h, x_i in zip(held, x)]
+    missing = equation.f - equation.K @ _parts(x) - _parts(load)
+    return _Now(step, x, held, load, missing, max(map(abs, missing.view(np.complex128).tolist()), default=0.0))
+
+
+def _tangent(held: Hold, x: complex) -> tuple[float, float, float, float]:
+    """By how much the real part of P moves with the real and with the imaginary part of x; and the imaginary part of
+    P."""
+    u, turned = cmath.rect(1.0, cmath.phase(x)), cmath.rect(1.0, held.attitude + cmath.phase(x))
+    outward = turned * complex(held.slope, held.force * held.turning)
+    sideways = turned * complex(0.0, held.secant)
+    real, imag = outward * u.real - sideways * u.imag, outward * u.imag + sideways * u.real
+    return real.real, imag.real, real.imag, imag.imag
+
+
+def _newton(equation: _Equation, laws: Sequence[Law], now: _Now) -> tuple[_Now, bool]:
+    """Where it ends, and whether that is an equilibrium."""
+    while now.worst > SETTLED * equation.largest and now.step < STEPS:
+        J = equation.K.copy()
+        J[equation.at] += [part for h, x_i in zip(now.held, now.x) for part in _tangent(h, x_i)]
+        try:
+            way = np.linalg.solve(J, now.missing).view(np.complex128).tolist()
+        except np.linalg.LinAlgError:
+            return now, False
+        limits = [law.farthest(abs(x_i)) for law, x_i in zip(laws, now.x)]
+        part = 1.0
+        for _ in range(HALVINGS):
+            x = [x_i + part * dx for x_i, dx in zip(now.x, way)]
+            if all([abs(x_i) <= limit for x_i, limit in zip(x, limits)]):
+                nearer = _now(equation, laws, x, now.step + 1)
+                if nearer.worst < now.worst:
+                    break
+            part /= 2
+        else:
+            return now, False
+        now = nearer
+    return now, now.worst <= SETTLED * equation.largest
