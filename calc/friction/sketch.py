@@ -56,16 +56,17 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     ]
     losses = _together(meshes, result.total_loss)
     losses += [
-        Loss(
-            Text("{place} bearing", place=IN_WORDS[place]),
-            journal.friction_power,
-            dotted("bearings", place),
-            judged(checks, f"friction.{place}"),
-        )
-        for place, journal in result.journals.items()
+        Loss(Name(name), stage.loss, dotted("gears", GearsInputs.stages, name)) for name, stage in result.stages.items()
     ]
+    for shaft, journals in result.journals.items():
+        for place, journal in journals.items():
+            name = Text("{place} bearing", place=IN_WORDS[place])
+            if len(result.journals) > 1:
+                name = Text("{shaft}, {name}", shaft=Name(shaft), name=name)
+            state = judged(checks, f"friction.{place}")
+            losses.append(Loss(name, journal.friction_power, dotted("bearings", place), state))
     losses += [
-        Loss(Text("windage"), result.windage_loss),
+        Loss(Text("windage"), result.windage_loss or 0.0),
         Loss(Text("churning"), result.churning_loss or 0.0),
         Loss(Text("oil thrown on"), result.thrown_oil_loss or 0.0),
         Loss(Text("shaft seals"), result.seal_loss or 0.0),

@@ -19,6 +19,7 @@ from .backlash.checks import BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WA
 from .checks import TIP_THICKNESS, UNDERCUT
 from .curves import pitch_point_view
 from .inputs import GearsInputs, Mesh
+from .layout.curves import loop
 from .layout.room import CLEARANCE, REACH
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
@@ -70,7 +71,10 @@ def _placed(train: TrainResult) -> dict[str, complex] | None:
     """To the right and up, where every wheel has a place."""
     laid = train.layout.wheels if train.layout is not None else {}
     known = {name: complex(w.position.imag, w.position.real) for name, w in laid.items() if w.position is not None}
-    return known if known.keys() == train.wheels.keys() else None
+    if known.keys() != train.wheels.keys():
+        return None
+    sprockets = train.layout.sprockets if train.layout is not None else {}
+    return known | {name: complex(p.imag, p.real) for name, p in sprockets.items()}
 
 
 def _point(at: complex) -> draw.Point:
@@ -101,8 +105,23 @@ def _train(
             place, radius = _point(first + (second - first) * share), 0.12 * mesh.centre_distance
             yield draw.Arc(draw.OUTLINE, place, radius, key=dotted("gears", GearsInputs.meshes, n), state=jams[key])
     yield from _lines(train, centres, told=not placed)
+    yield from _stages(train, centres)
     if placed:
         yield from _obstacles(gears)
+
+
+def _stages(train: TrainResult, centres: Mapping[str, complex]) -> Iterator[draw.Mark]:
+    """Chains and belts as lines around their sprockets; of a sprocket on the outer side its circle."""
+    for name, stage in train.stages.items():
+        p_1, p_2 = centres.get(stage.driver), centres.get(stage.driven)
+        if p_1 is None or p_2 is None:
+            continue
+        key, r_2 = dotted("gears", GearsInputs.stages, name), stage.pitch_diameter_driven / 2
+        if train.tree.by_key[name].sense > 0:
+            around = loop(p_1, p_2, stage.pitch_diameter_driver / 2, r_2).tolist()
+            yield draw.Polyline(draw.HIDDEN, tuple(map(_point, around)), key=key)
+        else:
+            yield draw.Arc(draw.HIDDEN, _point(p_2), r_2, key=key)
 
 
 def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> Iterator[draw.Mark]:

@@ -225,6 +225,12 @@ class Wheel:
         repair="free",
     )
 
+    shaft: str | None = text(
+        "Shaft that it carries",
+        default=None,
+        help="Name of the shaft on which it sits. Left out of all wheels: the last driven one carries the shaft.",
+    )
+
     former_name: str | None = text(
         "Name that it had",
         default=None,

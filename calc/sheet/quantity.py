@@ -390,7 +390,8 @@ class Group:
     wherever they stand.
 
     `short`, `leads`: whether what lies in it may stand in a short report at all, and whether on its first page or for
-    its step; of a dict, the keys of which it may."""
+    its step; of a dict, the keys of which it may.  `several`: the keys of the dict stand in the address only where
+    there are several."""
 
     spread: bool
     former: str
@@ -399,6 +400,7 @@ class Group:
     leads: bool | tuple[str, ...]
     words: Text
     key_words: Mapping[str, Text]
+    several: bool = False
 
 
 NO_GROUP = Group(False, "", NOTHING_RENAMED, True, True, EMPTY, NO_KEY_WORDS)
@@ -446,9 +448,11 @@ def group(
     leads: bool | tuple[str, ...] = True,
     words: str = "",
     key_words: Mapping[str, Text] = NO_KEY_WORDS,
+    named: Literal["always", "several"] = "always",
 ) -> T:
-    """A field that holds further results or a dict of them."""
-    about = Group(spread, former, renamed, short, leads, Text(words), key_words)
+    """A field that holds further results or a dict of them.  `named`: when the keys of the dict stand in the address,
+    always, or only where there are several."""
+    about = Group(spread, former, renamed, short, leads, Text(words), key_words, named == "several")
     return field(default=default, kw_only=True, metadata={"group": about})
 
 
@@ -517,6 +521,9 @@ def _inside(
     """`formerly`: the prefix that they had.  `group`: the description of the field that holds the result; `short`,
     `leads`: what those around it let them."""
     if isinstance(result, dict):
+        if group.several and len(result) == 1:
+            yield from _inside(next(iter(result.values())), prefix, formerly, wanted, NO_GROUP, short, leads)
+            return
         for name, part in result.items():
             if part is None:
                 continue
