@@ -472,13 +472,12 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         b_e = d.friction.specific_fuel_consumption
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)
         m_CO2 = None if m_B is None else carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
+    each = {name: ShaftLoss(bearing_loss=shaft.bearing_loss) for name, shaft in shafts.items()}
     return FrictionResult(
         meshes=meshes,
         stages=stages,
         wheels=wheels,
-        shafts={name: ShaftLoss(bearing_loss=s.bearing_loss) for name, s in shafts.items()}
-        if len(shafts) > 1
-        else None,
+        shafts=each if len(each) > 1 else None,
         journals={name: shaft.journals for name, shaft in shafts.items()},
         oil_viscosity=d.oil.eta_0,
         bearing_loss=P_B,

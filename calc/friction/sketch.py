@@ -55,16 +55,15 @@ def sketch(design: "Design", results: "Results") -> Sketch:
         for n, (name, mesh) in enumerate(result.meshes.items())
     ]
     losses = _together(meshes, result.total_loss)
-    losses += [
-        Loss(Name(name), stage.loss, dotted("gears", GearsInputs.stages, name)) for name, stage in result.stages.items()
-    ]
+    for name, stage in result.stages.items():
+        losses.append(Loss(Name(name), stage.loss, dotted("gears", GearsInputs.stages, name)))
     for shaft, journals in result.journals.items():
         for place, journal in journals.items():
-            name = Text("{place} bearing", place=IN_WORDS[place])
+            words = Text("{place} bearing", place=IN_WORDS[place])
             if len(result.journals) > 1:
-                name = Text("{shaft}, {name}", shaft=Name(shaft), name=name)
+                words = Text("{shaft}, {what}", shaft=Name(shaft), what=words)
             state = judged(checks, f"friction.{place}")
-            losses.append(Loss(name, journal.friction_power, dotted("bearings", place), state))
+            losses.append(Loss(words, journal.friction_power, dotted("bearings", place), state))
     losses += [
         Loss(Text("windage"), result.windage_loss or 0.0),
         Loss(Text("churning"), result.churning_loss or 0.0),

@@ -141,9 +141,9 @@ def _marks(teeth: Phase, period: float) -> Table:
         ),
         rows,
         Text(
-            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the wheel "
-            "on a shaft the one nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet "
-            "again after {period} turns.",
+            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the "
+            "wheel on a shaft the one nearest the eccentric, of the others the one nearest to up. The marks of all "
+            "wheels meet again after {period} turns.",
             period=Amount(period, form="g"),
         ),
     )

@@ -3,7 +3,8 @@
 assembled.
 
 In the middle of the face width.  Teeth are numbered in the sense of crank rotation, from tooth 1: of the first driver
-that of gears.tooth_angle_deg, of the wheel on a shaft the one nearest the eccentric, of the others the one nearest to up."""
+that of gears.tooth_angle_deg, of the wheel on a shaft the one nearest the eccentric, of the others the one nearest to
+up."""
 
 import math
 from collections.abc import Mapping

@@ -69,8 +69,8 @@ class ShaftInertia:
 
 @record
 class Irregularity:
-    """How unevenly the first driver turns, and what hangs on the wheels of the shafts.  Either a given δ_s of one order,
-    or the engine's torque."""
+    """How unevenly the first driver turns, and what hangs on the wheels of the shafts.  Either a given δ_s of one
+    order, or the engine's torque."""
 
     delta_s: Number | None  # (ω_max − ω_min)/ω
     order: Number | None  # turns of the first driver
