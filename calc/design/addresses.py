@@ -204,6 +204,7 @@ def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quan
 ARRAYS = (
     dotted(GearsInputs.wheels),
     dotted(GearsInputs.meshes),
+    dotted(GearsInputs.stages),
     dotted(CountershaftInputs.masses),
     dotted(CountershaftInputs.extras),
     dotted(CountershaftInputs.sections),

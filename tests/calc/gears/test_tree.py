@@ -5,16 +5,26 @@ and which wheel carries which shaft."""
 import math
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from calc.design.toml_file import design
 from calc.gears import solve
 from calc.gears.backlash.case import free_turn, lags
 from calc.gears.inputs import GearsInputs, Stage
+from calc.gears.layout.curves import layout_curve, loop
+from calc.gears.layout.forces import axis_forces
+from calc.gears.layout.solve import ShaftInTrain
+from calc.gears.profile.drawing import in_row
 from calc.gears.train import speeds
 from calc.gears.tree import Link, Tree, first_of, in_flow
+from calc.sheet.errors import BadInput
+from calc.solve import solve as solve_design
+from tests.calc.friction.documents import changed, gamma
 from tests.calc.gears.trains import SPEED, mesh, solved, train, wheel
 
 SHAFTS = ("left", "right")
@@ -254,3 +264,129 @@ def test_the_hands_begin_anew_behind_a_chain():
     assert gears.hands() == {"left": "right", "right": "left"}
     said = replace(gears, wheels=(gears.wheels[0], replace(gears.wheels[1], hand="right")))
     assert said.hands() == {"left": "left", "right": "right"} and not problems(said)
+
+
+# --- the place, the forces and the drawings of a branched train
+
+
+def placed(gears, axes):
+    outcome = turned(gears)
+    return solve.with_layout(
+        outcome, gears, {name: ShaftInTrain(axis, 0.3, couple=50.0) for name, axis in axes.items()}
+    )
+
+
+AXES = {"left": 0.090 + 0.075j, "right": -0.105 - 0.130j}
+
+
+def test_the_wheel_of_each_shaft_stands_on_its_axis():
+    """The others stand at their centre distances from both neighbours; each shaft has a tooth, a step and a couple."""
+    outcome = placed(pair_of_shafts(), AXES)
+    t, there = outcome.result, outcome.result.layout
+    assert there.wheels["left"].position == AXES["left"] and there.wheels["right"].position == AXES["right"]
+    for key, m in t.meshes.items():
+        one, two = (there.wheels[name].position for name in (m.driver, m.driven))
+        assert abs(one - two) == pytest.approx(m.centre_distance, rel=1e-9), key
+    values = {v.id: v.inside for v in outcome.values()}
+    for name in SHAFTS:
+        assert values[f"gears.{name}.remesh_angle"] == pytest.approx(2 * math.pi / 24)
+        assert values[f"gears.{name}.remesh_couple"] == pytest.approx(100 * math.sin(math.pi / 24))
+        assert abs(values[f"gears.{name}.eccentric_offset"]) <= math.pi / 24
+        assert there.wheels[name].tooth_angle == pytest.approx(0.3 + values[f"gears.{name}.eccentric_offset"])
+
+
+def test_every_mark_puts_a_tooth_into_a_space():
+    """Of every mesh the tooth of one wheel stands where the other has a space, on both branches."""
+    t = placed(pair_of_shafts(), AXES).result
+    for key, m in t.meshes.items():
+        gamma = t.layout.meshes[key].line_of_centres
+        z_1, z_2 = t.wheels[m.driver].teeth, t.wheels[m.driven].teeth
+        theta_1, theta_2 = (t.layout.wheels[name].tooth_angle for name in (m.driver, m.driven))
+        half_turns = (z_1 * (theta_1 - gamma) + z_2 * (theta_2 - gamma - math.pi)) / math.pi
+        assert math.cos(half_turns * math.pi) == pytest.approx(-1.0, abs=1e-9)
+
+
+def test_the_force_on_a_wheel_that_drives_two_is_their_vector():
+    """Statics apart: each mesh pushes along its line of action, seen from the driver."""
+    gears = pair_of_shafts()
+    t = placed(gears, AXES).result
+    torques = {key: 10.0 + n for n, key in enumerate(t.meshes)}
+    found = axis_forces(gears, t, torques)
+    total = 0j
+    for key in ("crank_a", "crank_b"):
+        m, gamma = t.meshes[key], t.layout.meshes[key].line_of_centres
+        F_t = torques[key] / (m.working_diameter_driver / 2)
+        toward = complex(math.cos(gamma), math.sin(gamma))
+        total += F_t * (-1j * toward - math.tan(m.working_pressure_angle) * toward)
+    assert found["crank"] == pytest.approx(abs(total), rel=1e-12)
+
+
+def test_a_branched_train_is_drawn_whole():
+    t = placed(pair_of_shafts(), AXES).result
+    assert set(in_row(t)) == set(t.wheels)
+    curve = layout_curve(pair_of_shafts(), t, t.layout)
+    assert {str(series.label) for series in curve.series} == set(t.wheels)
+
+
+def test_the_line_of_a_chain_touches_both_circles():
+    p_1, p_2, r_1, r_2 = 0j, 0.2 + 0.1j, 0.03, 0.05
+    line = loop(p_1, p_2, r_1, r_2)
+    assert line[0] == line[-1]
+    near = np.minimum(np.abs(np.abs(line - p_1) - r_1), np.abs(np.abs(line - p_2) - r_2))
+    assert near.max() < 1e-12
+    strands = [(a, b) for a, b in pairwise(line) if abs(b - a) > 0.1]
+    assert len(strands) == 2
+    for a, b in strands:
+        assert abs(b - a) == pytest.approx(math.sqrt(abs(p_2 - p_1) ** 2 - (r_1 - r_2) ** 2), rel=1e-12)
+
+
+def test_a_chain_is_drawn_between_axes_that_are_known():
+    gears = by_chain()
+    outcome = solve.with_layout(
+        turned(gears), gears, {"left": ShaftInTrain(0.2 + 0j), "right": ShaftInTrain(0.2 + 0.06j)}
+    )
+    curve = layout_curve(gears, outcome.result, outcome.result.layout)
+    assert "chain" in [str(series.label) for series in curve.series]
+    assert outcome.result.layout.sprockets == {"crank": 0j}
+
+
+# --- whole designs
+
+
+def test_a_wheel_that_says_what_it_carries_anyway_moves_nothing(gamma_results):
+    """And where a further wheel hangs on the train behind it, the shaft keeps its own way."""
+    gears = gamma().data["gears"]
+    wheels = [{**w, "shaft": "shaft"} if w["name"] == "shaft" else w for w in gears["wheels"]]
+    said = solve_design(design(changed(gamma(), gears={"wheels": wheels}))).values()
+    plain = gamma_results.values()
+    assert {id: v.inside for id, v in said.items()} == {id: v.inside for id, v in plain.items()}
+    more = [*wheels, {"name": "pump", "teeth": 30, "profile_shift": 0.0}]
+    meshes = [*gears["meshes"], {"driver": "central", "driven": "pump"}]
+    branched = solve_design(design(changed(gamma(), gears={"wheels": more, "meshes": meshes}))).values()
+    for id in ("phase_error", "phase_error_rss", "residual_couple", "speed_ratio", "remesh_couple", "insertion_gap"):
+        assert branched[f"gears.{id}"].inside == plain[f"gears.{id}"].inside
+    assert branched["friction.idler_shaft.power_in"].inside == pytest.approx(
+        plain["friction.idler_shaft.power_in"].inside, rel=1e-9
+    )
+    assert branched["friction.crank_power"].inside > plain["friction.crank_power"].inside
+
+
+def test_a_design_has_one_shaft():
+    gears = gamma().data["gears"]
+    wheels = [{**w, "shaft": "left"} if w["name"] == "shaft" else w for w in gears["wheels"]]
+    with pytest.raises(BadInput, match='there is one shaft, and it is called "shaft"'):
+        design(changed(gamma(), gears={"wheels": wheels}))
+
+
+def test_a_chain_before_the_train_of_a_design(gamma_results):
+    """Its lag joins the phase error, its loss the balance; the shaft feels neither."""
+    stage = dict(name="chain", kind="chain", driver="nose", driven="crank", driver_teeth=23, driven_teeth=23)
+    stages = {"stages": [{**stage, "pitch_mm": 9.525, "span_mm": 200.0}]}
+    found, plain = solve_design(design(changed(gamma(), gears=stages))).values(), gamma_results.values()
+    lag = found["gears.chain.phase_error"].inside
+    assert found["gears.phase_error"].inside == pytest.approx(plain["gears.phase_error"].inside + lag, rel=1e-12)
+    assert found["gears.phase_error_95"].inside == pytest.approx(plain["gears.phase_error_95"].inside + lag, rel=1e-9)
+    assert found["gears.speed_ratio"].inside == pytest.approx(-1.0, rel=1e-12)
+    passed = plain["friction.crank_power"].inside
+    assert found["friction.crank_power"].inside == pytest.approx(passed / 0.98, rel=1e-9)
+    assert found["friction.bearing_loss"].inside == pytest.approx(plain["friction.bearing_loss"].inside, rel=1e-9)

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from calc.design.toml_file import design, read
+from calc.gears.inputs import Stage
 from calc.gears.rating.checks import application_factor_check
 from calc.gears.rating.load import (
     Irregularity,
@@ -22,6 +23,7 @@ from calc.gears.rating.load import (
     rating_context,
     wheel_inertia,
 )
+from calc.gears.rating.solve import rating
 from calc.library.catalogue import materials
 from calc.solve import solve
 from tests.calc.gears.trains import SPEED, r753, solved
@@ -178,3 +180,62 @@ def test_gas_and_flywheel_load_the_teeth():
         .rating
     )
     assert slower.dynamic_torque == pytest.approx(mesh.dynamic_torque / 2)
+
+
+# --- behind a chain
+
+
+def behind_a_chain(**said):
+    stage = Stage(
+        name="chain",
+        kind="chain",
+        driver="nose",
+        driven="crank",
+        driver_teeth=38,
+        driven_teeth=19,
+        pitch=9.525e-3,
+        **said,
+    )
+    return replace(GEARS, stages=(stage,))
+
+
+def test_what_a_chain_drives_is_accelerated_by_its_ratio():
+    """Crank and all behind it turn twice as fast as the nose: the energy behind a link, over the speed of its driver."""
+    gears = behind_a_chain()
+    train = solved(gears)
+    delta, i, J_S = 0.02, 1.5, 5e-3
+    found = loads(gears, train, mean_torques(train, 1.0), Irregularity(delta, i, None, on_shaft(J_S)), materials())
+    alpha = delta / 2 * i * (2 * math.pi * SPEED) ** 2
+    turns = {name: 2 * 25 / TRAIN.wheels[name].teeth for name in ("crank", "central", "idler", "shaft")}
+    energy = J_S * turns["shaft"] ** 2  # per ω²/2 of the nose
+    for key, driver, driven in (("idler_shaft", "idler", "shaft"), ("crank_central", "crank", "central")):
+        if driven == "central":
+            energy += sum(inertia(name) * turns[name] ** 2 for name in ("idler", "central"))
+        assert found[key].dynamic == pytest.approx(energy * alpha / turns[driver], rel=1e-12)
+    energy += inertia("crank") * turns["crank"] ** 2
+    assert found["chain"].dynamic == pytest.approx(energy * alpha, rel=1e-12)
+    assert found["chain"].mean == 1.0 and found["crank_central"].mean == pytest.approx(0.5)
+
+
+def slack(tensioner):
+    gears = behind_a_chain(tensioner=tensioner)
+    outcome = rating(
+        gears, solved(gears), 1.0, materials(), Surroundings(Irregularity(0.02, 1.5, None, on_shaft(5e-3)))
+    )
+    (force,) = outcome.solution.least_strand_forces.values()
+    return force, [check for check in outcome.checks if check.id == "gears.chain.slack"]
+
+
+def test_the_slack_strand_is_judged_where_its_force_is_known():
+    """The least torque at the driving sprocket over its radius; the tensioner must hold what the other strand takes."""
+    force, checks = slack(None)
+    gears = behind_a_chain()
+    train = solved(gears)
+    load = loads(gears, train, mean_torques(train, 1.0), Irregularity(0.02, 1.5, None, on_shaft(5e-3)), materials())
+    assert force == pytest.approx(load["chain"].least / (9.525e-3 / math.sin(math.pi / 38) / 2)) and force < 0
+    assert not checks
+    for tensioner, verdict in ((-1.01 * force, "pass"), (-0.99 * force, "note")):
+        _, (check,) = slack(tensioner)
+        assert check.verdict == verdict and check.value == pytest.approx(-force)
+    outcome = rating(gears, train, 1.0, materials())
+    assert not outcome.solution.least_strand_forces
