@@ -516,7 +516,7 @@ def _total(adding: Callable[..., Watt], parts: list[Part]) -> Part:
     return reduce(lambda P, P_i: adding(P=P, P_i=P_i), there) if there else parts[0]
 
 
-class Turning(NamedTuple):
+class TurningShaft(NamedTuple):
     """One shaft in the balance: its journals, what they lose, and what its teeth carry."""
 
     journals: dict[str, JournalResult]
@@ -526,18 +526,18 @@ class Turning(NamedTuple):
 
 def _shaft(
     d: TrainDrive, end: End, needed: dict[str, Watt], at_gear: Watt | None, loads: Mapping[str, Watt]
-) -> Turning:
+) -> TurningShaft:
     """The journals of a shaft at the power that closes with them; `needed` is then what its wheel needs with them."""
     wheel_need = needed[end.wheel]
 
-    def last(P: Watt | None) -> Turning:
+    def last(P: Watt | None) -> TurningShaft:
         journals = end.journals.journals(P)
         P_B = end.journals.sum(journals)
         with about(Text("wheel {last}", last=end.wheel)):
             needed[end.wheel] = with_bearings(P=wheel_need, P_B=P_B)
             if end.carried:
                 needed[end.wheel] = with_carried(P=needed[end.wheel], P_C=end.carried)
-            return Turning(journals, P_B, d.at_teeth(end.wheel, needed[end.wheel], loads))
+            return TurningShaft(journals, P_B, d.at_teeth(end.wheel, needed[end.wheel], loads))
 
     return last(None) if at_gear is None else converged(closing_power, at_gear, last, lambda state: state.at_teeth)
 

@@ -3,7 +3,6 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 
 from ..sheet.check import Check, CheckRule
@@ -16,7 +15,7 @@ from .formulas import ISO
 from .inputs import GearsInputs, Mesh, Stage, wheel_key
 from .measures.solve import contact_checks
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
-from .tree import Link
+from .tree import TrainLink
 from .wheel_inputs import Wheel
 
 SAME_RATIO = 1e-9
@@ -53,7 +52,7 @@ SPEED_RATIO = CheckRule(
     sense="<=",
     role="self",
 )
-SHAFT_RATIO = replace(SPEED_RATIO, id="gears.N.speed_ratio")  # of one of several shafts
+SHAFT_RATIO = CheckRule("gears.N.speed_ratio", "limit", SPEED_RATIO.why, sense="<=", role="self")  # of one of several
 CONTACT_RATIO = CheckRule(
     "gears.M.contact_ratio",
     "limit",
@@ -253,7 +252,7 @@ def speed_ratio_check(train: TrainResult, shaft: str, wanted: Number, crank: flo
     return rule(off, SAME_RATIO, at=at, name=name, source=source, advice=advice, moved_by=keys)
 
 
-def _teeth_of(way: Sequence[Link]) -> Iterator[str]:
+def _teeth_of(way: Sequence[TrainLink]) -> Iterator[str]:
     """The keys of the numbers of teeth on a way, the last first."""
     for link in reversed(way):
         if link.toothed:

@@ -12,7 +12,7 @@ from typing import ClassVar
 from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 from ..sheet.units import Kelvin
-from .tree import Link, Tree, first_of, in_flow
+from .tree import TrainLink, Tree, first_of, in_flow
 from .wheel_inputs import INTERNAL, REFUSED, Wheel
 
 # the folds of the form
@@ -159,10 +159,20 @@ class Stage:
         "shaft carries it.",
     )
     driver_teeth: int = integer(
-        "Teeth of the driving sprocket", within=(5, 1000), symbol="z_1", rule_of_thumb=(19, 60), repair="free"
+        "Teeth of the driving sprocket",
+        within=(5, 1000),
+        symbol="z_1",
+        rule_of_thumb=(19, 60),
+        help="Few teeth make a chain run unevenly.",
+        repair="free",
     )
     driven_teeth: int = integer(
-        "Teeth of the driven sprocket", within=(5, 1000), symbol="z_2", rule_of_thumb=(19, 120), repair="free"
+        "Teeth of the driven sprocket",
+        within=(5, 1000),
+        symbol="z_2",
+        rule_of_thumb=(19, 120),
+        help="Over those of the driving one they make the ratio.",
+        repair="free",
     )
     side: str = choice(
         "Side that runs on the driven sprocket",
@@ -212,7 +222,7 @@ class Stage:
         default=None,
         up_to=1e5,
         symbol="F_S",
-        help="Left out: whether the slack strand holds where the torque reverses is not judged.",
+        help="It holds the strand that pulls where the torque reverses. Left out: that is not judged.",
     )
 
     @property
@@ -699,14 +709,14 @@ class GearsInputs:
     @property
     def tree(self) -> Tree:
         """Meshes and stages along the flow of power."""
-        teeth, links = {wheel.name: wheel.teeth for wheel in self.wheels}, list[Link]()
+        teeth, links = {wheel.name: wheel.teeth for wheel in self.wheels}, list[TrainLink]()
         for link in self._links:
             a, b = link.driver, link.driven
             if isinstance(link, Stage):
                 sense = 1 if link.side == "inner" else -1
-                links.append(Link(link.name, link.title, a, b, link.driver_teeth, link.driven_teeth, sense, False))
+                links.append(TrainLink(link.name, link.title, a, b, link.driver_teeth, link.driven_teeth, sense, False))
             else:
-                links.append(Link(link.key, link.title, a, b, teeth[a], teeth[b], -1, True))
+                links.append(TrainLink(link.key, link.title, a, b, teeth[a], teeth[b], -1, True))
         return Tree(tuple(links))
 
     def carrier(self, shaft: str = ONLY) -> str:

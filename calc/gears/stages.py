@@ -6,6 +6,7 @@ noise and the pull on its axes are not computed."""
 
 from collections.abc import Iterator, Mapping
 
+from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, CheckRule
 from ..sheet.formula import formula
 from ..sheet.functions import pi, sin
@@ -59,7 +60,7 @@ def lag_by_elongation(epsilon: Number, L: Metre, d: Metre) -> Radian:
     """`L`: of the strand that pulls; `d`: pitch diameter of the driven sprocket.
 
     >>> lag_by_elongation(epsilon=0.003, L=0.4, d=0.06)
-    0.04
+    0.0400...
     """
     return epsilon * L / (d / 2)
 
@@ -72,7 +73,7 @@ def lag_by_elongation(epsilon: Number, L: Metre, d: Metre) -> Radian:
 )
 def polygon_ripple(z: Number) -> Number:
     """>>> polygon_ripple(z=19)
-    0.01367...
+    0.013669...
     """
     return (pi / z) ** 2 / 2
 
@@ -137,7 +138,10 @@ SLACK = CheckRule(
     sense="<=",
     unit="N",
     source=Text("statics: where the torque reverses, the tensioner alone holds the strand that pulls then"),
-    moved_by=(dotted("gears", GearsInputs.stages, "N", Stage.tensioner), "engine.flywheel_inertia_kgm2"),
+    moved_by=(
+        dotted("gears", GearsInputs.stages, "N", Stage.tensioner),
+        dotted("engine", EngineInputs.flywheel_inertia),
+    ),
 )
 
 

@@ -45,7 +45,7 @@ def in_flow(links: Iterable[Driving], first: str) -> tuple[Driving, ...]:
 
 
 @record
-class Link:
+class TrainLink:
     """`z_1`, `z_2`: teeth of its two wheels or sprockets.  `sense`: −1, they turn in opposite senses, as wheels in mesh
     do; +1, in the same one."""
 
@@ -63,24 +63,24 @@ class Link:
 class Tree:
     """The links along the flow of power, one at least."""
 
-    links: tuple[Link, ...]
+    links: tuple[TrainLink, ...]
 
     @property
     def first(self) -> str:
         return self.links[0].driver
 
     @cached_property
-    def driving(self) -> dict[str, Link]:
+    def driving(self) -> dict[str, TrainLink]:
         """The link that drives each wheel."""
         return {link.driven: link for link in self.links}
 
     @cached_property
-    def by_key(self) -> dict[str, Link]:
+    def by_key(self) -> dict[str, TrainLink]:
         return {link.key: link for link in self.links}
 
-    def way(self, end: str) -> tuple[Link, ...]:
+    def way(self, end: str) -> tuple[TrainLink, ...]:
         """The links from the first driver to a wheel."""
-        way: tuple[Link, ...] = ()
+        way: tuple[TrainLink, ...] = ()
         while end in self.driving:
             way = (self.driving[end], *way)
             end = way[0].driver
@@ -94,7 +94,7 @@ class Tree:
             senses[link.driven] = senses[link.driver] * link.sense
         return senses
 
-    def reduction(self, link: Link, end: str) -> tuple[Number, Number]:
+    def reduction(self, link: TrainLink, end: str) -> tuple[Number, Number]:
         """Teeth z and z_end by which an angle of the wheel that `link` drives is reduced to `end`, behind it: by
         z/z_end.
 

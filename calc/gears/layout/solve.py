@@ -167,20 +167,20 @@ def _assembly(gears: GearsInputs, train: TrainResult, teeth: Phase, on: Mapping[
     return Assembly(marks_period=period, shafts=shafts)
 
 
-class Turning(TypedDict):
+class MarkedTeeth(TypedDict):
     z_1: Number
     z: tuple[int, ...]
 
 
-def _turning(gears: GearsInputs, tree: Tree) -> Turning:
+def _turning(gears: GearsInputs, tree: Tree) -> MarkedTeeth:
     """The teeth of the first driver and of the wheels, or what stands for them behind chains and belts: the turns of a
     wheel are those of the first driver times z_1/z."""
     if not gears.stages:
-        return Turning(z_1=tree.links[0].z_1, z=tuple(w.teeth for w in gears.wheels))
+        return MarkedTeeth(z_1=tree.links[0].z_1, z=tuple(w.teeth for w in gears.wheels))
     turns = {tree.first: Fraction(1)}
     for link in tree.links:
         turns[link.driven] = turns[link.driver] * Fraction(int(link.z_1), int(link.z_2))
-    return Turning(z_1=1, z=tuple(x.denominator for x in turns.values()))
+    return MarkedTeeth(z_1=1, z=tuple(x.denominator for x in turns.values()))
 
 
 def _shaft(

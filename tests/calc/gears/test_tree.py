@@ -21,7 +21,7 @@ from calc.gears.layout.forces import axis_forces
 from calc.gears.layout.solve import ShaftInTrain
 from calc.gears.profile.drawing import in_row
 from calc.gears.train import speeds
-from calc.gears.tree import Link, Tree, first_of, in_flow
+from calc.gears.tree import TrainLink, Tree, first_of, in_flow
 from calc.sheet.errors import BadInput
 from calc.solve import solve as solve_design
 from tests.calc.friction.documents import changed, gamma
@@ -74,7 +74,7 @@ def links(draw):
         above, toothed = draw(st.integers(0, n - 1)), draw(st.booleans())
         z_1, z_2 = (teeth[above], teeth[n]) if toothed else (draw(st.integers(5, 90)), draw(st.integers(5, 90)))
         sense = -1 if toothed else draw(st.sampled_from((1, -1)))
-        made.append(Link(f"k{n}", "", f"w{above}", f"w{n}", z_1, z_2, sense, toothed))
+        made.append(TrainLink(f"k{n}", "", f"w{above}", f"w{n}", z_1, z_2, sense, toothed))
     return draw(st.permutations(made))
 
 
@@ -117,7 +117,7 @@ def test_a_random_tree_is_what_a_walk_finds(made, data):
 
 def test_one_branch_reduces_by_the_teeth_of_both_wheels_themselves():
     tree = Tree(
-        tuple(Link(f"{a}{b}", "", a, b, z, y, -1, True) for a, b, z, y in (("a", "b", 25, 36), ("b", "c", 36, 39)))
+        tuple(TrainLink(f"{a}{b}", "", a, b, z, y, -1, True) for a, b, z, y in (("a", "b", 25, 36), ("b", "c", 36, 39)))
     )
     assert [tree.reduction(link, "c") for link in tree.links] == [(36, 39), (39, 39)]
 
