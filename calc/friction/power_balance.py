@@ -228,11 +228,12 @@ Forces = Callable[[Mapping[str, Watt], Mapping[str, RevPerSecond]], Mapping[str,
 @record
 class End:
     """A shaft at the end of a way through the train: the wheel on it, its journals, and the power that what hangs on it
-    takes, a pump, which is carried and not lost."""
+    takes, a pump, which is carried and not lost; it grows with a power of the speed."""
 
     wheel: str
     journals: Journals
-    carried: Watt = 0.0
+    carried: Any = 0.0  # one number or, of many operating points, an array
+    speed_exponent: Number = 3.0
 
 
 Ends = Mapping[str, End]  # by the names of the shafts

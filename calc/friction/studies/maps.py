@@ -85,7 +85,12 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: Mapping[st
         )
     if good.any():
         try:
-            ends = {name: replace(end, journals=journals[name].only(good)) for name, end in d.ends.items()}
+            ends = {
+                name: replace(
+                    end, journals=journals[name].only(good), carried=end.carried * ratio[good] ** end.speed_exponent
+                )
+                for name, end in d.ends.items()
+            }
             losses = _losses(d, power, ends, ratio[good], grid_T[good])
             for name, values in parts.items():
                 values[good] = getattr(losses, name)
