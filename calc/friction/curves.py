@@ -88,7 +88,7 @@ def curves(result: FrictionResult, d: TrainDrive) -> tuple[Curve, ...]:
     title, P = Text("Where the power goes"), axis_label("P", "W")
     bars = Curve("losses", title, labels, P, (losses,), bars=True, names=names)
     of_meshes = (c for name, mesh in result.meshes.items() for c in (*_curves(name, mesh), *_stribeck(name, mesh)))
-    return bars, *of_meshes, _shear(d)
+    return bars, *of_meshes, *((_shear(d),) if d.cases else ())
 
 
 def way(mesh: MeshResult) -> Text:

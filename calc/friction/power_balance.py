@@ -455,7 +455,7 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         meshes, stages, P_1, P_2 = _down(d, needed, loads)
     with about(Text("train")):
         P_B = _total(sums.shafts, [shaft.bearing_loss for shaft in shafts.values()]) if shafts else None
-        P_VZ = _total(sums.meshes, [mesh.judged.loss for mesh in meshes.values()])
+        P_VZ = _total(sums.meshes, [mesh.judged.loss for mesh in meshes.values()]) if meshes else None
         P_W = _total(sums.windage, [wheel.windage for wheel in wheels.values()])
         P_C = _total(sums.churning, [wheel.churning for wheel in wheels.values()])
         P_J = _total(sums.thrown_oil, [wheel.thrown_oil for wheel in wheels.values()])
@@ -463,8 +463,8 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         P_L = _total(sums.bearings, [wheel.bearing_loss for wheel in wheels.values()])
         P_X = _total(sums.other_losses, [wheel.other_loss for wheel in wheels.values()])
         P_B0, P_C0, P_J0, P_D0, P_L0 = (0.0 if part is None else part for part in (P_B, P_C, P_J, P_D, P_L))
-        P_W0 = 0.0 if P_W is None else P_W
-        P = sums.total_loss(P_B=P_B0, P_VZ=P_VZ, P_W=P_W0, P_C=P_C0, P_J=P_J0, P_D=P_D0, P_L=P_L0, P_X=P_X)
+        P_W0, P_VZ0 = (0.0 if part is None else part for part in (P_W, P_VZ))
+        P = sums.total_loss(P_B=P_B0, P_VZ=P_VZ0, P_W=P_W0, P_C=P_C0, P_J=P_J0, P_D=P_D0, P_L=P_L0, P_X=P_X)
         P_K = _total(sums.stages, [stage.loss for stage in stages.values()]) if stages else None
         P = P if P_K is None else sums.with_stages(P=P, P_K=P_K)
         taken = [end.carried for end in d.ends.values() if end.carried]

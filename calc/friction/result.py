@@ -99,7 +99,7 @@ class ScenarioResult:
 
     meshes: dict[str, ScenarioMesh] = group(spread=True)
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
-    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
+    mesh_loss: Watt | None = value("All meshes", "W", "ΣP_VZ")
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
     total_loss: Watt = value("Sum of the losses", "W", "P")
     share: Number | None = value("Losses over the power at the first driver", "%")
@@ -125,7 +125,7 @@ class FrictionResult:
     scenarios: dict[str, ScenarioResult] | None = group(short=False, default=None, words="scenarios")
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0", short=True)
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B", short=True)
-    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ", short=True)
+    mesh_loss: Watt | None = value("All meshes", "W", "ΣP_VZ", short=True)
     stage_loss: Watt | None = value("All chains and belts", "W", "ΣP_K")
     windage_loss: Watt | None = value("Windage of all wheels", "W", "ΣP_W", short=True)
     churning_loss: Watt | None = value("Churning of all wheels", "W", "ΣP_C")

@@ -134,7 +134,7 @@ def solve(
         lines=(*lines, *outcome.lines),
         notes=outcome.notes + Later(notes),
         further=partial(further, d, result, power, on),
-        key_curves=Later(lambda: (_open_constants(d, result, power)[0], *_side_by_side(result))),
+        key_curves=Later(lambda: (*_open_constants(d, result, power)[0], *_side_by_side(result))),
     )
 
 
@@ -165,8 +165,8 @@ def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: Mappi
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = _open_constants(d, result, power)
         return Further(
-            curves=(*of_map, bars, *_side_by_side(result)),
-            tables=(*of_fuel, table, *scenarios.tables(result)),
+            curves=(*of_map, *bars, *_side_by_side(result)),
+            tables=(*of_fuel, *table, *scenarios.tables(result)),
             notes=missing,
         )
 
@@ -176,9 +176,15 @@ def _side_by_side(result: FrictionResult) -> Iterator[Curve]:
     return scenarios.curves(result.scenarios or {}, ways)
 
 
-def _open_constants(d: TrainDrive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:
+def _open_constants(
+    d: TrainDrive, result: FrictionResult, power: Watt | None
+) -> tuple[tuple[Curve, ...], tuple[Table, ...]]:
+    """What the constants of meshes and mist change; nothing of chains alone."""
+    if not d.cases:
+        return (), ()
     with QUIET(), untraced():
-        return sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
+        curve, table = sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
+    return (curve,), (table,)
 
 
 def _notes(gears: GearsInputs, closed: bool) -> Iterator[Text]:

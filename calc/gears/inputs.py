@@ -560,8 +560,8 @@ class GearsInputs:
         default="none",
         help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.",
     )
-    wheels: tuple[Wheel, ...] = tables("Wheels", Wheel, fold=WHEELS)
-    meshes: tuple[Mesh, ...] = tables("Meshes", Mesh, fold=MESHES)
+    wheels: tuple[Wheel, ...] = tables("Wheels", Wheel, default=(), fold=WHEELS)
+    meshes: tuple[Mesh, ...] = tables("Meshes", Mesh, default=(), fold=MESHES)
     stages: tuple[Stage, ...] = tables(
         "Chains and belts",
         Stage,
@@ -613,7 +613,7 @@ class GearsInputs:
             )
         if self.iso_6336_edition not in (2006, 2019):
             yield dotted(GearsInputs.iso_6336_edition), Text("must be 2006 or 2019")
-        if not self.meshes:
+        if not self.meshes and not self.stages:
             yield dotted(GearsInputs.meshes), Text("needs at least one [[gears.meshes]]")
         for i, wheel in enumerate(self.wheels):
             for key, size in (
@@ -632,7 +632,7 @@ class GearsInputs:
                     dotted(GearsInputs.wheels, i, Wheel.measured_span),
                     Text("needs span_teeth, over which it was measured"),
                 )
-        if self.meshes:
+        if self.meshes or self.stages:
             yield from self._flow()
         yield from self._shafts()
         yield from self._hands()

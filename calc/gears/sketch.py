@@ -56,6 +56,8 @@ def sketch(design: "Design", results: "Results") -> draw.Sketch:
     if not placed:
         notes = [Text("wheels in a row"), Text("mm")]
     train_view = tuple(_train(gears, train, centres, checks, bool(placed)))
+    if not train.meshes:
+        return draw.Sketch(train_view)
     key = min(train.meshes, key=lambda key: train.meshes[key].backlash_min)
     try:
         with untraced():
@@ -111,7 +113,10 @@ def _train(
 
 
 def _stages(train: TrainResult, centres: Mapping[str, complex]) -> Iterator[draw.Mark]:
-    """Chains and belts as lines around their sprockets; of a sprocket on the outer side its circle."""
+    """Chains and belts as lines around their sprockets; of a sprocket on the outer side its circle.  Sprockets that
+    turn beside no wheel have their names."""
+    for name in (name for name in centres if name not in train.wheels):
+        yield draw.Words(draw.WORDS, _point(centres[name]), Name(name), side="centre")
     for name, stage in train.stages.items():
         p_1, p_2 = centres.get(stage.driver), centres.get(stage.driven)
         if p_1 is None or p_2 is None:
@@ -126,6 +131,8 @@ def _stages(train: TrainResult, centres: Mapping[str, complex]) -> Iterator[draw
 
 def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> Iterator[draw.Mark]:
     """The lines of centres, and above wheels in a row their lengths."""
+    if not train.meshes:
+        return
     top = max(centres[name].imag + wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     above = top + ABOVE * max(wheel.tip_diameter for wheel in train.wheels.values())
     for n, mesh in enumerate(train.meshes.values()):

@@ -179,7 +179,7 @@ def _balance(scenarios: Mapping[str, ScenarioResult], design: FrictionResult) ->
     if all(s.total_loss != design.total_loss for s in scenarios.values()):
         compared.insert(0, (Text("as designed"), "", design))
     for name, about, s in compared:
-        wheels = s.total_loss - s.mesh_loss - (s.bearing_loss or 0.0)
+        wheels = s.total_loss - (s.mesh_loss or 0.0) - (s.bearing_loss or 0.0)
         torque = s.crank_torque if s.delivered_power is None else None  # given, where the power is
         rows.append((name, about, s.bearing_loss, s.mesh_loss, wheels, s.total_loss, torque, s.delivered_power))
     title = Text("Scenarios: the whole balance, as judged")

@@ -88,6 +88,8 @@ def train_drawing(
     if positions is not None and set(train.wheels) <= set(positions):
         centres = {name: complex(side, up) for name, (up, side) in positions.items()}
         standing = Text("Drawn up: up from the crank's axis; the crank turns clockwise.")
+    if not train.wheels:  # chains alone
+        return ()
     teeth = _teeth(train, centres, tooth_angle)
     shapes: list[Primitive] = []
     for name, wheel in train.wheels.items():

@@ -201,8 +201,8 @@ def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum
     """What the sheet of the source gives for every pair: the torque of the first wheel at each driver, and its own
     formulas."""
     errata = []
-    first = next(iter(train.meshes.values())).driver
     for key, mesh in train.meshes.items():
+        first = next(iter(train.meshes.values())).driver
         driver, rating = train.wheels[mesh.driver], rated[key]
         if rating.sheet is None:
             continue

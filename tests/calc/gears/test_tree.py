@@ -20,6 +20,7 @@ from calc.gears.layout.curves import layout_curve, loop
 from calc.gears.layout.forces import axis_forces
 from calc.gears.layout.solve import ShaftInTrain
 from calc.gears.profile.drawing import in_row
+from calc.gears.sketch import sketch
 from calc.gears.train import speeds
 from calc.gears.tree import TrainLink, Tree, first_of, in_flow
 from calc.sheet.errors import BadInput
@@ -390,3 +391,27 @@ def test_a_chain_before_the_train_of_a_design(gamma_results):
     passed = plain["friction.crank_power"].inside
     assert found["friction.crank_power"].inside == pytest.approx(passed / 0.98, rel=1e-9)
     assert found["friction.bearing_loss"].inside == pytest.approx(plain["friction.bearing_loss"].inside, rel=1e-9)
+
+
+def test_a_chain_alone_turns_the_shaft_against_the_crank_by_its_outer_side(gamma_results):
+    """No wheel, no mesh: all steps, their figures and sketches stand."""
+    gears = {
+        key: value for key, value in gamma().data["gears"].items() if key not in ("wheels", "meshes", "source_sheet")
+    }
+    said = dict(
+        name="chain", kind="chain", driver="crank", driven="shaft", driver_teeth=38, driven_teeth=38, side="outer"
+    )
+    gears["stages"] = [{**said, "pitch_mm": 9.525, "span_mm": 150.0}]
+    document = gamma()
+    results = solve_design(design(replace(document, data={**document.data, "gears": gears}))).whole()
+    assert all(outcome.state in ("solved", "not_asked") for outcome in results.outcomes.values())
+    values = results.values()
+    assert values["gears.speed_ratio"].inside == -1.0
+    assert values["gears.phase_error"].inside == values["gears.chain.phase_error"].inside
+    assert values["gears.remesh_angle"].inside == pytest.approx(2 * math.pi / 38)
+    assert values["friction.crank_power"].inside == pytest.approx(
+        values["friction.bearing_loss"].inside / 0.98, rel=1e-12
+    )
+    made = [*results.outcomes["friction"].curves, *results.outcomes["gears"].curves]
+    assert "losses" in [curve.id for curve in made]
+    assert sketch(results.design, results).primitives
