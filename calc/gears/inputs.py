@@ -18,7 +18,6 @@ from .wheel_inputs import INTERNAL, REFUSED, Wheel
 # the folds of the form
 WHEELS = Text("More of the wheels")
 MESHES = Text("More of the meshes")
-STAGES = Text("Chains and belts")
 ONLY = "shaft"  # what the shaft of a design is called that has one and gives it no name
 ASSUMED_WARMER: Kelvin = 20.0  # of the wheels: how much it is while the engine warms up is not published
 
@@ -567,7 +566,7 @@ class GearsInputs:
         Stage,
         default=(),
         help="Each as ratio, loss and phase error; nothing is said of its strength.",
-        fold=STAGES,
+        fold=MESHES,
     )
     neighbours: tuple[Neighbour, ...] = tables(
         "Neighbours",
