@@ -683,6 +683,9 @@ class GearsInputs:
             if wheel.shaft is not None and on.setdefault(wheel.shaft, wheel.name) != wheel.name:
                 there = Text("{other} is on that shaft: each shaft has one wheel", other=on[wheel.shaft])
                 yield dotted(GearsInputs.wheels, i, Wheel.shaft), there
+            elif wheel.shaft is not None and (self.meshes or self.stages) and wheel.name == self.first:
+                crank = Text("is the first driver, which turns with the crank: a shaft needs a driven wheel")
+                yield dotted(GearsInputs.wheels, i, Wheel.shaft), crank
         for i, wheel in enumerate(self.wheels):
             if on.get(wheel.name, wheel.name) != wheel.name:
                 like = Text("is what the shaft is called on which {other} sits", other=on[wheel.name])

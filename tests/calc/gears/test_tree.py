@@ -190,6 +190,8 @@ def test_a_shaft_has_one_wheel():
     assert not problems(gears)
     twice = replace(gears, wheels=(replace(gears.wheels[0], shaft="left"), *gears.wheels[1:]))
     assert "each shaft has one wheel" in problems(twice)["wheels.2.shaft"]
+    crank = replace(gears, wheels=(replace(gears.wheels[0], shaft="third"), *gears.wheels[1:]))
+    assert "turns with the crank" in problems(crank)["wheels.0.shaft"]
     like = replace(gears, wheels=tuple(replace(w, shaft="a" if w.name == "left" else None) for w in gears.wheels))
     assert "is what the shaft is called on which left sits" in problems(like)["wheels.1.name"]
 
