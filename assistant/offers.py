@@ -9,7 +9,7 @@ from calc.bearings.selection import tables as bearing_tables
 from calc.bearings.selection.variants import SUPPLY
 from calc.countershaft.sizing import choices as sizing
 from calc.design.model import Design
-from calc.design.step_inputs import bearings_case, shaft_axis
+from calc.design.step_inputs import bearings_case, shaft_axes
 from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.gears.selection import idler
@@ -160,9 +160,9 @@ def _bearings(design: Design, file: str, progress: Progress | None = None) -> Of
 def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Profile shifts, tip cuts and the teeth of an idler to choose from, every rule of the teeth kept."""
     assert design.gears is not None
-    axis = shaft_axis(design)
-    selection = gear_search.search(design.gears, part(progress, 0.0, 0.9), axis)
-    teeth = idler.idlers(design.gears, axis, part(progress, 0.9, 1.0))
+    axes = shaft_axes(design)
+    selection = gear_search.search(design.gears, part(progress, 0.0, 0.9), axes)
+    teeth = idler.idlers(design.gears, axes, part(progress, 0.9, 1.0))
     shifts, others = selection.all, [row for rows in teeth for row in idler.passed(rows)]
 
     def keys(number: int) -> Changes:

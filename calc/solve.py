@@ -204,7 +204,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
         i = part.absent("imbalance", design.imbalance, (e,))
 
     if design.gears is not None and first_speed is not None:
-        g = part("gears", gears.at_rest, design.gears)
+        g = part("gears", gears.at_rest, design.gears, h.shafts(design))
     else:
         g = part.absent("gears", design.gears, (e,))
     gear = h.shaft_gear(design, g.result)
@@ -259,7 +259,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             design.friction,
             design.gears,
             g.result,
-            h.on_shaft(design, c, b, gear),
+            h.on_shafts(design, c, b, gear),
             first_speed,
             oil,
             materials,
@@ -290,12 +290,10 @@ def _in_place(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[O
 
 
 def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftResult]) -> Outcome[TrainResult]:
-    """A train that is complete: what its backlash leaves of the shaft's couple, whether the shaft turns as it must, and
-    its curves."""
-    if c.result is not None:
-        g = gears.with_residual_couple(g, c.result.couple)
-    if design.countershaft is not None:
-        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
+    """A train that is complete: what its backlash leaves of what the shafts balance, whether they turn as they must,
+    and its curves."""
+    g = gears.with_residuals(g, h.balanced(c))
+    g = gears.with_speed_ratios(g, h.ratios(design), design.engine)
     return replace(g, curves=g.curves + Later(partial(curves, g.solution)))
 
 
@@ -324,7 +322,7 @@ def _placed(
     g = part("gears", with_masses, g, inputs, design.materials)
     played = part("gears", gears.with_play, g, inputs, design.materials, h.housing(design))
     g = played if played.state == "solved" else gears.without(g, gears.BACKLASH, played.reason)
-    placed = part("gears", gears.with_layout, g, inputs, h.shaft_in_train(design, c))
+    placed = part("gears", gears.with_layout, g, inputs, h.shafts_in_train(design, c))
     return placed if placed.state == "solved" else gears.without(g, gears.LAYOUT, placed.reason)
 
 

@@ -291,6 +291,7 @@ def own_keys(cls: type, data: Table) -> Iterable[str]:
 ARRAYS = (
     dotted(GearsInputs.wheels),
     dotted(GearsInputs.meshes),
+    dotted(GearsInputs.stages),
     dotted(ShaftInputs.masses),
     dotted(ShaftInputs.extras),
     dotted(ShaftInputs.sections),

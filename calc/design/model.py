@@ -14,7 +14,7 @@ from ..countershaft.rows import SHAFT, BearingRow
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
 from ..friction.inputs import FrictionInputs, Scenario, Seal
-from ..gears.inputs import GearsInputs
+from ..gears.inputs import ONLY, GearsInputs
 from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
@@ -263,7 +263,7 @@ class Design:
                 if about.catalogue in catalogues and name not in catalogues[about.catalogue]:
                     yield key, _unknown_name(name, catalogues[about.catalogue])
         if self.friction is not None and self.gears is not None:
-            wheels = [wheel.name for wheel in self.gears.wheels]
+            wheels = list(self.gears.along)
             for kind in ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses"):
                 for i, entry in enumerate(getattr(self.friction, kind)):
                     if entry.wheel is not None and entry.wheel not in wheels:
@@ -450,9 +450,12 @@ class Design:
                 yield dotted(FrictionInputs.scenarios, i, Scenario.power), known
 
     def _gears(self, gears: GearsInputs) -> Problems:
-        """Materials and places of the wheels; speed, irregularity and power of the train, where no other table has
-        them."""
+        """Materials, shafts and places of the wheels; speed, irregularity and power of the train, where no other table
+        has them."""
         for i, wheel in enumerate(gears.wheels):
+            if wheel.shaft not in (None, ONLY):
+                alone = Text('there is one shaft, and it is called "{shaft}"', shaft=ONLY)
+                yield dotted(GearsInputs.wheels, i, Wheel.shaft), alone
             if wheel.gear_material is not None:
                 from ..gears.rating.classes import class_problem  # brings numpy with it
 
@@ -461,7 +464,7 @@ class Design:
         # positions count from the crank's axis, on which the first driver stands where the engine drives it
         if self.engine is not None and gears.speed in (None, self.engine.rated_speed) and gears.meshes:
             for i, wheel in enumerate(gears.wheels):
-                if wheel.name == gears.meshes[0].driver and wheel.position is not None and any(wheel.position):
+                if wheel.name == gears.first and wheel.position is not None and any(wheel.position):
                     must = Text("must be [0, 0]: it stands on the crank, from whose axis positions count")
                     yield dotted(GearsInputs.wheels, i, Wheel.position), must
         if self.engine is None and gears.speed is None:

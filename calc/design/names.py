@@ -203,7 +203,8 @@ CHOICE_WORDS: dict[str, str] = {
     "left": Text("left-hand"),
     "right": Text("right-hand"), "none": Text("none"), "finotti": "Finotti 2013", "position": Text("position"),
     "fit": Text("fit"),
-    "radial": Text("radial"), "runout": Text("run-out"),
+    "radial": Text("radial"), "runout": Text("run-out"), "chain": Text("chain"), "belt": Text("toothed belt"),
+    "inner": Text("inner side"), "outer": Text("outer side"),
     # friction
     "linear": Text("linear"), "smooth": Text("smooth"), "barus": "Barus", "roelands": "Roelands",
     "thesis": Text("the thesis"),

@@ -21,11 +21,11 @@ from ..engine.result import EngineResult
 from ..friction.journals import OnShaft
 from ..friction.result import FrictionResult
 from ..friction.solve import MeshOil
-from ..gears.inputs import GearsInputs
+from ..gears.inputs import ONLY, GearsInputs
 from ..gears.layout.solve import ShaftInTrain
-from ..gears.rating.load import Irregularity, Power, Surroundings, Swing, firing_order
+from ..gears.rating.load import Irregularity, Power, ShaftInertia, Surroundings, Swing, firing_order
 from ..gears.result import TrainResult
-from ..gears.solve import NOT_RATED
+from ..gears.solve import NOT_RATED, Balanced
 from ..library.lubricant import Lubricant
 from ..mounting.wrenches import ShaftOnEngine
 from ..sheet.errors import NoSolution
@@ -61,18 +61,28 @@ def takes_first_order(design: Design) -> bool:
     return design.countershaft is not None and design.countershaft.speed_ratio == -1
 
 
+def shafts(design: Design) -> tuple[str, ...]:
+    """The names of the shafts that the train turns."""
+    return (ONLY,)
+
+
 def shaft_teeth(design: Design) -> int | None:
-    """The teeth of the wheel on the counter-shaft: the last of the train."""
+    """The teeth by which the train turns the counter-shaft: of its wheel, or of the sprocket beside that."""
     if design.countershaft is None or design.gears is None:
         return None
-    teeth = {wheel.name: wheel.teeth for wheel in design.gears.wheels}
-    return teeth[design.gears.meshes[-1].driven]
+    return design.gears.tree.driving[design.gears.carrier()].z_2
 
 
 def shaft_axis(design: Design) -> complex | None:
     """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
     place = design.countershaft.axis if design.countershaft is not None else None
     return based_on(complex(*place), place) if place is not None else None
+
+
+def shaft_axes(design: Design) -> dict[str, complex]:
+    """Of the shafts that have a given one, by their names."""
+    axis = shaft_axis(design)
+    return {} if axis is None else {ONLY: axis}
 
 
 def overrun(design: Design) -> float:
@@ -87,11 +97,23 @@ def journals(design: Design) -> tuple[tuple[float, float], ...]:
 
 
 def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
-    """The wheel on the counter-shaft: the last of the train."""
+    """The wheel on the counter-shaft; None where a sprocket alone turns it."""
     if train is None or design.gears is None or design.countershaft is None:
         return None
-    wheel = train.wheels[design.gears.meshes[-1].driven]
+    wheel = train.wheels.get(design.gears.carrier())
+    if wheel is None:
+        return None
     return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
+
+
+def balanced(shaft: Outcome[CountershaftResult]) -> dict[str, Balanced]:
+    """What the backlash of the train takes a part of, by shaft."""
+    return {} if shaft.result is None else {ONLY: Balanced(shaft.result.couple)}
+
+
+def ratios(design: Design) -> dict[str, float]:
+    """How fast the shafts must turn, over the crank, by their names."""
+    return {} if design.countershaft is None else {ONLY: design.countershaft.speed_ratio}
 
 
 def bearing_materials(design: Design, bearings: BearingsInputs) -> BearingMaterials:
@@ -124,7 +146,10 @@ def power(gears: GearsInputs, f: Outcome[FrictionResult]) -> Power | None:
     is known."""
     if gears.power is not None:
         return Power(gears.power)
-    return Power({key: mesh.power_in for key, mesh in f.result.meshes.items()}) if f.result is not None else None
+    if f.result is None:
+        return None
+    of_meshes = {key: mesh.power_in for key, mesh in f.result.meshes.items()}
+    return Power(of_meshes | {key: stage.power_in for key, stage in f.result.stages.items()})
 
 
 def not_rated(f: Outcome[FrictionResult]) -> Text:
@@ -135,23 +160,26 @@ def not_rated(f: Outcome[FrictionResult]) -> Text:
     return Text("Not rated: {titles} gives no power: {reason}.", titles=title, reason=f.reason)
 
 
-def on_shaft(
+def on_shafts(
     design: Design, shaft: Outcome[CountershaftResult], journals: Outcome[BearingsResult], gear: Gear | None
-) -> OnShaft | None:
-    """The counter-shaft's journals at the end of the train; None where there are none."""
+) -> dict[str, OnShaft]:
+    """The journals that the train turns, by the names of their shafts; none where there are no bearings."""
     if journals.result is None:
-        return None
-    return OnShaft(journals.result, shaft.result, design.countershaft, gear)
+        return {}
+    return {ONLY: OnShaft(journals.result, shaft.result, design.countershaft, gear)}
 
 
 def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult]) -> ShaftDrive | None:
-    """What drives the shaft's gear: the given power, else what the last mesh passes on in the closed balance."""
+    """What drives the shaft's gear: the given power, else what its teeth carry in the closed balance."""
     if train is None or design.gears is None:
+        return None
+    wheel = train.wheels.get(design.gears.carrier())
+    if wheel is None:
         return None
     power = design.gears.power
     if power is None and f.result is not None:
-        power = list(f.result.meshes.values())[-1].power_out
-    speed = based_on(abs(turning := train.wheels[design.gears.meshes[-1].driven].speed), turning)
+        power = f.result.at_teeth(wheel.name)
+    speed = based_on(abs(wheel.speed), wheel.speed)
     return ShaftDrive(power, speed) if power is not None and speed else None
 
 
@@ -174,7 +202,7 @@ def irregularity(
     outline = shaft.result.outline if shaft.result is not None else None
     J_S = shaft.result.moment_of_inertia if shaft.result is not None else None
     with_wheel = outline is not None and (not outline.derived or any(piece.what == "gear" for piece in outline.pieces))
-    return Irregularity(delta_s, order, swing, J_S, with_wheel)
+    return Irregularity(delta_s, order, swing, {} if J_S is None else {ONLY: ShaftInertia(J_S, with_wheel)})
 
 
 def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: float) -> Swing | None:
@@ -215,16 +243,17 @@ def housing(design: Design) -> str | None:
     return material or (design.bearings.housing_material if design.bearings is not None else None)
 
 
-def shaft_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> ShaftInTrain:
-    """What the place of the train has to know of the shaft on its last wheel."""
+def shafts_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> dict[str, ShaftInTrain]:
+    """What the place of the train has to know of the shafts on its wheels, by their names."""
     sizes, end = journals(design), gear_end(design, shaft)
-    return ShaftInTrain(
+    alone = ShaftInTrain(
         axis=shaft_axis(design),
         eccentric=eccentric(design, end),
         journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
         gear_end=end,
         couple=shaft.result.couple if shaft.result is not None else None,
     )
+    return {ONLY: alone}
 
 
 def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]) -> Surroundings:
@@ -282,8 +311,8 @@ def _free_turn(train: TrainResult | None) -> float | None:
     """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case."""
     if train is None:
         return None
-    by_chance = train.train_play.phase_error_95 if train.train_play is not None else None
-    return train.phase_error if by_chance is None else by_chance
+    by_chance = train.train_play[ONLY].phase_error_95 if train.train_play is not None else None
+    return train.shafts[ONLY].phase_error if by_chance is None else by_chance
 
 
 def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None) -> "SelectionCase":

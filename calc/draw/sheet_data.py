@@ -47,11 +47,11 @@ class TurnedPiece:
 
 
 def shaft_wheel(results: "Results") -> "WheelResult | None":
-    """The wheel on the shaft: the last of the train."""
+    """The wheel on the shaft; none where a sprocket alone turns it."""
     train, gears = results.train, results.design.gears
     if train is None or gears is None or results.design.countershaft is None:
         return None
-    return train.wheels[gears.meshes[-1].driven]
+    return train.wheels.get(gears.carrier())
 
 
 def turned(results: "Results", solved: "CountershaftResult") -> list[TurnedPiece]:

@@ -43,7 +43,7 @@ def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome
         checks=tuple(checks(friction, result, d.oil)),
         curves=Later(partial(curves.curves, result, d)),
         errata=Later(lambda: errata(friction, result, d.oil)),
-        notes=Later(partial(notes.notes, friction, result, d.oil)),
+        notes=Later(partial(notes.notes, friction, result, d.oil, d.last)),
         tables=Later(partial(curves.tables, result, d)),
     )
 

@@ -14,7 +14,7 @@ from ..library import oils
 from ..sheet.errors import NoSolution
 from ..sheet.functions import pi
 from ..sheet.step import Curve, Series, Table, axis_label
-from ..sheet.text import EMPTY, Amount, Text
+from ..sheet.text import EMPTY, Amount, Name, Text
 from . import models as loss_models
 from .mesh.loss import solve_mesh
 from .mesh.mixed import MIXED
@@ -60,10 +60,13 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
             (Text("mesh {title}, sliding", title=title), m.sliding_loss),
             (Text("mesh {title}, rolling (bound)", title=title), m.rolling_loss or None),
         ]
-    losses += [
-        (Text("journal {place} of the counter-shaft", place=called(place)), j.friction_power)
-        for place, j in r.journals.items()
-    ]
+    losses += [(Text("chain or belt {name}", name=name), stage.loss) for name, stage in r.stages.items()]
+    for shaft, journals in r.journals.items():
+        whose = Name(shaft) if len(r.journals) > 1 else Text("the counter-shaft")
+        losses += [
+            (Text("journal {place} of {shaft}", place=called(place), shaft=whose), j.friction_power)
+            for place, j in journals.items()
+        ]
     losses += [
         (Text("windage"), r.windage_loss),
         (Text("churning"), r.churning_loss),
@@ -85,7 +88,7 @@ def curves(result: FrictionResult, d: TrainDrive) -> tuple[Curve, ...]:
     title, P = Text("Where the power goes"), axis_label("P", "W")
     bars = Curve("losses", title, labels, P, (losses,), bars=True, names=names)
     of_meshes = (c for name, mesh in result.meshes.items() for c in (*_curves(name, mesh), *_stribeck(name, mesh)))
-    return bars, *of_meshes, _shear(d)
+    return bars, *of_meshes, *((_shear(d),) if d.cases else ())
 
 
 def way(mesh: MeshResult) -> Text:

@@ -19,8 +19,8 @@ JUMP = 1e-6  # of the power
 NOTEWORTHY = 0.2  # of the loss
 
 
-def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Text, ...]:
-    last = list(result.meshes.values())[-1].case.mesh.driven.name
+def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil, last: str) -> tuple[Text, ...]:
+    """`last`: the wheel that carries what names none."""
     return (
         *_of_temperatures(friction, oil),
         *(note for mesh in result.meshes.values() for note in _of_regime(friction, mesh)),

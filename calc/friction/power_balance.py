@@ -3,17 +3,17 @@
 
 In order: what a wheel needs, the fixed point of the powers, the train at its speed, its balance traced.
 
-The counter-shaft needs the power of its bearings; each mesh towards the crank adds what it loses at the power that it
-takes in. A design without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs
-the other way.
+Every shaft needs the power of its bearings and of what hangs on it; each mesh, chain and belt towards the crank adds
+what it loses at the power that it takes in, the sum of all that lies behind it.  A design without counter-shaft gives
+the power that the first driver puts into its mesh, and the balance runs the other way.
 
 `TrainDrive` is the train at its speed with its oil, one operating point or many at once; `loads_of` finds the powers,
 `balance` traces them."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import partial, reduce
-from typing import Any, TypeVar
+from functools import cached_property, partial, reduce
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -31,18 +31,19 @@ from .journals import Journals
 from .losses import sums
 from .losses.wheels import WheelResult, carrying, has_bearings, unloaded
 from .mesh.film import Oil, oil_at
-from .mesh.geometry import MeshGeometry, column, require
+from .mesh.geometry import Link, MeshGeometry, StageGeometry, column, require
 from .mesh.loss import MeshCase, Warming, case, power_lost, solve_mesh, warming_of
 from .mesh.path import driver_speed, transverse_force
 from .models import spread_of
-from .result import FrictionResult, JournalResult, MeshResult, carbon_dioxide, fuel, torque
+from .result import FrictionResult, JournalResult, MeshResult, ShaftLoss, StageLoss, carbon_dioxide, fuel, torque
 
 # --- how the power flows: from what the last wheel must deliver up to the first driver, or the other way round
 # A mesh that must put out P_out takes in P_in = P_out + P_loss(P_in).  A wheel needs what its meshes take in, its own
-# losses, and what else it drives.  Meshes are listed along the flow; a wheel may drive several.
+# losses, and what else it drives.  Links (meshes, chains and belts) are listed along the flow; a wheel may drive
+# several.
 #
 # What a wheel needs may itself follow from the power: the force of the teeth loads the bearings of the idlers and the
-# journals of the counter-shaft.  All of it is one fixed point, of one operating point or of many at once.
+# journals of the shafts.  All of it is one fixed point, of one operating point or of many at once.
 
 TOLERANCE = 1e-9  # of the power
 PASSES = 40
@@ -98,9 +99,36 @@ def with_bearings(P: Watt, P_B: Watt) -> Watt:
     return P + P_B
 
 
+@formula("P_Σ", "energy: the wheel also drives what is carried on, which is not lost", names={"P": "P_Σ,0"})
+def with_carried(P: Watt, P_C: Watt) -> Watt:
+    return P + P_C
+
+
 @formula("P_Σ", "energy: the wheel also drives a mesh", names={"P": "P_Σ,0"})
 def with_mesh(P: Watt, P_in: Watt) -> Watt:
     return P + P_in
+
+
+@formula(
+    "P_T",
+    "rule of this program: the teeth of a wheel push its shaft as what it takes in and what it passes on, all one way",
+    names={"P": "P_T,0"},
+)
+def and_teeth(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_K", "given in the design: what a chain or a belt loses of the power that it takes in", names={"eta": "η"})
+def stage_loss(P_in: Watt, eta: Number) -> Watt:
+    """>>> stage_loss(P_in=500.0, eta=0.98)
+    10.000...
+    """
+    return (1 - eta) * P_in
+
+
+@formula("P_in", "conservation of energy: what a chain or a belt takes in to pass on a power", names={"eta": "η"})
+def power_into_stage(P_out: Watt, eta: Number) -> Watt:
+    return P_out / eta
 
 
 # --- the fixed point
@@ -130,27 +158,27 @@ class Guess:
         self.P, self.loss = P, loss
 
 
-def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> dict[str, Watt]:
-    """The power that loads each mesh; `needs` tells what each wheel needs besides its meshes, at the powers of the pass
-    before.
+def upstream(links: Mapping[str, Link], loss: Loss, needs: Needs) -> dict[str, Watt]:
+    """The power that loads each mesh and stage; `needs` tells what each wheel needs besides them, at the powers of the
+    pass before.
 
     Where a position changes its regime the loss jumps by what it rolls, and P = P_in may fall into the jump, which no
     power solves; then the last pass stands if it is within 1 %, and a note says so.  The balance loses nothing by that:
     P_in always is P_out plus the loss that is published."""
-    guesses = {name: Guess() for name in meshes}
+    guesses = {name: Guess() for name in links}
     loads: dict[str, Watt] = {}
     with untraced():
         for _ in range(PASSES):
             carried, off, moved = needs(loads), {}, 0.0
-            for name, mesh in reversed(list(meshes.items())):
-                P_out = require(mesh.power, carried[mesh.driven.name])
-                P = require(mesh.power, guesses[name].at(P_out))
+            for name, link in reversed(list(links.items())):
+                P_out = require(link.power, carried[link.driven.name])
+                P = require(link.power, guesses[name].at(P_out))
                 lost = loss(name, P)
                 off[name] = float(np.max(np.abs(P_out + lost - P) / P))
                 moved = max(moved, float(np.max(np.abs(P - loads.get(name, np.inf)) / P)))
                 guesses[name].learn(P, lost)
                 loads[name] = P
-                carried[mesh.driver.name] += P_out + lost
+                carried[link.driver.name] += P_out + lost
             if max(moved, *off.values()) <= TOLERANCE:
                 break
     name, worst = max(off.items(), key=lambda item: item[1])
@@ -158,36 +186,34 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> di
         share, most = Amount(worst * 100, form=".3g"), Amount(float(np.max(loads[name])), form=".6g")
         tried = Text("off by {worst} % of {max} W after {passes} passes", worst=share, max=most, passes=PASSES)
         raise NoSolution(Text("power balance of mesh {name}", name=name), tried, Text("less friction, or more power"))
-    return {name: loads[name] if np.ndim(loads[name]) else float(loads[name]) for name in meshes}
+    return {name: loads[name] if np.ndim(loads[name]) else float(loads[name]) for name in links}
 
 
-def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs, P: Watt) -> dict[str, Watt]:
-    """The same for a train whose first driver puts the power P into its mesh; each wheel drives one mesh."""
+def downstream(links: Mapping[str, Link], loss: Loss, needs: Needs, P: Watt) -> dict[str, Watt]:
+    """The same for a train whose first driver puts the power P into its mesh; each wheel drives one mesh or stage."""
     before: dict[str, Watt] = {}
     with untraced():
         for _ in range(PASSES):
-            loads = _powers_down(meshes, loss, needs(before), P)
-            if all(np.all(np.abs(loads[name] - before.get(name, np.nan)) <= TOLERANCE * P) for name in meshes):
+            loads = _powers_down(links, loss, needs(before), P)
+            if all(np.all(np.abs(loads[name] - before.get(name, np.nan)) <= TOLERANCE * P) for name in links):
                 return loads
             before = loads
     raise NoSolution(TRAIN, Text("not settled after {passes} passes", passes=PASSES), MORE_POWER)
 
 
-def _powers_down(
-    meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt], P: Watt
-) -> dict[str, Watt]:
-    wheel = next(iter(meshes.values())).driver.name
+def _powers_down(links: Mapping[str, Link], loss: Loss, needed: Mapping[str, Watt], P: Watt) -> dict[str, Watt]:
+    wheel = next(iter(links.values())).driver.name
     loads: dict[str, Watt] = {}
-    for name, mesh in meshes.items():
-        if mesh.driver.name != wheel:
+    for name, link in links.items():
+        if link.driver.name != wheel:
             branches = Text("the train branches, and the power of its first driver does not say how it divides")
-            raise NoSolution(Text("mesh {title}", title=mesh.title), branches, Text("give one chain of wheels"))
+            raise NoSolution(Text("mesh {title}", title=link.title), branches, Text("give one chain of wheels"))
         if np.any(P <= 0):
             least = Amount(float(np.min(P)), form=".4g")
             nothing = Text("{min} W come in: what lies before it loses more than it gets", min=least)
-            raise NoSolution(Text("mesh {title}: power", title=mesh.title), nothing, MORE_POWER)
-        loads[name] = require(mesh.power, P)
-        wheel = mesh.driven.name
+            raise NoSolution(Text("mesh {title}: power", title=link.title), nothing, MORE_POWER)
+        loads[name] = require(link.power, P)
+        wheel = link.driven.name
         P = loads[name] - loss(name, loads[name]) - needed[wheel]
     return loads
 
@@ -195,11 +221,27 @@ def _powers_down(
 # --- the train at its speed
 
 Meshes = Mapping[str, MeshGeometry]
+Links = Mapping[str, Link]  # along the flow of power
 Forces = Callable[[Mapping[str, Watt], Mapping[str, RevPerSecond]], Mapping[str, Newton]]
 
 
+@record
+class End:
+    """A shaft at the end of a way through the train: the wheel on it, its journals, and the power that what hangs on it
+    takes, a pump, which is carried and not lost; it grows with a power of the speed."""
+
+    wheel: str
+    journals: Journals
+    carried: Any = 0.0  # one number or, of many operating points, an array
+    speed_exponent: Number = 3.0
+
+
+Ends = Mapping[str, End]  # by the names of the shafts
+NO_ENDS: Ends = {}
+
+
 def shaft_loss(shaft: Journals, P: Watt | None) -> Watt:
-    """What the journals of the counter-shaft lose when its gear takes in P."""
+    """What the journals of a shaft lose when the teeth of its gear carry P."""
     return shaft.sum(shaft.journals(P))
 
 
@@ -209,25 +251,29 @@ class TrainDrive:
     `mesh.geometry.column`."""
 
     friction: FrictionInputs
-    meshes: Meshes
+    links: Links
     cases: dict[str, MeshCase]
     wheels: dict[str, WheelResult]  # without their own bearings
     lubricant: Lubricant
     T_oil: Celsius
     oil: Oil
-    shaft: Journals | None  # the counter-shaft at the end of the train
+    ends: Ends
     forces: Forces
     lubrication: str
     rolling: bool = True  # whether the balance counts what the rigid film rolls
     compared: bool = True  # whether the source's model stands beside the one that judges
 
+    @cached_property
+    def meshes(self) -> Meshes:
+        return meshes_of(self.links)
+
     @property
     def first(self) -> str:
-        return next(iter(self.meshes.values())).driver.name
+        return next(iter(self.links.values())).driver.name
 
     @property
     def last(self) -> str:
-        return list(self.meshes.values())[-1].driven.name
+        return last_of(self.links, self.ends)
 
     def bearings(self, loads: Mapping[str, Watt]) -> dict[str, tuple[Newton, Watt]]:
         """Load and loss of the wheels' own bearings at the powers of the meshes."""
@@ -237,16 +283,37 @@ class TrainDrive:
         return carrying(self.friction, self.wheels, self.last, self.lubricant, self.T_oil, forces)
 
     def loss(self, name: str, P: Watt) -> Watt:
+        link = self.links[name]
+        if isinstance(link, StageGeometry):
+            return stage_loss.function(P, link.efficiency)
         return power_lost(self.cases[name], P, self.friction.film == "judged", rolling=self.rolling)
+
+    def at_teeth(self, wheel: str, P: Watt, loads: Mapping[str, Watt]) -> Watt | None:
+        """What the teeth of a wheel carry that needs P besides what it drives: all that it takes in by a mesh, and what
+        its meshes pass on, as if all pushed one way; None where it has no mesh that is loaded."""
+        on = [name for name, link in self.links.items() if link.driver.name == wheel]
+        of_teeth = [loads[name] for name in on if name in self.meshes]
+        if any(mesh.driven.name == wheel for mesh in self.meshes.values()):
+            return reduce(lambda P, P_i: and_teeth(P=P, P_i=P_i), [*(loads[name] for name in on), *of_teeth], P)
+        return reduce(lambda P, P_i: and_teeth(P=P, P_i=P_i), of_teeth) if of_teeth else None
+
+
+def meshes_of(links: Links) -> Meshes:
+    return {name: link for name, link in links.items() if isinstance(link, MeshGeometry)}
+
+
+def last_of(links: Links, ends: Ends) -> str:
+    """The wheel that carries what names no other: that of the last shaft, else the last that is driven."""
+    return list(ends.values())[-1].wheel if ends else list(links.values())[-1].driven.name
 
 
 def drive(
     friction: FrictionInputs,
-    meshes: Meshes,
+    links: Links,
     lubricant: Lubricant,
     T_oil: Celsius,
     first_speed: RevPerSecond,
-    shaft: Journals | None,
+    ends: Ends = NO_ENDS,
     forces: Forces | None = None,
     lubrication: str = "spray",
     Lambda: Number | None = None,
@@ -259,27 +326,28 @@ def drive(
 
     `Lambda` and `thickening` as `oil_at` takes them, of many operating points as columns.
     """
-    if not meshes:
+    if not links:
         raise NoSolution(TRAIN, Text("there is no mesh"), Text("give at least one [[gears.meshes]]"))
     T_b = column(require_temperature(T_oil if friction.bulk_temperature is None else friction.bulk_temperature))
     with about(Text("oil")):
         oil = oil_at(lubricant, T_b, Lambda, thickening)
-    wheels = unloaded(friction, meshes, lubricant, require_temperature(T_oil), first_speed)
+    last = last_of(links, ends)
+    wheels = unloaded(friction, links, lubricant, require_temperature(T_oil), first_speed, last)
     warming = Warming(column(T_oil), LUBRICATION_FACTOR[lubrication], friction.tip_relief_factor)
     cases = {}
-    for name, mesh in meshes.items():
+    for name, mesh in meshes_of(links).items():
         with about(Text("mesh {title}", title=mesh.title)):
             cases[name] = case(friction, mesh, oil, wheels[mesh.driver.name].speed, warming, **fineness)
     return TrainDrive(
         friction=friction,
-        meshes=meshes,
+        links=links,
         cases=cases,
         wheels=wheels,
         lubricant=lubricant,
         T_oil=T_oil,
         oil=oil,
-        shaft=shaft,
-        forces=forces or partial(most_force, meshes),
+        ends=ends,
+        forces=forces or partial(most_force, meshes_of(links)),
         lubrication=lubrication,
         compared=compared,
     )
@@ -297,8 +365,10 @@ def require_temperature(T: Celsius) -> Celsius:
 def most_force(meshes: Meshes, loads: Mapping[str, Watt], speeds: Mapping[str, RevPerSecond]) -> dict[str, Newton]:
     """The forces of the teeth on each wheel if all push the same way; at no power, none."""
     forces = {name: 0.0 for mesh in meshes.values() for name in (mesh.driver.name, mesh.driven.name)}
-    for name, P in loads.items():
-        mesh = meshes[name]
+    for name, mesh in meshes.items():
+        if name not in loads:
+            continue
+        P = loads[name]
         F_bt = transverse_force(P=P, omega_1=driver_speed(n_1=speeds[mesh.driver.name]), r_b1=mesh.driver.base_radius)
         for wheel in (mesh.driver.name, mesh.driven.name):
             forces[wheel] = forces[wheel] + F_bt
@@ -309,28 +379,29 @@ def most_force(meshes: Meshes, loads: Mapping[str, Watt], speeds: Mapping[str, R
 
 
 def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt], dict[str, Watt]]:
-    """The power that loads each mesh, and what each wheel needs besides its meshes.
+    """The power that loads each mesh and stage, and what each wheel needs besides them.
 
     `power`: of the first driver into its mesh, of a design without counter-shaft.
     """
     needed: dict[str, Watt] = {}
 
     def needs(loads: Mapping[str, Watt]) -> dict[str, Watt]:
-        before = needed.get(d.last)
+        teeth = {name: d.at_teeth(end.wheel, needed[end.wheel], loads) if needed else None for name, end in shafts}
         bearings = d.bearings(loads)
         for name, wheel in d.wheels.items():
             needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
-        if d.shaft is not None:
+        for name, end in shafts:
             what = Text("losses of the counter-shaft's bearings")
-            needed[d.last] += require(what, shaft_loss(d.shaft, before), zero=True)
+            needed[end.wheel] += require(what, shaft_loss(end.journals, teeth[name]), zero=True) + end.carried
         return dict(needed)
 
-    if d.shaft is None:
+    shafts = d.ends.items()
+    if not shafts:
         if power is None:
             unknown = Text("neither the losses of a counter-shaft nor the power of the first driver is known")
             raise NoSolution(TRAIN, unknown, Text("give gears.power_kW"))
-        return downstream(d.meshes, d.loss, needs, require(Text("power of the first driver"), power)), needed
-    return upstream(d.meshes, d.loss, needs), needed
+        return downstream(d.links, d.loss, needs, require(Text("power of the first driver"), power)), needed
+    return upstream(d.links, d.loss, needs), needed
 
 
 @record
@@ -354,7 +425,9 @@ def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
         return Losses(
             mesh=sum(d.loss(name, P) for name, P in loads.items()),
             wheels=sum(of_wheels) + sum(P for _, P in d.bearings(loads).values()),
-            journals=0.0 if d.shaft is None else shaft_loss(d.shaft, needed[d.last]),
+            journals=sum(
+                shaft_loss(end.journals, d.at_teeth(end.wheel, needed[end.wheel], loads)) for end in d.ends.values()
+            ),
         )
 
 
@@ -362,11 +435,11 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
     """The closed balance of one operating point, with every line that leads to it."""
     with untraced():
         loads, needed = loads_of(unlinked(d), unlinked(power))
+        teeth = {name: d.at_teeth(end.wheel, needed[end.wheel], loads) for name, end in d.ends.items()}
     if power is not None:
-        loads[next(iter(d.meshes))] = power
-    at_gear = needed[d.last]  # what the last mesh passes on, where a counter-shaft is driven
-    if has_bearings(d.friction):
-        of = (d.friction, d.meshes, d.wheels, d.lubricant.oil, d.T_oil, power)
+        loads[next(iter(d.links))] = power
+    if has_bearings(d.friction) or len(d.ends) > 1:
+        of = (d.friction, d.links, d.wheels, d.lubricant.oil, d.T_oil, power)
         loads = {name: based_on(P, *of) for name, P in loads.items()}
     wheels = dict(d.wheels)
     for name, (force, loss) in d.bearings(loads).items():
@@ -374,23 +447,15 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
     for name, wheel in wheels.items():
         with about(Text("wheel {name}", name=name)):
             needed[name] = reduce(lambda P, P_i: and_need(P=P, P_i=P_i), wheel.parts())
-    P_B: Watt | None = None
-    journals: dict[str, JournalResult] = {}
-    if d.shaft is not None:
-        shaft, wheel_need = d.shaft, needed[d.last]
-
-        def last(P: Watt) -> tuple[dict[str, JournalResult], Watt, Watt]:
-            journals = shaft.journals(P)
-            P_B = shaft.sum(journals)
-            with about(Text("wheel {last}", last=d.last)):
-                return journals, P_B, with_bearings(P=wheel_need, P_B=P_B)
-
-        journals, P_B, needed[d.last] = converged(closing_power, at_gear, last, lambda state: state[2])
-        meshes, P_1, P_2 = *_up(d, needed, loads), None
+    shafts = {name: _shaft(d, end, needed, teeth[name], loads) for name, end in d.ends.items()}
+    P_2: Watt | None = None
+    if shafts:
+        meshes, stages, P_1 = _up(d, needed, loads)
     else:
-        meshes, P_1, P_2 = _down(d, needed, loads)
+        meshes, stages, P_1, P_2 = _down(d, needed, loads)
     with about(Text("train")):
-        P_VZ = _total(sums.meshes, [mesh.judged.loss for mesh in meshes.values()])
+        P_B = _total(sums.shafts, [shaft.bearing_loss for shaft in shafts.values()]) if shafts else None
+        P_VZ = _total(sums.meshes, [mesh.judged.loss for mesh in meshes.values()]) if meshes else None
         P_W = _total(sums.windage, [wheel.windage for wheel in wheels.values()])
         P_C = _total(sums.churning, [wheel.churning for wheel in wheels.values()])
         P_J = _total(sums.thrown_oil, [wheel.thrown_oil for wheel in wheels.values()])
@@ -398,18 +463,27 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         P_L = _total(sums.bearings, [wheel.bearing_loss for wheel in wheels.values()])
         P_X = _total(sums.other_losses, [wheel.other_loss for wheel in wheels.values()])
         P_B0, P_C0, P_J0, P_D0, P_L0 = (0.0 if part is None else part for part in (P_B, P_C, P_J, P_D, P_L))
-        P = sums.total_loss(P_B=P_B0, P_VZ=P_VZ, P_W=P_W, P_C=P_C0, P_J=P_J0, P_D=P_D0, P_L=P_L0, P_X=P_X)
+        P_W0, P_VZ0 = (0.0 if part is None else part for part in (P_W, P_VZ))
+        P = sums.total_loss(P_B=P_B0, P_VZ=P_VZ0, P_W=P_W0, P_C=P_C0, P_J=P_J0, P_D=P_D0, P_L=P_L0, P_X=P_X)
+        P_K = _total(sums.stages, [stage.loss for stage in stages.values()]) if stages else None
+        P = P if P_K is None else sums.with_stages(P=P, P_K=P_K)
+        taken = [end.carried for end in d.ends.values() if end.carried]
+        carried = _total(sums.carried, taken) if taken else None
         T_1 = torque(P=P_1, n=wheels[d.first].speed)
         b_e = d.friction.specific_fuel_consumption
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)
         m_CO2 = None if m_B is None else carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
+    each = {name: ShaftLoss(bearing_loss=shaft.bearing_loss) for name, shaft in shafts.items()}
     return FrictionResult(
         meshes=meshes,
+        stages=stages,
         wheels=wheels,
-        journals=journals,
+        shafts=each if len(each) > 1 else None,
+        journals={name: shaft.journals for name, shaft in shafts.items()},
         oil_viscosity=d.oil.eta_0,
         bearing_loss=P_B,
         mesh_loss=P_VZ,
+        stage_loss=P_K,
         windage_loss=P_W,
         churning_loss=P_C,
         thrown_oil_loss=P_J,
@@ -420,9 +494,10 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         crank_power=P_1,
         crank_torque=T_1,
         delivered_power=P_2,
+        carried_power=carried,
         fuel=m_B,
         co2=m_CO2,
-        residual=based_on(P_1 - P - (P_2 or 0.0), P_1, P, P_2),
+        residual=based_on(P_1 - P - (P_2 or 0.0) - (carried or 0.0), P_1, P, P_2, carried),
     )
 
 
@@ -442,40 +517,84 @@ def _total(adding: Callable[..., Watt], parts: list[Part]) -> Part:
     return reduce(lambda P, P_i: adding(P=P, P_i=P_i), there) if there else parts[0]
 
 
-def _up(d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tuple[dict[str, MeshResult], Watt]:
-    """Every mesh at its load once more, with its lines, from the last to the first; and the power at the first
-    driver."""
+class TurningShaft(NamedTuple):
+    """One shaft in the balance: its journals, what they lose, and what its teeth carry."""
+
+    journals: dict[str, JournalResult]
+    bearing_loss: Watt
+    at_teeth: Watt | None
+
+
+def _shaft(
+    d: TrainDrive, end: End, needed: dict[str, Watt], at_gear: Watt | None, loads: Mapping[str, Watt]
+) -> TurningShaft:
+    """The journals of a shaft at the power that closes with them; `needed` is then what its wheel needs with them."""
+    wheel_need = needed[end.wheel]
+
+    def last(P: Watt | None) -> TurningShaft:
+        journals = end.journals.journals(P)
+        P_B = end.journals.sum(journals)
+        with about(Text("wheel {last}", last=end.wheel)):
+            needed[end.wheel] = with_bearings(P=wheel_need, P_B=P_B)
+            if end.carried:
+                needed[end.wheel] = with_carried(P=needed[end.wheel], P_C=end.carried)
+            return TurningShaft(journals, P_B, d.at_teeth(end.wheel, needed[end.wheel], loads))
+
+    return last(None) if at_gear is None else converged(closing_power, at_gear, last, lambda state: state.at_teeth)
+
+
+def _up(
+    d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]
+) -> tuple[dict[str, MeshResult], dict[str, StageLoss], Watt]:
+    """Every mesh at its load once more, with its lines, from the last to the first, and every stage; and the power at
+    the first driver."""
     carried = dict(needed)
-    results: dict[str, MeshResult] = {}
-    for name, mesh in reversed(list(d.meshes.items())):
-        with about(Text("mesh {title}", title=mesh.title)):
-            P_out = carried[mesh.driven.name]
-            results[name] = converged(
-                closing_power, loads[name], partial(_mesh, d, name, P_out=P_out), lambda result: result.power_in
-            )
-        with about(Text("wheel {name}", name=mesh.driver.name)):
-            carried[mesh.driver.name] = with_mesh(P=carried[mesh.driver.name], P_in=results[name].power_in)
-    return {name: results[name] for name in d.meshes}, carried[d.first]
+    meshes: dict[str, MeshResult] = {}
+    stages: dict[str, StageLoss] = {}
+    for name, link in reversed(list(d.links.items())):
+        P_out = carried[link.driven.name]
+        if isinstance(link, StageGeometry):
+            with about(Text("stage {name}", name=name)):
+                P_in = power_into_stage(P_out=P_out, eta=link.efficiency)
+                stages[name] = StageLoss(
+                    power_in=P_in, power_out=P_out, loss=stage_loss(P_in=P_in, eta=link.efficiency)
+                )
+        else:
+            with about(Text("mesh {title}", title=link.title)):
+                meshes[name] = converged(
+                    closing_power, loads[name], partial(_mesh, d, name, P_out=P_out), lambda result: result.power_in
+                )
+            P_in = meshes[name].power_in
+        with about(Text("wheel {name}", name=link.driver.name)):
+            carried[link.driver.name] = with_mesh(P=carried[link.driver.name], P_in=P_in)
+    return {name: meshes[name] for name in d.meshes}, dict(reversed(stages.items())), carried[d.first]
 
 
 def _down(
     d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]
-) -> tuple[dict[str, MeshResult], Watt, Watt]:
+) -> tuple[dict[str, MeshResult], dict[str, StageLoss], Watt, Watt]:
     """The same along the flow, of one chain whose first mesh has the power that is given; and what is delivered at its
     end."""
-    results: dict[str, MeshResult] = {}
-    P = loads[next(iter(d.meshes))]
+    meshes: dict[str, MeshResult] = {}
+    stages: dict[str, StageLoss] = {}
+    P = loads[next(iter(d.links))]
     with about(Text("wheel {first}", first=d.first)):
         P_1 = with_mesh(P=needed[d.first], P_in=P)
-    for name, mesh in d.meshes.items():
-        if results:
-            with about(Text("wheel {name}", name=mesh.driver.name)):
-                P = passed_on(P_out=P, P=needed[mesh.driver.name])
-        with about(Text("mesh {title}", title=mesh.title)):
-            results[name] = _mesh(d, name, P, None)
-        P = results[name].power_out
+    for name, link in d.links.items():
+        if link.driver.name != d.first:
+            with about(Text("wheel {name}", name=link.driver.name)):
+                P = passed_on(P_out=P, P=needed[link.driver.name])
+        if isinstance(link, StageGeometry):
+            with about(Text("stage {name}", name=name)):
+                lost = stage_loss(P_in=P, eta=link.efficiency)
+                stages[name] = StageLoss(power_in=P, power_out=power_out(P_in=P, P_VZ=lost), loss=lost)
+                P = stages[name].power_out
+        else:
+            with about(Text("mesh {title}", title=link.title)):
+                meshes[name] = _mesh(d, name, P, None)
+            P = meshes[name].power_out
     with about(Text("wheel {last}", last=d.last)):
-        return results, P_1, delivered(P_out=P, P=needed[d.last])
+        return meshes, stages, P_1, delivered(P_out=P, P=needed[d.last])
 
 
 def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:

@@ -9,6 +9,7 @@ from ..sheet.functions import pi
 from ..sheet.quantity import group, result, value
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
+from ..sheet.value import based_on
 from .losses.wheels import WheelResult
 from .mesh.loss import MeshCase, MeshLoss
 from .models import MODELS, Regression
@@ -61,6 +62,22 @@ def by_regime(mesh: MeshResult) -> MeshLoss:
 
 
 @result
+class StageLoss:
+    """One chain or belt."""
+
+    power_in: Watt = value("Power that the chain or belt takes in", "W", "P_in")
+    power_out: Watt = value("Power that the chain or belt passes on", "W", "P_out")
+    loss: Watt = value("Loss of the chain or belt", "W", "P_K")
+
+
+@result
+class ShaftLoss:
+    """One of several shafts."""
+
+    bearing_loss: Watt = value("Bearings of the shaft", "W", "P_B")
+
+
+@result
 class JournalResult:
     """One journal of the counter-shaft in the balance: its friction over a turn, with what stands still beside the
     turning load."""
@@ -83,7 +100,7 @@ class ScenarioResult:
 
     meshes: dict[str, ScenarioMesh] = group(spread=True)
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
-    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
+    mesh_loss: Watt | None = value("All meshes", "W", "ΣP_VZ")
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
     total_loss: Watt = value("Sum of the losses", "W", "P")
     share: Number | None = value("Losses over the power at the first driver", "%")
@@ -100,13 +117,18 @@ class FrictionResult:
     """All meshes, all wheels and the closed balance."""
 
     meshes: dict[str, MeshResult] = group(spread=True)
+    stages: dict[str, StageLoss] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
-    journals: dict[str, JournalResult] = group(words="journals", key_words=IN_WORDS)
+    shafts: dict[str, ShaftLoss] | None = group(spread=True, default=None)  # where there are several
+    journals: dict[str, dict[str, JournalResult]] = group(  # by shaft
+        words="journals", key_words=IN_WORDS, named="several"
+    )
     scenarios: dict[str, ScenarioResult] | None = group(short=False, default=None, words="scenarios")
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0", short=True)
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B", short=True)
-    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ", short=True)
-    windage_loss: Watt = value("Windage of all wheels", "W", "ΣP_W", short=True)
+    mesh_loss: Watt | None = value("All meshes", "W", "ΣP_VZ", short=True)
+    stage_loss: Watt | None = value("All chains and belts", "W", "ΣP_K")
+    windage_loss: Watt | None = value("Windage of all wheels", "W", "ΣP_W", short=True)
     churning_loss: Watt | None = value("Churning of all wheels", "W", "ΣP_C")
     thrown_oil_loss: Watt | None = value("Oil thrown onto the wheels", "W", "ΣP_J")
     seal_loss: Watt | None = value("Shaft seals", "W", "ΣP_D")
@@ -117,6 +139,14 @@ class FrictionResult:
     crank_power: Watt = value("Power at the first driver", "W", "P_1")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1", short=True, page_one=2, headline=2)
     delivered_power: Watt | None = value("Power that the last wheel delivers", "W")
+    carried_power: Watt | None = value("Power that hangs on the shafts, carried and not lost", "W", "P_C")
     fuel: KilogramPerSecond | None = value("Fuel that the losses cost", "g/h", "m_B", short=True)
     co2: KilogramPerSecond | None = value("CO₂ that the losses cost", "g/h", "m_CO2")
     residual: Watt  # of the balance
+
+    def at_teeth(self, wheel: str) -> Watt | None:
+        """What the teeth of a wheel carry, as if all pushed one way: what it takes in by a mesh, and what its meshes
+        pass on; None where it has none."""
+        takes = [mesh.power_out for mesh in self.meshes.values() if mesh.case.mesh.driven.name == wheel]
+        drives = [mesh.power_in for mesh in self.meshes.values() if mesh.case.mesh.driver.name == wheel]
+        return based_on(sum(takes + drives), *takes, *drives) if takes or drives else None

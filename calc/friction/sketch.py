@@ -55,17 +55,17 @@ def sketch(design: "Design", results: "Results") -> Sketch:
         for n, (name, mesh) in enumerate(result.meshes.items())
     ]
     losses = _together(meshes, result.total_loss)
+    for name, stage in result.stages.items():
+        losses.append(Loss(Name(name), stage.loss, dotted("gears", GearsInputs.stages, name)))
+    for shaft, journals in result.journals.items():
+        for place, journal in journals.items():
+            words = Text("{place} bearing", place=called(place))
+            if len(result.journals) > 1:
+                words = Text("{shaft}, {what}", shaft=Name(shaft), what=words)
+            state = judged(checks, f"friction.{place}")
+            losses.append(Loss(words, journal.friction_power, row_key(place), state))
     losses += [
-        Loss(
-            Text("{place} bearing", place=called(place)),
-            journal.friction_power,
-            row_key(place),
-            judged(checks, f"friction.{place}"),
-        )
-        for place, journal in result.journals.items()
-    ]
-    losses += [
-        Loss(Text("windage"), result.windage_loss),
+        Loss(Text("windage"), result.windage_loss or 0.0),
         Loss(Text("churning"), result.churning_loss or 0.0),
         Loss(Text("oil thrown on"), result.thrown_oil_loss or 0.0),
         Loss(Text("shaft seals"), result.seal_loss or 0.0),

@@ -22,9 +22,9 @@ from . import checks, curves
 from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
 from .mesh.film import oil_at
-from .mesh.geometry import MeshGeometry, WheelGeometry
+from .mesh.geometry import Link, MeshGeometry, Sprocket, StageGeometry, WheelGeometry
 from .mesh.loss import MeshLoss, case, losses, solve_mesh
-from .power_balance import Forces, TrainDrive, balance, drive
+from .power_balance import End, Forces, TrainDrive, balance, drive
 from .result import FrictionResult, engine_share, torque
 from .studies import maps, scenarios, sensitivity
 
@@ -34,7 +34,7 @@ EXTREME = Text("power, speed, face width or flank roughness are far outside what
 
 
 def meshes_of(train: TrainResult, materials: Mapping[str, Material]) -> dict[str, MeshGeometry]:
-    """The meshes of a train along the flow of power, with what friction needs of them."""
+    """The meshes of a train, with what friction needs of them."""
     wheels = {
         name: WheelGeometry(
             name=name,
@@ -53,6 +53,19 @@ def meshes_of(train: TrainResult, materials: Mapping[str, Material]) -> dict[str
         key: MeshGeometry(wheels[m.driver], wheels[m.driven], m.centre_distance, beta_b)
         for key, m in train.meshes.items()
     }
+
+
+def links_of(gears: GearsInputs, train: TrainResult, materials: Mapping[str, Material]) -> dict[str, Link]:
+    """The meshes, chains and belts of a train along the flow of power."""
+    meshes, stages = meshes_of(train, materials), {stage.name: stage for stage in gears.stages}
+    links: dict[str, Link] = {}
+    for link in train.tree.links:
+        if link.toothed:
+            links[link.key] = meshes[link.key]
+        else:
+            ends = Sprocket(link.driver, link.z_1), Sprocket(link.driven, link.z_2)
+            links[link.key] = StageGeometry(link.key, *ends, stages[link.key].efficiency)
+    return links
 
 
 def _half(diameter: Metre) -> Metre:
@@ -82,7 +95,7 @@ def solve(
     friction: FrictionInputs,
     gears: GearsInputs,
     train: TrainResult,
-    on: OnShaft | None,
+    on: Mapping[str, OnShaft],
     first_speed: RevPerSecond,
     oil: MeshOil,
     materials: Mapping[str, Material],
@@ -90,19 +103,19 @@ def solve(
     *,
     compared: bool = True,
 ) -> Outcome[FrictionResult]:
-    """Losses of all meshes and the closed power balance.  `on` None: a train alone, whose first driver's power is
-    given.
+    """Losses of all meshes and the closed power balance.  `on`: the shafts by their names; none: a train alone, whose
+    first driver's power is given.
 
     `compared`: with the source's model beside the one that judges.
     """
-    meshes = meshes_of(train, materials)
+    links = links_of(gears, train, materials)
     with QUIET(), trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(oil.oil, oil.viscosity_law)
-        journals = journals_of(on) if on is not None else None
+        ends = {name: End(gears.carrier(name), journals_of(shaft)) for name, shaft in on.items()}
         forces, T, lubrication = forces_of(gears, train), oil.temperature, gears.lubrication
-        d = drive(friction, meshes, lubricant, T, first_speed, journals, forces, lubrication, compared=compared)
-    power = gears.power if on is None else None
+        d = drive(friction, links, lubricant, T, first_speed, ends, forces, lubrication, compared=compared)
+    power = None if on else gears.power
     outcome = closed(d, power)
     result = outcome.solution
     if friction.scenarios:
@@ -111,8 +124,9 @@ def solve(
         finite(result, "friction", EXTREME)
 
     def notes() -> Iterator[Text]:
-        yield from journals.notes(result.journals) if journals is not None else ()
-        yield from _notes(gears, on is not None)
+        for name, end in ends.items():
+            yield from end.journals.notes(result.journals[name])
+        yield from _notes(gears, bool(on))
 
     return replace(
         outcome,
@@ -120,7 +134,7 @@ def solve(
         lines=(*lines, *outcome.lines),
         notes=outcome.notes + Later(notes),
         further=partial(further, d, result, power, on),
-        key_curves=Later(lambda: (_open_constants(d, result, power)[0], *_side_by_side(result))),
+        key_curves=Later(lambda: (*_open_constants(d, result, power)[0], *_side_by_side(result))),
     )
 
 
@@ -145,14 +159,14 @@ def with_rated_power(outcome: Outcome[FrictionResult], P_e: Watt | None) -> Outc
     return replace(outcome, result=replace(outcome.result, engine_share=share), lines=(*outcome.lines, *lines))
 
 
-def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:
+def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: Mapping[str, OnShaft]) -> Further:
     """Maps, sensitivity and scenarios: what is asked for when it is shown."""
     with QUIET(), untraced():
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = _open_constants(d, result, power)
         return Further(
-            curves=(*of_map, bars, *_side_by_side(result)),
-            tables=(*of_fuel, table, *scenarios.tables(result)),
+            curves=(*of_map, *bars, *_side_by_side(result)),
+            tables=(*of_fuel, *table, *scenarios.tables(result)),
             notes=missing,
         )
 
@@ -162,9 +176,15 @@ def _side_by_side(result: FrictionResult) -> Iterator[Curve]:
     return scenarios.curves(result.scenarios or {}, ways)
 
 
-def _open_constants(d: TrainDrive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:
+def _open_constants(
+    d: TrainDrive, result: FrictionResult, power: Watt | None
+) -> tuple[tuple[Curve, ...], tuple[Table, ...]]:
+    """What the constants of meshes and mist change; nothing of chains alone."""
+    if not d.cases:
+        return (), ()
     with QUIET(), untraced():
-        return sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
+        curve, table = sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
+    return (curve,), (table,)
 
 
 def _notes(gears: GearsInputs, closed: bool) -> Iterator[Text]:

@@ -2,20 +2,20 @@
 """What is judged on the gear train, and what to do where it fails."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
 from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Change, Remedy, by_key, change, remedy, up, up_um
-from ..sheet.text import Amount, Text
+from ..sheet.text import COMMA, Amount, Text
 from ..sheet.units import Metre, Number
 from . import limits as p
-from .backlash.case import way_to
 from .formulas import ISO
-from .inputs import GearsInputs, Mesh, wheel_key
+from .inputs import GearsInputs, Mesh, Stage, wheel_key
 from .measures.solve import contact_checks
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
+from .tree import TrainLink
 from .wheel_inputs import Wheel
 
 SAME_RATIO = 1e-9
@@ -52,6 +52,7 @@ SPEED_RATIO = CheckRule(
     sense="<=",
     role="self",
 )
+SHAFT_RATIO = CheckRule("gears.N.speed_ratio", "limit", SPEED_RATIO.why, sense="<=", role="self")  # of one of several
 CONTACT_RATIO = CheckRule(
     "gears.M.contact_ratio",
     "limit",
@@ -193,25 +194,25 @@ def checks(gears: GearsInputs, train: TrainResult) -> Iterator[Check]:
 # --- the train
 
 
-def speed_ratio_check(train: TrainResult, wanted: Number, crank: float | None = None) -> Check:
-    """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the
-    wanted one."""
-    along = list(train.meshes.values())
-    first, last = train.wheels[along[0].driver], train.wheels[along[-1].driven]
-    way = [*(train.wheels[train.meshes[key].driver] for key in way_to(last.name, train.meshes)), last]
-    driven_by = abs(first.speed) / crank if crank else 1.0  # of the crank's speed
-    ratio, parity = train.speed_ratio * driven_by, Text("an odd") if wanted < 0 else Text("an even")
-    teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth * driven_by / abs(wanted)
+def speed_ratio_check(train: TrainResult, shaft: str, wanted: Number, crank: float | None = None) -> Check:
+    """Whether the wheel of a shaft turns as the shaft must: its speed over that of the first driver, as far as it is
+    off the wanted one."""
+    turn, tree = train.shafts[shaft], train.tree
+    way, last = tree.way(turn.wheel), turn.wheel
+    # of the crank's speed; a first driver that is no wheel is a sprocket on the crank
+    driven_by = abs(train.wheels[tree.first].speed) / crank if crank and tree.first in train.wheels else 1.0
+    ratio, parity = turn.speed_ratio * driven_by, Text("an odd") if wanted < 0 else Text("an even")
+    first = way[0].z_1
+    needed = first * driven_by / abs(wanted)
     enough = Text("{needed} teeth", needed=Amount(needed, form="g"))
     if needed != round(needed):
         times = Amount(driven_by / abs(wanted), form="g")
-        enough = Text("{driven_by} times the teeth of {name}", driven_by=times, name=first.name)
-    to = first.name if driven_by == 1.0 else Text("the crank")
-    keys = tuple(wheel_key(wheel.name, Wheel.teeth) for wheel in reversed(way))
+        enough = Text("{driven_by} times the teeth of {name}", driven_by=times, name=tree.first)
+    to = tree.first if driven_by == 1.0 else Text("the crank")
     off, shown = abs(ratio - wanted), Amount(ratio, form="+.6g")
     name = Text(
         "Speed ratio {name} to {to}, {ratio}: off the wanted {wanted} by",
-        name=last.name,
+        name=last,
         to=to,
         ratio=shown,
         wanted=Amount(wanted, form="+g"),
@@ -221,19 +222,46 @@ def speed_ratio_check(train: TrainResult, wanted: Number, crank: float | None = 
         wanted=Amount(abs(wanted), form="g"),
         parity=parity,
     )
-    advice = Text(
-        "The teeth {teeth} give {ratio} by {count} meshes: give {name} {enough} and {parity} number of meshes "
-        "from {name2} to {name}.",
-        teeth=teeth,
-        ratio=shown,
-        count=len(way) - 1,
-        name=last.name,
-        enough=enough,
-        parity=parity,
-        name2=first.name,
-    )
+    if all(link.toothed for link in way):
+        teeth = " → ".join([f"{tree.first} {first}", *(f"{link.driven} {link.z_2}" for link in way)])
+        advice = Text(
+            "The teeth {teeth} give {ratio} by {count} meshes: give {name} {enough} and {parity} number of meshes "
+            "from {name2} to {name}.",
+            teeth=teeth,
+            ratio=shown,
+            count=len(way),
+            name=last,
+            enough=enough,
+            parity=parity,
+            name2=tree.first,
+        )
+    else:
+        advice = Text(
+            "The teeth {teeth} give {ratio}: the product of the ratios must be {wanted}, and {parity} number of meshes "
+            "and of chains that run on their outer side must lie between {name2} and {name}.",
+            teeth=COMMA.join(Text("{title} {z_1}:{z_2}", title=x.title, z_1=x.z_1, z_2=x.z_2) for x in way),
+            ratio=shown,
+            wanted=Amount(abs(wanted), form="g"),
+            parity=parity,
+            name2=tree.first,
+            name=last,
+        )
     off = off if off > DUST else 0.0
-    return SPEED_RATIO(off, SAME_RATIO, name=name, source=source, advice=advice, moved_by=keys)
+    rule, at = (SHAFT_RATIO, (shaft,)) if len(train.shafts) > 1 else (SPEED_RATIO, ())
+    keys = tuple(_teeth_of(way))
+    return rule(off, SAME_RATIO, at=at, name=name, source=source, advice=advice, moved_by=keys)
+
+
+def _teeth_of(way: Sequence[TrainLink]) -> Iterator[str]:
+    """The keys of the numbers of teeth on a way, the last first."""
+    for link in reversed(way):
+        if link.toothed:
+            yield wheel_key(link.driven, Wheel.teeth)
+        else:
+            yield dotted("gears", GearsInputs.stages, link.key, Stage.driven_teeth)
+            yield dotted("gears", GearsInputs.stages, link.key, Stage.driver_teeth)
+    if way[0].toothed:
+        yield wheel_key(way[0].driver, Wheel.teeth)
 
 
 # --- meshes

@@ -26,6 +26,8 @@ def curves(train: TrainResult, mesh_key: str | None = None) -> tuple[Curve, ...]
 
     `mesh_key` "driver_driven"; left out, the mesh with the least backlash, which is the one to look at.
     """
+    if not train.meshes:  # chains alone
+        return ()
     key = mesh_key or min(train.meshes, key=lambda k: train.meshes[k].backlash_min)
     chosen = train.meshes[key]
     flanks = {name: regions(train.system, wheel, DRAWN * train.system.m_n) for name, wheel in train.wheels.items()}

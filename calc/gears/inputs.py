@@ -12,11 +12,13 @@ from typing import ClassVar
 from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 from ..sheet.units import Kelvin
+from .tree import TrainLink, Tree, first_of, in_flow
 from .wheel_inputs import INTERNAL, REFUSED, Wheel
 
 # the folds of the form
 WHEELS = Text("More of the wheels")
 MESHES = Text("More of the meshes")
+ONLY = "shaft"  # what the shaft of a design is called that has one and gives it no name
 ASSUMED_WARMER: Kelvin = 20.0  # of the wheels: how much it is while the engine warms up is not published
 
 
@@ -138,6 +140,98 @@ class Mesh:
             yield dotted(Mesh.stack), Text("give either contributors_mm or stack")
         if self.driver == self.driven:
             yield dotted(Mesh.driven), Text("a wheel can not drive itself")
+
+
+# --- a chain or a belt
+
+
+@inputs
+class Stage:
+    """A chain or a toothed belt from one axis of the train to another."""
+
+    name: str = text("Name", help="What its values are called by; that of no wheel.")
+    kind: str = choice("Kind", "chain", "belt", help="A chain, or a toothed belt.")
+    driver: str = text("Driver", help="The wheel beside which its first sprocket turns, or a name for that sprocket.")
+    driven: str = text(
+        "Driven",
+        help="The wheel beside which its second sprocket turns, or a name for that sprocket; one that is called like a "
+        "shaft carries it.",
+    )
+    driver_teeth: int = integer(
+        "Teeth of the driving sprocket",
+        within=(5, 1000),
+        symbol="z_1",
+        rule_of_thumb=(19, 60),
+        help="Few teeth make a chain run unevenly.",
+        repair="free",
+    )
+    driven_teeth: int = integer(
+        "Teeth of the driven sprocket",
+        within=(5, 1000),
+        symbol="z_2",
+        rule_of_thumb=(19, 120),
+        help="Over those of the driving one they make the ratio.",
+        repair="free",
+    )
+    side: str = choice(
+        "Side that runs on the driven sprocket",
+        "inner",
+        "outer",
+        default="inner",
+        help="inner: both sprockets turn in one sense. outer: the back of the chain turns it the other way.",
+    )
+    pitch: float = quantity(
+        "Pitch",
+        "mm",
+        up_to=200,
+        symbol="p",
+        rule_of_thumb=(5, 20),
+        help="From link to link of the chain, from tooth to tooth of the belt.",
+    )
+    efficiency: float = quantity(
+        "Efficiency",
+        default=0.98,
+        above=0,
+        high=1,
+        symbol="eta",
+        rule_of_thumb=(0.95, 0.99),
+        help="Power that it passes on, over what it takes in.",
+    )
+    elongation: float = quantity(
+        "Elongation",
+        "%",
+        default=0.003,
+        within=(0, 5),
+        symbol="epsilon",
+        rule_of_thumb=(0, 1),
+        help="By wear; 0.3 is a worn timing chain.",
+        repair="asked",
+    )
+    span: float | None = quantity(
+        "Free length of the pulling strand",
+        "mm",
+        default=None,
+        up_to=5000,
+        symbol="L",
+        help="Between both sprockets. Left out: what elongation leaves of the phase is not known.",
+    )
+    tensioner: float | None = quantity(
+        "Force of the tensioner in the slack strand",
+        "N",
+        default=None,
+        up_to=1e5,
+        symbol="F_S",
+        help="It holds the strand that pulls where the torque reverses. Left out: that is not judged.",
+    )
+
+    @property
+    def title(self) -> str:
+        """What it is called in sentences."""
+        return f"{self.driver}–{self.driven}"
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        if self.driver == self.driven:
+            yield dotted(Stage.driven), Text("a sprocket can not drive itself")
 
 
 # --- the train, and what stands around it
@@ -465,8 +559,15 @@ class GearsInputs:
         default="none",
         help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.",
     )
-    wheels: tuple[Wheel, ...] = tables("Wheels", Wheel, fold=WHEELS)
-    meshes: tuple[Mesh, ...] = tables("Meshes", Mesh, fold=MESHES)
+    wheels: tuple[Wheel, ...] = tables("Wheels", Wheel, default=(), fold=WHEELS)
+    meshes: tuple[Mesh, ...] = tables("Meshes", Mesh, default=(), fold=MESHES)
+    stages: tuple[Stage, ...] = tables(
+        "Chains and belts",
+        Stage,
+        default=(),
+        help="Each as ratio, loss and phase error; nothing is said of its strength.",
+        fold=MESHES,
+    )
     neighbours: tuple[Neighbour, ...] = tables(
         "Neighbours",
         Neighbour,
@@ -511,7 +612,7 @@ class GearsInputs:
             )
         if self.iso_6336_edition not in (2006, 2019):
             yield dotted(GearsInputs.iso_6336_edition), Text("must be 2006 or 2019")
-        if not self.meshes:
+        if not self.meshes and not self.stages:
             yield dotted(GearsInputs.meshes), Text("needs at least one [[gears.meshes]]")
         for i, wheel in enumerate(self.wheels):
             for key, size in (
@@ -531,7 +632,9 @@ class GearsInputs:
                     dotted(GearsInputs.wheels, i, Wheel.measured_span),
                     Text("needs span_teeth, over which it was measured"),
                 )
-        yield from self._flow()
+        if self.meshes or self.stages:
+            yield from self._flow()
+        yield from self._shafts()
         yield from self._hands()
         if self.support_material is None:
             for i, mesh in enumerate(self.meshes):
@@ -541,7 +644,8 @@ class GearsInputs:
     def _flow(self) -> Iterable[tuple[str, Text]]:
         """Every wheel is driven once, and the meshes stand along the flow of power."""
         names = [w.name for w in self.wheels]
-        driven: set[str] = set()
+        already = Text("is driven already: each wheel has one driver")
+        by_stage, driven = {stage.driven for stage in self.stages}, set[str]()
         for i, mesh in enumerate(self.meshes):
             for key, name in ((Mesh.driver, mesh.driver), (Mesh.driven, mesh.driven)):
                 if name not in names:
@@ -549,35 +653,104 @@ class GearsInputs:
                         dotted(GearsInputs.meshes, i, key),
                         Text('there is no wheel "{name}"; the wheels are {names}', name=name, names=", ".join(names)),
                     )
-            if i and mesh.driver not in driven | {self.meshes[0].driver}:
+            if mesh.driver not in driven | by_stage | {self.first}:
                 yield (
                     dotted(GearsInputs.meshes, i, Mesh.driver),
                     Text("must be driven by an earlier mesh: meshes are listed along the flow of power"),
                 )
-            if mesh.driven in driven | {self.meshes[0].driver}:
-                yield dotted(GearsInputs.meshes, i, Mesh.driven), Text("is driven already: each wheel has one driver")
+            if mesh.driven in driven | {self.first}:
+                yield dotted(GearsInputs.meshes, i, Mesh.driven), already
             driven.add(mesh.driven)
+        for i, stage in enumerate(self.stages):
+            if stage.driven in driven | {self.first}:
+                yield dotted(GearsInputs.stages, i, Stage.driven), already
+            elif stage.driven not in self.along:
+                loose = Text("no mesh and no stage leads there from {first}", first=self.first)
+                yield dotted(GearsInputs.stages, i, Stage.driver), loose
+            driven.add(stage.driven)
+        meshing = {name for mesh in self.meshes for name in (mesh.driver, mesh.driven)}
         for i, name in enumerate(names):
-            if self.meshes and name not in driven | {self.meshes[0].driver}:
+            if name not in meshing:
                 yield dotted(GearsInputs.wheels, i, Wheel.name), Text('no mesh uses the wheel "{name}"', name=name)
+        taken = {*names, *(mesh.key for mesh in self.meshes), "train"}
+        for i, stage in enumerate(self.stages):
+            if stage.name in taken:
+                yield dotted(GearsInputs.stages, i, Stage.name), Text("is the name of something else in the train")
+
+    def _shafts(self) -> Iterable[tuple[str, Text]]:
+        """One wheel for each shaft."""
+        on: dict[str, str] = {}
+        for i, wheel in enumerate(self.wheels):
+            if wheel.shaft is not None and on.setdefault(wheel.shaft, wheel.name) != wheel.name:
+                there = Text("{other} is on that shaft: each shaft has one wheel", other=on[wheel.shaft])
+                yield dotted(GearsInputs.wheels, i, Wheel.shaft), there
+            elif wheel.shaft is not None and (self.meshes or self.stages) and wheel.name == self.first:
+                crank = Text("is the first driver, which turns with the crank: a shaft needs a driven wheel")
+                yield dotted(GearsInputs.wheels, i, Wheel.shaft), crank
+        for i, wheel in enumerate(self.wheels):
+            if on.get(wheel.name, wheel.name) != wheel.name:
+                like = Text("is what the shaft is called on which {other} sits", other=on[wheel.name])
+                yield dotted(GearsInputs.wheels, i, Wheel.name), like
+
+    @property
+    def _links(self) -> tuple[Mesh | Stage, ...]:
+        every: tuple[Mesh | Stage, ...] = (*self.meshes, *self.stages)
+        return in_flow(every, first_of(every))
+
+    @property
+    def first(self) -> str:
+        """The first driver."""
+        every: tuple[Mesh | Stage, ...] = (*self.meshes, *self.stages)
+        return first_of(every)
 
     @property
     def along(self) -> tuple[str, ...]:
-        """The names of the wheels along the flow of power, in whatever order they are listed."""
-        return (self.meshes[0].driver, *(mesh.driven for mesh in self.meshes))
+        """The names of the wheels along the flow of power, in whatever order they are listed, and of sprockets that
+        turn beside no wheel."""
+        return (self.first, *(link.driven for link in self._links))
+
+    @property
+    def tree(self) -> Tree:
+        """Meshes and stages along the flow of power."""
+        teeth, links = {wheel.name: wheel.teeth for wheel in self.wheels}, list[TrainLink]()
+        for link in self._links:
+            a, b = link.driver, link.driven
+            if isinstance(link, Stage):
+                sense = 1 if link.side == "inner" else -1
+                links.append(TrainLink(link.name, link.title, a, b, link.driver_teeth, link.driven_teeth, sense, False))
+            else:
+                links.append(TrainLink(link.key, link.title, a, b, teeth[a], teeth[b], -1, True))
+        return Tree(tuple(links))
+
+    def carrier(self, shaft: str = ONLY) -> str:
+        """The wheel that carries a shaft: that which says so, or the sprocket that is called like it; where none does,
+        the last that is driven."""
+        on = {wheel.shaft: wheel.name for wheel in self.wheels if wheel.shaft is not None}
+        wheels = {wheel.name for wheel in self.wheels}
+        on |= {name: name for name in self.along if name not in wheels}
+        return on.get(shaft, self.along[-1])
+
+    @property
+    def carriers(self) -> set[str]:
+        """The wheels that say on which shaft they sit; where none does, the last that is driven."""
+        return {wheel.name for wheel in self.wheels if wheel.shaft is not None} or {self.along[-1]}
 
     def hands(self) -> dict[str, str]:
-        """The hand of every helical wheel: they alternate from the first that is given, else the first driver is
-        right-handed."""
+        """The hand of every helical wheel: from mesh to mesh they alternate, from the first that is given, else a wheel
+        that no mesh drives is right-handed."""
         if not self.helix_angle or not self.meshes:
             return {}
-        turned = {self.meshes[0].driver: 0}
+        turned: dict[str, tuple[str, int]] = {}  # the wheel with which its meshes begin, and how many lie between
         for mesh in self.meshes:
-            turned[mesh.driven] = 1 - turned.get(mesh.driver, 0)
+            head, n = turned.setdefault(mesh.driver, (mesh.driver, 0))
+            turned[mesh.driven] = head, 1 - n
         sides = ("left", "right")
-        first = next((w for w in self.wheels if w.hand is not None and w.name in turned), None)
-        base = 1 if first is None else (sides.index(str(first.hand)) + turned[first.name]) % 2
-        return {name: sides[(base + n) % 2] for name, n in turned.items()}
+        base: dict[str, int] = {}
+        for wheel in self.wheels:
+            if wheel.hand is not None and wheel.name in turned:
+                head, n = turned[wheel.name]
+                base.setdefault(head, (sides.index(wheel.hand) + n) % 2)
+        return {name: sides[(base.get(head, 1) + n) % 2] for name, (head, n) in turned.items()}
 
     def _hands(self) -> Iterable[tuple[str, Text]]:
         """External helical wheels in mesh have opposite hands."""

@@ -6,11 +6,13 @@ from functools import cached_property
 
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
-from ..sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RevPerSecond
+from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond
 from .backlash.formulas import PlayResult, TrainPlay
 from .layout.result import ForcesResult, LayoutResult
 from .measures.result import MeasuresResult, Seat
 from .rating.result import MeshRating
+from .stages import StageResult
+from .tree import Tree
 
 
 @result
@@ -181,12 +183,10 @@ def working_circles(meshes: Mapping[str, MeshResult], wheel: str) -> list[tuple[
 
 
 @result
-class TrainResult:
-    """The whole train.  What is None was not asked, or waits for another step."""
+class ShaftTurn:
+    """How the wheel of one shaft turns with the first driver, and what its free turn leaves of what the shaft
+    balances."""
 
-    system: ToothSystem = group(spread=True)
-    wheels: dict[str, WheelResult] = group(spread=True)
-    meshes: dict[str, MeshResult] = group(spread=True)
     speed_ratio: Number = value("Speed of the last wheel over that of the first (−: against it)", "", "i", short=True)
     phase_error: Radian = value(
         "Free turn of the last wheel by backlash", "°", "Δφ", short=True, page_one=6, headline=1
@@ -194,10 +194,25 @@ class TrainResult:
     residual_couple: NewtonMetre | None = value(
         "Couple left by the phase error", "N·m", "C_Δφ", default=None, short=True, page_one=7, headline=2
     )
+    residual_force: Newton | None = value("Force left by the phase error", "N", "F_Δφ", default=None)
+    wheel: str  # or sprocket
+
+
+@result
+class TrainResult:
+    """The whole train.  What is None was not asked, or waits for another step."""
+
+    system: ToothSystem = group(spread=True)
+    wheels: dict[str, WheelResult] = group(spread=True)
+    meshes: dict[str, MeshResult] = group(spread=True)
+    stages: dict[str, StageResult] = group(spread=True)
+    shafts: dict[str, ShaftTurn] = group(spread=True, named="several")
     play: dict[str, PlayResult] | None = group(spread=True, default=None)  # by mesh
-    train_play: TrainPlay | None = group(spread=True, default=None)
+    train_play: dict[str, TrainPlay] | None = group(spread=True, default=None, named="several")  # by shaft
     layout: LayoutResult | None = group(spread=True, default=None)
     forces: ForcesResult | None = group(spread=True, default=None)
+    tree: Tree
+    speeds: Mapping[str, RevPerSecond]  # of wheels and sprockets, + in the sense of the first driver; empty at rest
 
     def mates(self, wheel: str) -> list[tuple[str, Metre, MeshResult]]:
         """The mates of a wheel, each with the wheel's working diameter towards it and their mesh."""

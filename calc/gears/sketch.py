@@ -19,6 +19,7 @@ from .backlash.checks import BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WA
 from .checks import TIP_THICKNESS, UNDERCUT
 from .curves import pitch_point_view
 from .inputs import GearsInputs, Mesh
+from .layout.curves import loop
 from .layout.room import CLEARANCE, REACH
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
@@ -55,6 +56,8 @@ def sketch(design: "Design", results: "Results") -> draw.Sketch:
     if not placed:
         notes = [Text("wheels in a row"), Text("mm")]
     train_view = tuple(_train(gears, train, centres, checks, bool(placed)))
+    if not train.meshes:
+        return draw.Sketch(train_view)
     key = min(train.meshes, key=lambda key: train.meshes[key].backlash_min)
     try:
         with untraced():
@@ -70,7 +73,10 @@ def _placed(train: TrainResult) -> dict[str, complex] | None:
     """To the right and up, where every wheel has a place."""
     laid = train.layout.wheels if train.layout is not None else {}
     known = {name: complex(w.position.imag, w.position.real) for name, w in laid.items() if w.position is not None}
-    return known if known.keys() == train.wheels.keys() else None
+    if known.keys() != train.wheels.keys():
+        return None
+    sprockets = train.layout.sprockets if train.layout is not None else {}
+    return known | {name: complex(p.imag, p.real) for name, p in sprockets.items()}
 
 
 def _point(at: complex) -> draw.Point:
@@ -101,12 +107,32 @@ def _train(
             place, radius = _point(first + (second - first) * share), 0.12 * mesh.centre_distance
             yield draw.Arc(draw.OUTLINE, place, radius, key=dotted("gears", GearsInputs.meshes, n), state=jams[key])
     yield from _lines(train, centres, told=not placed)
+    yield from _stages(train, centres)
     if placed:
         yield from _obstacles(gears)
 
 
+def _stages(train: TrainResult, centres: Mapping[str, complex]) -> Iterator[draw.Mark]:
+    """Chains and belts as lines around their sprockets; of a sprocket on the outer side its circle.  Sprockets that
+    turn beside no wheel have their names."""
+    for name in (name for name in centres if name not in train.wheels):
+        yield draw.Words(draw.WORDS, _point(centres[name]), Name(name), side="centre")
+    for name, stage in train.stages.items():
+        p_1, p_2 = centres.get(stage.driver), centres.get(stage.driven)
+        if p_1 is None or p_2 is None:
+            continue
+        key, r_2 = dotted("gears", GearsInputs.stages, name), stage.pitch_diameter_driven / 2
+        if train.tree.by_key[name].sense > 0:
+            around = loop(p_1, p_2, stage.pitch_diameter_driver / 2, r_2).tolist()
+            yield draw.Polyline(draw.HIDDEN, tuple(map(_point, around)), key=key)
+        else:
+            yield draw.Arc(draw.HIDDEN, _point(p_2), r_2, key=key)
+
+
 def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> Iterator[draw.Mark]:
     """The lines of centres, and above wheels in a row their lengths."""
+    if not train.meshes:
+        return
     top = max(centres[name].imag + wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     above = top + ABOVE * max(wheel.tip_diameter for wheel in train.wheels.values())
     for n, mesh in enumerate(train.meshes.values()):

@@ -4,8 +4,9 @@
 `rating` stands in its own file and is offered here, so that the step has one door."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from ..engine.inputs import EngineInputs
 from ..library.catalogue import Material
@@ -15,15 +16,16 @@ from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text
-from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
+from ..sheet.units import Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond
 from ..sheet.value import about, trace
-from .backlash.case import backlash_at_shaft
-from .backlash.formulas import residual_couple as _couple_of_phase_error
+from . import stages as chains
+from .backlash.case import free_turn, lags
+from .backlash.formulas import residual_couple, residual_force
 from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
 from .checks import speed_ratio_check
 from .formulas import speed_ratio as speed_ratio_of
-from .inputs import GearsInputs, Mesh
+from .inputs import ONLY, GearsInputs, Mesh
 from .layout.forces import forces
 from .layout.solve import ShaftInTrain, layout
 from .limits import EXTREME
@@ -36,12 +38,12 @@ from .profile.meshing import notes as profile_notes
 from .profile.meshing import penetrations
 from .rating.result import RatingResult
 from .rating.solve import rating
-from .result import TrainResult, working_circles
+from .result import ShaftTurn, TrainResult, working_circles
 from .train import settle, speeds, tooth_system
 from .wheel import solve_wheel
 from .wheel_inputs import Wheel
 
-__all__ = ["geometry", "merge", "not_rated", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
+__all__ = ["geometry", "merge", "not_rated", "rating", "with_residuals", "with_speed_ratios"]
 
 
 @record
@@ -99,8 +101,9 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResu
     return turning(at_rest(gears), gears, first_speed)
 
 
-def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
-    """All of `geometry` but the speeds, of which none of it depends."""
+def at_rest(gears: GearsInputs, shafts: Sequence[str] = (ONLY,)) -> Outcome[TrainResult]:
+    """All of `geometry` but the speeds, of which none of it depends.  `shafts`: their names."""
+    tree = gears.tree
     with trace() as lines:
         system = tooth_system(gears)
         train = settle(gears, system)
@@ -114,16 +117,22 @@ def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
             )
             for i, mesh in enumerate(gears.meshes)
         }
-        last = gears.meshes[-1].driven
-        with about(Text("train, to {last}", last=last)):
-            free = backlash_at_shaft(wheels, meshes, last)
+        stages = chains.stages(gears, tree)
+        plays, turns = {key: mesh.play_angle for key, mesh in meshes.items()}, {}
+        for shaft in shafts:
+            wheel = gears.carrier(shaft)
+            with about(Text("train, to {last}", last=wheel)):
+                free = free_turn(tree, wheel, plays, lags(stages))
+            turns[shaft] = ShaftTurn(speed_ratio=0.0, phase_error=free, wheel=wheel)
         spans: list[Callable[[], Table]] = []
         for given in gears.wheels:
             working = [(mate, d_w) for mate, d_w, _ in working_circles(meshes, given.name)]
             sizes, table = measures(system, given, wheels[given.name], working)
             wheels[given.name] = replace(wheels[given.name], measures=sizes)
             spans.append(table)
-        result = TrainResult(system=system, wheels=wheels, meshes=meshes, speed_ratio=0.0, phase_error=free)
+        result = TrainResult(
+            system=system, wheels=wheels, meshes=meshes, stages=stages, shafts=turns, tree=tree, speeds={}
+        )
         depths = penetrations(result)
     result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
     finite(result, "gears", EXTREME)
@@ -133,7 +142,7 @@ def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
         checks=tuple(_checks(gears, result, depths)),
         lines=tuple(lines),
         tables=Later(lambda: (table() for table in spans)),
-        notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result))),
+        notes=Later(lambda: (*notes(gears, train, result), *chains.notes(gears), *profile_notes(result))),
     )
 
 
@@ -143,19 +152,19 @@ def _checks(gears: GearsInputs, train: TrainResult, depths: Mapping[str, Metre])
         assert wheel.measures is not None  # of every wheel, once the geometry is solved
         yield from measures_checks(train.system, wheel, wheel.measures)
     yield from profile_checks(train, depths)
+    yield from chains.checks(gears)
 
 
 def turning(outcome: Outcome[TrainResult], gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResult]:
     """A train with its speeds."""
     with trace() as lines:
-        n = speeds(gears, first_speed)
-        last = gears.meshes[-1].driven
-        with about(Text("train, to {last}", last=last)):
-            ratio = speed_ratio_of(n_last=n[last], n_1=n[gears.meshes[0].driver])
-    still = outcome.solution
-    result = replace(
-        still, wheels={name: replace(wheel, speed=n[name]) for name, wheel in still.wheels.items()}, speed_ratio=ratio
-    )
+        n, still, shafts = speeds(gears, first_speed), outcome.solution, {}
+        for shaft, turn in still.shafts.items():
+            with about(Text("train, to {last}", last=turn.wheel)):
+                ratio = speed_ratio_of(n_last=n[turn.wheel], n_1=n[still.tree.first])
+            shafts[shaft] = replace(turn, speed_ratio=ratio)
+    wheels = {name: replace(wheel, speed=n[name]) for name, wheel in still.wheels.items()}
+    result = replace(still, wheels=wheels, shafts=shafts, speeds=n)
     wrong = Later(lambda: errata(result) if gears.source_sheet == "finotti" else ())
     return replace(outcome, result=result, lines=(*outcome.lines, *lines), errata=outcome.errata + wrong)
 
@@ -175,13 +184,15 @@ def with_play(
         tables=Later(played.tables),
         notes=played.notes,
     )
-    result = replace(outcome.solution, play=played.meshes, train_play=played.train)
+    result = replace(outcome.solution, play=played.meshes, train_play=played.shafts)
     return replace(_joined(outcome, beside), result=result)
 
 
-def with_layout(outcome: Outcome[TrainResult], gears: GearsInputs, shaft: ShaftInTrain) -> Outcome[TrainResult]:
-    """The train in its place."""
-    placed = layout(gears, outcome.solution, shaft)
+def with_layout(
+    outcome: Outcome[TrainResult], gears: GearsInputs, shafts: Mapping[str, ShaftInTrain]
+) -> Outcome[TrainResult]:
+    """The train in its place; `shafts` by their names."""
+    placed = layout(gears, outcome.solution, shafts)
     return replace(_joined(outcome, placed), result=replace(outcome.solution, layout=placed.result))
 
 
@@ -189,7 +200,9 @@ def merge(geometry: Outcome[TrainResult], rated: Outcome[RatingResult]) -> Outco
     """One outcome from the geometry of a train and its rating; both keep their lines, checks, errata and notes."""
     train, stresses = geometry.solution, rated.solution
     meshes = {key: replace(mesh, rating=stresses.meshes.get(key)) for key, mesh in train.meshes.items()}
-    return replace(_joined(geometry, rated), result=replace(train, meshes=meshes))
+    pulls = stresses.least_strand_forces
+    stages = {name: replace(stage, least_strand_force=pulls.get(name)) for name, stage in train.stages.items()}
+    return replace(_joined(geometry, rated), result=replace(train, meshes=meshes, stages=stages))
 
 
 def with_forces(outcome: Outcome[TrainResult], gears: GearsInputs) -> Outcome[TrainResult]:
@@ -231,34 +244,46 @@ def _joined(first: Outcome[TrainResult], second: Outcome[object]) -> Outcome[Tra
     )
 
 
-def residual_couple(outcome: Outcome[TrainResult], couple: NewtonMetre) -> NewtonMetre:
-    """What is left of a couple that the last wheel should cancel, when the whole backlash turns it out of phase."""
-    return _couple_of_phase_error(couple, outcome.solution.phase_error)
+class Balanced(NamedTuple):
+    """What a shaft turns with: its couple, and its force where it has one."""
+
+    couple: NewtonMetre
+    force: Newton | None = None
 
 
-def with_residual_couple(outcome: Outcome[TrainResult], couple: NewtonMetre) -> Outcome[TrainResult]:
-    """The same outcome with the residual couple among its values and its line among its lines."""
-    train = outcome.solution
-    with trace() as lines, about(Text("train, by its backlash")):
-        left = residual_couple(outcome, couple)
-        whole = with_couple(train.train_play, couple) if train.train_play is not None else None
-    return replace(
-        outcome, result=replace(train, residual_couple=left, train_play=whole), lines=outcome.lines + tuple(lines)
-    )
+def with_residuals(outcome: Outcome[TrainResult], shafts: Mapping[str, Balanced]) -> Outcome[TrainResult]:
+    """The same outcome with what its whole backlash leaves of the couple and the force of each shaft, by its name."""
+    train, turns, plays = outcome.solution, {}, {}
+    with trace() as lines:
+        for name, turn in train.shafts.items():
+            balanced = shafts.get(name)
+            with about(Text("train, by its backlash")):
+                if balanced is not None:
+                    left = residual_couple(balanced.couple, turn.phase_error)
+                    turn = replace(turn, residual_couple=left)
+                    if balanced.force is not None:
+                        turn = replace(turn, residual_force=residual_force(balanced.force, turn.phase_error))
+                    if train.train_play is not None:
+                        plays[name] = with_couple(train.train_play[name], balanced.couple)
+            turns[name] = turn
+    whole = None if train.train_play is None else train.train_play | plays
+    result = replace(train, shafts=turns, train_play=whole)
+    return replace(outcome, result=result, lines=outcome.lines + tuple(lines))
 
 
-def with_speed_ratio(
-    outcome: Outcome[TrainResult], wanted: Number, engine: EngineInputs | None = None
+def with_speed_ratios(
+    outcome: Outcome[TrainResult], wanted: Mapping[str, Number], engine: EngineInputs | None = None
 ) -> Outcome[TrainResult]:
-    """The same outcome with the check that its last wheel turns as the shaft must; `wanted` −1: as fast as the crank,
-    the other way.
+    """The same outcome with the checks that each shaft turns as it must; `wanted` −1: as fast as the crank, the other
+    way.
 
     Without an `engine` the first driver is taken to turn as the crank does.
     """
     if outcome.result is None:
         return outcome
-    crank = engine.rated_speed if engine is not None else None
-    return replace(outcome, checks=(*outcome.checks, speed_ratio_check(outcome.result, wanted, crank)))
+    crank, train = engine.rated_speed if engine is not None else None, outcome.result
+    made = (speed_ratio_check(train, name, ratio, crank) for name, ratio in wanted.items())
+    return replace(outcome, checks=(*outcome.checks, *made))
 
 
 # --- from Python, in SI: `from calc import gears`

@@ -14,6 +14,7 @@ from .inputs import GearsInputs, Mesh
 from .limits import mm
 from .profile.cut import tool_problem
 from .result import ToothSystem
+from .stages import speed_behind_stage
 from .wheel_inputs import Wheel
 
 MOST_SHIFT = 6  # rule of this program: a distance that asks for more is wrong, or the teeth are
@@ -272,9 +273,12 @@ def _distance(train: Train, mesh: Mesh, i: int) -> Metre:
 
 def speeds(gears: GearsInputs, first_speed: RevPerSecond) -> dict[str, RevPerSecond]:
     """Speed of every wheel, + in the sense of the first driver."""
-    wheels = {w.name: w for w in gears.wheels}
-    n = {gears.meshes[0].driver: first_speed}
-    for mesh in gears.meshes:
-        with about(Text("wheel {driven}", driven=mesh.driven)):
-            n[mesh.driven] = f.driven_speed(n[mesh.driver], wheels[mesh.driver].teeth, wheels[mesh.driven].teeth)
+    tree = gears.tree
+    n = {tree.first: first_speed}
+    for link in tree.links:
+        with about(Text("wheel {driven}", driven=link.driven)):
+            if link.toothed:
+                n[link.driven] = f.driven_speed(n[link.driver], link.z_1, link.z_2)
+            else:
+                n[link.driven] = speed_behind_stage(n[link.driver], link.z_1, link.z_2, link.sense)
     return n

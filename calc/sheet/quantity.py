@@ -409,10 +409,11 @@ class Group:
     """The description of a field that holds further results or a dict of them.  `spread`: its own name is left out of
     the address.  `former`: the name that it had; `renamed`: the names that the keys of a dict had.  `words`: what this
     part of an address is called; `key_words`: the same of the keys of a dict that are the program's, of a dict of dicts
-    wherever they stand; `several`: the key of a dict stands in an address only beside another.
+    wherever they stand.
 
     `short`, `leads`: whether what lies in it may stand in a short report at all, and whether on its first page or for
-    its step; of a dict, the keys of which it may."""
+    its step; of a dict, the keys of which it may.  `several`: the keys of the dict stand in the address only where
+    there are several."""
 
     spread: bool
     former: str
@@ -484,10 +485,11 @@ def group(
     leads: bool | tuple[str, ...] = True,
     words: str = "",
     key_words: Mapping[str, Text] = NO_KEY_WORDS,
-    several: bool = False,
+    named: Literal["always", "several"] = "always",
 ) -> T:
-    """A field that holds further results or a dict of them."""
-    about = Group(spread, former, renamed, short, leads, Text(words), key_words, several)
+    """A field that holds further results or a dict of them.  `named`: when the keys of the dict stand in the address,
+    always, or only where there are several."""
+    about = Group(spread, former, renamed, short, leads, Text(words), key_words, named == "several")
     return field(default=default, kw_only=True, metadata={"group": about})
 
 
@@ -583,8 +585,7 @@ def _inside(
     `leads`: what those around it let them."""
     if isinstance(result, dict):
         if group.several and len(result) == 1:
-            (part,) = result.values()
-            yield from _inside(part, prefix, formerly, wanted, NO_GROUP, short, leads)
+            yield from _inside(next(iter(result.values())), prefix, formerly, wanted, NO_GROUP, short, leads)
             return
         for name, part in result.items():
             if part is None:

@@ -10,7 +10,7 @@ from ..draw.drawing import Arc, Primitive, Words
 from ..draw.shaft_outline import shaft_drawing
 from ..draw.workshop import shaft_sheet, wheel_sheets
 from ..draw.workshop_sheet import PAPER, WorkshopSheet
-from ..gears.profile.drawing import data_table
+from ..gears.profile.drawing import data_table, in_row, reach
 from ..gears.result import TrainResult
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
@@ -56,16 +56,13 @@ def wheels(results: Results) -> Table | None:
 
 
 def train(results: Results) -> tuple[Primitive, ...]:
-    """The wheels of a simple train as circles in a row, each with its name; nothing where a wheel drives two others."""
+    """The wheels of a train as circles, each beside its driver and with its name."""
     solved = results.result(TrainResult)
-    if solved is None or len({mesh.driver for mesh in solved.meshes.values()}) < len(solved.meshes):
+    if solved is None:
         return ()
-    places: dict[str, float] = {}
-    for mesh in solved.meshes.values():
-        places[mesh.driven] = places.setdefault(mesh.driver, 0.0) + mesh.centre_distance
     drawn: list[Primitive] = []
-    for name, x in places.items():
-        radius = solved.wheels[name].tip_diameter / 2
-        drawn += [Arc("OUTLINE", (x, 0.0), radius, 0.0, 2 * pi), Arc("AXIS", (x, 0.0), radius / 12, 0.0, 2 * pi)]
-        drawn.append(Words("TEXT", (x, -radius), Name(name), radius / 4))
+    for name, centre in in_row(solved).items():
+        x, y, radius = centre.real, centre.imag, reach(solved, name)
+        drawn += [Arc("OUTLINE", (x, y), radius, 0.0, 2 * pi), Arc("AXIS", (x, y), radius / 12, 0.0, 2 * pi)]
+        drawn.append(Words("TEXT", (x, y - radius), Name(name), radius / 4))
     return tuple(drawn)

@@ -39,9 +39,29 @@ def other_losses_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
+@formula("P_B", "mathematics: sum over the shafts, one after the other", names={"P": "P_B,0", "P_i": "P_B,i"})
+def shafts(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_C", "mathematics: sum over what hangs on the shafts, one after the other", names={"P": "P_C,0"})
+def carried(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
 @formula("ΣP_VZ", "mathematics: sum over the meshes, one after the other", names={"P": "ΣP_VZ,0", "P_i": "P_VZ"})
 def meshes(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
+
+
+@formula("ΣP_K", "mathematics: sum over the chains and belts, one after the other", names={"P": "ΣP_K,0", "P_i": "P_K"})
+def stages(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P", "mathematics: with what the chains and belts lose", names={"P": "P_0"})
+def with_stages(P: Watt, P_K: Watt) -> Watt:
+    return P + P_K
 
 
 @formula("ΣP_W", OVER, names={"P": "ΣP_W,0", "P_i": "P_W"})

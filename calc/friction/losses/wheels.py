@@ -25,7 +25,7 @@ from ...sheet.units import (
 )
 from ...sheet.value import about
 from ..inputs import Carried, Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
-from ..mesh.geometry import MeshGeometry, WheelGeometry, require
+from ..mesh.geometry import Link, MeshGeometry, WheelGeometry, require
 from ..mesh.path import wheel_speed
 from . import bearings as bearing_losses
 from . import oil_and_air, sums
@@ -40,7 +40,7 @@ class WheelResult:
     """One wheel; what it does not have is None."""
 
     speed: RevPerSecond = value("Speed of the wheel", "rpm", "n")
-    windage: Watt = value("Windage of the wheel", "W", "P_W")
+    windage: Watt | None = value("Windage of the wheel", "W", "P_W")
     churning: Watt | None = value("Churning of the wheel", "W", "P_C", default=None)
     thrown_oil: Watt | None = value("Oil thrown onto the wheel", "W", "P_J", default=None)
     seal_loss: Watt | None = value("Shaft seals of the wheel", "W", "P_D", default=None)
@@ -69,10 +69,10 @@ def normal_module(r: Metre, beta: Radian, z: Number) -> Metre:
     return 2 * r * cos(beta) / z
 
 
-def speeds_of(meshes: Mapping[str, MeshGeometry], first_speed: RevPerSecond) -> dict[str, RevPerSecond]:
-    """The speed of every wheel, all positive."""
-    speeds = {next(iter(meshes.values())).driver.name: require(Text("speed of the first driver"), first_speed)}
-    for mesh in meshes.values():
+def speeds_of(links: Mapping[str, Link], first_speed: RevPerSecond) -> dict[str, RevPerSecond]:
+    """The speed of every wheel and sprocket, all positive."""
+    speeds = {next(iter(links.values())).driver.name: require(Text("speed of the first driver"), first_speed)}
+    for mesh in links.values():
         if mesh.driver.name not in speeds:
             undriven = Text("nothing drives {name}", name=mesh.driver.name)
             advice = Text("list the meshes along the flow of power")
@@ -93,17 +93,17 @@ def carried_by(entries: Iterable[Entry], wheels: Iterable[str], last: str) -> di
 
 def unloaded(
     friction: FrictionInputs,
-    meshes: Mapping[str, MeshGeometry],
+    links: Mapping[str, Link],
     lubricant: Lubricant,
     T: Celsius,
     first_speed: RevPerSecond,
+    last: str,
 ) -> dict[str, WheelResult]:
-    """Every wheel with what does not depend on its load; speeds and temperatures may be arrays."""
-    speeds = speeds_of(meshes, first_speed)
-    last = list(meshes.values())[-1].driven.name
-    bodies = {
-        wheel.name: (wheel, mesh.base_helix_angle) for mesh in meshes.values() for wheel in (mesh.driver, mesh.driven)
-    }
+    """Every wheel with what does not depend on its load; speeds and temperatures may be arrays.  A sprocket that turns
+    beside no wheel has neither windage nor churning.  `last` carries what names no wheel."""
+    speeds = speeds_of(links, first_speed)
+    meshes = [link for link in links.values() if isinstance(link, MeshGeometry)]
+    bodies = {wheel.name: (wheel, mesh.base_helix_angle) for mesh in meshes for wheel in (mesh.driver, mesh.driven)}
     others, dips = carried_by(friction.other_losses, speeds, last), carried_by(friction.dips, speeds, last)
     thrown, sealed = carried_by(friction.jets, speeds, last), carried_by(friction.seals, speeds, last)
     with about(Text("mist")):
@@ -113,13 +113,20 @@ def unloaded(
         eta_m = mist_viscosity(s_oil=oil_share(rho_m=rho_m, rho_oil=state.rho), eta_oil=state.mu, eta_air=AIR_VISCOSITY)
     results: dict[str, WheelResult] = {}
     for name, n in speeds.items():
-        wheel, beta_b = bodies[name]
         with about(Text("wheel {name}", name=name)):
             P_X = sums.no_other_loss()
             for other in others.get(name, ()):
                 given = require(Text("other loss {name}", name=other.name), other.power, zero=True)
                 with about(Text("wheel {name}, {name2}", name=name, name2=other.name)):
                     P_X = sums.other_losses_on_wheel(P=P_X, P_i=given)
+            if name not in bodies:
+                if name in dips or name in thrown:
+                    no_wheel = Text("a sprocket that turns beside no wheel has no churning here")
+                    raise NoSolution(Text("oil on {name}", name=name), no_wheel, Text("name another wheel"))
+                P_D = _sum(name, sealed.get(name, ()), sums.seals_on_wheel, _sealed, n, lubricant, T)
+                results[name] = WheelResult(speed=n, windage=None, other_loss=P_X, seal_loss=P_D)
+                continue
+            wheel, beta_b = bodies[name]
             P_W = windage(b=wheel.face_width, r=wheel.reference_radius, n=n, eta_m=eta_m, rho_m=rho_m, rho_0=rho_0)
         results[name] = WheelResult(
             speed=n,

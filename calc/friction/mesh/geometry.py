@@ -68,6 +68,35 @@ class MeshGeometry:
         return self.base_helix_angle == 0.0
 
 
+@record
+class Sprocket:
+    """One end of a chain or a belt, on the axis of a wheel."""
+
+    name: str
+    teeth: int
+
+
+@record
+class StageGeometry:
+    """A chain or a belt: it passes on a share of what it takes in."""
+
+    name: str
+    driver: Sprocket
+    driven: Sprocket
+    efficiency: Number
+
+    @property
+    def title(self) -> str:
+        return f"{self.driver.name}–{self.driven.name}"
+
+    @cached_property
+    def power(self) -> Text:
+        return Text("stage {name}: power", name=self.name)
+
+
+Link = MeshGeometry | StageGeometry
+
+
 def sound(mesh: MeshGeometry) -> None:
     """Raise where a number of a mesh has no meaning; whether the teeth reach each other is asked in `path.py`."""
     for part in (mesh, mesh.driver, mesh.driven):

@@ -6,6 +6,7 @@ The journals' load grows with the square of the speed, their oil comes at the te
 are given stay. A train alone carries its torque at every speed."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -21,7 +22,7 @@ from ...sheet.value import untraced
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
 from ..mesh.loss import HELICAL_POINTS, SPUR_POINTS, STRIPS
-from ..power_balance import Losses, TrainDrive, drive, losses_of, shaft_loss
+from ..power_balance import Ends, Losses, TrainDrive, drive, losses_of, shaft_loss
 from ..result import carbon_dioxide, fuel
 
 SPEEDS = 7
@@ -64,18 +65,18 @@ def axes(friction: FrictionInputs, T: Celsius, n: RevPerSecond) -> tuple[Array, 
     return speeds, around[(around == T) | ((around >= COLDEST) & (around <= HOTTEST))]
 
 
-def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | None) -> Map:
+def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: Mapping[str, OnShaft]) -> Map:
     """The map of a train whose design point is `d`."""
     n = d.wheels[d.first].speed
     speeds, temperatures = axes(d.friction, d.T_oil, n)
     grid_n, grid_T = (x.ravel() for x in np.meshgrid(speeds, temperatures, indexing="ij"))
     ratio = grid_n / n
-    shaft = None
+    journals: dict[str, Journals] = {}
     good = np.ones(grid_n.shape, dtype=bool)
-    if on is not None:
-        with untraced(), np.errstate(all="ignore"):
-            shaft = journals_at(on, ratio, grid_T)
-            good &= np.isfinite(shaft_loss(shaft, None))
+    with untraced(), np.errstate(all="ignore"):
+        for name, shaft in on.items():
+            journals[name] = journals_at(shaft, ratio, grid_T)
+            good &= np.isfinite(shaft_loss(journals[name], None))
     parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels")}
     missing, bad = "", int((~good).sum())
     if bad:
@@ -84,7 +85,13 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
         )
     if good.any():
         try:
-            losses = _losses(d, power, shaft.only(good) if shaft is not None else None, ratio[good], grid_T[good])
+            ends = {
+                name: replace(
+                    end, journals=journals[name].only(good), carried=end.carried * ratio[good] ** end.speed_exponent
+                )
+                for name, end in d.ends.items()
+            }
+            losses = _losses(d, power, ends, ratio[good], grid_T[good])
             for name, values in parts.items():
                 values[good] = getattr(losses, name)
         except NoSolution as none:
@@ -94,14 +101,14 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
     return Map(speeds=speeds, temperatures=temperatures, missing=missing, **by_name)
 
 
-def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Any, T: Any) -> Losses:
+def _losses(d: TrainDrive, power: Watt | None, ends: Ends, ratio: Any, T: Any) -> Losses:
     spur = all(mesh.spur for mesh in d.meshes.values())
     friction = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
     with untraced(), np.errstate(all="ignore"):
         speeds = d.wheels[d.first].speed * ratio
         points = SPUR_POINTS if spur else HELICAL_POINTS
         at_all = drive(
-            friction, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS
+            friction, d.links, d.lubricant, T, speeds, ends, d.forces, d.lubrication, points=points, strips=STRIPS
         )
         return losses_of(at_all, None if power is None else power * ratio)
 

@@ -58,7 +58,12 @@ TABULATED = (
 
 
 def solved(
-    d: TrainDrive, friction: FrictionInputs, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
+    d: TrainDrive,
+    friction: FrictionInputs,
+    oils: Mapping[str, Oil],
+    law: str,
+    power: Watt | None,
+    on: Mapping[str, OnShaft],
 ) -> dict[str, ScenarioResult]:
     """All scenarios of a design by their names.  NoSolution names the scenario that has none.
 
@@ -77,9 +82,9 @@ def solved(
 
 
 def _one(
-    d: TrainDrive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
+    d: TrainDrive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: Mapping[str, OnShaft]
 ) -> ScenarioResult:
-    shaft, f = d.shaft, d.friction
+    ends, f = dict(d.ends), d.friction
     friction = replace(
         f,
         load_sharing=s.load_sharing or f.load_sharing,
@@ -90,10 +95,12 @@ def _one(
     T = d.T_oil if s.oil_temperature is None else s.oil_temperature
     lubricant = Lubricant(oils[name], law) if s.oil else d.lubricant
     shared = (s.oil_temperature is not None and f.oil_temperature is None, s.oil is not None and f.oil is None)
-    if on is not None and any(shared):
-        supply = T if shared[0] else next(iter(on.bearings.bearings.values())).duty.supply_temperature
-        shaft = journals_at(on, 1.0, supply, lubricant if shared[1] else None)
-        if not np.isfinite(shaft_loss(shaft, None)):
+    for shaft in on if any(shared) else ():
+        supply = T if shared[0] else next(iter(on[shaft].bearings.bearings.values())).duty.supply_temperature
+        ends[shaft] = replace(
+            ends[shaft], journals=journals_at(on[shaft], 1.0, supply, lubricant if shared[1] else None)
+        )
+        if not np.isfinite(shaft_loss(ends[shaft].journals, None)):
             what, advice = (
                 Text("friction of the counter-shaft's journals"),
                 Text("another oil or temperature for this scenario"),
@@ -104,12 +111,12 @@ def _one(
                 supply=Amount(supply, form="g"),
             )
             raise NoSolution(what, tried, advice)
-    other = drive(friction, d.meshes, lubricant, T, d.wheels[d.first].speed, shaft, d.forces, d.lubrication)
-    r = balance(other, None if d.shaft is not None else s.power or power)
+    other = drive(friction, d.links, lubricant, T, d.wheels[d.first].speed, ends, d.forces, d.lubrication)
+    r = balance(other, None if ends else s.power or power)
     meshes = {
         key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()
     }
-    share = None if d.shaft is not None else r.total_loss / r.crank_power  # with a shaft all is loss
+    share = None if ends else r.total_loss / r.crank_power  # with a shaft all is loss
     return ScenarioResult(
         meshes=meshes,
         oil_viscosity=r.oil_viscosity,
@@ -172,7 +179,7 @@ def _balance(scenarios: Mapping[str, ScenarioResult], design: FrictionResult) ->
     if all(s.total_loss != design.total_loss for s in scenarios.values()):
         compared.insert(0, (Text("as designed"), "", design))
     for name, about, s in compared:
-        wheels = s.total_loss - s.mesh_loss - (s.bearing_loss or 0.0)
+        wheels = s.total_loss - (s.mesh_loss or 0.0) - (s.bearing_loss or 0.0)
         torque = s.crank_torque if s.delivered_power is None else None  # given, where the power is
         rows.append((name, about, s.bearing_loss, s.mesh_loss, wheels, s.total_loss, torque, s.delivered_power))
     title = Text("Scenarios: the whole balance, as judged")

@@ -188,7 +188,7 @@ def _power(
     first_speed = d.wheels[d.first].speed
     try:
         other = drive(
-            friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, Lambda, thickening
+            friction, d.links, d.lubricant, d.T_oil, first_speed, d.ends, d.forces, d.lubrication, Lambda, thickening
         )
         return losses_of(replace(other, rolling=rolling), power).total
     except NoSolution:

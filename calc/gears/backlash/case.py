@@ -26,6 +26,8 @@ from ..inputs import GearsInputs, Mesh
 from ..limits import mm
 from ..measures.formulas import generating_shift
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
+from ..stages import StageResult
+from ..tree import Tree
 from ..wheel_inputs import Wheel
 from . import formulas as b
 
@@ -244,31 +246,21 @@ def _backlash_at(
     return j_bn, j_wt, d_w[1]
 
 
-def way_to(last_wheel: str, meshes: Mapping[str, MeshResult]) -> list[str]:
-    """Keys of the meshes between the first driver and a wheel, along the flow of power."""
-    above = {mesh.driven: key for key, mesh in meshes.items()}
-    way: list[str] = []
-    while last_wheel in above:
-        way.insert(0, above[last_wheel])
-        last_wheel = meshes[way[0]].driver
-    return way
+def free_turn(tree: Tree, end: str, plays: Mapping[str, Radian], lags: Mapping[str, Radian]) -> Radian:
+    """The free turns of the driven wheels, by mesh, and the lags behind chains and belts, by stage, reduced to the
+    wheel `end` and added up.
 
-
-def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str) -> Radian:
-    """How far the last wheel can turn while the first driver stands: the largest play of every mesh on the way to
-    it."""
-    return free_turn(wheels, meshes, last_wheel, {key: mesh.play_angle for key, mesh in meshes.items()})
-
-
-def free_turn(
-    wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str, plays: Mapping[str, Radian]
-) -> Radian:
-    """The free turns of the driven wheels, by mesh, reduced to the last wheel and added up.
-
-    A mesh that is tight adds nothing and takes nothing away.
-    """
+    A mesh that is tight adds nothing and takes nothing away.  A worn chain lags by the whole of its elongation in every
+    train."""
     angle = b.no_play()
-    for key in way_to(last_wheel, meshes):
-        if plays[key] > 0:
-            angle = b.reduced_play(angle, plays[key], wheels[meshes[key].driven].teeth, wheels[last_wheel].teeth)
+    for link in tree.way(end):
+        turn = plays[link.key] if link.toothed else lags.get(link.key, 0.0)
+        if turn > 0:
+            z, z_end = tree.reduction(link, end)
+            angle = b.reduced_play(angle, turn, z, z_end)
     return angle
+
+
+def lags(stages: Mapping[str, StageResult]) -> dict[str, Radian]:
+    """By how much the chains and belts of which it is known let their driven sprocket stay behind."""
+    return {name: stage.phase_error for name, stage in stages.items() if stage.phase_error is not None}

@@ -19,7 +19,7 @@ from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Metres, Number, Radian, Radians
 from ...sheet.value import about, based_on
-from ..result import WheelResult
+from ..tree import Tree
 from .case import EVEN, BacklashCase
 from .formulas import DUST
 
@@ -63,7 +63,7 @@ class Chance:
     smallest: dict[str, Array]  # backlash by mesh, the smallest over a turn; only where something varies
     best: dict[str, Metre]  # that 99 % keep, by the runouts that are given alone
     tightest: Array  # of each train, its smallest backlash
-    phase: Array  # free turn of the last wheel
+    phase: dict[str, Array]  # free turn of the wheel of each shaft
 
 
 @cache
@@ -88,9 +88,10 @@ def deviate(kind: str, k: int) -> Array:
 
 
 def by_chance(
-    cases: Sequence[BacklashCase], wheels: Mapping[str, WheelResult], way: Sequence[str], last: str
+    cases: Sequence[BacklashCase], tree: Tree, ends: Sequence[str], lags: Mapping[str, Radian]
 ) -> Chance | None:
-    """`way`: keys of the meshes to the `last` wheel.  None where nothing deviates."""
+    """`ends`: the wheels whose free turn is asked for; `lags`: of the chains and belts, which is the same in every
+    train.  None where nothing deviates."""
     used = 0
 
     def luck(kind: str = EVEN) -> Array:
@@ -106,7 +107,7 @@ def by_chance(
                 teeth[wheel.name] = t.middle + half * luck() if half else t.middle
     smallest: dict[str, Array] = {}
     best: dict[str, Metre] = {}
-    turn: Array | float = 0.0
+    backlash: dict[str, Array] = {}  # by mesh, none below 0
     every = []
     for m in cases:
         a: Array | Metre = m.mesh.centre_distance
@@ -117,10 +118,7 @@ def by_chance(
             a = a + m.mesh.centre_tolerance * luck()
         both = teeth[m.driver.name] + teeth[m.driven.name]
         loose, least = _backlash(m, a, both), _backlash(m, a - m.eccentricity, both)
-        if m.key in way:
-            ratio = wheels[m.driven.name].teeth / wheels[last].teeth
-            per_backlash = ratio / np.cos(m.system.base_helix_angle) / (m.driven.base_diameter / 2)
-            turn = turn + np.maximum(loose, 0.0) * per_backlash
+        backlash[m.key] = np.maximum(loose, 0.0)
         if isinstance(least, np.ndarray):
             every.append(least)
             smallest[m.key] = based_on(np.sort(least), *_of(m))
@@ -128,9 +126,28 @@ def by_chance(
     if not every:
         return None
     tightest = based_on(np.sort(np.min(every, axis=0)), *(_of(m) for m in cases))
-    on_the_way = ((*_of(m), m.driven.teeth) for m in cases if m.key in way)
-    phase = based_on(np.sort(np.broadcast_to(turn, TRAINS)), *on_the_way, wheels[last].teeth)
-    return Chance(smallest, best, tightest, phase)
+    by_key = {m.key: m for m in cases}
+    return Chance(smallest, best, tightest, {end: _free_turn(tree, end, by_key, backlash, lags) for end in ends})
+
+
+def _free_turn(
+    tree: Tree, end: str, cases: Mapping[str, BacklashCase], backlash: Mapping[str, Array], lags: Mapping[str, Radian]
+) -> Array:
+    """The free turn of a wheel in each train, in rising order, from the backlash of each mesh, none below 0."""
+    turn: Array | float = 0.0
+    of: list[object] = []
+    for link in tree.way(end):
+        z, z_end = tree.reduction(link, end)
+        ratio = z / z_end
+        if link.toothed:
+            m = cases[link.key]
+            per_backlash = ratio / np.cos(m.system.base_helix_angle) / (m.driven.base_diameter / 2)
+            turn = turn + backlash[link.key] * per_backlash
+            of += [*_of(m), z, z_end]
+        elif link.key in lags:
+            turn = turn + lags[link.key] * ratio
+            of += [lags[link.key], z, z_end]
+    return based_on(np.sort(np.broadcast_to(turn, TRAINS)), *of)
 
 
 def _of(m: BacklashCase) -> tuple[object, ...]:
@@ -157,12 +174,12 @@ def of_mesh(m: BacklashCase, chance: Chance | None) -> dict[str, float]:
         return dict(backlash_median=kept(j=j, p=0.5), backlash_99=kept(j=j, p=KEPT), share_jammed=share_below_zero(j=j))
 
 
-def of_train(last: str, chance: Chance | None) -> dict[str, float]:
-    """The values of the train; none where nothing varies."""
+def of_train(end: str, chance: Chance | None) -> dict[str, float]:
+    """The values of the wheel of a shaft; none where nothing varies."""
     if chance is None:
         return {}
-    phi = chance.phase
-    with about(Text("train, to {last}, by chance", last=last)):
+    phi = chance.phase[end]
+    with about(Text("train, to {last}, by chance", last=end)):
         shares = {"median": 0.5, "95": 0.95, "99": 0.99}
         values = {f"phase_error_{name}": not_exceeded(phi=phi, p=p) for name, p in shares.items()}
         return dict(**values, share_jammed=share_below_zero(j=chance.tightest))

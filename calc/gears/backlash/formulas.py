@@ -10,7 +10,19 @@ from ...sheet.formula import formula
 from ...sheet.functions import cos, inv, joined, pi, rss, sin, smallest, tan, total
 from ...sheet.quantity import result, value
 from ...sheet.text import Text
-from ...sheet.units import Celsius, Kelvin, Metre, Metres, NewtonMetre, Number, Numbers, PerKelvin, Radian, Radians
+from ...sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    Metres,
+    Newton,
+    NewtonMetre,
+    Number,
+    Numbers,
+    PerKelvin,
+    Radian,
+    Radians,
+)
 from ..formulas import ISO
 
 DUST: Metre = 1e-12  # a backlash below this is none
@@ -150,6 +162,11 @@ def no_play() -> Radian:
 @formula("C_Δφ", "mathematics: exact difference of two couples of equal length, Δφ apart", names={"Delta_phi": "Δφ"})
 def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
     return 2 * C * sin(Delta_phi / 2)
+
+
+@formula("F_Δφ", "mathematics: exact difference of two forces of equal length, Δφ apart", names={"Delta_phi": "Δφ"})
+def residual_force(F: Newton, Delta_phi: Radian) -> Newton:
+    return 2 * F * sin(Delta_phi / 2)
 
 
 # --- the parts between two centres

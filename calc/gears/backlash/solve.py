@@ -18,7 +18,7 @@ from ..result import TrainResult
 from . import chance as c
 from . import formulas as b
 from . import temperature as t
-from .case import BacklashCase, cases, free_turn, smallest_at, way_to
+from .case import BacklashCase, cases, free_turn, lags, smallest_at
 from .checks import JudgedMesh, checks, notes
 from .curves import curves, tables
 from .formulas import PlayResult, TrainPlay
@@ -36,7 +36,7 @@ class Played:
     """What `play` gives; tables and curves are made when they are looked at."""
 
     meshes: dict[str, PlayResult]
-    train: TrainPlay
+    shafts: dict[str, TrainPlay]
     checks: tuple[Check, ...]
     notes: tuple[Text, ...]
     known: tuple[tuple[BacklashCase, t.Expansions], ...]
@@ -59,25 +59,24 @@ def play(
     """
     meshes_of = cases(gears, train)
     known = tuple((m, t.expansions(m, gears, materials, housing)) for m in meshes_of)
-    last = gears.meshes[-1].driven
     with about(Text("train, running")):
         states = t.states(gears, gears.warmer)
-    way = way_to(last, train.meshes)
     values: dict[str, dict[str, float]] = {}
     smallest: dict[str, tuple[t.AtState, ...]] = {}
     for m, alpha in known:
         values[m.key] = _kinds(m) | _stacked(m)
         warm, smallest[m.key] = _warm(m, alpha, states)
         values[m.key] |= warm
-    chance = c.by_chance(meshes_of, train.wheels, way, last)
+    wheels = tuple(dict.fromkeys(turn.wheel for turn in train.shafts.values()))
+    chance = c.by_chance(meshes_of, train.tree, wheels, lags(train.stages))
     meshes = {m.key: PlayResult(**values[m.key], **c.of_mesh(m, chance)) for m in meshes_of}
-    whole = _train(train, meshes, way, last, chance)
+    shafts = {name: _turn(train, meshes, turn.wheel, chance) for name, turn in train.shafts.items()}
     all_checks: list[Check] = []
     for m, alpha in known:
         of = JudgedMesh(m, meshes[m.key], smallest[m.key], t.housings(gears, m, alpha, materials))
         all_checks += checks(gears, of, housing, chance)
     texts = tuple(notes(gears, known, housing, chance is not None))
-    return Played(meshes, whole, tuple(all_checks), texts, known, gears)
+    return Played(meshes, shafts, tuple(all_checks), texts, known, gears)
 
 
 def with_couple(play: TrainPlay, couple: NewtonMetre) -> TrainPlay:
@@ -153,23 +152,21 @@ def _warm(
     return values, tuple(smallest)
 
 
-def _train(
-    train: TrainResult, meshes: dict[str, PlayResult], way: list[str], last: str, chance: c.Chance | None
-) -> TrainPlay:
-    """The free turns of all meshes, reduced to the last wheel."""
-    wheels = train.wheels
-    with about(Text("train, to {last}, at mid-tolerance", last=last)):
-        nominal = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_nominal for key in way})
+def _turn(train: TrainResult, meshes: dict[str, PlayResult], end: str, chance: c.Chance | None) -> TrainPlay:
+    """The free turns of all meshes on the way to a wheel, reduced to it."""
+    tree, behind = train.tree, lags(train.stages)
+    with about(Text("train, to {last}, at mid-tolerance", last=end)):
+        nominal = free_turn(tree, end, {key: play.play_angle_nominal for key, play in meshes.items()}, behind)
     deviations = []
-    with about(Text("train, to {last}, root of squares", last=last)):
-        for key in way:
-            most, mid = train.meshes[key].play_angle, meshes[key].play_angle_nominal
+    with about(Text("train, to {last}, root of squares", last=end)):
+        for link in (link for link in tree.way(end) if link.toothed):
+            most, mid = train.meshes[link.key].play_angle, meshes[link.key].play_angle_nominal
             if most > 0:
-                z, z_last = wheels[train.meshes[key].driven].teeth, wheels[last].teeth
+                z, z_last = tree.reduction(link, end)
                 deviations.append(b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=z_last))
         rooted = b.phase_error_rss(Delta_phi=nominal, delta=gathered(deviations))
-    with about(Text("train, to {last}, running", last=last)):
-        warm = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_running for key in way})
+    with about(Text("train, to {last}, running", last=end)):
+        warm = free_turn(tree, end, {key: play.play_angle_running for key, play in meshes.items()}, behind)
     return TrainPlay(
-        phase_error_nominal=nominal, phase_error_rss=rooted, phase_error_running=warm, **c.of_train(last, chance)
+        phase_error_nominal=nominal, phase_error_rss=rooted, phase_error_running=warm, **c.of_train(end, chance)
     )

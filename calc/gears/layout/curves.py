@@ -2,7 +2,7 @@
 """The train seen along its axes, the tables of its places, marks and forces, and what is assumed of them."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
@@ -13,10 +13,10 @@ from ...sheet.text import Amount, Name, Text
 from ...sheet.units import Metre, Number
 from ..inputs import GearsInputs
 from ..limits import mm
-from ..result import TrainResult, WheelResult
+from ..result import TrainResult
 from .phase import Phase
 from .positions import Placing
-from .result import ForcesResult, LayoutResult
+from .result import ForcesResult, LayoutResult, ShaftLayout
 
 MM = 1e3
 Row = tuple[str | float | None, ...]
@@ -37,6 +37,7 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
         # one line: each ring begins and ends at tooth 1
         rings = [radius * direction * np.exp(1j * AROUND) for radius in radii]
         series.append(_line(Name(name), wheel.position + np.concatenate([*rings, [0.0]])))
+    series += _stages(train, {name: wheel.position for name, wheel in placed.items()} | layout.sprockets)
     for wall in gears.walls:
         series.append(_line(Name(wall.name), np.array([complex(*wall.from_), complex(*wall.to)])))
     for other in gears.neighbours:
@@ -49,6 +50,32 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
         tuple(series),
         equal=True,
     )
+
+
+def _stages(train: TrainResult, places: Mapping[str, complex | None]) -> Iterator[Series]:
+    """Each chain or belt whose axes have a place: its line around both sprockets; of a sprocket on its outer side its
+    pitch circle, for where else the chain runs is not known."""
+    for name, stage in train.stages.items():
+        p_1, p_2 = places.get(stage.driver), places.get(stage.driven)
+        if p_1 is not None and p_2 is not None:
+            inner = train.tree.driving[stage.driven].sense > 0
+            r_1, r_2 = stage.pitch_diameter_driver / 2, stage.pitch_diameter_driven / 2
+            yield _line(Name(name), loop(p_1, p_2, r_1, r_2) if inner else p_2 + r_2 * np.exp(1j * AROUND))
+
+
+def loop(p_1: complex, p_2: complex, r_1: Metre, r_2: Metre) -> ComplexArray:
+    """The line of a chain around two sprockets on its inner side, closed; one circle where the other lies in it."""
+    apart = abs(p_2 - p_1)
+    if apart <= abs(r_1 - r_2):
+        p, r = (p_1, r_1) if r_1 >= r_2 else (p_2, r_2)
+        circle: ComplexArray = p + r * np.exp(1j * AROUND)
+        return circle
+    toward = math.atan2((p_2 - p_1).imag, (p_2 - p_1).real)
+    half = math.acos((r_1 - r_2) / apart)  # between the line of centres and the radius to a strand
+    back = np.linspace(toward + half, toward - half + 2 * math.pi, AROUND.size)
+    front = np.linspace(toward - half, toward + half, AROUND.size)
+    line: ComplexArray = np.concatenate([p_1 + r_1 * np.exp(1j * back), p_2 + r_2 * np.exp(1j * front)])
+    return np.append(line, line[0])
 
 
 def _line(label: Text, points: ComplexArray) -> Series:
@@ -114,9 +141,9 @@ def _marks(teeth: Phase, period: float) -> Table:
         ),
         rows,
         Text(
-            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the last "
-            "wheel the one nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet "
-            "again after {period} turns.",
+            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the "
+            "wheel on a shaft the one nearest the eccentric, of the others the one nearest to up. The marks of all "
+            "wheels meet again after {period} turns.",
             period=Amount(period, form="g"),
         ),
     )
@@ -180,33 +207,36 @@ DRAWN_JOURNAL, DRAWN_TIP, DRAWN_GAP = 59.5e-3, 58.7e-3, 0.8e-3
 
 
 def notes(
-    gears: GearsInputs, result: LayoutResult, teeth: Phase, last: WheelResult, end_unknown: bool
+    gears: GearsInputs, train: TrainResult, result: LayoutResult, teeth: Phase, end_unknown: Mapping[str, bool]
 ) -> Iterator[Text]:
-    """`end_unknown`: the journals are known, but not which of them the last wheel passes."""
-    step, near = Amount(360 / last.teeth, form=".4g"), any(w.clearance is not None for w in result.wheels.values())
+    """`end_unknown`: by the wheel on each shaft, whether the journals are known, but not which of them it passes."""
+    near = any(w.clearance is not None for w in result.wheels.values())
     if near and all(w.runout is None for w in gears.wheels):
         yield Text("Clearances around the wheels: no runout of the teeth is given, and none is taken off.")
-    if last.name not in teeth.teeth:
-        yield Text(
-            "{last} can be meshed in steps of 360°/{z} = {z2}°: without positions the assembly phase is not known.",
-            last=last.name,
-            z=last.teeth,
-            z2=step,
-        )
-    elif teeth.offset is not None:
-        yield Text(
-            "Seen so that the crank turns clockwise, cylinder 1 at TDC: the nearest tooth of {last} stands {degrees}° "
-            "{sense} from its eccentric. This angle, or the marks, must stand on the drawing: {last} can be meshed in "
-            "steps of {z}°. A tooth of {driver} stands at gears.tooth_angle_deg = {degrees2}.",
-            last=last.name,
-            degrees=Amount(abs(math.degrees(teeth.offset)), form=".3f"),
-            sense=Text("further") if teeth.offset >= 0 else Text("back"),
-            z=step,
-            driver=gears.meshes[0].driver,
-            degrees2=Amount(math.degrees(gears.tooth_angle), form="g"),
-        )
-    if end_unknown:
-        yield Text("On which side {last} passes a bearing is not known: the smaller journal is judged.", last=last.name)
+    for name, unknown in end_unknown.items():
+        z = train.tree.driving[name].z_2
+        step = Amount(360 / z, form=".4g")
+        if name not in teeth.teeth:
+            yield Text(
+                "{last} can be meshed in steps of 360°/{z} = {z2}°: without positions the assembly phase is not known.",
+                last=name,
+                z=z,
+                z2=step,
+            )
+        elif (offset := teeth.offsets.get(name)) is not None:
+            yield Text(
+                "Seen so that the crank turns clockwise, cylinder 1 at TDC: the nearest tooth of {last} stands "
+                "{degrees}° {sense} from its eccentric. This angle, or the marks, must stand on the drawing: {last} "
+                "can be meshed in steps of {z}°. A tooth of {driver} stands at gears.tooth_angle_deg = {degrees2}.",
+                last=name,
+                degrees=Amount(abs(math.degrees(offset)), form=".3f"),
+                sense=Text("further") if offset >= 0 else Text("back"),
+                z=step,
+                driver=gears.first,
+                degrees2=Amount(math.degrees(gears.tooth_angle), form="g"),
+            )
+        if unknown:
+            yield Text("On which side {last} passes a bearing is not known: the smaller journal is judged.", last=name)
 
 
 def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) -> tuple[Erratum, ...]:
@@ -223,28 +253,32 @@ def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) 
         tip=mm(tip, ".3f"),
     )
     name, source = Text("Gap at insertion by the text of Finotti 2013"), Text("Finotti 2013, 4.1")
-    about, at = dotted("gears", LayoutResult.insertion_gap), ("Finotti 2013", "1562-1568, 2058")
+    about, at = dotted("gears", ShaftLayout.insertion_gap), ("Finotti 2013", "1562-1568, 2058")
     return (Erratum(about, name, DRAWN_GAP * 1e3, "mm", source, why, at),)
 
 
-def forces_notes(gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number]) -> Iterator[Text]:
+def forces_notes(
+    gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number], ends: Iterable[str]
+) -> Iterator[Text]:
+    """`ends`: the wheels on the shafts."""
     if not gears.helix_angle:
         return
     if all(w.hand is None for w in gears.wheels):
-        first = gears.meshes[0].driver
-        yield Text("Hands of the helix: not given; chosen: {driver} right-handed, the others in turn.", driver=first)
-    last = gears.meshes[-1].driven
-    wheel = result.wheels[last]
-    assert wheel.thrust is not None
-    if wheel.thrust:
-        where = Text("the flywheel") if wheel.thrust > 0 else Text("the front")
         yield Text(
-            "{last}, {hand}-handed and turning {sense} the crank, is pushed {thrust} N towards {where} (the crank "
-            "turning clockwise seen from its front end): its shaft must be held there, and the other way where the "
-            "torque reverses.",
-            last=last,
-            hand=HANDS[wheel.hand],
-            sense=Text("as") if turns[last] > 0 else Text("against"),
-            thrust=Amount(abs(wheel.thrust)),
-            where=where,
+            "Hands of the helix: not given; chosen: {driver} right-handed, the others in turn.", driver=gears.first
         )
+    for last in ends:
+        wheel = result.wheels[last]
+        assert wheel.thrust is not None
+        if wheel.thrust:
+            where = Text("the flywheel") if wheel.thrust > 0 else Text("the front")
+            yield Text(
+                "{last}, {hand}-handed and turning {sense} the crank, is pushed {thrust} N towards {where} (the crank "
+                "turning clockwise seen from its front end): its shaft must be held there, and the other way where the "
+                "torque reverses.",
+                last=last,
+                hand=HANDS[wheel.hand],
+                sense=Text("as") if turns[last] > 0 else Text("against"),
+                thrust=Amount(abs(wheel.thrust)),
+                where=where,
+            )

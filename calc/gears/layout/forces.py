@@ -35,7 +35,7 @@ def forces(
     gears: GearsInputs, train: TrainResult, layout: LayoutResult, torques: Mapping[str, NewtonMetre]
 ) -> Outcome[ForcesResult]:
     """`torques`: of the driver of every mesh, by the mesh ("a_b")."""
-    turns = _turns(gears, train)
+    turns = _turns(train)
     with trace() as lines:
         meshes, wheels = _all(gears, train, layout, torques, turns, gears.hands())
     result = ForcesResult(wheels=wheels, meshes=meshes)
@@ -44,7 +44,7 @@ def forces(
         result=result,
         lines=tuple(lines),
         tables=Later(lambda: forces_tables(result)),
-        notes=Later(lambda: forces_notes(gears, result, turns)),
+        notes=Later(lambda: forces_notes(gears, result, turns, _ends(train))),
     )
 
 
@@ -54,19 +54,22 @@ def axis_forces(gears: GearsInputs, train: TrainResult, torques: Mapping[str, Ne
 
     `torques` may be arrays: many operating points.
     """
-    _, wheels = _all(gears, train, train.layout, torques, _turns(gears, train), {})  # no hands: thrust is not asked for
+    _, wheels = _all(gears, train, train.layout, torques, _turns(train), {})  # no hands: thrust is not asked for
     loads = {
         name: w.bearing_force if w.bearing_force is not None else w.bearing_force_max for name, w in wheels.items()
     }
     return {name: force for name, force in loads.items() if force is not None}
 
 
-def _turns(gears: GearsInputs, train: TrainResult) -> dict[str, Number]:
+def _turns(train: TrainResult) -> dict[str, Number]:
     """+1 for the wheels that turn as the crank, −1 for the others."""
-    turns: dict[str, Number] = {gears.meshes[0].driver: 1.0}
-    for mesh in train.meshes.values():
-        turns[mesh.driven] = -turns[mesh.driver]
-    return turns
+    return {name: float(sense) for name, sense in train.tree.senses.items()}
+
+
+def _ends(train: TrainResult) -> list[str]:
+    """The wheels on the shafts that are in a mesh."""
+    meshing = {name for mesh in train.meshes.values() for name in (mesh.driver, mesh.driven)}
+    return [turn.wheel for turn in train.shafts.values() if turn.wheel in meshing]
 
 
 def _all(

@@ -3,7 +3,8 @@
 assembled.
 
 In the middle of the face width.  Teeth are numbered in the sense of crank rotation, from tooth 1: of the first driver
-that of gears.tooth_angle_deg, of the last wheel the one nearest the eccentric, of the others the one nearest to up."""
+that of gears.tooth_angle_deg, of the wheel on a shaft the one nearest the eccentric, of the others the one nearest to
+up."""
 
 import math
 from collections.abc import Mapping
@@ -31,7 +32,7 @@ class Mark(NamedTuple):
 class Phase(NamedTuple):
     teeth: dict[str, Radian]  # the middle of tooth 1
     marks: list[Mark]
-    offset: Radian | None  # from the eccentric to tooth 1 of the last wheel
+    offsets: dict[str, Radian]  # from the eccentric of a shaft to tooth 1 of the wheel on it
 
 
 def hunting(train: TrainResult, mesh: MeshResult) -> tuple[Number, Number]:
@@ -42,25 +43,30 @@ def hunting(train: TrainResult, mesh: MeshResult) -> tuple[Number, Number]:
         return factor, f.turns_to_repeat(z_2=z_2, g_z=factor)
 
 
-def phase(train: TrainResult, directions: Mapping[str, Radian], tooth_angle: Radian, eccentric: Radian | None) -> Phase:
-    """Along the meshes whose line of centres is known; `directions` of those, by mesh."""
-    along = tuple(train.meshes.items())
-    first, last = along[0][1].driver, along[-1][1].driven
-    teeth, marks, offset = {first: tooth_angle}, [], None
-    for key, mesh in along:
-        if mesh.driver not in teeth or key not in directions:
+def phase(
+    train: TrainResult,
+    directions: Mapping[str, Radian],
+    known: Mapping[str, Radian],
+    eccentrics: Mapping[str, Radian],
+) -> Phase:
+    """Along the meshes whose line of centres is known; `directions` of those, by mesh.  `known`: of a tooth of the
+    wheels from which it begins; behind a chain or a belt none is.  `eccentrics`: directions of the shafts' masses, by
+    the wheel on each shaft."""
+    offsets: dict[str, Radian] = {}
+    teeth, marks = dict(known), []
+    for link in train.tree.links:
+        if link.driver not in teeth or link.key not in directions:
             continue
-        gamma, z_1, z_2 = directions[key], train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
-        to_eccentric = mesh.driven == last and eccentric is not None
+        mesh, gamma, z_1, z_2 = train.meshes[link.key], directions[link.key], link.z_1, link.z_2
         with about(Text("wheel {driven}, teeth", driven=mesh.driven)):
             theta = f.meshing_tooth(theta_1=teeth[mesh.driver], gamma=gamma, z_1=z_1, z_2=z_2)
-            psi = eccentric if to_eccentric and eccentric is not None else 0.0
+            psi = eccentrics.get(mesh.driven, 0.0)
             delta = f.nearest_tooth(theta=theta, psi=psi, tau=f.angular_pitch(z=z_2))
             teeth[mesh.driven] = f.tooth_one(psi=psi, delta=delta)
-        if to_eccentric:
-            offset = delta
+        if mesh.driven in eccentrics:
+            offsets[mesh.driven] = delta
         marks.append(_mark(mesh, teeth, gamma, z_1, z_2))
-    return Phase(teeth, marks, offset)
+    return Phase(teeth, marks, offsets)
 
 
 def _mark(mesh: MeshResult, teeth: Mapping[str, Radian], gamma: Radian, z_1: int, z_2: int) -> Mark:

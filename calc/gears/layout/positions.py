@@ -25,6 +25,8 @@ TIED = 1e-9  # m: so little more room does not tell two places apart
 FAR = 100.0  # m: as good as nothing near
 MOST = 6  # wheels whose two places each are tried in all combinations
 Mates = Mapping[str, MeshResult]  # the meshes of a wheel by its mates
+Axes = Mapping[str, complex]  # of the shafts that have a given one, from the crank's, by their names
+NO_AXES: Axes = {}
 
 
 class Placing:
@@ -60,9 +62,10 @@ def allowed(train: TrainResult, mesh: MeshResult) -> Metre:
     return max(mesh.centre_tolerance, 1e-3 * train.system.m_n)
 
 
-def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: complex | None) -> Placing:
+def place(gears: GearsInputs, train: TrainResult, room: Room, axes: Mapping[str, complex]) -> Placing:
+    """`axes`: of the shafts that have a given one, from the crank's, by the wheel on each."""
     placing = Placing()
-    _anchors(gears, train, placing, shaft_axis)
+    _anchors(gears, train, placing, axes)
     if not placing.p:
         placing.notes.append(
             Text(
@@ -71,12 +74,13 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
             )
         )
         return placing
-    beside: dict[str, dict[str, MeshResult]] = {name: {} for name in gears.along}  # the meshes of a wheel by its mates
+    along = [name for name in gears.along if name in train.wheels]
+    beside: dict[str, dict[str, MeshResult]] = {name: {} for name in along}  # the meshes of a wheel by its mates
     for mesh in train.meshes.values():
         beside[mesh.driver][mesh.driven] = beside[mesh.driven][mesh.driver] = mesh
     failed: set[str] = set()
     while True:
-        still = [name for name in gears.along if name not in placing.p and name not in failed]
+        still = [name for name in along if name not in placing.p and name not in failed]
         idlers = [idler for name in still if (idler := _between(name, beside[name], placing, train)) is not None]
         if idlers:
             failed |= _settle(idlers, placing, room)
@@ -86,7 +90,7 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
             break
         if not _swing(*pair, beside, placing, room, train):
             failed |= set(pair)
-    if open_ := [name for name in gears.along if name not in placing.p]:
+    if open_ := [name for name in along if name not in placing.p]:
         placing.notes.append(
             Text(
                 "{open}: no place, since nothing fixes it or its neighbours are out of reach: give "
@@ -99,26 +103,24 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
     return placing
 
 
-def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, shaft_axis: complex | None) -> None:
-    """What is given: positions of wheels, the axis of the counter-shaft for the last one, and the crank's for the
+def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, axes: Mapping[str, complex]) -> None:
+    """What is given: positions of wheels, the axes of the shafts for the wheels on them, and the crank's for the
     first."""
-    first, last = gears.meshes[0].driver, gears.meshes[-1].driven
     for wheel in gears.wheels:
         if wheel.position is not None:
             placing.put(wheel.name, at(wheel.position), Text("given"))
-    if shaft_axis is not None:
-        if last in placing.p:
-            placing.checks.append(axis_check(last, abs(placing.p[last] - shaft_axis), 1e-3 * train.system.m_n))
-        else:
-            placing.put(last, shaft_axis, Text("counter-shaft"))
-    if placing.p and first not in placing.p:
-        placing.put(first, 0j, Text("crank"))
+    for name, axis in axes.items():
+        if name in placing.p:
+            placing.checks.append(axis_check(name, abs(placing.p[name] - axis), 1e-3 * train.system.m_n))
+        elif name in train.wheels:
+            placing.put(name, axis, Text("counter-shaft"))
+    if placing.p and gears.first not in placing.p and gears.first in train.wheels:
+        placing.put(gears.first, 0j, Text("crank"))
 
 
-def axes_apart(gears: GearsInputs, shaft_axis: complex | None) -> dict[int, Metre]:
+def axes_apart(gears: GearsInputs, axes: Axes) -> dict[int, Metre]:
     """The distance of the axes of each mesh, by its number, whose wheels both have a given place."""
-    first, last = gears.meshes[0].driver, gears.meshes[-1].driven
-    placed = {} if shaft_axis is None else {last: shaft_axis}
+    first, placed = gears.first, {gears.carrier(shaft): axis for shaft, axis in axes.items()}
     placed |= {wheel.name: at(wheel.position) for wheel in gears.wheels if wheel.position is not None}
     placed = {first: 0j} | placed if placed else placed
     return {

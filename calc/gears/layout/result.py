@@ -36,12 +36,9 @@ class MeshLayout:
 
 
 @result
-class LayoutResult:
-    """The whole train.  `wheels` and `meshes` have the names of those of the train."""
+class ShaftLayout:
+    """How the wheel of one shaft can be assembled, and what a wrong tooth costs."""
 
-    wheels: dict[str, WheelLayout] = group(spread=True)
-    meshes: dict[str, MeshLayout] = group(spread=True)
-    marks_period: Number = value("Turns of the first driver until all marks meet again", "", "N_M")
     remesh_angle: Radian = value("Last wheel meshed one tooth further: its phase", "°", "τ")
     remesh_couple: NewtonMetre | None = value(
         "Couple left, last wheel meshed one tooth further", "N·m", "C_ε", default=None
@@ -62,6 +59,17 @@ class LayoutResult:
         "Couple left, a space on the eccentric's axis", "N·m", "C_ε", default=None
     )
     insertion_gap: Metre | None = value("Seat of the journal over the tip circle, diametral", "mm", "g_J", default=None)
+
+
+@result
+class LayoutResult:
+    """The whole train.  `wheels`, `meshes` and `shafts` have the names of those of the train."""
+
+    wheels: dict[str, WheelLayout] = group(spread=True)
+    meshes: dict[str, MeshLayout] = group(spread=True)
+    marks_period: Number = value("Turns of the first driver until all marks meet again", "", "N_M")
+    shafts: dict[str, ShaftLayout] = group(spread=True, named="several")
+    sprockets: dict[str, complex]  # places of those that turn beside no wheel
 
 
 @result

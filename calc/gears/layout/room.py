@@ -5,6 +5,7 @@ Two wheels in a row between placed ones get the free angle with the most room.""
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -247,6 +248,7 @@ ASSEMBLY = CheckRule(
     zero="1 mm",
     moved_by=("bearings.front.diameter_mm", dotted("gears", GearsInputs.normal_module)),
 )
+SHAFT_ASSEMBLY = replace(ASSEMBLY, id="gears.N.assembly")  # of one of several shafts
 
 
 def reach_check(
@@ -346,7 +348,8 @@ def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number
     return HUNTING(factor, 1.0, at=key, name=name, advice=advice)
 
 
-def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
+def insertion_check(wheel: str, seat: Text, gap: Metre, shaft: str = "") -> Check:
+    """`shaft`: the name of the shaft, where there are several."""
     more = Text(", give that journal {gap} mm more", gap=mm(-gap, ".4g")) if gap < 0 else ""
     name = Text("Gap between {wheel} and the seat of the {seat} journal", wheel=wheel, seat=seat)
     advice = Text(
@@ -356,4 +359,5 @@ def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
         seat=seat,
         more=more,
     )
-    return ASSEMBLY(gap, 0.0, name=name, advice=advice, scale=USUAL_CLEARANCE)
+    rule, at = (SHAFT_ASSEMBLY, (shaft,)) if shaft else (ASSEMBLY, ())
+    return rule(gap, 0.0, at=at, name=name, advice=advice, scale=USUAL_CLEARANCE)

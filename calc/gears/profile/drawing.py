@@ -43,6 +43,8 @@ CIRCLES = {
 HANDS = {"left": Text("left"), "right": Text("right")}
 # rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
 LETTER = 0.02
+CHAIN = 0.75  # rule of this program, of both diameters: how far apart the axes of a chain are drawn in a row
+CHAIN = 0.75  # rule of this program, of both diameters: how far apart the axes of a chain are drawn in a row
 UP: Radian = math.pi / 2
 Places = Mapping[str, tuple[Metre, Metre]]
 
@@ -86,6 +88,8 @@ def train_drawing(
     if positions is not None and set(train.wheels) <= set(positions):
         centres = {name: complex(side, up) for name, (up, side) in positions.items()}
         standing = Text("Drawn up: up from the crank's axis; the crank turns clockwise.")
+    if not train.wheels:  # chains alone
+        return ()
     teeth = _teeth(train, centres, tooth_angle)
     shapes: list[Primitive] = []
     for name, wheel in train.wheels.items():
@@ -113,19 +117,33 @@ def _teeth(train: TrainResult, centres: Mapping[str, complex], tooth_angle: Radi
     if angles.keys() == train.wheels.keys():
         return angles
     directions = {key: cmath.phase(places[mesh.driven] - places[mesh.driver]) for key, mesh in train.meshes.items()}
-    return phase(train, directions, tooth_angle, None).teeth
+    behind = {stage.driven: 0.0 for stage in train.stages.values()}  # which tooth stands where is not known there
+    return phase(train, directions, {**behind, train.tree.first: tooth_angle}, {}).teeth
 
 
 def in_row(train: TrainResult) -> dict[str, complex]:
-    """Each wheel to the right of its driver; a driver's further wheels above it, below it, and so on round."""
-    meshes = list(train.meshes.values())
-    centres, used = {meshes[0].driver: 0j}, {meshes[0].driver: 0}
-    for mesh in meshes:
-        way = (1, 1j, -1j, -1)[used[mesh.driver] % 4]
-        used[mesh.driver] += 1
-        used[mesh.driven] = 0
-        centres[mesh.driven] = centres[mesh.driver] + mesh.centre_distance * way
+    """Each wheel to the right of its driver; a driver's further wheels above it, below it, and so on round.  A chain
+    spans what leaves its wheels apart."""
+    centres, used = {train.tree.first: 0j}, {train.tree.first: 0}
+    for link in train.tree.links:
+        way = (1, 1j, -1j, -1)[used[link.driver] % 4]
+        used[link.driver] += 1
+        used[link.driven] = 0
+        if link.toothed:
+            apart = train.meshes[link.key].centre_distance
+        else:
+            apart = 2 * CHAIN * (reach(train, link.driver) + reach(train, link.driven))
+        centres[link.driven] = centres[link.driver] + apart * way
     return centres
+
+
+def reach(train: TrainResult, name: str) -> Metre:
+    """The radius of a wheel, or of a sprocket that turns beside none."""
+    if name in train.wheels:
+        return train.wheels[name].tip_diameter / 2
+    driving = {stage.driver: stage.pitch_diameter_driver for stage in train.stages.values()}
+    driven = {stage.driven: stage.pitch_diameter_driven for stage in train.stages.values()}
+    return max(driving.get(name, 0.0), driven.get(name, 0.0)) / 2
 
 
 # --- shapes

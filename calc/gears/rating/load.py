@@ -30,7 +30,7 @@ from ...sheet.units import (
 )
 from ...sheet.value import about
 from ..inputs import GearsInputs
-from ..result import TrainResult, WheelResult
+from ..result import TrainResult
 from .classes import StrengthClass, of_wheel
 from .influence import WheelOfPair as Body
 from .influence import inner_diameter
@@ -60,15 +60,22 @@ class Swing:
 
 
 @record
+class ShaftInertia:
+    """Of a shaft on its axis, with its wheel where `with_wheel`."""
+
+    J: KilogramMetre2
+    with_wheel: bool
+
+
+@record
 class Irregularity:
-    """How unevenly the first driver turns, and what hangs on the last wheel.  Either a given δ_s of one order, or the
-    engine's torque."""
+    """How unevenly the first driver turns, and what hangs on the wheels of the shafts.  Either a given δ_s of one
+    order, or the engine's torque."""
 
     delta_s: Number | None  # (ω_max − ω_min)/ω
     order: Number | None  # turns of the first driver
     swing: Swing | None
-    shaft_inertia: KilogramMetre2 | None  # on the axis of the last wheel, with that wheel where `with_wheel`
-    with_wheel: bool
+    shafts: Mapping[str, ShaftInertia]  # by name; those whose inertia is known
 
 
 @record
@@ -134,6 +141,11 @@ def deceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, 
     return (T_E - T) / J * i_1
 
 
+@formula("ω'", "kinematics: a chain or a belt does not stretch; i: turns in a turn of the first driver")
+def acceleration_behind(alpha: RadPerSecond2, i: Number) -> RadPerSecond2:
+    return alpha * i
+
+
 @formula("J_i", "dynamics: disc of the reference diameter, open inside its rim or its bore", unit="kg·mm²")
 def wheel_inertia(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> KilogramMetre2:
     return pi / 32 * rho * b * (d**4 - d_i**4)
@@ -174,28 +186,27 @@ def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonM
     if isinstance(torque, Power):
         torque = _torques(train, torque.of)
     if isinstance(torque, Mapping):
-        return {key: torque[key] if key in torque else torque[mesh.driver] for key, mesh in train.meshes.items()}
-    at_wheel = {_first(train).name: torque}
-    for mesh in train.meshes.values():
-        with about(Text("wheel {driven}", driven=mesh.driven)):
-            z_2, z_1 = train.wheels[mesh.driven].teeth, train.wheels[mesh.driver].teeth
-            at_wheel[mesh.driven] = torque_of_driven(at_wheel[mesh.driver], z_2, z_1)
-    return {key: at_wheel[mesh.driver] for key, mesh in train.meshes.items()}
-
-
-def _first(train: TrainResult) -> WheelResult:
-    """The first driver."""
-    return train.wheels[next(iter(train.meshes.values())).driver]
+        return {
+            key: torque[key] if key in torque else torque[link.driver]
+            for key, link in train.tree.by_key.items()
+            if link.toothed or key in torque
+        }
+    at_wheel = {train.tree.first: torque}
+    for link in train.tree.links:
+        with about(Text("wheel {driven}", driven=link.driven)):
+            at_wheel[link.driven] = torque_of_driven(at_wheel[link.driver], link.z_2, link.z_1)
+    return {link.key: at_wheel[link.driver] for link in train.tree.links}
 
 
 def _torques(train: TrainResult, power: Mapping[str, Watt] | Watt) -> dict[str, NewtonMetre] | NewtonMetre:
+    tree = train.tree
     if not isinstance(power, Mapping):
-        with about(Text("wheel {name}", name=_first(train).name)):
-            return mean_torque(P=power, n=_first(train).speed)
+        with about(Text("wheel {name}", name=tree.first)):
+            return mean_torque(P=power, n=train.speeds[tree.first])
     torques = {}
     for key, P in power.items():
-        with about(Text("mesh {pair}", pair=train.meshes[key].title)):
-            torques[key] = mean_torque(P=P, n=train.wheels[train.meshes[key].driver].speed)
+        with about(Text("mesh {pair}", pair=tree.by_key[key].title)):
+            torques[key] = mean_torque(P=P, n=train.speeds[tree.by_key[key].driver])
     return torques
 
 
@@ -211,7 +222,7 @@ def loads(
     up, down = _dynamic(gears, train, uneven, materials) if uneven is not None else ({}, {})
     rated = {}
     for key, T_m in mean.items():
-        with about(Text("mesh {pair}", pair=train.meshes[key].title)):
+        with about(Text("mesh {pair}", pair=train.tree.by_key[key].title)):
             T_dyn = up.get(key)
             T_min = None if T_dyn is None else least_torque(T_m=T_m, T_dyn=down[key])
             if gears.application_factor is not None:
@@ -224,47 +235,57 @@ def loads(
     return rated
 
 
-def _accelerations(first: WheelResult, uneven: Irregularity) -> tuple[RadPerSecond2, RadPerSecond2]:
+def _accelerations(first_speed: RevPerSecond, uneven: Irregularity) -> tuple[RadPerSecond2, RadPerSecond2]:
     """The largest acceleration and deceleration of the first driver."""
     with about(Text("irregularity of the first driver")):
         if (s := uneven.swing) is not None:
             faster = acceleration_of_engine(T=s.highest, T_E=s.mean, J=s.inertia, i_1=s.ratio)
             return faster, deceleration_of_engine(T=s.lowest, T_E=s.mean, J=s.inertia, i_1=s.ratio)
         assert uneven.delta_s is not None and uneven.order is not None
-        alpha = angular_acceleration(delta_s=uneven.delta_s, i=uneven.order, omega=angular_speed(n=abs(first.speed)))
+        alpha = angular_acceleration(delta_s=uneven.delta_s, i=uneven.order, omega=angular_speed(n=abs(first_speed)))
         return alpha, alpha
 
 
 def _dynamic(
     gears: GearsInputs, train: TrainResult, uneven: Irregularity, materials: Mapping[str, Material]
 ) -> tuple[dict[str, NewtonMetre], dict[str, NewtonMetre]]:
-    """Dynamic torque at the driver of every mesh where the crank speeds up, and where it slows down; from the last mesh
-    to the first."""
-    meshes = list(train.meshes.items())
-    first, last = _first(train), train.wheels[meshes[-1][1].driven]
+    """Dynamic torque at the driver of every mesh and stage where the crank speeds up, and where it slows down; from the
+    last ones to the first."""
+    tree = train.tree
     inside = {
         w.name: inner_diameter(train.wheels[w.name].root_diameter, w.bore_diameter, w.rim_thickness)
         for w in gears.wheels
     }
-    faster, slower = _accelerations(first, uneven)
-    inertia: dict[str, KilogramMetre2] = {}  # of a wheel and all that it drives
+    on = {turn.wheel: uneven.shafts[name] for name, turn in train.shafts.items() if name in uneven.shafts}
+    faster, slower = _accelerations(train.speeds[tree.first], uneven)
+    # of a wheel and all that it drives; of a sprocket that turns beside no wheel what its shaft has
+    inertia: dict[str, KilogramMetre2] = {name: on[name].J if name in on else 0.0 for name in train.speeds}
     for name, wheel in train.wheels.items():
         with about(Text("wheel {name}, inertia", name=name)):
-            shaft = uneven.shaft_inertia if wheel is last else None
-            if shaft is not None and uneven.with_wheel:
-                inertia[name] = shaft
+            shaft = on.get(name)
+            if shaft is not None and shaft.with_wheel:
                 continue
             rho = materials[wheel.material].density
             J = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside[name])
-            inertia[name] = J if shaft is None else with_shaft(J=J, J_S=shaft)
+            inertia[name] = J if shaft is None else with_shaft(J=J, J_S=shaft.J)
+    heads, accelerations = {tree.first: tree.first}, {tree.first: (faster, slower)}
+    for link in tree.links:  # the wheel with which meshes begin: the first driver, or one behind a chain or belt
+        heads[link.driven] = heads[link.driver] if link.toothed else link.driven
+        if not link.toothed:
+            with about(Text("wheel {name}, inertia", name=link.driven)):
+                i = tree.turns(link.driven)
+                behind = acceleration_behind(alpha=faster, i=i), acceleration_behind(alpha=slower, i=i)
+            accelerations[link.driven] = behind
     up, down = dict[str, NewtonMetre](), dict[str, NewtonMetre]()
-    for key, mesh in reversed(meshes):
-        z_1, z_2, J_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth, inertia[mesh.driven]
-        with about(Text("mesh {pair}, inertia", pair=mesh.title)):
-            up[key] = down[key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=faster, z_d=first.teeth)
+    for link in reversed(tree.links):
+        z_1, z_2, J_2, head = link.z_1, link.z_2, inertia[link.driven], heads[link.driven]
+        z_d = train.wheels[head].teeth if link.toothed else z_2
+        with about(Text("mesh {pair}, inertia", pair=link.title)):
+            one, two = accelerations[head]
+            up[link.key] = down[link.key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=one, z_d=z_d)
             if uneven.swing is not None:
-                down[key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=slower, z_d=first.teeth)
-            inertia[mesh.driver] = with_driven(J=inertia[mesh.driver], J_2=J_2, z_1=z_1, z_2=z_2)
+                down[link.key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=two, z_d=z_d)
+            inertia[link.driver] = with_driven(J=inertia[link.driver], J_2=J_2, z_1=z_1, z_2=z_2)
     return up, down
 
 

@@ -169,3 +169,4 @@ class RatingResult:
     """The rating of every mesh."""
 
     meshes: dict[str, MeshRating] = group(spread=True)
+    least_strand_forces: dict[str, Newton]  # by chain or belt; those of which it is known

@@ -17,6 +17,7 @@ from ...sheet.value import about, recorded, trace
 from ..inputs import GearsInputs
 from ..limits import EXTREME
 from ..result import MeshResult, TrainResult
+from ..stages import least_strand_force, slack_checks
 from . import curves, source_sheet
 from . import mesh_strength as nominal
 from . import stress as s
@@ -68,7 +69,12 @@ def rating(
         load = loads(gears, train, mean, around.uneven, materials)
         context = rating_context(gears, train, materials, around)
         rated = {key: _mesh(context, mesh, load[key], mean) for key, mesh in train.meshes.items()}
-    result = RatingResult(meshes=rated)
+        strands = {}
+        for name, stage in train.stages.items():
+            if name in load and (T_min := load[name].least) is not None:
+                with about(Text("stage {name}", name=name)):
+                    strands[name] = least_strand_force(T_min=T_min, d=stage.pitch_diameter_driver)
+    result = RatingResult(meshes=rated, least_strand_forces=strands)
     finite(result, "gears", EXTREME)
     strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
     uneven = _if_uneven(context, rated, load)
@@ -84,7 +90,7 @@ def rating(
     return Outcome(
         "gears",
         result=result,
-        checks=tuple(checks(context, rated, load, uneven)),
+        checks=(*checks(context, rated, load, uneven), *slack_checks(gears, strands)),
         lines=tuple(lines),
         curves=Later(lambda: curves.curves(rated)),
         tables=Later(tables),

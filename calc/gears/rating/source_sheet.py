@@ -201,13 +201,13 @@ def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum
     """What the sheet of the source gives for every pair: the torque of the first wheel at each driver, and its own
     formulas."""
     errata = []
-    first = train.wheels[next(iter(train.meshes.values())).driver]
     for key, mesh in train.meshes.items():
+        first = next(iter(train.meshes.values())).driver
         driver, rating = train.wheels[mesh.driver], rated[key]
         if rating.sheet is None:
             continue
         speed = EMPTY
-        if driver.teeth != first.teeth:
+        if driver.teeth != train.wheels[first].teeth:
             force = rating.tangential_force * _share(rating)
             speed = Text(
                 " With the first wheel's speed entered for {name}, its tangential force is {tangential_force} N "

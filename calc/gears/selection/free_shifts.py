@@ -14,7 +14,7 @@ from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text, listed, plural
 from ...sheet.units import Metre
 from ..inputs import GearsInputs, wheel_key
-from ..layout.positions import axes_apart
+from ..layout.positions import NO_AXES, Axes, axes_apart
 from ..result import ToothSystem
 from ..train import Train, settle
 from ..wheel_inputs import Wheel
@@ -82,16 +82,15 @@ def settled(gears: GearsInputs, system: ToothSystem) -> Train | None:
         return None
 
 
-def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = None) -> tuple[Freedom, ...]:
+def freedoms(gears: GearsInputs, system: ToothSystem, axes: Axes = NO_AXES) -> tuple[Freedom, ...]:
     """All ways, the one that is nearest to the design first.  Raises NoSolution where a given centre distance can not
     be.
 
-    A distance between two given axes is not left free where it can be held; `axis`: that of the last wheel, from the
-    crank's."""
+    A distance between two given axes is not left free where it can be held."""
     parts = tied(gears)
     if len(parts) == 1:
         return (_freedom("train", Text("train"), gears, system, parts),)
-    ways, now, apart = [], settled(gears, system), axes_apart(gears, axis)
+    ways, now, apart = [], settled(gears, system), axes_apart(gears, axes)
     given = [part for part in parts if _given(gears, part)] or parts[:1]
     if len(given) < len(parts):
         designed = _freedom("designed", Text("as the design"), gears, system, given)

@@ -19,6 +19,7 @@ from ...sheet.step import Table
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Metre, RevPerSecond
 from ..inputs import GearsInputs, Mesh, mesh_key, wheel_key
+from ..layout.positions import Axes
 from ..layout.result import WheelLayout
 from ..layout.solve import ShaftInTrain, layout
 from ..solve import geometry
@@ -63,24 +64,22 @@ class Idler:
         return not self.passes, warns, notes, self.largest
 
 
-def idlers(gears: GearsInputs, axis: complex | None, progress: Progress | None = None) -> list[list[Idler]]:
+def idlers(gears: GearsInputs, axes: Axes, progress: Progress | None = None) -> list[list[Idler]]:
     """The numbers of teeth of each wheel that drives and is driven and has no given place, the best first.
 
-    None where nothing stands around the train, or where it has no place.  `axis`: that of the last wheel, from the
-    crank's."""
+    None where nothing stands around the train, or where it has no place."""
     choices = []
-    between = {mesh.driver for mesh in gears.meshes} & {mesh.driven for mesh in gears.meshes} - {
-        gears.meshes[-1].driven
-    }
+    between = {mesh.driver for mesh in gears.meshes} & {mesh.driven for mesh in gears.meshes}
+    between -= gears.carriers | {stage.driver for stage in gears.stages}
     for wheel in gears.wheels if gears.walls or gears.neighbours else ():
         if wheel.name in between and wheel.position is None:
-            rows = sorted(_tried(gears, wheel, axis, progress), key=lambda row: row.rank)
+            rows = sorted(_tried(gears, wheel, axes, progress), key=lambda row: row.rank)
             if any(row.place.position is not None for row in rows):
                 choices.append(rows)
     return choices
 
 
-def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Progress | None) -> Iterator[Idler]:
+def _tried(gears: GearsInputs, wheel: Wheel, axes: Axes, progress: Progress | None) -> Iterator[Idler]:
     now, name, system = wheel.teeth, wheel.name, tooth_system(gears)
     if (train := settled(gears, system)) is None:
         return
@@ -100,13 +99,13 @@ def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Pro
     for teeth, free in without_backlash.items():
         tell(progress, (teeth - low) / (high + 1 - low), Text("{wheel} with {n} teeth", wheel=name, n=teeth))
         if teeth == now:
-            yield _judged(gears, name, now, axis, {})
+            yield _judged(gears, name, now, axes, {})
         elif free is not None and (present := without_backlash[now]) is not None:
             grown = {i: free.distances[key] - present.distances[key] for i in given for key in [gears.meshes[i].key]}
             apart = {i: round(a + grown[i], HELD) for i, a in given.items()}
             distances = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 4) for i, a in apart.items()}
             changes = {wheel_key(name, Wheel.teeth): teeth, **distances, **gone}
-            yield _judged(_with(gears, name, teeth, apart), name, teeth, axis, changes)
+            yield _judged(_with(gears, name, teeth, apart), name, teeth, axes, changes)
 
 
 def _with(gears: GearsInputs, name: str, teeth: int, apart: Mapping[int, Metre | None]) -> GearsInputs:
@@ -128,10 +127,10 @@ def _with(gears: GearsInputs, name: str, teeth: int, apart: Mapping[int, Metre |
     return replace(gears, wheels=tuple(bare.get(w.name, w) for w in gears.wheels), meshes=meshes)
 
 
-def _judged(gears: GearsInputs, name: str, teeth: int, axis: complex | None, changes: Changes) -> Idler:
+def _judged(gears: GearsInputs, name: str, teeth: int, axes: Axes, changes: Changes) -> Idler:
     try:
         outcome = geometry(gears, SPEED)
-        placed = layout(gears, outcome.solution, ShaftInTrain(axis))
+        placed = layout(gears, outcome.solution, {shaft: ShaftInTrain(axis) for shaft, axis in axes.items()})
     except NoSolution as none:
         return Idler(name, teeth, changes, WheelLayout(), math.inf, (), none.what)
     meshes = {key: mesh for key, mesh in outcome.solution.meshes.items() if name in (mesh.driver, mesh.driven)}

@@ -15,6 +15,7 @@ from ...sheet.record import record
 from ...sheet.search import Judged, governing, least, least_wanted, stretch
 from ...sheet.text import EMPTY, Name, Text
 from ..inputs import GearsInputs
+from ..layout.positions import NO_AXES, Axes
 from ..train import tooth_system
 from ..wheel_inputs import Wheel
 from .free_shifts import Freedom, freedoms, settled
@@ -93,11 +94,10 @@ class ShiftsFound:
         return next((str(n) for n, entry in enumerate(self.all, 1) if entry is row), "")
 
 
-def search(gears: GearsInputs, progress: Progress | None = None, axis: complex | None = None) -> ShiftsFound:
-    """`axis`: of the last wheel, from the crank's.  Raises NoSolution where no shift keeps every rule, with the rules
-    that stop it."""
+def search(gears: GearsInputs, progress: Progress | None = None, axes: Axes = NO_AXES) -> ShiftsFound:
+    """Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
     case = ShiftCase(tooth_system(gears), gears)
-    every = freedoms(gears, case.system, axis)
+    every = freedoms(gears, case.system, axes)
     ways = tuple(freedom for freedom in every if len(freedom.free) in GRID)
     if not ways:
         raise NoSolution(

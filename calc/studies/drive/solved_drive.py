@@ -168,11 +168,12 @@ def mass(results: Results) -> Kilogram:
 
 
 def other_wheels(results: Results) -> Kilogram:
-    """Of the train, but for the last, which the shaft is weighed with."""
+    """Of the train, but for those on the shafts, which are weighed with them."""
     train = results.result(TrainResult)
-    wheels = list(train.wheels.values()) if train is not None else []
-    last = list(train.meshes.values())[-1].driven if train is not None else ""
-    return float(sum(wheel.mass or 0.0 for wheel in wheels if wheel.name != last))
+    if train is None:
+        return 0.0
+    on_shafts = {turn.wheel for turn in train.shafts.values()}
+    return float(sum(wheel.mass or 0.0 for name, wheel in train.wheels.items() if name not in on_shafts))
 
 
 def power(results: Results) -> Watt:

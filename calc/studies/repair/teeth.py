@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...design.locks import locked
-from ...design.step_inputs import shaft_axis
+from ...design.step_inputs import shaft_axes
 from ...gears.backlash.checks import BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WARMING
 from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.selection.free_shifts import freedoms, settled
@@ -61,7 +61,7 @@ def idler(state: RepairState, failing: tuple[Check, ...], progress: Progress | N
     assert gears is not None
     rows = [
         row
-        for idler_rows in idlers(gears, shaft_axis(state.design), part(progress, 0.0, 0.6))
+        for idler_rows in idlers(gears, shaft_axes(state.design), part(progress, 0.0, 0.6))
         for row in passed(idler_rows)
     ]
     if not rows:

@@ -285,7 +285,7 @@ def _sizes(design: Design) -> tuple[Metre, Metre, Metre]:
         ends = max((abs(mass.z) for mass in shaft.masses), default=0.0)
     rear = up(2 * (outer + (shaft.radial_clearance or THREADED)), 0.5e-3)
     if design.gears is not None:
-        wheel = next(wheel for wheel in design.gears.wheels if wheel.name == design.gears.meshes[-1].driven)
+        wheel = next(wheel for wheel in design.gears.wheels if wheel.name == design.gears.carrier())
         through = up(tip(wheel.teeth, design.gears.module, design.gears.helix_angle) + 1e-3, 0.5e-3)
     else:
         through = up(tip(*passing_seat(rear)) + 1e-3, 0.5e-3)

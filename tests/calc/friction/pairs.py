@@ -10,7 +10,7 @@ from pathlib import Path
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry
-from calc.friction.power_balance import drive
+from calc.friction.power_balance import End, drive
 from calc.friction.solve import closed as closed_train
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
@@ -42,6 +42,12 @@ class Fixed:
 
     def sum(self, journals):
         return self.P_B
+
+
+def ends(P_B, meshes):
+    """A shaft that loses so much, on the last wheel of these meshes."""
+    last = list(meshes.values())[-1].driven.name if meshes else ""
+    return {"shaft": End(last, Fixed(P_B))}
 
 
 def friction(**said):
@@ -121,9 +127,10 @@ def r753():
 
 def closed(shaft_power=SHAFT_POWER, speed=CRANK_SPEED, T=120.0, meshes=None, power=None, oil="10W-40 Q8 T905", **said):
     """The closed train of the R753IE4, unless other meshes are given."""
-    shaft = None if shaft_power is None else Fixed(shaft_power)
+    meshes = r753() if meshes is None else meshes
+    shafts = {} if shaft_power is None else ends(shaft_power, meshes)
     with trace() as lines:
-        d = drive(friction(**said), r753() if meshes is None else meshes, lubricant(oil), T, speed, shaft)
+        d = drive(friction(**said), meshes, lubricant(oil), T, speed, shafts)
     found = closed_train(d, power)
     return replace(found, lines=(*lines, *found.lines))
 

@@ -18,7 +18,7 @@ from calc.friction.power_balance import drive
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
 from tests.calc.friction.documents import changed, design, gamma, pair
-from tests.calc.friction.pairs import Fixed, closed, friction, lubricant, r753, shown, spur_pair
+from tests.calc.friction.pairs import closed, ends, friction, lubricant, r753, shown, spur_pair
 
 NAN, INF = math.nan, math.inf
 ONLY = {"pinion_gear": spur_pair()}
@@ -174,7 +174,7 @@ def test_powers_and_speeds_are_named(value, many):
 @pytest.mark.parametrize("T", [NAN, INF, -100.0, np.array([60.0, NAN])])
 def test_temperatures_are_named(T):
     with pytest.raises(NoSolution, match="temperature of the oil"):
-        drive(friction(), ONLY, lubricant(), T, 25.0, Fixed(100.0))
+        drive(friction(), ONLY, lubricant(), T, 25.0, ends(100.0, ONLY))
 
 
 def test_losses_of_the_shaft_that_are_no_number_are_named():

@@ -30,7 +30,7 @@ def test_the_bands_are_as_wide_as_the_losses(name):
     assert before == pytest.approx(behind)
     largest = max(
         [mesh.judged.loss for mesh in found.meshes.values()]
-        + [journal.friction_power for journal in found.journals.values()]
+        + [journal.friction_power for journals in found.journals.values() for journal in journals.values()]
     )
     assert max(before) / sum(before) == pytest.approx(largest / found.total_loss)
 

@@ -150,12 +150,12 @@ def test_a_cut_that_is_asked_for_is_enough():
 
 # --- the train
 def test_the_speed_ratio_is_kept_to_a_billionth():
-    turning = replace(TRAIN, speed_ratio=-1.0)
-    inside, outside = (speed_ratio_check(turning, -1.0 - off) for off in (0.99e-9, 1.01e-9))
+    turning = replace(TRAIN, shafts={"shaft": replace(TRAIN.shafts["shaft"], speed_ratio=-1.0)})
+    inside, outside = (speed_ratio_check(turning, "shaft", -1.0 - off) for off in (0.99e-9, 1.01e-9))
     assert inside.holds and outside.verdict == "fail"
     assert "number of meshes" in outside.source and inside.role == "self"
-    assert speed_ratio_check(turning, -1.0 - 0.99e-12).value == 0.0
-    assert speed_ratio_check(turning, -1.0 - 1.01e-12).value == pytest.approx(1.01e-12, rel=1e-3)
+    assert speed_ratio_check(turning, "shaft", -1.0 - 0.99e-12).value == 0.0
+    assert speed_ratio_check(turning, "shaft", -1.0 - 1.01e-12).value == pytest.approx(1.01e-12, rel=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -175,7 +175,7 @@ def test_the_speed_ratio_is_kept_to_a_billionth():
 )
 def test_the_speed_ratio_is_that_of_the_last_wheel_to_the_crank(wanted, crank, value, name, advice):
     """Of all wheels on the way from the first driver."""
-    check = speed_ratio_check(TRAIN, wanted, crank)
+    check = speed_ratio_check(TRAIN, "shaft", wanted, crank)
     assert check.value == pytest.approx(value, abs=1e-12) and name in check.name
     assert "crank 25 → central 36 → idler 39 → shaft 25" in check.advice and "by 3 meshes" in check.advice
     assert advice in check.advice

@@ -160,7 +160,7 @@ def test_an_idler_changes_the_sense_and_not_the_ratio(pair, middle):
     chain = solve.geometry(
         train(wheels, [mesh("a", "i"), mesh("i", "b")], m_n=m_n, beta=pair["beta"], tool=(1.25, 0.3), ball=None), SPEED
     ).result
-    assert chain.speed_ratio == pytest.approx(-direct.speed_ratio, rel=1e-12)
+    assert chain.shafts["shaft"].speed_ratio == pytest.approx(-direct.shafts["shaft"].speed_ratio, rel=1e-12)
     assert chain.wheels["i"].speed * middle == pytest.approx(-SPEED * z_1, rel=1e-12)
 
 

@@ -47,7 +47,7 @@ def whole():
     gears = r753()
     geometry = solve.with_play(solve.geometry(gears, SPEED), gears, materials(), None)
     rated = solve.rating(gears, geometry.result, TORQUE, materials())
-    return solve.with_residual_couple(solve.merge(geometry, rated), 572.93)
+    return solve.with_residuals(solve.merge(geometry, rated), {"shaft": solve.Balanced(572.93)})
 
 
 # --- the source's train
@@ -155,7 +155,9 @@ def test_the_shaft_turns_as_it_must(teeth, wanted, verdict):
     outcome = solve.geometry(
         train(wheels, [mesh("crank", "central"), mesh("central", "idler"), mesh("idler", "shaft")]), SPEED
     )
-    (found,) = [c for c in solve.with_speed_ratio(outcome, wanted).checks if c.id == "gears.train.speed_ratio"]
+    (found,) = [
+        c for c in solve.with_speed_ratios(outcome, {"shaft": wanted}).checks if c.id == "gears.train.speed_ratio"
+    ]
     assert (found.verdict, found.kind) == (verdict, "limit")
     assert f"crank 25 → central 36 → idler 39 → shaft {teeth}" in found.advice
 
@@ -163,11 +165,11 @@ def test_the_shaft_turns_as_it_must(teeth, wanted, verdict):
 def test_an_even_number_of_meshes_turns_the_shaft_the_wrong_way():
     wheels = [wheel("crank", 25, 0.0), wheel("idler", 36, 0.0), wheel("shaft", 25, 0.0)]
     outcome = solve.geometry(train(wheels, [mesh("crank", "idler"), mesh("idler", "shaft")]), SPEED)
-    found = solve.with_speed_ratio(outcome, -1.0).checks[-1]
+    found = solve.with_speed_ratios(outcome, {"shaft": -1.0}).checks[-1]
     assert found.verdict == "fail" and found.value == pytest.approx(2.0)
     assert "an odd number of meshes from crank to shaft" in found.advice
     blocked = Outcome("gears", "no_solution", reason="none")
-    assert solve.with_speed_ratio(blocked, -1.0) is blocked
+    assert solve.with_speed_ratios(blocked, {"shaft": -1.0}) is blocked
 
 
 def test_errata_name_the_method_of_the_source(whole):
@@ -255,7 +257,9 @@ def test_two_given_shifts_make_the_backlash(less):
     assert t.meshes["a_b"].backlash_nominal == pytest.approx(
         2 * t.system.m_n * math.sin(t.system.alpha_n) * less, rel=1e-9
     )
-    assert t.phase_error == pytest.approx(t.meshes["a_b"].play_angle) and t.meshes["a_b"].penetration == 0
+    assert (
+        t.shafts["shaft"].phase_error == pytest.approx(t.meshes["a_b"].play_angle) and t.meshes["a_b"].penetration == 0
+    )
     assert any("both profile shifts are given" in n for n in outcome.notes)
 
 

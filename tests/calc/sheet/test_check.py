@@ -424,6 +424,23 @@ def test_a_group_that_is_renamed_is_found_by_its_former_name():
     assert ids[3:] == [("x.each.a.film",), ("x.each.a.lambda",)]
 
 
+def test_the_names_of_a_dict_may_stand_in_the_address_only_where_there_are_several():
+    @result
+    class Shafts:
+        turns: dict[str, Found] = group(spread=True, named="several")
+        films: dict[str, dict[str, Found]] = group(named="several", default=None)
+
+    one = Found(film=9.5e-6, lambda_=0.3)
+    alone = Shafts(turns={"left": one}, films={"left": {"front": one}})
+    assert [v.id for v in published(alone, "x")] == ["x.film", "x.lambda", "x.films.front.film", "x.films.front.lambda"]
+    both = Shafts(turns={"left": one, "right": one}, films={"left": {"front": one}, "right": {}})
+    assert [v.id for v in published(both, "x") if v.id.endswith("film")] == [
+        "x.left.film",
+        "x.right.film",
+        "x.films.left.front.film",
+    ]
+
+
 @given(st.floats(-5, 5), st.floats(0.1, 3))
 def test_the_root_of_a_rising_function(zero, steepness):
     found = root(lambda x: math.atan(steepness * (x - zero)) + (x - zero) ** 3, -7, 8)

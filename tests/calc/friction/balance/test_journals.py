@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from calc.bearings.loads import response
-from calc.design.step_inputs import on_shaft, shaft_gear
+from calc.design.step_inputs import on_shafts, shaft_gear
 from calc.friction.journals import journals_at, journals_of
 from calc.friction.power_balance import shaft_loss
 from calc.solve import solve
@@ -25,7 +25,7 @@ def drawn():
 @pytest.fixture(scope="module")
 def on(drawn, gamma_results):
     o = gamma_results.outcomes
-    return on_shaft(drawn, o["countershaft"], o["bearings"], shaft_gear(drawn, o["gears"].result))
+    return on_shafts(drawn, o["countershaft"], o["bearings"], shaft_gear(drawn, o["gears"].result))["shaft"]
 
 
 def friction_of(results):
@@ -35,7 +35,10 @@ def friction_of(results):
 # --- the journals
 @pytest.mark.parametrize("place", PLACES)
 def test_a_journal_loses_what_the_turn_costs(gamma_results, place):
-    found, one = friction_of(gamma_results).journals[place], gamma_results.outcomes["bearings"].result.bearings[place]
+    found, one = (
+        friction_of(gamma_results).journals["shaft"][place],
+        gamma_results.outcomes["bearings"].result.bearings[place],
+    )
     expected = response(one.seat, one.duty, one.friction_power).power(found.standing_load)
     assert found.friction_power == pytest.approx(expected, rel=1e-12)
     assert found.friction_power > one.friction_power
@@ -43,14 +46,16 @@ def test_a_journal_loses_what_the_turn_costs(gamma_results, place):
 
 def test_both_journals_are_the_bearings_loss(gamma_results):
     found = friction_of(gamma_results)
-    assert found.bearing_loss == pytest.approx(sum(j.friction_power for j in found.journals.values()), rel=1e-12)
+    assert found.bearing_loss == pytest.approx(
+        sum(j.friction_power for j in found.journals["shaft"].values()), rel=1e-12
+    )
     assert found.total_loss == pytest.approx(found.crank_power, rel=1e-9)
 
 
 def test_the_standing_load_is_that_of_the_power_that_closes(gamma_results):
     """Weight and the gear's force at the power that the last mesh passes on, as the shaft's own step has them."""
     stands = gamma_results.outcomes["countershaft"].result.standing
-    found = friction_of(gamma_results).journals
+    found = friction_of(gamma_results).journals["shaft"]
     assert found["front"].standing_load == pytest.approx(stands.stationary["front"], rel=1e-9)
     assert found["rear"].standing_load == pytest.approx(stands.stationary["rear"], rel=1e-9)
 
@@ -62,8 +67,8 @@ def test_a_loss_on_the_shaft_is_felt_by_its_journals():
     )
     lighter = friction_of(solve(design(gamma())))
     for place in PLACES:
-        assert heavier.journals[place].standing_load > lighter.journals[place].standing_load
-        assert heavier.journals[place].friction_power > lighter.journals[place].friction_power
+        assert heavier.journals["shaft"][place].standing_load > lighter.journals["shaft"][place].standing_load
+        assert heavier.journals["shaft"][place].friction_power > lighter.journals["shaft"][place].friction_power
     assert heavier.total_loss == pytest.approx(heavier.crank_power, rel=1e-9)
 
 
@@ -84,7 +89,7 @@ def test_without_a_shaft_the_bearings_step_says_what_is_lost():
     document = replace(gamma(), data={**alone, "shafts": [shaft], "bearings": bearings})
     outcomes = solve(design(document)).outcomes
     bearings = outcomes["bearings"].result.bearings
-    for place, found in outcomes["friction"].result.journals.items():
+    for place, found in outcomes["friction"].result.journals["shaft"].items():
         assert found.standing_load is None
         assert found.friction_power == bearings[place].friction_power
 
@@ -124,7 +129,7 @@ def test_a_given_power_rates_the_teeth_and_leaves_the_balance(gamma_results):
     rated = train.meshes["crank_central"].rating.mean_torque
     assert rated == pytest.approx(1350 / (2 * math.pi * abs(train.wheels["crank"].speed)), rel=1e-9)
     for place in PLACES:
-        assert friction_of(given).journals[place].friction_power == pytest.approx(
-            friction_of(gamma_results).journals[place].friction_power
+        assert friction_of(given).journals["shaft"][place].friction_power == pytest.approx(
+            friction_of(gamma_results).journals["shaft"][place].friction_power
         )
     assert friction_of(given).total_loss == pytest.approx(friction_of(gamma_results).total_loss, rel=1e-12)

@@ -16,8 +16,8 @@ from calc.sheet.errors import NoSolution
 from tests.calc.friction.pairs import (
     CRANK_SPEED,
     SHAFT_POWER,
-    Fixed,
     closed,
+    ends,
     friction,
     lubricant,
     r753,
@@ -89,7 +89,7 @@ def test_bearings_that_follow_the_power_cost_more_than_themselves():
 def test_the_power_is_the_root_of_the_balance():
     """Found once more by halving: P = P_out + loss(P) + bearings(P), for one mesh whose driven wheel has a bearing."""
     said = friction(rolling_bearings=(RollingBearing(name="gear", bore=0.02, outside_diameter=0.042, f_1=0.01),))
-    d = drive(said, ONLY, lubricant(), 60.0, 25.0, Fixed(500.0))
+    d = drive(said, ONLY, lubricant(), 60.0, 25.0, ends(500.0, ONLY))
 
     def excess(P):
         bearing = d.bearings({"pinion_gear": P})["gear"][1]
@@ -106,21 +106,21 @@ def test_the_power_is_the_root_of_the_balance():
 def test_many_operating_points_are_the_single_ones():
     n, T, P = np.array([20.0, CRANK_SPEED, 80.0]), np.array([60.0, 120.0, 100.0]), np.array([50.0, SHAFT_POWER, 900.0])
     said = friction(**BEARINGS)
-    many = losses_of(drive(said, r753(), lubricant(), T, n, Fixed(P)))
-    below = losses_of(drive(said, r753(), lubricant(), T, n, None), P)
+    many = losses_of(drive(said, r753(), lubricant(), T, n, ends(P, r753())))
+    below = losses_of(drive(said, r753(), lubricant(), T, n), P)
     for i in range(3):
-        at = drive(said, r753(), lubricant(), float(T[i]), float(n[i]), Fixed(float(P[i])))
+        at = drive(said, r753(), lubricant(), float(T[i]), float(n[i]), ends(float(P[i]), r753()))
         alone = losses_of(at)
         assert (many.mesh[i], many.wheels[i], many.total[i]) == pytest.approx(
             (alone.mesh, alone.wheels, alone.total), rel=1e-8
         )
-        alone = losses_of(drive(said, r753(), lubricant(), float(T[i]), float(n[i]), None), float(P[i]))
+        alone = losses_of(drive(said, r753(), lubricant(), float(T[i]), float(n[i])), float(P[i]))
         assert (below.mesh[i], below.wheels[i]) == pytest.approx((alone.mesh, alone.wheels), rel=1e-8)
 
 
 def test_the_quick_sum_is_the_traced_balance():
     found = closed(**BEARINGS)
-    quick = losses_of(drive(friction(**BEARINGS), r753(), lubricant(), 120.0, CRANK_SPEED, Fixed(SHAFT_POWER)))
+    quick = losses_of(drive(friction(**BEARINGS), r753(), lubricant(), 120.0, CRANK_SPEED, ends(SHAFT_POWER, r753())))
     assert quick.total == pytest.approx(found.result.total_loss, rel=1e-9)
     assert quick.mesh == pytest.approx(found.result.mesh_loss, rel=1e-9)
 

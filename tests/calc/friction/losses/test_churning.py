@@ -109,15 +109,15 @@ def test_the_program_takes_the_wheel_s_own_numbers():
         middle = (low + high) / 2
         low, high = (middle, high) if oil.at(middle).nu > NU else (low, middle)
     said = friction(dips=(Dip(name="one", depth=48e-3, oil_volume=VOLUME),))
-    found = unloaded(said, pair(), oil, low, 25.0)
+    found = unloaded(said, pair(), oil, low, 25.0, "two")
     assert found["one"].churning == pytest.approx(churned()["P"] * oil.at(low).rho / RHO, rel=1e-9)
     assert found["two"].churning is None
 
 
 def test_tips_in_the_oil_cost_nothing_and_no_dip_is_none():
     said = friction(dips=(Dip(name="one", depth=3e-3, oil_volume=VOLUME),))
-    assert unloaded(said, pair(), lubricant(), 80.0, 25.0)["one"].churning == 0.0
-    assert unloaded(friction(), pair(), lubricant(), 80.0, 25.0)["one"].churning is None
+    assert unloaded(said, pair(), lubricant(), 80.0, 25.0, "two")["one"].churning == 0.0
+    assert unloaded(friction(), pair(), lubricant(), 80.0, 25.0, "two")["one"].churning is None
     assert "churning_loss" not in shown(closed())
 
 

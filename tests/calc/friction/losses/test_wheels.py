@@ -53,7 +53,7 @@ def test_every_kind_of_loss_sums_over_the_wheels():
 
 def test_a_wheel_without_other_losses_has_none():
     said = friction(other_losses=(OtherLoss(name="central", power=3.0),))
-    wheels = unloaded(said, r753(), lubricant(), 80.0, 30.0)
+    wheels = unloaded(said, r753(), lubricant(), 80.0, 30.0, "shaft")
     assert {name: wheel.other_loss for name, wheel in wheels.items()} == dict(
         crank=0.0, central=3.0, idler=0.0, shaft=0.0
     )
@@ -112,9 +112,9 @@ def test_speeds_follow_the_teeth_and_many_points_are_the_single_ones():
     assert speeds["idler"] * 39 == pytest.approx(CRANK_SPEED * 25)
     said = friction(seals=EVERYTHING["seals"], dips=EVERYTHING["dips"], jets=EVERYTHING["jets"])
     n, T = np.array([10.0, 30.0, 80.0]), np.array([0.0, 60.0, 120.0])
-    many = unloaded(said, r753(), lubricant(), T, n)
+    many = unloaded(said, r753(), lubricant(), T, n, "shaft")
     for i in range(3):
-        alone = unloaded(said, r753(), lubricant(), float(T[i]), float(n[i]))
+        alone = unloaded(said, r753(), lubricant(), float(T[i]), float(n[i]), "shaft")
         for name, wheel in alone.items():
             for part in ("windage", "churning", "thrown_oil", "seal_loss"):
                 one = getattr(wheel, part)
@@ -146,7 +146,7 @@ def test_without_places_a_bush_carries_the_largest_that_its_teeth_can_push():
 def test_where_no_teeth_push_the_bush_carries_nothing():
     bush = EVERYTHING["plain_bearings"][0]
     said = friction(plain_bearings=(bush,))
-    wheels = unloaded(said, r753(), lubricant(), 80.0, 30.0)
+    wheels = unloaded(said, r753(), lubricant(), 80.0, 30.0, "shaft")
     F, P = carrying(said, wheels, "shaft", lubricant(), 80.0, {})["idler"]
     assert F == 0.0
     assert P == plain_bearings.plain_bearing_power(bush, 0.0, wheels["idler"].speed, lubricant().at(80.0).mu)

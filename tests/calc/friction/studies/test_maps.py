@@ -73,8 +73,8 @@ def test_another_point_is_the_design_solved_there():
 
 def test_a_coarse_path_is_good_to_one_percent_of_the_meshes():
     said = friction()
-    fine = drive(said, r753(), lubricant(), 120.0, CRANK_SPEED, None)
-    coarse = drive(said, r753(), lubricant(), 120.0, CRANK_SPEED, None, points=maps.HELICAL_POINTS, strips=maps.STRIPS)
+    fine = drive(said, r753(), lubricant(), 120.0, CRANK_SPEED)
+    coarse = drive(said, r753(), lubricant(), 120.0, CRANK_SPEED, points=maps.HELICAL_POINTS, strips=maps.STRIPS)
     a, b = losses_of(fine, 300.0).total, losses_of(coarse, 300.0).total
     assert abs(a - b) < 0.01 * a
 

@@ -37,7 +37,7 @@ def test_a_given_pair_without_tolerance_and_allowance_has_none():
     gears = train([wheel("a", 36, 0.014), wheel("b", 39)], [mesh("a", "b", 80.555)])
     outcome = solve.geometry(gears, SPEED)
     assert [getattr(outcome.result.meshes["a_b"], n) for n in LIMITS] == [0, 0, 0]
-    assert outcome.result.phase_error == 0
+    assert outcome.result.shafts["shaft"].phase_error == 0
     assert any("neither tolerance nor allowance" in n for n in outcome.notes)
 
 
@@ -66,7 +66,7 @@ def test_phase_error_is_the_sum_of_the_largest_plays():
         driven = t.wheels[pair.driven]
         at_base = pair.backlash_max / math.cos(t.system.base_helix_angle) / (driven.base_diameter / 2)
         total += at_base * driven.teeth / 25
-    assert t.phase_error == pytest.approx(total, rel=1e-12)
+    assert t.shafts["shaft"].phase_error == pytest.approx(total, rel=1e-12)
 
 
 def test_a_tight_mesh_takes_nothing_from_the_phase_error():
@@ -75,18 +75,17 @@ def test_a_tight_mesh_takes_nothing_from_the_phase_error():
     tight = train(
         [wheel("a", 30, 0.0, allowance=(-20, -30)), wheel("b", 30, 0.0), fat], [mesh("a", "b"), mesh("b", "c")]
     )
-    assert solved(tight).phase_error == pytest.approx(solved(loose).phase_error)
+    assert solved(tight).shafts["shaft"].phase_error == pytest.approx(solved(loose).shafts["shaft"].phase_error)
 
 
 def test_residual_couple_is_the_difference_of_two_vectors():
     outcome = solve.geometry(r753(), SPEED)
-    error = outcome.result.phase_error
-    assert solve.residual_couple(outcome, 572.93) == pytest.approx(
-        abs(572.93 - 572.93 * complex(math.cos(error), math.sin(error)))
-    )
-    merged = solve.with_residual_couple(outcome, 572.93)
-    assert shown(merged)["residual_couple"] == pytest.approx(solve.residual_couple(outcome, 572.93))
-    assert merged.lines[-1].formula.symbol == "C_Δφ"
+    error = outcome.result.shafts["shaft"].phase_error
+    merged = solve.with_residuals(outcome, {"shaft": solve.Balanced(572.93, 1000.0)})
+    chord = abs(1 - complex(math.cos(error), math.sin(error)))
+    assert shown(merged)["residual_couple"] == pytest.approx(572.93 * chord)
+    assert shown(merged)["residual_force"] == pytest.approx(1000.0 * chord)
+    assert [line.formula.symbol for line in merged.lines[-2:]] == ["C_Δφ", "F_Δφ"]
 
 
 @pytest.mark.parametrize("first", [None, (-1, -5), (-9, -30), (5, -5)])

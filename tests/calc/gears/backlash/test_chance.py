@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.gears.backlash.case import SPREAD, cases, way_to
+from calc.gears.backlash.case import SPREAD, cases
 from calc.gears.backlash.chance import TRAINS, by_chance, deviate
 from calc.gears.backlash.solve import with_couple
 from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played, true
@@ -78,9 +78,11 @@ def test_against_brute_force(gears):
         assert mine.backlash_median == pytest.approx(np.median(j), abs=0.06 * spread)
         assert mine.backlash_99 == pytest.approx(np.quantile(j, 0.01), abs=0.17 * spread)
         assert mine.share_jammed == pytest.approx((j < 0).mean(), abs=0.009)
-    assert found.train.share_jammed == pytest.approx((np.min(list(smallest.values()), 0) < 0).mean(), abs=0.009)
+    assert found.shafts["shaft"].share_jammed == pytest.approx(
+        (np.min(list(smallest.values()), 0) < 0).mean(), abs=0.009
+    )
     for name, p, error in (("median", 0.5, 0.06), ("95", 0.95, 0.10), ("99", 0.99, 0.17)):
-        assert getattr(found.train, f"phase_error_{name}") == pytest.approx(
+        assert getattr(found.shafts["shaft"], f"phase_error_{name}") == pytest.approx(
             np.quantile(turn, p), abs=error * turn.std()
         )
 
@@ -128,25 +130,23 @@ def test_parts_do_not_deviate_in_step():
 
 
 def test_the_same_numbers_in_every_run():
-    first, second = (played(r753()).train for _ in range(2))
+    first, second = (played(r753()).shafts["shaft"] for _ in range(2))
     assert first.phase_error_95 == second.phase_error_95 and first.share_jammed == second.share_jammed
 
 
 def test_all_lies_within_the_worst_case():
     gears = true(r753())
     t, met = solved(gears), cases(gears, solved(gears))
-    way = way_to("shaft", t.meshes)
-    assert way == ["crank_central", "central_idler", "idler_shaft"]
-    found = by_chance(met, t.wheels, way, "shaft")
+    found = by_chance(met, t.tree, ["shaft"], {})
     for key, m in t.meshes.items():
         assert m.backlash_min - 1e-12 <= found.smallest[key][0] and found.smallest[key][-1] <= m.backlash_max + 1e-12
-    assert 0 <= found.phase[0] and found.phase[-1] <= t.phase_error
+    assert 0 <= found.phase["shaft"][0] and found.phase["shaft"][-1] <= t.shafts["shaft"].phase_error
 
 
 def test_phase_errors_stand_in_order():
     """At mid-tolerance, root of squares, worst case; by chance between; the couples as their sines."""
     gears = r753()
-    worst, play = solved(gears).phase_error, played(gears, "aluminium").train
+    worst, play = solved(gears).shafts["shaft"].phase_error, played(gears, "aluminium").shafts["shaft"]
     assert play.phase_error_nominal < play.phase_error_rss < worst < play.phase_error_running
     assert play.phase_error_median == pytest.approx(play.phase_error_nominal, rel=0.01)
     assert play.phase_error_median < play.phase_error_95 < play.phase_error_99 < worst
@@ -163,12 +163,14 @@ def test_phase_error_at_mid_tolerance_is_the_sum_of_the_reduced_plays():
         driven = t.wheels[m.driven]
         j_wt = m.backlash_nominal / (math.cos(m.working_pressure_angle) * math.cos(t.system.base_helix_angle))
         total += j_wt / (m.working_diameter_driven / 2) * driven.teeth / 25
-    assert played(gears).train.phase_error_nominal == pytest.approx(total, rel=1e-12)
+    assert played(gears).shafts["shaft"].phase_error_nominal == pytest.approx(total, rel=1e-12)
 
 
 def test_root_of_squares_of_one_mesh_is_its_worst_case():
     gears = pair_1(allowances=SHAVED)
-    assert played(gears).train.phase_error_rss == pytest.approx(solved(gears).phase_error, rel=1e-9)
+    assert played(gears).shafts["shaft"].phase_error_rss == pytest.approx(
+        solved(gears).shafts["shaft"].phase_error, rel=1e-9
+    )
 
 
 def test_a_mesh_beside_the_way_adds_no_phase_error():
@@ -176,8 +178,12 @@ def test_a_mesh_beside_the_way_adds_no_phase_error():
     wheels = [wheel(name, 30, 0.0, allowance=(-20, -30)) for name in "abc"]
     branched = train(wheels, [mesh("a", "b", tolerance=20), mesh("a", "c", tolerance=20)])
     single = train([wheels[0], wheels[2]], [mesh("a", "c", tolerance=20)])
-    assert played(branched).train.phase_error_nominal == pytest.approx(played(single).train.phase_error_nominal)
-    assert played(branched).train.phase_error_95 == pytest.approx(played(single).train.phase_error_95, rel=0.02)
+    assert played(branched).shafts["shaft"].phase_error_nominal == pytest.approx(
+        played(single).shafts["shaft"].phase_error_nominal
+    )
+    assert played(branched).shafts["shaft"].phase_error_95 == pytest.approx(
+        played(single).shafts["shaft"].phase_error_95, rel=0.02
+    )
 
 
 def test_what_does_not_vary_has_no_distribution():
@@ -190,4 +196,4 @@ def test_what_does_not_vary_has_no_distribution():
     assert found.meshes["crank_central"].share_jammed is None
     assert found.meshes["central_idler"].share_jammed is not None
     still = replace(gears, meshes=tuple(replace(m, tolerance=None) for m in gears.meshes))
-    assert played(still).train.phase_error_95 is None
+    assert played(still).shafts["shaft"].phase_error_95 is None

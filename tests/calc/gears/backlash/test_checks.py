@@ -40,7 +40,7 @@ def judged(gears=None, *, state=None, mesh=None, **values):
         there = t.at_state(m, grown, m.closest, *(tooth.thickest for tooth in m.teeth))
         at.append(replace(there, backlash=(state or {}).get(i, there.backlash)))
     result = replace(play(gears, train, SOLIDS, gears.housing_material).meshes[m.key], **values)
-    chance = by_chance([m], train.wheels, [m.key], "idler")
+    chance = by_chance([m], train.tree, ["idler"], {})
     of = JudgedMesh(m, result, at, t.housings(gears, m, alpha, SOLIDS))
     return {c.id.rpartition(".")[2]: c for c in checks(gears, of, gears.housing_material, chance)}
 

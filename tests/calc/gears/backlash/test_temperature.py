@@ -90,7 +90,7 @@ def test_without_tolerance_and_allowance_no_dust_is_judged():
     play = played(gears)
     assert play.meshes["a_b"].backlash_cold == play.meshes["a_b"].backlash_min_runout == 0.0
     assert next(c for c in play.checks if c.id == "gears.a_b.backlash_cold").holds
-    assert play.train.phase_error_median is None and play.meshes["a_b"].backlash_median is None
+    assert play.shafts["shaft"].phase_error_median is None and play.meshes["a_b"].backlash_median is None
 
 
 def free_turn_of_points(d_b, half, pitch, a, points=20001):

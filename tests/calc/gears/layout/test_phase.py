@@ -43,14 +43,14 @@ def test_teeth_at_the_computed_angles_touch_and_do_not_overlap(key, tooth):
     """Without allowances and at centre distances without backlash both flanks touch: 0 µm, to the points of the
     outlines."""
     gears = replace(r753(), tooth_angle=tooth)
-    found = layout(gears, solved(gears), ShaftInTrain(R753_AXIS, 0.3)).result
+    found = layout(gears, solved(gears), {"shaft": ShaftInTrain(R753_AXIS, 0.3)}).result
     assert depth(gears, found, key) == pytest.approx(0.0, abs=1e-7)
 
 
 @pytest.mark.parametrize("turned", [0.01, -0.01])
 def test_teeth_at_other_angles_overlap(turned):
     gears = r753()
-    found = layout(gears, solved(gears), ShaftInTrain(R753_AXIS)).result
+    found = layout(gears, solved(gears), {"shaft": ShaftInTrain(R753_AXIS)}).result
     assert depth(gears, found, "idler_shaft", turned) > 1e-4
 
 
@@ -95,7 +95,7 @@ def test_a_turned_train_has_turned_teeth():
     places = {n: w.position * cmath.exp(1j * angle) for n, w in here.wheels.items()}
     wheels = [replace(w, position=(places[w.name].real, places[w.name].imag)) for w in gears.wheels]
     there = laid(replace(gears, wheels=tuple(wheels), tooth_angle=angle), eccentric=0.3 + angle).result
-    assert there.eccentric_offset == pytest.approx(here.eccentric_offset)
+    assert there.shafts["shaft"].eccentric_offset == pytest.approx(here.shafts["shaft"].eccentric_offset)
     for name, w in there.wheels.items():
         pitches = (
             (w.tooth_angle - here.wheels[name].tooth_angle - angle) * solved(gears).wheels[name].teeth / (2 * math.pi)
@@ -107,22 +107,26 @@ def test_the_eccentric_has_its_tooth_within_half_a_pitch():
     gears = r753()
     for eccentric in np.linspace(-3, 3, 25):
         found = laid(gears, R753_AXIS, eccentric=float(eccentric), couple=30.0).result
-        assert found.wheels["shaft"].tooth_angle == pytest.approx(eccentric + found.eccentric_offset)
-        assert abs(found.eccentric_offset) <= math.radians(7.2) * (1 + 1e-9)
-        assert found.eccentric_tooth_error + found.eccentric_space_error == pytest.approx(math.radians(7.2))
-        assert found.eccentric_tooth_couple == pytest.approx(60 * math.sin(found.eccentric_tooth_error / 2))
+        assert found.wheels["shaft"].tooth_angle == pytest.approx(eccentric + found.shafts["shaft"].eccentric_offset)
+        assert abs(found.shafts["shaft"].eccentric_offset) <= math.radians(7.2) * (1 + 1e-9)
+        assert found.shafts["shaft"].eccentric_tooth_error + found.shafts[
+            "shaft"
+        ].eccentric_space_error == pytest.approx(math.radians(7.2))
+        assert found.shafts["shaft"].eccentric_tooth_couple == pytest.approx(
+            60 * math.sin(found.shafts["shaft"].eccentric_tooth_error / 2)
+        )
 
 
 def test_one_tooth_further_leaves_twice_the_sine_of_half_the_step():
     """360°/25 = 14.4°: 2·C·sin 7.2° = 0.2507·C."""
     found = laid(r753(), couple=100.0).result
-    assert math.degrees(found.remesh_angle) == pytest.approx(14.4)
-    assert found.remesh_couple == pytest.approx(25.0666, abs=1e-4)
+    assert math.degrees(found.shafts["shaft"].remesh_angle) == pytest.approx(14.4)
+    assert found.shafts["shaft"].remesh_couple == pytest.approx(25.0666, abs=1e-4)
 
 
 def test_without_positions_no_tooth_of_the_shaft_is_known():
     found = laid(r753(), eccentric=0.3)
-    assert found.result.eccentric_offset is None and found.result.wheels["shaft"].tooth_angle is None
+    assert found.result.shafts["shaft"].eccentric_offset is None and found.result.wheels["shaft"].tooth_angle is None
     assert any("assembly phase is not known" in note for note in found.notes)
 
 
@@ -159,7 +163,7 @@ def test_marks_meet_again_after_whole_turns_of_every_wheel_and_not_before():
 def test_the_wheel_passes_through_the_seat_of_the_journal(journals, end, verdict, gap):
     found = laid(r753(), journals=journals, gear_end=end)
     assert verdicts(found)["train.assembly"] == verdict
-    assert found.result.insertion_gap * 1e3 == pytest.approx(gap, abs=5e-4)
+    assert found.result.shafts["shaft"].insertion_gap * 1e3 == pytest.approx(gap, abs=5e-4)
 
 
 def test_the_gap_of_the_source_is_about_half_of_its_sheet():

@@ -178,7 +178,7 @@ def test_wheels_that_do_not_mesh_but_overlap_fail_once():
 def test_the_idler_stands_at_both_centre_distances(c, angle):
     assume(abs(c - 10) > 0.01)
     axis = c * 1e-3 * cmath.exp(1j * angle)
-    p = layout(TRIANGLE, SOLVED, ShaftInTrain(axis)).result.wheels["idler"].position
+    p = layout(TRIANGLE, SOLVED, {"shaft": ShaftInTrain(axis)}).result.wheels["idler"].position
     assert abs(p) == pytest.approx(0.030, abs=1e-12)
     assert abs(p - axis) == pytest.approx(0.040, abs=1e-12)
 

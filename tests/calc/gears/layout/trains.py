@@ -36,7 +36,7 @@ def screw(name, up, side, radius):
 
 
 def laid(gears, axis=None, **said):
-    return layout(gears, solved(gears), ShaftInTrain(axis, **said))
+    return layout(gears, solved(gears), {"shaft": ShaftInTrain(axis, **said)})
 
 
 def verdicts(outcome):

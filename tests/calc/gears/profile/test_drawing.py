@@ -290,7 +290,7 @@ def test_a_placed_train_is_drawn_with_the_teeth_of_its_layout(turned):
     """Tooth 1 of every wheel begins its outline: the last wheel's the one nearest the eccentric, at any angle of the
     first driver's."""
     gears = dataclasses.replace(r753(), tooth_angle=turned)
-    t = with_layout(geometry(gears, SPEED), gears, ShaftInTrain(0.130 + 0.103j, 2.0)).result
+    t = with_layout(geometry(gears, SPEED), gears, {"shaft": ShaftInTrain(0.130 + 0.103j, 2.0)}).result
     places = {name: (w.position.real, w.position.imag) for name, w in t.layout.wheels.items()}
     lines = [p for p in train_drawing(t, "x", places, turned) if isinstance(p, Polyline) and p.closed]
     for line, w, laid in zip(lines, t.wheels.values(), t.layout.wheels.values()):
@@ -303,7 +303,7 @@ def test_a_placed_train_is_drawn_with_the_teeth_of_its_layout(turned):
 
 def test_a_train_that_stands_elsewhere_than_its_layout_meshes_there():
     gears = r753()
-    t = with_layout(geometry(gears, SPEED), gears, ShaftInTrain(0.130 + 0.103j, 2.0)).result
+    t = with_layout(geometry(gears, SPEED), gears, {"shaft": ShaftInTrain(0.130 + 0.103j, 2.0)}).result
     places = placed(t)
     assert dxf(train_drawing(t, "x", places), LAYERS) == dxf(
         train_drawing(dataclasses.replace(t, layout=None), "x", places), LAYERS

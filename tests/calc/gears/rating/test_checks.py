@@ -269,7 +269,7 @@ def test_the_safeties_of_shipped_designs_are_verified(name, assumed):
 
 
 def test_a_known_irregularity_is_no_unknown():
-    known = safeties(rated(around=replace(OIL, uneven=Irregularity(0.02, 1.5, None, None, False))))
+    known = safeties(rated(around=replace(OIL, uneven=Irregularity(0.02, 1.5, None, {}))))
     assert {check.missing for check in known.values()} == {()}
 
 

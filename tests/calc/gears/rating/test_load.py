@@ -9,10 +9,12 @@ from pathlib import Path
 import pytest
 
 from calc.design.toml_file import design, read
+from calc.gears.inputs import Stage
 from calc.gears.rating.checks import application_factor_check
 from calc.gears.rating.load import (
     Irregularity,
     Power,
+    ShaftInertia,
     Surroundings,
     Swing,
     firing_order,
@@ -21,6 +23,7 @@ from calc.gears.rating.load import (
     rating_context,
     wheel_inertia,
 )
+from calc.gears.rating.solve import rating
 from calc.library.catalogue import materials
 from calc.solve import solve
 from tests.calc.gears.trains import SPEED, r753, solved
@@ -36,6 +39,10 @@ def inertia(name):
     return math.pi / 32 * STEEL.density * w.face_width * w.pitch_diameter**4
 
 
+def on_shaft(J_S, with_wheel=True):
+    return {"shaft": ShaftInertia(J_S, with_wheel)}
+
+
 def rated(uneven, gears=GEARS):
     return loads(gears, TRAIN, mean_torques(TRAIN, 1.0), uneven, materials())
 
@@ -43,7 +50,7 @@ def rated(uneven, gears=GEARS):
 def test_dynamic_torque_is_what_the_energy_behind_the_mesh_asks_for():
     """d/dt of the kinetic energy of all wheels behind a mesh, over the speed of its driver."""
     J_S, delta, i = 5e-3, 0.02, 1.5
-    found = rated(Irregularity(delta, i, None, J_S, True))
+    found = rated(Irregularity(delta, i, None, on_shaft(J_S)))
     omega = 2 * math.pi * SPEED
     alpha = delta / 2 * i * omega**2
     ratio = {name: 25 / TRAIN.wheels[name].teeth for name in ("central", "idler", "shaft")}
@@ -60,14 +67,14 @@ def test_dynamic_torque_is_what_the_energy_behind_the_mesh_asks_for():
 
 
 def test_the_wheel_on_the_shaft_is_added_where_the_shaft_has_none():
-    bare, whole = (rated(Irregularity(0.02, 1.5, None, 5e-3, with_wheel)) for with_wheel in (False, True))
-    heavier = rated(Irregularity(0.02, 1.5, None, 5e-3 + inertia("shaft"), True))
+    bare, whole = (rated(Irregularity(0.02, 1.5, None, on_shaft(5e-3, with_wheel))) for with_wheel in (False, True))
+    heavier = rated(Irregularity(0.02, 1.5, None, on_shaft(5e-3 + inertia("shaft"))))
     assert bare["idler_shaft"].dynamic == pytest.approx(heavier["idler_shaft"].dynamic)
     assert bare["idler_shaft"].dynamic > whole["idler_shaft"].dynamic
 
 
 def test_either_the_peak_or_the_application_factor():
-    uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
+    uneven = Irregularity(0.02, 1.5, None, on_shaft(5e-3))
     peak, usual = rated(uneven)["idler_shaft"], rated(None)["idler_shaft"]
     assert peak.K_A == 1.0 and peak.rated == pytest.approx(peak.mean + peak.dynamic)
     assert (usual.K_A, usual.rated, usual.dynamic) == (1.25, usual.mean, None)
@@ -78,7 +85,7 @@ def test_either_the_peak_or_the_application_factor():
 
 def test_a_factor_that_overlooks_the_known_torque_is_said():
     """K_A on the mean against the peak of mean and dynamic torque."""
-    uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
+    uneven = Irregularity(0.02, 1.5, None, on_shaft(5e-3))
     for K_A, verdict in ((1.25, "warn"), (20.0, "pass")):
         load = rated(uneven, replace(GEARS, application_factor=K_A))["idler_shaft"]
         check = application_factor_check("idler_shaft", "idler–shaft", load)
@@ -90,16 +97,16 @@ def test_the_engine_torque_accelerates_its_flywheel_and_all_behind():
     """Up by what the torque has above its mean, down by what it lacks; a first driver that turns slower than the crank
     gets its share."""
     swing = Swing(1000.0, 200.0, -300.0, 0.6, 1.0)
-    found = rated(Irregularity(None, None, swing, 5e-3, True))["idler_shaft"]
+    found = rated(Irregularity(None, None, swing, on_shaft(5e-3)))["idler_shaft"]
     assert found.dynamic == pytest.approx(5e-3 * 800 / 0.6 * 39 / 25)
     assert found.least == pytest.approx(found.mean - 5e-3 * 500 / 0.6 * 39 / 25)
-    half = rated(Irregularity(None, None, replace(swing, ratio=0.5), 5e-3, True))["idler_shaft"]
+    half = rated(Irregularity(None, None, replace(swing, ratio=0.5), on_shaft(5e-3)))["idler_shaft"]
     assert half.dynamic == pytest.approx(found.dynamic / 2)
 
 
 def test_a_rim_is_lighter_than_a_disc():
     thin = replace(GEARS, wheels=tuple(replace(w, rim_thickness=5e-3) for w in GEARS.wheels))
-    uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
+    uneven = Irregularity(0.02, 1.5, None, on_shaft(5e-3))
     assert rated(uneven, thin)["crank_central"].dynamic < rated(uneven)["crank_central"].dynamic
 
 
@@ -173,3 +180,62 @@ def test_gas_and_flywheel_load_the_teeth():
         .rating
     )
     assert slower.dynamic_torque == pytest.approx(mesh.dynamic_torque / 2)
+
+
+# --- behind a chain
+
+
+def behind_a_chain(**said):
+    stage = Stage(
+        name="chain",
+        kind="chain",
+        driver="nose",
+        driven="crank",
+        driver_teeth=38,
+        driven_teeth=19,
+        pitch=9.525e-3,
+        **said,
+    )
+    return replace(GEARS, stages=(stage,))
+
+
+def test_what_a_chain_drives_is_accelerated_by_its_ratio():
+    """Crank and all behind it turn twice as fast as the nose: the energy behind a link, over the speed of its driver."""
+    gears = behind_a_chain()
+    train = solved(gears)
+    delta, i, J_S = 0.02, 1.5, 5e-3
+    found = loads(gears, train, mean_torques(train, 1.0), Irregularity(delta, i, None, on_shaft(J_S)), materials())
+    alpha = delta / 2 * i * (2 * math.pi * SPEED) ** 2
+    turns = {name: 2 * 25 / TRAIN.wheels[name].teeth for name in ("crank", "central", "idler", "shaft")}
+    energy = J_S * turns["shaft"] ** 2  # per ω²/2 of the nose
+    for key, driver, driven in (("idler_shaft", "idler", "shaft"), ("crank_central", "crank", "central")):
+        if driven == "central":
+            energy += sum(inertia(name) * turns[name] ** 2 for name in ("idler", "central"))
+        assert found[key].dynamic == pytest.approx(energy * alpha / turns[driver], rel=1e-12)
+    energy += inertia("crank") * turns["crank"] ** 2
+    assert found["chain"].dynamic == pytest.approx(energy * alpha, rel=1e-12)
+    assert found["chain"].mean == 1.0 and found["crank_central"].mean == pytest.approx(0.5)
+
+
+def slack(tensioner):
+    gears = behind_a_chain(tensioner=tensioner)
+    outcome = rating(
+        gears, solved(gears), 1.0, materials(), Surroundings(Irregularity(0.02, 1.5, None, on_shaft(5e-3)))
+    )
+    (force,) = outcome.solution.least_strand_forces.values()
+    return force, [check for check in outcome.checks if check.id == "gears.chain.slack"]
+
+
+def test_the_slack_strand_is_judged_where_its_force_is_known():
+    """The least torque at the driving sprocket over its radius; the tensioner must hold what the other strand takes."""
+    force, checks = slack(None)
+    gears = behind_a_chain()
+    train = solved(gears)
+    load = loads(gears, train, mean_torques(train, 1.0), Irregularity(0.02, 1.5, None, on_shaft(5e-3)), materials())
+    assert force == pytest.approx(load["chain"].least / (9.525e-3 / math.sin(math.pi / 38) / 2)) and force < 0
+    assert not checks
+    for tensioner, verdict in ((-1.01 * force, "pass"), (-0.99 * force, "note")):
+        _, (check,) = slack(tensioner)
+        assert check.verdict == verdict and check.value == pytest.approx(-force)
+    outcome = rating(gears, train, 1.0, materials())
+    assert not outcome.solution.least_strand_forces

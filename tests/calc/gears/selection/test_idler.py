@@ -25,7 +25,7 @@ def sized():
 
 @pytest.fixture(scope="module")
 def rows(sized):
-    (found,) = idlers(sized.gears, complex(*sized.countershaft.axis))
+    (found,) = idlers(sized.gears, {"shaft": complex(*sized.countershaft.axis)})
     return found
 
 
@@ -61,7 +61,7 @@ def test_a_row_is_what_its_keys_give(sized, rows):
     for row in passed(rows):
         assert row.changes["gears.wheels.idler.span_teeth"] is None and len(row.changes) == 4
         made = geometry(changed := edited(gears, row.changes), 40.0).result
-        there = layout(changed, made, ShaftInTrain(axis)).result.wheels["idler"]
+        there = layout(changed, made, {"shaft": ShaftInTrain(axis)}).result.wheels["idler"]
         assert (there.position, there.clearance, there.nearest) == (
             row.place.position,
             row.place.clearance,
@@ -85,9 +85,11 @@ def test_the_table_numbers_what_can_be_written_and_says_why_the_next_ones_fail(r
 
 
 def test_nothing_is_searched_without_walls_a_place_or_an_idler():
-    assert idlers(triangle(), AXIS) == [] and idlers(triangle(walls=(COVER,)), None) == []
-    assert idlers(triangle(idler=(18, 24), walls=(COVER,)), AXIS) == []
-    assert [rows[0].wheel for rows in idlers(triangle(neighbours=(screw("screw", -50, 20, 5),)), AXIS)] == ["idler"]
+    assert idlers(triangle(), {"shaft": AXIS}) == [] and idlers(triangle(walls=(COVER,)), {}) == []
+    assert idlers(triangle(idler=(18, 24), walls=(COVER,)), {"shaft": AXIS}) == []
+    assert [rows[0].wheel for rows in idlers(triangle(neighbours=(screw("screw", -50, 20, 5),)), {"shaft": AXIS})] == [
+        "idler"
+    ]
 
 
 def test_a_distance_that_is_not_given_is_not_written_and_without_a_tooth_there_is_no_row():
@@ -95,21 +97,21 @@ def test_a_distance_that_is_not_given_is_not_written_and_without_a_tooth_there_i
     deep = replace(
         gears, wheels=tuple(replace(w, tip_shortening=2.1e-3) if w.name == "idler" else w for w in gears.wheels)
     )
-    assert all(list(row.changes) in ([], ["gears.wheels.idler.teeth"]) for row in idlers(gears, AXIS)[0])
-    assert idlers(deep, AXIS) == []
+    assert all(list(row.changes) in ([], ["gears.wheels.idler.teeth"]) for row in idlers(gears, {"shaft": AXIS})[0])
+    assert idlers(deep, {"shaft": AXIS}) == []
 
 
 def test_a_distance_between_two_given_axes_is_not_left_free(sized):
     gears, axis = sized.gears, complex(*sized.countershaft.axis)
     loose = replace(gears, wheels=tuple(replace(w, position=None) for w in gears.wheels))
-    assert [way.key for way in freedoms(gears, tooth_system(gears), axis)] == ["held"]
+    assert [way.key for way in freedoms(gears, tooth_system(gears), {"shaft": axis})] == ["held"]
     assert [way.key for way in freedoms(gears, tooth_system(gears))] == ["held"]  # crank and central
-    assert [way.key for way in freedoms(loose, tooth_system(gears), axis)] == ["designed", "held", "free"]
+    assert [way.key for way in freedoms(loose, tooth_system(gears), {"shaft": axis})] == ["designed", "held", "free"]
 
 
 def test_a_distance_between_two_given_axes_is_theirs(sized):
     """The axes of crank and central stand 65.808 mm apart, whatever distance the present shifts would have."""
     meshes = (sized.gears.meshes[0], replace(sized.gears.meshes[1], centre_distance=81.2e-3), *sized.gears.meshes[2:])
     gears = replace(sized.gears, meshes=meshes)
-    ways = freedoms(gears, tooth_system(gears), complex(*sized.countershaft.axis))
+    ways = freedoms(gears, tooth_system(gears), {"shaft": complex(*sized.countershaft.axis)})
     assert {round(way.gears.meshes[0].centre_distance, 6) for way in ways} == {0.065808}
