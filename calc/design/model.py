@@ -5,7 +5,7 @@ in solve.py."""
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, ClassVar
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
@@ -62,7 +62,9 @@ SCREENED = ("name", "position", "kind", "diameter", "length")  # of a bearing th
 class Design:
     """Everything that a design file says, checked and in SI."""
 
-    schema: int = integer("Schema", within=(SCHEMA, SCHEMA))
+    REFUSED: ClassVar[dict[str, Text]] = {"countershaft": Text("[countershaft] is [[shafts]] since schema 2")}
+
+    schema: int = integer("Schema", within=(1, SCHEMA))
     name: str = text("Name of the design")
     note: str = text("Note", default="")
     author: str = text("Author", default="")
@@ -331,7 +333,7 @@ class Design:
             yield rows[0][0].rpartition(".")[0], two
 
     def _shaft(self, shaft: ShaftInputs) -> Problems:
-        if shaft.mode == "bearings":
+        if shaft.mode == "bearings" or None in shaft.bearing_positions:
             return
         places, journals = shaft.bearing_positions, shaft.journals
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):

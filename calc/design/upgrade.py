@@ -137,6 +137,12 @@ def elements(table: Table, key: str) -> list[Table]:
     return array if isinstance(array, list) and _tables(array) else []
 
 
+def is_former(data: Table) -> bool:
+    """Whether the tables are those of schema 1, whatever schema they name."""
+    bearings = data.get("bearings")
+    return "countershaft" in data or (isinstance(bearings, dict) and bool({FRONT, REAR} & bearings.keys()))
+
+
 def upgraded(data: Table, lines: Mapping[str, int]) -> Upgraded:
     """A design of schema 1, which nobody has checked, in schema 2.  `lines`: where its keys stand in the file."""
     return _Upgrade(data, lines).made()
