@@ -21,7 +21,9 @@ OLD, NEW = ROOT / "tests" / "data" / "designs_0_1", ROOT / "tests" / "data" / "u
 
 @pytest.fixture(scope="module")
 def judges():
-    return {number: jsonschema.Draft7Validator(json.loads(run("schema", "--schema", number).stdout)) for number in (1, 2)}
+    return {
+        number: jsonschema.Draft7Validator(json.loads(run("schema", "--schema", number).stdout)) for number in (1, 2)
+    }
 
 
 @pytest.fixture
@@ -36,7 +38,9 @@ def data(text):
 @pytest.mark.parametrize("folder", [DESIGNS, OLD, NEW], ids=lambda folder: folder.name)
 def test_every_shipped_design_keeps_that_of_its_schema(judges, folder):
     designs = {path.stem: data(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.toml"))}
-    wrong = {name: [e.message for e in judges[design["schema"]].iter_errors(design)] for name, design in designs.items()}
+    wrong = {
+        name: [e.message for e in judges[design["schema"]].iter_errors(design)] for name, design in designs.items()
+    }
     assert len(designs) >= 16 and not any(wrong.values()), wrong
 
 
