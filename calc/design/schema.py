@@ -2,8 +2,8 @@
 """The JSON Schema of a design file, from the descriptions of its inputs: editors complete and check designs by it while
 they are written.
 
-It says what one key alone may be; what several say together only `contralbero check` knows.  That of schema 1 is kept as
-version 0.1 wrote it.
+It says what one key alone may be; what several say together only `contralbero check` knows.  That of schema 1 is kept
+as a file.
 """
 
 import json
