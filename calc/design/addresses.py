@@ -231,10 +231,15 @@ def unjudged(data: Table) -> Table:
 
 
 def keys_of(cls: type, data: Table, step: str) -> list[Key]:
-    """The keys of a class of inputs that a step asks for: of the bearings of a shaft their places, or all the rest."""
+    """The keys of a class of inputs that a step asks for: of the bearings of a shaft their places, or all the rest, and
+    their sizes where they are not judged."""
+    every = list(keys(cls).values())
+    if cls is not BearingRow:
+        return every
+    if not asks(data, dotted(Design.bearings)):
+        return [key for key in every if key.attribute in SCREENED]
     of_row = dotted(Design.shafts, 0, ShaftInputs.bearings, 0)
-    every = keys(cls).values()
-    return [key for key in every if cls is not BearingRow or step_at(data, f"{of_row}.{key.key}") == step]
+    return [key for key in every if step_at(data, f"{of_row}.{key.key}") == step]
 
 
 def tables_of(data: Table, step: str) -> Iterator[tuple[type, Table, str]]:

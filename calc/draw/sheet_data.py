@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ..countershaft.rows import called
 from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
 from ..sheet.quantity import published
 from ..sheet.record import record
@@ -276,29 +275,30 @@ def notes(
 
 def _clearances(results: "Results") -> list[Text]:
     """Of each bearing that is judged, front to rear."""
-    known = ((row.name, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
+    known = ((row, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
     return [
-        Text("{g} µm {row}", g=number(value.shown, 0), row=called(name)) for name, value in known if value is not None
+        Text("{g} µm {row}", g=number(value.shown, 0), row=row.in_words) for row, value in known if value is not None
     ]
 
 
 DEFAULTS = {
-    "countershaft.balance_grade": Text("the grade of balancing"),
+    "shafts.balance_grade": Text("the grade of balancing"),
     "gears.accuracy_grade": Text("the accuracy grade of the teeth"),
     "gears.ball_diameter_mm": Text("the measuring ball"),
 }
 
 
-def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
-    """What the program has put in where the file leaves it out; `step`: of one step only."""
+def chosen(data: Mapping[str, object] | None, table: str = "") -> Iterator[Text]:
+    """What the program has put in where the file leaves it out; `table`: of one only."""
     if data is None:
         return
-    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]:
+    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(table) and not _given(data, key)]:
         yield Text("Chosen by the program, not by the design: {what}.", what=COMMA.join(assumed))
 
 
 def _given(data: Mapping[str, object], key: str) -> bool:
-    """Whether the file has a key; one of a table that it does not have is not asked."""
-    step, _, name = key.partition(".")
-    table = data.get(step)
-    return not isinstance(table, Mapping) or name in table
+    """Whether the file has a key; one of a table that it does not have is not asked, and a mirror image has none."""
+    where, _, name = key.partition(".")
+    there = data.get(where)
+    tables = there if isinstance(there, list) else [there]
+    return all(not isinstance(table, Mapping) or "mirrors" in table or name in table for table in tables)

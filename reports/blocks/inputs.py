@@ -10,7 +10,7 @@ from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs
-from calc.countershaft.rows import BearingRow
+from calc.countershaft.rows import BearingRow, titled
 from calc.design.addresses import as_list, as_table, keys_of, own_keys, own_shafts, step_at, tables_of
 from calc.design.model import Design
 from calc.design.names import choice_word
@@ -31,6 +31,7 @@ from .nomenclature import noted
 from .values import paired_table
 
 SHAFTS, BEARINGS, NAME = dotted(Design.shafts), dotted(Design.bearings), dotted(ShaftInputs.name)
+MIRRORS = dotted(ShaftInputs.mirrors)
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
 # how a help begins to say, in each language, what the program does then
@@ -103,8 +104,10 @@ def _left_out(key: Key, say: Language) -> str:
     return f"{label} ({explanation})" if explanation else label
 
 
-def _part_name(part: dict[str, Any], i: int) -> str:
+def _part_name(cls: type | None, part: dict[str, Any], i: int, say: Language) -> str:
     """What a part of a list is called: its name, the wheels of a mesh, else its number."""
+    if cls is BearingRow and NAME in part:
+        return say(titled(str(part[NAME])))
     if "driver" in part and "driven" in part:
         return f"{part['driver']}–{part['driven']}"
     return str(part.get("name", i + 1))
@@ -156,9 +159,13 @@ class _Tables:
         self.inside(inner, data, prefix)
 
     def keys(self, cls: type, data: dict[str, Any]) -> list[Key]:
-        """Those of a table that the step asks for; what it is called stands in its title."""
+        """Those of a table that the step asks for.  What a shaft is called stands in its title; what it mirrors, where
+        it does."""
         known = keys_of(cls, self.context.document.data, self.step)
-        return [key for key in known if key.key in own_keys(cls, data) and (cls is not ShaftInputs or key.key != NAME)]
+        unsaid = (NAME, MIRRORS) if MIRRORS not in data else (NAME,)
+        return [
+            key for key in known if key.key in own_keys(cls, data) and not (cls is ShaftInputs and key.key in unsaid)
+        ]
 
     def inside(self, inner: list[Key], data: dict[str, Any], prefix: str, whose: str = "") -> None:
         """Tables in a table: neighbours of one class stand beside each other.  `whose`: the part that they belong
@@ -172,7 +179,7 @@ class _Tables:
             key = inner[n]
             content = data.get(key.key)
             if key.about.kind == "tables":
-                named = [(_part_name(p, i), p) for i, p in enumerate(content or [])]
+                named = [(_part_name(key.about.table, p, i, self.say), p) for i, p in enumerate(content or [])]
                 self.parts(title(key), key.about.table, named, f"{prefix}.{key.key}")
                 n += 1
                 continue
@@ -265,12 +272,10 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
         tables.plain(str(content.get(NAME, "")) if len(there) > 1 else "", cls, content, key)
     if step.key == BEARINGS:
         for n, shaft in own_shafts(data).items():
-            rows = [
-                (str(row.get(NAME, i + 1)), row) for i, row in enumerate(map(as_table, as_list(shaft.get(BEARINGS))))
-            ]
-            tables.parts(
-                context.say(described(ShaftInputs.bearings).label), BearingRow, rows, dotted(SHAFTS, n, BEARINGS)
-            )
+            rows = list(map(as_table, as_list(shaft.get(BEARINGS))))
+            named = [(_part_name(BearingRow, row, i, context.say), row) for i, row in enumerate(rows)]
+            title = context.say(described(ShaftInputs.bearings).label)
+            tables.parts(title, BearingRow, named, dotted(SHAFTS, n, BEARINGS))
     w = context.words
     if tables.default:
         tables.blocks = noted_below(tables.blocks, w["defaults"], gap=3.0)
@@ -305,7 +310,7 @@ def _called(context: Context, key: str) -> str:
     for part in key.split("."):
         if isinstance(here, list):  # an element in place of its array
             here = here[int(part)]
-            called[-1] = _part_name(here, int(part))
+            called[-1] = _part_name(cls, here, int(part), context.say)
             continue
         known, here = keys(cls).get(part), here.get(part) if isinstance(here, dict) else None
         # a table of free form has keys of its own
