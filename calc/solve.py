@@ -86,8 +86,9 @@ class Results:
     def values(self) -> dict[str, Published]:
         if not self._values:
             published = (value for outcome in self.outcomes.values() for value in outcome.values())
-            for value in published:
-                self._values.update((name, value) for id in value.ids for name in (id, self.former_id(id)))
+            self._values.update((id, value) for value in published for id in value.ids)
+            for id, value in list(self._values.items()):
+                self._values.setdefault(self.former_id(id), value)
         return self._values
 
     def former_id(self, id: str) -> str:
@@ -106,6 +107,11 @@ class Results:
     def checks(self) -> Iterator[Check]:
         for outcome in self.outcomes.values():
             yield from outcome.checks
+
+    def check(self, id: str) -> Check | None:
+        """The check of this id, else the one that had it while wheels had other names."""
+        by_former = {self.former_id(check.id): check for check in self.checks()}
+        return {**by_former, **{check.id: check for check in self.checks()}}.get(id)
 
     @property
     def predicted(self) -> Predicted:

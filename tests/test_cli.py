@@ -539,6 +539,18 @@ def test_explain_says_what_is_not_there_and_what_has_no_solution():
 
 
 @pytest.mark.parametrize(
+    "key, head, help",
+    [
+        ("engine.bore_mm", " = 94.0   an input\n", "    Bore, mm. Diameter of the cylinders"),
+        ("engine.bank_angle_deg", "   an input, left out\n", "    Bank angle, °. Between the banks"),
+    ],
+)
+def test_an_input_is_explained_by_its_help(key, head, help):
+    done = run("explain", GAMMA, key)
+    assert done.returncode == 0 and head in done.stdout and help in done.stdout
+
+
+@pytest.mark.parametrize(
     "check, said",
     [
         ("bearings.rear.slope_given", "taken from the inputs: bearings.slope_mrad"),

@@ -4,10 +4,11 @@
 import json
 from argparse import Namespace
 from difflib import get_close_matches
+from textwrap import fill
 from typing import Any
 
 from assistant.commands.published import reference_lines
-from calc.design.addresses import value_at
+from calc.design.addresses import quantity_of, value_at
 from calc.design.key_results import outside
 from calc.design.model import Design
 from calc.design.toml_file import Document, load
@@ -18,7 +19,7 @@ from calc.library.publications import resolved
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.expression import line_json, line_text
 from calc.sheet.number import short
-from calc.sheet.quantity import dotted
+from calc.sheet.quantity import Quantity, dotted
 from calc.sheet.text import Text
 from calc.sheet.value import Line
 from calc.sheet.verdict import named
@@ -53,25 +54,27 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
 def _explain(asked: Namespace, document: Document, design: Design) -> int:
     results = solve(design)
     values = results.values()
-    if asked.value not in values and (given := _given(document.data, asked.value)) is not None:
-        print(f"{asked.value} = {given}   an input of the design file")
+    if asked.value not in values and (known := _input(document.data, asked.value)) is not None:
+        about, given = known
+        print(f"{asked.value} = {given}   an input" if given is not None else f"{asked.value}   an input, left out")
+        told = f"{about.label}{f', {about.unit}' if about.unit else ''}. {about.help}"
+        print(fill(told, 116, initial_indent="    ", subsequent_indent="    "))
         return 0
     if asked.value not in values:
-        for check in results.checks():
-            if asked.value in (check.id, results.former_id(check.id)):
-                chains = Chains(results)
-                head = (
-                    f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip()
-                    + f", needs {check.limit_text()}."
-                )
-                if (judged := chains.behind(check)) is not None:
-                    if not asked.json:
-                        print(f"{head} Its value:\n")
-                    return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
-                lines, taken = chains.of_check(check)
-                return _print_chain(
-                    asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by)
-                )
+        if (check := results.check(asked.value)) is not None:
+            chains = Chains(results)
+            head = (
+                f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip()
+                + f", needs {check.limit_text()}."
+            )
+            if (judged := chains.behind(check)) is not None:
+                if not asked.json:
+                    print(f"{head} Its value:\n")
+                return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
+            lines, taken = chains.of_check(check)
+            return _print_chain(
+                asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by)
+            )
         step = results.outcomes.get(asked.value.partition(".")[0])
         if step is not None and step.state != "solved":
             state = step.state.replace("not_asked", "not used").replace("_", " ")
@@ -148,9 +151,9 @@ def _provenance(line: Line) -> dict[str, Any]:
     }
 
 
-def _given(data: dict[str, Any], key: str) -> Any:
-    """What the design file says under a key, None where it is no key or is left out."""
+def _input(data: dict[str, Any], key: str) -> tuple[Quantity, object] | None:
+    """What is known of the input at a key, and what the design file says there (None: left out); None: no input."""
     try:
-        return value_at(data, key)
+        return quantity_of(data, key), value_at(data, key)
     except BadInput:
         return None

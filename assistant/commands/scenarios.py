@@ -71,6 +71,8 @@ def run_scenarios(asked: Namespace) -> int:
             print(("\n" if path is written[0] else "") + str(path))
         if not asked.files:
             print("\ndesigns/friction_source.md tells what of the thesis' statements holds, with these numbers.")
+        if not asked.output:
+            print("-o FOLDER writes nine curves of each design as CSV, and a report that draws them.")
     for path, outcome in unsolved:
         print(f"{path}: friction: {outcome.reason or outcome.state}", file=sys.stderr)
     return 3 if unsolved else 0

@@ -152,8 +152,8 @@ class BeginDetail(VerticalScroll, can_focus=False):
 # --- the screen
 
 NOTHING = Text(
-    "Nothing is called so. For an engine of your own begin with one that has its layout: every number of it can be "
-    "replaced. "
+    "Nothing is called so. For an engine of your own begin with one that has its layout, for a VR with a V, for a W or "
+    "a radial one with any: every number of it can be replaced, and the layout. "
     "Words that find one: inline, parallel, V, boxer, twin, diesel, petrol, own."
 )
 SPACES = 3  # cells before a row

@@ -152,6 +152,8 @@ class Balance(Radio):
             first = pad(self.button(balancing.id == built) + say(balancing.label), LABEL) + (left[0] if left else "")
             sign = f" {self.app.signs.mark('here')}" if balancing.called_for else ""
             end = f"{mass}{sign}"
+            if len(first) + 1 + len(end) > width:
+                end = sign.strip()  # the guide speaks of the mark: the mass gives way
             head = Content.assemble(f"{first:<{max(len(first) + 1, width - len(end) - 1)}}", end)
             more = [Content.styled(" " * LABEL + text, "dim") for text in left[1:]]
             items.append(

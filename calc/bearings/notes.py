@@ -183,25 +183,8 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
 
 
 def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
-    """What the source's methods give for this bearing, where they leave out or mistake what matters."""
-    charts, falz = r.routes.get("raimondi_boyd"), r.routes.get("falz")
-    if charts is not None and r.duty.supply_pressure > 0:
-        given, hot, cold = (Amount(g * 1e6, form=".1f") for g in (r.clearance, r.clearance_hot, r.clearance_cold))
-        expansion = Text(
-            "The thesis does not treat thermal expansion: its clearance of {clearance} µm becomes {clearance_hot} µm "
-            "when warm and {clearance_cold} µm at the lowest temperature.",
-            clearance=given,
-            clearance_hot=hot,
-            clearance_cold=cold,
-        )
-        yield Erratum(
-            dotted("bearings", place, BearingResult.film),
-            Text("Smallest film, {place}", place=called(place)),
-            charts.film * 1e6,
-            "µm",
-            Text("method of Finotti 2013, 5.5.2, on the clearance as given"),
-            expansion,
-        )
+    """What the source's film rule gives for this bearing by the branch that it keeps."""
+    falz = r.routes.get("falz")
     if falz is not None and 0.9 < falz.sommerfeld <= 1:
         with untraced():
             wrong = film_heavily_loaded(r.clearance, falz.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)

@@ -163,7 +163,7 @@ class CountershaftResult:
         page_one=6,
     )
     first_critical_speed: RevPerSecond | None = value(
-        "First bending critical speed (natural frequency)", "rpm", "n_1", default=None, short=True
+        "First bending critical speed on pins (natural frequency)", "rpm", "n_1", default=None, short=True
     )
     first_critical_speed_stiff: RevPerSecond | None = value("the same, full stiffness", "rpm", "n_1", default=None)
     first_critical_speed_without_rotary: RevPerSecond | None = value(
@@ -173,7 +173,7 @@ class CountershaftResult:
         "Safety against fatigue of the largest principal stress by finite elements", "", "j", default=None
     )
     first_critical_speed_on_films: RevPerSecond | None = value(
-        "the first on the films, in the housing with its stiffness", "rpm", "n_1", default=None
+        "the first on the films, in the housing with its stiffness", "rpm", "n_1", default=None, short=True
     )
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
     bending: Bending | None = group(spread=True, default=None)

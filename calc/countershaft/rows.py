@@ -163,7 +163,7 @@ class BearingRow:
 
     @property
     def in_words(self) -> Text:
-        """What it is called inside a sentence."""
+        """Its name inside a sentence."""
         return called(self.name)
 
     @property

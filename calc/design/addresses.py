@@ -101,6 +101,7 @@ def _quantity(cls: type | None, parts: list[str], key: str) -> Quantity:
     known = keys(cls) if cls is not None else {}
     if parts[-1] not in known:
         reason = unknown(parts[-1], known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:-1]))
+        reason = getattr(cls, "REFUSED", {}).get(parts[-1], reason)
         raise _no_such(key, reason)
     return known[parts[-1]].about
 

@@ -268,9 +268,8 @@ def compare(results: "Results", row: Expect) -> Compared:
         state = results.verdict
         return Compared("design", row["design"], state, state == row["design"], kind, source, "design", state)
     if "check" in row:
-        asked = row["check"]
-        verdict = next((c.verdict for c in results.checks() if asked in (c.id, results.former_id(c.id))), None)
-        return _compared_verdict(row["check"], row, verdict, "no such check")
+        check = results.check(row["check"])
+        return _compared_verdict(row["check"], row, check.verdict if check else None, "no such check")
     if "step" in row:
         outcome = results.outcomes.get(row["step"])
         return _compared_verdict(row["step"], row, outcome.verdict if outcome else None, "no such step")

@@ -275,10 +275,8 @@ def notes(
 
 def _clearances(results: "Results") -> list[Text]:
     """Of each bearing that is judged, front to rear."""
-    known = ((row, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
-    return [
-        Text("{g} µm {row}", g=number(value.shown, 0), row=row.in_words) for row, value in known if value is not None
-    ]
+    known = ((row.in_words, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
+    return [Text("{g} µm {row}", g=number(value.shown, 0), row=row) for row, value in known if value is not None]
 
 
 DEFAULTS = {
@@ -288,17 +286,19 @@ DEFAULTS = {
 }
 
 
-def chosen(data: Mapping[str, object] | None, table: str = "") -> Iterator[Text]:
-    """What the program has put in where the file leaves it out; `table`: of one only."""
+def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
+    """What the program has put in where the file leaves it out; `step`: of one step only."""
     if data is None:
         return
-    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(table) and not _given(data, key)]:
+    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]:
         yield Text("Chosen by the program, not by the design: {what}.", what=COMMA.join(assumed))
 
 
 def _given(data: Mapping[str, object], key: str) -> bool:
-    """Whether the file has a key; one of a table that it does not have is not asked, and a mirror image has none."""
-    where, _, name = key.partition(".")
-    there = data.get(where)
-    tables = there if isinstance(there, list) else [there]
-    return all(not isinstance(table, Mapping) or "mirrors" in table or name in table for table in tables)
+    """Whether the file has a key; one of a table that it does not have is not asked.  Of shafts the first is meant,
+    which mirrors none."""
+    step, _, name = key.partition(".")
+    table = data.get(step)
+    if isinstance(table, list):
+        table = table[0]
+    return not isinstance(table, Mapping) or name in table

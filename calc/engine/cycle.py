@@ -182,8 +182,8 @@ def inertia_force(M_alt: Kilogram, omega: RadPerSecond, r: Metre, a_rel: Number)
 
 @formula(
     "T_k",
-    "Finotti 2013, 2.2.1: couple F·r·[sin α + λ·sin α·cos α/√(1 − λ²·sin² α)], its last term corrected; with offset "
-    "F·dx/dα",
+    "Finotti 2013, 2.2.1: couple F·tan β·(L·cos β + r·cos α) = F·r·[sin α + λ·sin α·cos α/√(1 − λ²·sin² α)]; with "
+    "offset F·dx/dα",
 )
 def torque_of(F: Newton, r: Metre, v_rel: Number) -> NewtonMetre:
     return F * r * v_rel

@@ -3,6 +3,7 @@
 
 from collections.abc import Iterable, Iterator
 from math import pi
+from typing import ClassVar
 
 from ..sheet.quantity import choice, dotted, inputs, integer, integers, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
@@ -207,6 +208,8 @@ class BenchPoint:
 class EngineInputs:
     """Crank train, masses and rated speed."""
 
+    REFUSED: ClassVar[dict[str, Text]] = {"stroke_mm": Text("is not known; give crank_radius_mm, which is half of it")}
+
     name: str = text("Engine", help="A name for screen and report.")
     layout: str = choice(
         "Layout",
@@ -266,7 +269,8 @@ class EngineInputs:
         up_to=2000,
         symbol="a",
         rule_of_thumb=(35, 200),
-        help="Distance of neighbouring cylinders. May be left out where axial positions are given: then it is theirs.",
+        help="Distance of neighbouring cylinders of a bank. May be left out where axial positions are given: then it "
+        "is theirs.",
         decides=6,
     )
     cylinder_offset: float = quantity(
@@ -285,8 +289,8 @@ class EngineInputs:
         default=None,
         within=(0, 180),
         symbol="V",
-        rule_of_thumb=(45, 180),
-        help="Between the banks of a vee engine; a boxer has 180°.",
+        rule_of_thumb=(10, 180),
+        help="Between the banks of a vee engine, of a VR engine 10° to 15°; a boxer has 180°.",
         where=(layout, "vee", "boxer"),
         fold=CYLINDERS,
     )
@@ -353,8 +357,8 @@ class EngineInputs:
         default=None,
         within=(-500, 500),
         symbol="d_k",
-        help="One per cylinder, where they differ, as in the two banks of a VR engine; the first is the cylinder "
-        "offset. Left out: all cylinders have that one.",
+        help="One per cylinder, where they differ; the first is the cylinder offset. A VR engine, whose axes meet "
+        "below the crank, has them below zero in bank 0, above in bank 1. Left out: all cylinders have that one.",
         fold=CYLINDERS,
     )
     piston_mass: float | None = quantity(

@@ -523,7 +523,8 @@ class GearsInputs:
                         dotted(GearsInputs.wheels, i, key),
                         Text("needs gears.ball_diameter_mm, the ball or pin that was used"),
                     )
-            if wheel.former_name in [w.name for w in self.wheels]:
+            others = {w.former_name for w in self.wheels[:i]} | {w.name for w in self.wheels}
+            if wheel.former_name is not None and wheel.former_name in others:
                 yield dotted(GearsInputs.wheels, i, Wheel.former_name), Text("is the name of a wheel")
             if wheel.measured_span is not None and wheel.span_teeth is None:
                 yield (

@@ -182,7 +182,8 @@ def checks(
     elif kappa == 0.5 and offsets_differ:
         forward = Text(
             "Half of the reciprocating mass is on the crank already. Offsets that differ turn each cylinder's force "
-            "away from its pin by another angle, and counterweights opposite the pins leave that."
+            "away from its pin by another angle, and counterweights opposite the pins leave that. It turns with the "
+            "crank: further masses on it, opposite to the phase of what is left, take it."
         )
     elif (turned := _turned(result)) > TURNED and kappa == 0.5:
         forward = Text(
@@ -205,7 +206,7 @@ def checks(
             "One shaft at −ω takes it: {required_couple} N·m at {phase}",
             required_couple=Amount(result.required_couple),
             phase=Amount(round(degrees(result.required_couple_phase), 3), "°"),
-        ) + Text("; add [countershaft].")
+        ) + Text("; add [[shafts]].")
         yield BACKWARD_COUPLE(first.couple_backward, couple, advice=counter)
         yield BACKWARD_FORCE(first.force_backward, force)
     yield FORWARD_COUPLE(first.couple_forward, couple, advice=forward)
@@ -251,7 +252,18 @@ def proposals(
     second = SECOND * lam * result.one_force / 2, SECOND * lam * result.one_couple / 2  # of a pair: half of its peak
     proposed = []
     turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
-    if turns_forward:
+    F_left, C_left = left_of_half(result)
+    if turns_forward and offsets_differ and (F_left > F_f + first[0] or C_left > C_f + first[1]):
+        proposed.append(
+            Text(
+                "Counterweights on the crank that do not stand opposite the pins, because offsets that differ turn "
+                "what of first order turns forward, {turns_forward}, away from them: opposite the pins, half of the "
+                "reciprocating mass leaves {left}.",
+                turns_forward=turns_forward,
+                left=_what(F_left, C_left, *first),
+            )
+        )
+    elif turns_forward:
         done = Text("as designed")
         if kappa != 0.5:
             done = Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
@@ -329,8 +341,7 @@ def proposals(
 def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float], offsets_differ: bool) -> Text:
     """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the
     pin."""
-    left = (a + b / 2 for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
-    rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
+    rest = _what(*left_of_half(result), *(limit / 50 for limit in least))
     if not rest:
         return Text("take all")
     if rho != 1:
@@ -347,6 +358,12 @@ def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float], off
         rest=rest,
         turned=turned,
     )
+
+
+def left_of_half(result: ImbalanceResult) -> tuple[float, float]:
+    """Force [N] and couple [N·m] turning forward that half of the reciprocating mass, opposite the pins, leaves."""
+    force, couple = (abs(a + b / 2) for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
+    return force, couple
 
 
 def _turned(result: ImbalanceResult) -> float:

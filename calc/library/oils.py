@@ -17,7 +17,7 @@ from ..sheet.step import Erratum, Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import UNITS, Celsius, Number, PascalSecond, SquareMetrePerSecond
 from ..sheet.value import untraced
-from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, ViscosityRow, base_stocks, grades, shipped_oils
+from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, ViscosityRow, base_stocks, grades
 from .lubricant import Lubricant
 from .oil_formulas import LOWEST, implied_viscosity, line_problem
 
@@ -187,10 +187,6 @@ def _reasons(lubricant: Lubricant, printed: PrintedViscosity, implied: SquareMet
             if printed.viscosity < wrong.viscosity
             else Text("more than the {mu} printed for {T} °C, though oil thins with heat", **there)
         )
-        for name, other in shipped_oils().items():
-            same = printed_at(other, T)
-            if name != oil.name and same is not None and same.viscosity == printed.viscosity:
-                yield Text("equals the value printed for {name} at {T} °C: copied?", name=name, T=Amount(T, form="g"))
     yield from _between(lubricant, printed)
 
 

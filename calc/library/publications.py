@@ -34,6 +34,7 @@ KNOWN = {
 # Who may be wrong where a document is: the closed set of `who` in errata.toml.  The copy is the text that was read.
 WHO = {
     "author": Text("author"),
+    "author or copy": Text("author or copy"),
     "author or print": Text("author or print"),
     "print or copy": Text("print or copy"),
     "author, print or copy": Text("author, print or copy"),

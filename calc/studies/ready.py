@@ -8,7 +8,7 @@ from ..design.addresses import Table, as_table, asks, step_at
 from ..design.model import STEPS
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
-from ..sheet.text import COMMA, SEMICOLON, Small, Text, plural
+from ..sheet.text import COMMA, EMPTY, SEMICOLON, Small, Text, plural
 
 if TYPE_CHECKING:
     from ..solve import Results
@@ -87,8 +87,8 @@ def whole(states: Sequence[StepState], results: "Results | None") -> Readiness:
     has left out.  `states`: of its steps, with these results."""
     if left := sum(not state.done for state in states) or results is None:
         return Readiness(False, "todo", plural("{n} step left", "{n} steps left", n=left))
-    if steps := _titles(step for step, reason in results.design.without if reason in OF_PROGRAM):
-        return Readiness(False, "todo", Text("left out by the program: {steps}", steps=steps))
+    if words := _by_program(results):
+        return Readiness(False, "todo", words)
     if results.verdict not in ("pass", "warn"):
         return Readiness(False, results.verdict, Text("no limit judges it"))
     return Readiness(True, results.verdict, limits_hold(results))
@@ -100,14 +100,26 @@ def limits_hold(results: "Results") -> Text:
     design = results.design
     reasons = dict(design.without)
     by_you = _titles(step for step, reason in reasons.items() if reason not in OF_PROGRAM)
-    by_program = _titles(step for step, reason in reasons.items() if reason in OF_PROGRAM)
+    by_program = _by_program(results)
     unused = _titles(s.key for s in STEPS if not (s.optional or s in design.asked() or s.key in reasons))
     held = plural("{n} limit holds", "{n} limits hold", n=results.counts.held)
     parts = [held if results.counts.limits else Text("no limit is judged")]
     parts += [Text("left out by you: {steps}", steps=by_you)] if by_you else []
-    parts += [Text("left out by the program: {steps}", steps=by_program)] if by_program else []
+    parts += [by_program] if by_program else []
     parts += [Text("not used: {steps}", steps=unused)] if unused else []
     return SEMICOLON.join(parts)
+
+
+def _by_program(results: "Results") -> Text:
+    """What the rules of this program have left out; whether the engine has changed since, and would have it now."""
+    from ..imbalance.checks import BACKWARD_COUPLE, BACKWARD_FORCE  # here: the session begins without numpy
+
+    reasons = dict(results.design.without)
+    steps = _titles(step for step, reason in reasons.items() if reason in OF_PROGRAM)
+    backward = (BACKWARD_COUPLE.id, BACKWARD_FORCE.id)
+    if NOTHING in reasons.values() and any(c.id in backward and not c.holds for c in results.checks()):
+        return Text("left out by the program: {steps}, but of order 1 something turns backward now", steps=steps)
+    return Text("left out by the program: {steps}", steps=steps) if steps else EMPTY
 
 
 def _titles(keys: Iterable[str]) -> Text:

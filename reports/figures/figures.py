@@ -207,7 +207,7 @@ class _Figure:
     def __init__(self, number: str, curve: Curve, word: str, plots: Plots, width: float) -> None:
         self.title = f"{word} {number}. {curve.title}"
         self.tag = Tag(FIGURE, alt=f"{self.title}. {in_words(curve, plots)}")
-        self.caption = lines(self.title, STRONG, width - LEFT_AXIS, 3)
+        self.caption = lines(self.title, STRONG, width - LEFT_AXIS, 4)
         named = width == WIDTH and not (curve.equal or curve.bars or curve.variants) and len(curve.series) <= NAMED
         self.look = Look(at_the_ends, margin(curve, plots)) if named else ALONE
         self.legend = [] if self.look.named else legend(curve, width - LEFT_AXIS, plots)

@@ -144,6 +144,18 @@ async def test_k_locks_the_field_that_is_not_being_typed_into(screen: Screen) ->
         assert work(pilot).session.value("engine.bore_mm") == 94.0
 
 
+async def test_the_row_that_is_called_for_keeps_its_mark_where_there_is_little_room(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("escape", "2")
+        balance = work(pilot).form.query_one(Balance)
+        await until(pilot, lambda: balance.key == "shaft")
+        wide, close = ([item.line for item in balance.build(width)] for width in (60, 42))
+        assert [" kg ◀" in row for row in wide] == ["◀" in row for row in close] and sum(
+            "◀" in row for row in close
+        ) == 1
+        assert all(len(row) <= 42 for row in close if "◀" in row)
+
+
 @pytest.mark.slow
 async def test_a_balancing_is_taken_as_one_step(screen: Screen, light: Session) -> None:
     async with screen() as pilot:

@@ -128,6 +128,16 @@ def shafts(pdf: bytes, colour: str) -> list[Shape]:
     return [s for s in shapes(pdf) if s.stroke == colour and not s.fill and len(s.parts[0]) == 2]
 
 
+def test_the_longest_caption_under_a_half_of_the_page_is_whole() -> None:
+    title = (
+        "Scenarios, mesh crank–camshaft, 10W-40: normal force per length of the contact line, as the pairs share it "
+        "along the path, source: EHL everywhere"
+    )
+    curve = Curve("t", title, "x from T₁, mm", "w, N/mm", (Series("a", THETA, THETA),))
+    read = squeezed(text_of(report(curve, replace(curve, id="u"))))
+    assert read.count(squeezed("source: EHL everywhere")) == 2
+
+
 def test_vectors_are_drawn_tip_to_tail_in_true_scale() -> None:
     names = ("forward", "backward", "next to nothing")
     chain = Turning(names, (300 + 0j, 400j, 0.9 * LEAST * 400), (1, -1, 2))

@@ -55,14 +55,15 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
         except (FilmRangeError, Seized, OutsideBalance) as error:
             if not (isinstance(error, OutsideBalance) and error.end is None and seat.lubricant.constant):
                 raise NoSolution(*_reason(seat, duty, error)) from None
-            rise = None
-    if rise is None:
-        return route(seat, duty, HOTTEST)
+            rise = math.inf
     return closed(route, seat, duty, rise)
 
 
 def closed(route: Route, seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """The film at the rise that closes its balance, by lines of the calculation."""
+    """The film at the rise that closes its balance, by lines of the calculation; above 200 K, of a viscosity that no
+    heat changes, the one at 200 K."""
+    if rise > HOTTEST:
+        return route(seat, duty, HOTTEST)
     return converged(f.closing_rise, rise, lambda known: route(seat, duty, known), lambda film: film.temperature_rise)
 
 

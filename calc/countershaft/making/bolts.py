@@ -31,7 +31,11 @@ from ...sheet.value import about, based_on
 from ..inputs import ShaftInputs
 from ..rows import SHAFT
 from .inputs import (
+    FLANGE,
+    FLANGES,
     HEXAGONS,
+    PLAIN,
+    PLAINEST,
     STRENGTH,
     Bolts,
     FurtherBolts,
@@ -48,10 +52,6 @@ if TYPE_CHECKING:
 # VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the
 # wrench, so the unfavourable end is taken.
 ALPHA_A = 2.0
-# Faces under a head that is known by its width across flats s alone, or by its thread D: a flanged one by DIN 6921
-# (least of the face 1.96·D to 2.03·D, outside of the flange 2.2·D to 2.4·D), a plain hexagon by ISO 4017 (0.89·s to s).
-FLANGE, FLANGES = 2.0, (1.95, 2.2)
-PLAIN, PLAINEST = 0.95, 0.89
 # VDI 2230-1, R12: safety against slip where the load stands still, and where it comes from alternate sides
 HOLDS_STANDING, HOLDS_TURNING = 1.2, 1.8
 NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
@@ -92,11 +92,10 @@ def face(bolts: Bolts, D: Metre) -> Face:
         return Face(bolts.head_diameter)
     s = bolts.across_flats
     assert s is not None
-    plain = HEXAGONS.get(round(D * 1e3, 6))
     across, size = Amount(s * 1e3, "mm", form="g"), bolts.thread
     with about(Text("bolts, largest face")):
         most = flanged_face(share=FLANGES[1], D=D)
-    if plain is not None and s * 1e3 < plain:
+    if bolts.flanged:
         with about(Text("bolts, face")):
             taken = flanged_face(share=FLANGE, D=D)
         with about(Text("bolts, smallest face")):
@@ -106,7 +105,7 @@ def face(bolts: Bolts, D: Metre) -> Face:
             "hexagon on {thread}",
             face=Amount(taken * 1e3, "mm", form="g"),
             across=across,
-            plain=Amount(plain, form="g"),
+            plain=Amount(HEXAGONS[round(D * 1e3, 6)], form="g"),
             thread=size,
         )
         return Face(taken, least, most, words)
@@ -183,9 +182,8 @@ def friction_angle_source(mu: Number) -> Radian:
     return atan(mu)
 
 
-@formula("r_h", Text("{source}: friction at the outer edge of the head", source=SOURCE), unit="mm")
+@formula("r_h", Text("{source}: friction of the head at half of its width across flats", source=SOURCE), unit="mm")
 def friction_radius_source(s: Metre) -> Metre:
-    """`s`: the width across flats, which the source takes for the diameter of the face."""
     return s / 2
 
 
@@ -455,10 +453,11 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
     return (support.proof_stress, Text("proof stress")) if support.proof_stress is not None else None
 
 
-BOLT_KEYS = "countershaft", ShaftInputs.bolts
+BOLT_KEYS = SHAFT, ShaftInputs.bolts
 TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
 HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
-JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
+SPAN = dotted(*BOLT_KEYS, Bolts.row_span)
+JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), SPAN)
 SLIP = CheckRule(
     "countershaft.J.slip",
     "limit",
@@ -477,7 +476,10 @@ SLIP_VDI = CheckRule(
     "Below it the joint may work under a load that turns; it slips at 1, which is the limit.",
     Text("Safety against slip while the load turns, as VDI 2230 asks for"),
     source=Text("VDI 2230-1, R12, from memory: 1.8 where the load comes from alternate sides, 1.2 where it stands"),
-    advice=SLIP.advice,
+    advice=Text(
+        "More or larger bolts, a larger torque, or rows of bolts further apart; or joint_friction, where it is known "
+        "to be more."
+    ),
     demand=True,
     cause="countershaft.J.slip",
     value_id=dotted("countershaft", BoltsResult.bolt_slip_safety),
@@ -541,21 +543,21 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
 
 def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
     """The same of bolts beside those of the support, whose load stands across the joint or turns."""
-    own = dotted(SHAFT, ShaftInputs.further_bolts, bolts.name)
-    found = list(_tightened_checks(joint, own.removeprefix("countershaft.")))
+    at = dotted(ShaftInputs.further_bolts, bolts.name)
+    key, id = dotted(SHAFT, at), dotted("countershaft", at)
+    found = list(_tightened_checks(joint, at))
     if (safety := joint.bolt_slip_across_safety) is not None:
         least = HOLDS_TURNING if bolts.turns == "yes" else HOLDS_STANDING
         what = Text("Safety against slip of the joint")
         asked = Text("Safety against slip of the joint, as VDI 2230 asks for")
-        at = own.removeprefix("countershaft.")
         found += [SLIP(safety, 1.0, at=at, name=what), SLIP_VDI(safety, least, at=at, name=asked)]
     across = dotted("countershaft", BoltsResult.bolt_slip_across_safety)
     for check in found:
         value = across if check.rule in (SLIP, SLIP_VDI) else check.value_id
         yield check.but(
             name=Text("{what}, {bolts}", what=check.name, bolts=Name(bolts.name)),
-            value_id=value.replace("countershaft", own),
-            moved_by=tuple([key.replace(dotted(*BOLT_KEYS), own) for key in check.moved_by]),
+            value_id=value.replace("countershaft", id),
+            moved_by=tuple([m.replace(dotted(*BOLT_KEYS), key) for m in check.moved_by if m != SPAN]),
         )
 
 

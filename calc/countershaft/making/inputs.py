@@ -101,6 +101,12 @@ def stress_area(d_2: Metre, d_3: Metre) -> SquareMetre:
 # Width across flats of a hexagon head without flange, mm (ISO 4014, ISO 4017): on a narrower one there is a flange.
 HEXAGONS = {5.0: 8.0, 6.0: 10.0, 8.0: 13.0, 10.0: 16.0, 12.0: 18.0, 14.0: 21.0, 16.0: 24.0, 20.0: 30.0, 24.0: 36.0}
 
+# Faces under a head that is known by its width across flats s alone, or by its thread D: a flanged one by DIN 6921
+# (least of the face from 1.95·D, outside of the flange up to 2.4·D) or by the small series of ISO 4162 (from 1.86·D), a
+# plain hexagon by ISO 4017 (0.89·s to s)
+FLANGE, FLANGES = 2.0, (1.85, 2.4)
+PLAIN, PLAINEST = 0.95, 0.89
+
 # Rp0.2 (4.6 to 5.8: Rel) of each property class, MPa: ISO 898-1, Table 3
 STRENGTH = {"4.6": 240.0, "5.6": 300.0, "5.8": 420.0, "6.8": 480.0, "8.8": 640.0, "10.9": 940.0, "12.9": 1100.0}
 
@@ -213,18 +219,36 @@ class Bolts:
         repair="free",
     )
 
+    @property
+    def flanged(self) -> bool:
+        """Whether the width across flats is below that of a plain hexagon on this thread."""
+        s, plain = self.across_flats, HEXAGONS.get(round(thread(self.thread)[0] * 1e3, 6))
+        return s is not None and plain is not None and s * 1e3 < plain
+
     def problems(self) -> Iterable[tuple[str, Text]]:
-        face = self.across_flats if self.head_diameter is None else self.head_diameter
-        if face is None:
+        s, face = self.across_flats, self.head_diameter
+        if face is None and s is None:
             yield dotted(Bolts.head_diameter), Text("is needed, or across_flats_mm, from which it is assumed")
-        elif self.hole_diameter >= face:
-            yield (
-                dotted(Bolts.hole_diameter),
-                Text("must be smaller than the face under the head, or the head bears on nothing"),
-            )
         if (wrong := thread_problem(self.thread)) is not None:
             yield dotted(Bolts.thread), wrong
-        elif self.hole_diameter <= (D := thread(self.thread)[0]):
+            return
+        D = thread(self.thread)[0]
+        if face is None and s is not None:
+            face = FLANGES[0] * D if self.flanged else PLAINEST * s
+        if face is not None and self.hole_diameter >= face:
+            yield (
+                dotted(Bolts.hole_diameter),
+                Text(
+                    "must be smaller than the face under the head, {d} mm at least, or the head bears on nothing",
+                    d=Amount(face * 1000.0, form="g"),
+                ),
+            )
+        if s is not None and s <= D:
+            yield (
+                dotted(Bolts.across_flats),
+                Text("must be larger than the thread, {d} mm", d=Amount(D * 1000.0, form="g")),
+            )
+        if self.hole_diameter <= D:
             yield (
                 dotted(Bolts.hole_diameter),
                 Text("must be larger than the thread, {d} mm", d=Amount(D * 1000.0, form="g")),
@@ -258,6 +282,11 @@ class FurtherBolts(Bolts):
         help="A name from the table of materials or from [[material]]. Left out: the pressure is not judged.",
         catalogue="materials",
     )
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        yield from super().problems()
+        if self.row_span is not None:
+            yield dotted(Bolts.row_span), Text("belongs to the bolts of the support: these hold their force together")
 
 
 @inputs

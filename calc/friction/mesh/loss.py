@@ -96,9 +96,7 @@ def mean_friction(P_s: Watt, P: Watt, H_VL: Number) -> Number:
     return P_s / (P * H_VL)
 
 
-@formula(
-    "η_Z", Text("definition of the efficiency ({thesis}, eq. 1, prints the loss ratio under this name)", thesis=THESIS)
-)
+@formula("η_Z", "definition of the efficiency")
 def efficiency(P_VZ: Watt, P: Watt) -> Number:
     """>>> efficiency(P_VZ=4.55, P=224.8)
     0.9797597...

@@ -4,7 +4,7 @@ step's remedies."""
 
 from ...design.toml_file import Document, design
 from ...engine.result import EngineResult
-from ...imbalance.checks import FIRST, SECOND
+from ...imbalance.checks import FIRST, SECOND, left_of_half
 from ...imbalance.inputs import ImbalanceInputs
 from ...imbalance.remedies import SIGNIFICANT, BalancingRemedy
 from ...imbalance.result import ImbalanceResult
@@ -240,6 +240,11 @@ def _why(id: str, best: str, imbalance: ImbalanceResult) -> Text:
         return Text("Order 1 cancels, and what is left of order 2 is lived with.")
     if id == "none":
         return Text("What shakes is left to the mounts.")
+    if id in ("half", "shaft") and _forward_left(imbalance):
+        return Text(
+            "Half on the crank, opposite the pins, leaves much of what turns forward: the offsets turn it away from "
+            "them."
+        )
     if id == "half":
         if force or couple:
             return Text("Counterweights take what turns forward; what turns backward stays.")
@@ -268,6 +273,12 @@ def _why(id: str, best: str, imbalance: ImbalanceResult) -> Text:
     if id in ("pair", "second"):
         return Text("Shafts that are no mirror images would take it; they are not designed here.")
     return Text("Four shafts leave nothing of order 1 or 2; they are not designed here.")
+
+
+def _forward_left(imbalance: ImbalanceResult) -> bool:
+    """Whether half on the crank leaves a force or couple that turns forward and counts."""
+    force, couple = left_of_half(imbalance)
+    return force > FIRST * imbalance.one_force or couple > FIRST * imbalance.one_couple
 
 
 def _backward(imbalance: ImbalanceResult) -> tuple[bool, bool]:

@@ -59,13 +59,11 @@ def _scale(solved: MountingResult) -> float:
 
 def _size(engine: EngineInputs) -> tuple[Metre, Metre, Metre]:
     """Up, to the side, along the crank; a bank that leans gives of its height to the side."""
-    banks = engine.bank_of_cylinder
-    in_a_row = max(banks.count(1), banks.count(2)) if banks else engine.cylinders
     placed = crank(engine, 0.0)
     upright, leaning = max(map(math.cos, placed.psi)), max(abs(math.sin(psi)) for psi in placed.psi)
     reach = 2.5 * (2 * engine.crank_radius + engine.rod_length)
     height = max(reach * upright, 4 * engine.bore)
-    width, length = 5 * engine.bore + reach * leaning, (in_a_row + 2) * placed.pitch
+    width, length = 5 * engine.bore + reach * leaning, float(max(placed.z) - min(placed.z)) + 3 * placed.pitch
     return up(height, 10e-3), up(width, 10e-3), up(length, 10e-3)
 
 

@@ -55,6 +55,7 @@ def test_a_number_survives_its_unit(unit, number):
         ("bore_mm = 94.0", "bore_mm = true", True, ["engine.bore_mm", "a number"]),
         ("bore_mm = 94.0", "bore_mm = " + "9" * 400, True, ["engine.bore_mm"]),
         ("bore_mm = 94.0", "bore_m = 94.0", True, ["engine.bore_m", 'did you mean "bore_mm"']),
+        ("crank_radius_mm = 53.5", "stroke_mm = 107.0", True, ["engine.stroke_mm", "half of it"]),
         ("bore_mm = 94.0\n", "", False, ["engine.bore_mm", "is missing"]),
         ("cylinders = 3", "cylinders = 3.0", True, ["engine.cylinders", "whole number"]),
         ("cylinders = 3", "cylinders = 17", True, ["engine.cylinders", "from 1 to 16"]),
@@ -272,6 +273,7 @@ def test_values_are_addressed_by_name_or_index(gamma):
     "key, words",
     [
         ("bearings.front.lenght_mm", 'did you mean "length_mm"'),
+        ("engine.stroke_mm", "give crank_radius_mm, which is half of it"),
         ("gears.wheels.sun.teeth", "there are crank, central, idler, shaft"),
         ("bearings", "is a table"),
         ("engine.bore_mm.x", "has no parts"),

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gear train in the whole design: what has no solution keeps its reason, and what is known stays."""
 
+from copy import deepcopy
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -161,3 +163,20 @@ def test_a_wheel_is_found_by_the_name_that_it_had():
 def test_a_former_name_is_that_of_no_other_wheel():
     with pytest.raises(BadInput, match="is the name of a wheel"):
         design(PAIR.with_value(wheel_key("camshaft", Wheel.former_name), "crank"))
+    with pytest.raises(BadInput, match="is the name of a wheel"):
+        design(PAIR.with_value(wheel_key("crank", Wheel.former_name), "pump"))
+
+
+def test_a_former_name_takes_no_id_that_something_else_has():
+    """A wheel that is called rear and was called front: the front bearing keeps its values and checks."""
+    document = read(DESIGNS / "r753ie4_gamma.toml")
+    before = solve(design(document))
+    gears = deepcopy(document.data["gears"])
+    gears["wheels"][1] |= {"name": "rear", "former_name": "front"}
+    for mesh in gears["meshes"]:
+        mesh |= {end: "rear" for end in ("driver", "driven") if mesh[end] == "central"}
+    after = solve(design(replace(document, data={**document.data, "gears": gears})))
+    for id in ("bearings.front.film", "bearings.rear.film"):
+        assert after.values()[id].shown == before.values()[id].shown
+    id = "bearings.front.film_edge"
+    assert after.check(id).value == before.check(id).value

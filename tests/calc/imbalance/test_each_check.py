@@ -220,7 +220,7 @@ def test_which_shafts_would_take_the_second_order(remedy, shafts):
 
 def test_one_shaft_takes_what_turns_backward():
     check = found(required_couple=123.4, required_couple_phase=math.radians(-150.0))["imbalance.order_1.backward"]
-    assert check.advice == "One shaft at −ω takes it: 123.4 N·m at −150°; add [countershaft]."
+    assert check.advice == "One shaft at −ω takes it: 123.4 N·m at −150°; add [[shafts]]."
 
 
 CRANK = (
@@ -256,6 +256,7 @@ def proposed(
     kappa=0.5,
     rho=1.0,
     shaft=False,
+    offsets_differ=False,
     **changes,
 ):
     """Of an engine that leaves these forces and couples; unless `whole` is given, half on the crank takes all that
@@ -267,7 +268,7 @@ def proposed(
     }
     whole = (-2 * F_f, -2 * C_f) if whole is None else whole
     result = replace(RESULT, orders=orders, whole=tuple(map(complex, whole)), **{"webs": None} | changes)
-    return proposals(result, LAMBDA, kappa, rho, shaft)
+    return proposals(result, LAMBDA, kappa, rho, shaft, offsets_differ)
 
 
 def lacking(force, couple, given=None):
@@ -347,3 +348,12 @@ def rolling(torque):
 )
 def test_the_remedies_that_are_proposed(engine, sentences):
     assert proposed(**engine) == tuple(sentences)
+
+
+@pytest.mark.parametrize("away, opposite", [(60, True), (120, False)])
+def test_no_counterweights_opposite_the_pins_are_proposed_that_make_it_worse(away, opposite):
+    """Half of 20 N·m against 10 N·m that offsets have turned from the pins: at 60° 10 N·m are left, at 120° 17.3."""
+    turned = cmath.rect(10.0, math.radians(away))
+    told = str(proposed(forward=(0.0, turned), whole=(0.0, -20.0), offsets_differ=True)[0])
+    assert ("for half of the reciprocating mass" in told, "a couple of 17.32 N·m" in told) == (opposite, not opposite)
+    assert "10 N·m" in told

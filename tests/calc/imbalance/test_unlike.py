@@ -264,6 +264,7 @@ def test_the_offsets_of_a_vr6_are_of_opposite_sign():
         assert there[1] == pytest.approx(height[:, k].max(), abs=1e-5) and there[0] == pytest.approx(there[2], rel=1e-3)
     told = " ".join(str(c.advice) for c in checks(found, 0.3, 0.5, 1.0, shaft=True, offsets_differ=True) if not c.holds)
     assert "Offsets that differ turn each cylinder's force" in told and "balance half" not in told
+    assert "further masses on it, opposite to the phase of what is left, take it" in told
     both = solved(cylinder_offset=0.022, **VR6)[2].orders
     assert (both["order_2"].couple_peak, both["order_3"].force_peak) == pytest.approx((158, 1085), abs=0.5)
 
@@ -362,7 +363,7 @@ def test_rotating_masses_that_are_left_are_not_laid_on_the_share_of_the_reciproc
     """With a tenth of the rotating masses left, half of the reciprocating ones leaves more than 0.6 of them does; no
     offset is in it."""
     single = {
-        "schema": 1,
+        "schema": 2,
         "name": "d",
         "imbalance": {"crank_balance_fraction": 0.5, "rotating_balance_fraction": 0.9},
         "engine": {

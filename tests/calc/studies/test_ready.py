@@ -6,12 +6,12 @@ from dataclasses import replace
 import pytest
 
 from calc.design.addresses import Table
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.check import Check
 from calc.solve import Results, solve
 from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
 from calc.studies.ready import NO_PLAIN, OF_PROGRAM, Readiness, limits_hold, readiness, whole
-from calc.studies.shipped import DESIGNS, EXAMPLE
+from calc.studies.shipped import DESIGNS, EXAMPLE, engine_design
 from calc.studies.starter import build
 from tests.made_checks import made_check
 
@@ -117,6 +117,16 @@ def test_what_the_program_left_out_is_not_ready_until_a_person_leaves_it_out(gam
     assert str(limits_hold(answer)) == "6 limits hold; left out by you: friction"
     constants = [value for name, value in vars(build).items() if name.isupper() and value in OF_PROGRAM]
     assert sorted(constants) == sorted(OF_PROGRAM)
+
+
+@pytest.mark.parametrize("pins, turns", [([0.0, 120.0, 240.0, 300.0, 60.0, 180.0], False), ([0.0] * 6, True)])
+def test_what_the_program_left_out_for_an_engine_that_was_another_is_said(pins: list[float], turns: bool) -> None:
+    """A V6 of 60° with split pins, and the same with all pins together."""
+    document = parse(engine_design("v6-60").encode(), "six.toml").with_value("engine.firing_order", None)
+    document = document.with_value("engine.crank_angles_deg", pins)
+    told = str(limits_hold(solve(design(document))))
+    assert "left out by the program: counter-shaft, bearings, gears, friction" in told
+    assert told.endswith("but of order 1 something turns backward now") == turns
 
 
 def test_a_caution_that_can_not_be_judged_decides_nothing(gamma: tuple[Document, Results]) -> None:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from calc.design.toml_file import Document, parse
 from calc.sheet.errors import BadInput
 from calc.studies.drive.classes import NotClosed, class_of
 from calc.studies.drive.classes import sized as row_of
@@ -18,6 +19,9 @@ from calc.studies.drive.refusal import refusal
 from calc.studies.drive.search import _instead, asked, search
 from calc.studies.drive.solved_drive import Sized, whole
 from tests.calc.studies.drive.conftest import FEW
+from tests.conftest import ROOT
+
+DESIGNS_0_1 = ROOT / "tests" / "data" / "designs_0_1"
 
 
 @pytest.fixture(scope="module")
@@ -51,13 +55,13 @@ def test_nothing_in_the_ranges_beats_the_front(few, found):
     units = np.array([{"power": 1.0, "mass": 0.01, "seat": 0.5, "price": 1.0, "margin": 1.0}[name] for name in names])
     front, passed, before = found.table.objectives, 0, None
     for _ in range(40):
-        seat = rng.choice(few.sizes["bearings.rear.diameter_mm"])
-        other = rng.choice(few.sizes["bearings.front.diameter_mm"])
+        seat = rng.choice(few.sizes["shafts.shaft.bearings.rear.diameter_mm"])
+        other = rng.choice(few.sizes["shafts.shaft.bearings.front.diameter_mm"])
         drive, before = whole(
             few,
             Sized(
                 few.classes[0],
-                float(rng.choice(few.sizes["countershaft.core_radius_mm"])),
+                float(rng.choice(few.sizes["shafts.shaft.core_radius_mm"])),
                 {"front": float(other), "rear": float(seat)},
                 {"front": float(rng.integers(66, 84)) / 2, "rear": float(rng.integers(58, 72)) / 2},
                 {"front": float(rng.integers(12, 24)) * 5, "rear": float(rng.integers(18, 25)) * 5},
@@ -87,12 +91,81 @@ def test_every_drive_that_is_shown_holds_and_none_is_beaten_by_another(few, foun
     assert len(table(found).rows) == len(found.drives)
 
 
+def test_shaft_and_bearings_may_have_any_names(sized, few, found):
+    """The same drives, by the keys that the design has then."""
+    new = {"shaft": "left", "front": "fore", "rear": "aft"}
+    (shaft,) = sized.data["shafts"]
+    rows = [{**row, "name": new[row["name"]]} for row in shaft["bearings"]]
+    gears = sized.data["gears"]
+    wheels = [{**wheel, "shaft": "left"} if "shaft" in wheel else wheel for wheel in gears["wheels"]]
+    shafts = [{**shaft, "name": "left", "bearings": rows}]
+    renamed = Document({**sized.data, "shafts": shafts, "gears": {**gears, "wheels": wheels}})
+
+    def key(old):
+        return ".".join(new.get(part, part) for part in old.split("."))
+
+    problem, _ = asked(renamed, {"vary": {key(old): values for old, values in FEW.items()}, "rows": 8})
+    drives = search(problem).drives
+    assert [one.objectives for one in drives] == [one.objectives for one in found.drives]
+    assert [one.changes for one in drives] == [
+        {key(old): value for old, value in one.changes.items()} for one in found.drives
+    ]
+    assert "shafts.left.bearings.aft.diameter_mm" in drives[0].changes
+    assert [str(head) for head, _ in table(search(problem)).columns if "Ø" in str(head)] == ["fore Ø×l/g", "aft Ø×l/g"]
+
+
+def test_keys_of_schema_1_are_those_of_the_design(sized, few):
+    """Typed beside a file that has other values of the same keys: what is typed goes before."""
+    old = {
+        "countershaft.core_radius_mm": FEW["shafts.shaft.core_radius_mm"],
+        "bearings.rear.diameter_mm": FEW["shafts.shaft.bearings.rear.diameter_mm"],
+        "bearings.front.diameter_mm": FEW["shafts.shaft.bearings.front.diameter_mm"],
+        "countershaft.material": FEW["shafts.shaft.material"],
+        "bearings.supply": FEW["bearings.supply"],
+    }
+    other = sized.with_value("optimise", {"vary": {"shafts.shaft.core_radius_mm": [11.0]}})
+    problem, _ = asked(other, {"vary": old})
+    assert (problem.sizes, problem.choices) == (few.sizes, few.choices)
+
+
+def test_one_key_for_the_bearings_is_that_of_each(sized):
+    length = "shafts.shaft.bearings.{}.length_mm"
+    problem, _ = asked(sized, {"vary": {length.format("*"): [36.0, 37.0]}})
+    assert [problem.sizes[length.format(place)] for place in ("front", "rear")] == [(36.0, 37.0)] * 2
+    with pytest.raises(BadInput) as bad:
+        asked(sized, {"vary": {"shafts.shaft.bearings.*.clearance_um": [90.0]}})
+    assert len(bad.value.errors) == 2
+
+
+def test_places_of_the_bearings_are_varied_together(sized):
+    """They would not be kept apart key by key; what is no pair of places is said."""
+    positions = "countershaft.bearing_positions_mm"
+    problem, _ = asked(sized, {"vary": {positions: [[-167.5, 167.5], [-170.0, 170.0]]}})
+    assert problem.choices[positions] == ([-167.5, 167.5], [-170.0, 170.0])
+    for wrong in ([-167.5, 0.0, 167.5], [167.5, -167.5]):
+        with pytest.raises(BadInput) as bad:
+            asked(sized, {"vary": {positions: [wrong]}})
+        assert [error.key for error in bad.value.errors] == [f"optimise.vary.{positions}"]
+
+
+def test_what_is_wrong_in_a_file_of_schema_1_is_said_by_its_own_key_and_line():
+    text = (DESIGNS_0_1 / "r753ie4_drive.toml").read_text(encoding="utf-8")
+    wrong = {"bearings.rear.clearance_um": "[100]", "countershaft.core_radius_mm": "[-1, 15]"}
+    lines = "".join(f'"{key}" = {values}\n' for key, values in wrong.items())
+    text = text.replace("[optimise.vary]\n", f"[optimise.vary]\n{lines}")
+    first = text[: text.index(lines)].count("\n") + 1
+    with pytest.raises(BadInput) as bad:
+        asked(parse(text.encode(), "own.toml"), {})
+    said = [(error.line, error.key) for error in bad.value.errors]
+    assert said == [(first + n, f"optimise.vary.{key}") for n, key in enumerate(wrong)]
+
+
 def test_it_does_not_matter_how_the_front_was_come_by(sized, tmp_path):
     """One process, two, and a run that goes on from parts of which one is cut off and one is of another problem: the
     same bytes."""
     problem, _ = asked(
         sized,
-        {"vary": {**FEW, "countershaft.material": ["20CrNi4", "ADI"], "bearings.supply": ["hole", "shaft"]}, "rows": 3},
+        {"vary": {**FEW, "shafts.shaft.material": ["20CrNi4", "ADI"], "bearings.supply": ["hole", "shaft"]}, "rows": 3},
     )
     parts = tmp_path / "parts"
     first = csv_text(search(problem, 1, parts))
@@ -158,15 +231,18 @@ def test_over_a_duty_cycle_the_power_is_a_mean(sized):
 def test_where_nothing_passes_each_line_holds_when_it_is_solved(sized):
     """The seat of the source's casting: what the spec of this search found, to within its grid."""
     problem, _ = asked(
-        sized, {"most": {"seat_mm": 82.0}, "vary": {"bearings.supply": ["hole"], "countershaft.material": ["20CrNi4"]}}
+        sized, {"most": {"seat_mm": 82.0}, "vary": {"bearings.supply": ["hole"], "shafts.shaft.material": ["20CrNi4"]}}
     )
     found = search(problem)
     assert found.drives == () and not len(found.table)
     why = refusal(found)
     lines = {line.key: (str(line.change), line.broken) for line in why.lines}
-    assert lines["bearings.rear.diameter_mm"][0].startswith("82 → 82.6") and lines["bearings.rear.diameter_mm"][1] == ()
-    assert lines["countershaft.bearing_positions_mm"][0].startswith("[-167.5, 167.5] → [-169.")
-    assert lines["countershaft.overdesign_percent"][1] == ("countershaft.holes.range",)
+    assert (
+        lines["shafts.shaft.bearings.rear.diameter_mm"][0].startswith("82 → 82.6")
+        and lines["shafts.shaft.bearings.rear.diameter_mm"][1] == ()
+    )
+    assert lines["shafts.shaft.bearings.*.position_mm"][0].startswith("[-167.5, 167.5] → [-169.")
+    assert lines["shafts.shaft.overdesign_percent"][1] == ("countershaft.holes.range",)
     assert {"bearings.oil"} <= set(lines) and "bearings.fits" not in lines
     assert 0.05 < why.miss < 0.2
 
@@ -182,7 +258,7 @@ def test_what_the_search_does_not_move_is_named(sized):
 
 def test_a_shaft_that_takes_a_force_has_no_proof(sized):
     extra = [{"name": "key", "mass_kg": 0.2, "radius_mm": 20.0, "angle_deg": 0.0, "z_mm": 0.0}]
-    problem, _ = asked(sized.with_value("countershaft.extras", extra), {"vary": FEW})
+    problem, _ = asked(sized.with_value("shafts.shaft.extras", extra), {"vary": FEW})
     with pytest.raises(NotClosed, match="further elements"):
         search(problem)
 
@@ -201,8 +277,8 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
 @pytest.mark.parametrize(
     "said, key",
     [
-        ({"vary": {"bearings.rear.clearance_um": [100]}}, "bearings.rear.clearance_um"),
-        ({"vary": {"bearings.rear.diametre_mm": [80]}}, "bearings.rear.diametre_mm"),
+        ({"vary": {"shafts.shaft.bearings.rear.clearance_um": [100]}}, "shafts.shaft.bearings.rear.clearance_um"),
+        ({"vary": {"shafts.shaft.bearings.rear.diametre_mm": [80]}}, "shafts.shaft.bearings.rear.diametre_mm"),
         ({"vary": {"bearings.oil": ["SAE 1000"]}}, "bearings.oil"),
         ({"vary": {"bearings.fits": [["IT6"]]}}, "bearings.fits"),
         ({"vary": {"bearings.fits": [["IT6", "IT99"]]}}, "bearings.fits"),
@@ -210,16 +286,19 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
         ({"vary": {"bearings.journal_fit": ["IT5", "IT6"]}}, "bearings.journal_fit"),
         ({"vary": {"bearings.seat_fit": ["IT6"], "bearings.fits": "fixed"}}, "bearings.seat_fit"),
         ({"vary": {"bearings.slope_mrad": [0.1]}}, "bearings.slope_mrad"),
-        ({"vary": {"bearings.rear.clearance_factor": [0.7]}}, "bearings.rear.clearance_factor"),
         (
-            {"vary": {"bearings.front.journal_roughness_um": [0.4], "bearings.surfaces": [[0.4, 0.4]]}},
-            "bearings.front.journal_roughness_um",
+            {"vary": {"shafts.shaft.bearings.rear.clearance_factor": [0.7]}},
+            "shafts.shaft.bearings.rear.clearance_factor",
+        ),
+        (
+            {"vary": {"shafts.shaft.bearings.front.journal_roughness_um": [0.4], "bearings.surfaces": [[0.4, 0.4]]}},
+            "shafts.shaft.bearings.front.journal_roughness_um",
         ),
         ({"price": [{"what": "fit", "value": ["f7", "H7"], "piece_EUR": 2.0}]}, "bearings.fits"),
         ({"vary": {"bearings.surfaces": [[0.4]]}}, "bearings.surfaces"),
-        ({"vary": {"countershaft.core_radius_mm": {"from": 20, "to": 10, "step": 1}}}, "countershaft.core_radius_mm"),
-        ({"vary": {"countershaft.core_radius_mm": {"from": 1, "to": 20, "step": 1e-9}}}, "countershaft.core_radius_mm"),
-        ({"vary": {"countershaft.core_radius_mm": [-1]}}, "countershaft.core_radius_mm"),
+        ({"vary": {"shafts.shaft.core_radius_mm": {"from": 20, "to": 10, "step": 1}}}, "shafts.shaft.core_radius_mm"),
+        ({"vary": {"shafts.shaft.core_radius_mm": {"from": 1, "to": 20, "step": 1e-9}}}, "shafts.shaft.core_radius_mm"),
+        ({"vary": {"shafts.shaft.core_radius_mm": [-1]}}, "shafts.shaft.core_radius_mm"),
         ({"most": {"weight": 3}}, "optimise.most.weight"),
         ({"objectives": ["beauty"]}, "optimise.objectives"),
         ({"vary": {"gears.face_width_mm": {"from": 10, "to": 20, "step": 0.01}}}, ""),
@@ -254,7 +333,7 @@ def test_the_film_that_surfaces_ask_for(few):
 )
 def test_a_price_that_is_not_known_can_be_neither_wanted_alone_nor_bounded(sized, said, keys):
     """Else nothing would be wanted, or the bound would be kept by every drive."""
-    unpriced = sized.with_value("countershaft.cost", None)
+    unpriced = sized.with_value("shafts.shaft.cost", None)
     with pytest.raises(BadInput, match="price of every material") as bad:
         asked(unpriced, said)
     assert {error.key for error in bad.value.errors} == keys

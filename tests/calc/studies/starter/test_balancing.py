@@ -51,6 +51,26 @@ def test_a_shaft_takes_what_the_half_on_the_crank_leaves() -> None:
     assert "order_1_force" not in whole.key and set(by_id["none"]) == {"order_1_couple", "order_2_couple"}
 
 
+def test_what_offsets_turn_from_the_pins_is_not_said_to_be_taken() -> None:
+    """A VR6: half on the crank leaves more of what turns forward than there was, and the shaft at −ω as much."""
+    vr6 = engine("v6-60")
+    for key, value in {
+        "bank_angle_deg": 10.8,
+        "bank_of_cylinder": [0, 1, 0, 1, 0, 1],
+        "firing_order": [1, 5, 3, 6, 2, 4],
+        "axial_positions_mm": [-162.5, -97.5, -32.5, 32.5, 97.5, 162.5],
+        "cylinder_offset_mm": -22.0,
+        "cylinder_offsets_mm": [-22.0, 22.0] * 3,
+    }.items():
+        vr6 = vr6.with_value(f"engine.{key}", value)
+    by_id = {one.id: one for one in options(vr6)}
+    bare, half = (by_id[id].left[0] for id in ("none", "half"))
+    assert half.what == "couple of order 1" and half.after > bare.after
+    for id in ("half", "shaft"):
+        assert "leaves much of what turns forward" in by_id[id].why
+    assert "leaves much" not in "".join(one.why for one in options(engine("inline-3")))
+
+
 @pytest.mark.parametrize("name, id", [("inline-3", "shaft"), ("inline-4", "second"), ("twin-360", "pair")])
 def test_the_mass_is_about_that_of_the_shafts_that_are_built(name: str, id: str) -> None:
     """About, because the core that bending asks for is thicker than the one that is estimated with."""

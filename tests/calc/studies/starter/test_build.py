@@ -196,3 +196,10 @@ def test_the_engine_is_put_on_four_mounts(engine: str) -> None:
     ceilings = [of.highest_factor for of in (window.half, window.shaft) if of is not None]
     # midway, but for the rounding of the stiffness
     assert window.lowest_factor * min(ceilings) == pytest.approx(1, rel=0.15)
+
+
+def test_an_engine_is_as_long_as_its_cylinders_stand_apart() -> None:
+    """Nine around one crankpin take the length of one."""
+    radial = {**DIESEL, "layout": "radial", "cylinders": 9, "firing_order": [1, 3, 5, 7, 9, 2, 4, 6, 8]}
+    document = built(built(alone(radial), "imbalance"), "mounting")
+    assert document.data["mounting"]["dimensions_mm"][2] == pytest.approx(340.0)  # type: ignore[index, call-overload]
