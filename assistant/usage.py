@@ -111,6 +111,12 @@ def set_(it: argparse.ArgumentParser) -> None:
     it.add_argument("changes", nargs="+", metavar=KEY_VALUE, help="an empty value takes the key out: KEY=")
 
 
+@command("upgrade", "rewrite designs of schema 1 in schema 2, comments kept")
+def upgrade(it: argparse.ArgumentParser) -> None:
+    it.add_argument("files", nargs="+", metavar="FILE")
+    it.add_argument("--dry", action="store_true", help="print what would change, and write nothing")
+
+
 @command("choose", "search for the user: a ranked table, of which one row can be taken")
 def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")

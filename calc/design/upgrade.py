@@ -107,7 +107,7 @@ def own_key(was: Mapping[str, str], key: str) -> str:
 def renamed(entries: Mapping[str, T], data: Table, was: Mapping[str, str]) -> dict[str, T]:
     """What is known by the keys of a file of schema 1, lines or remarks, by the keys of its `Upgraded.data`."""
     known = {}
-    for key in _keys(data, ""):
+    for key in _keys(data, lambda _, n: str(n)):
         old = own_key(was, key)
         while key in was and old not in entries and "." in old:  # of a list that has become many
             old = old.rpartition(".")[0]
@@ -116,13 +116,15 @@ def renamed(entries: Mapping[str, T], data: Table, was: Mapping[str, str]) -> di
     return known
 
 
-def _keys(here: object, prefix: str) -> Iterator[str]:
-    """All keys of nested tables, elements of arrays of tables by index."""
-    inner: Iterable[tuple[object, object]] = here.items() if isinstance(here, dict) else enumerate(elements(here))
+def _keys(here: object, name: Callable[[object, int], str], prefix: str = "") -> Iterator[str]:
+    """All keys of nested tables, elements of arrays of tables by what `name` calls them."""
+    inner: Iterable[tuple[str, object]] = here.items() if isinstance(here, dict) else ()
+    if isinstance(here, list) and _tables(here):
+        inner = ((name(item, n), item) for n, item in enumerate(here))
     for part, content in inner:
-        key = f"{prefix}.{part}" if prefix else str(part)
+        key = f"{prefix}.{part}" if prefix else part
         yield key
-        yield from _keys(content, key)
+        yield from _keys(content, name, key)
 
 
 def _tables(content: object) -> bool:
@@ -252,7 +254,8 @@ class _Upgrade:
         for i, name in enumerate(self.rows):
             key, row = f"shafts.0.bearings.{i}", Table(name=name)
             self.was[key] = f"{JOURNALS}.{i}" if self.bearings is None else f"bearings.{name}"
-            self.was |= {f"{key}.position_mm": f"{POSITIONS}.{i}", f"{key}.slope_mrad": SLOPES}
+            self.was[f"{key}.position_mm"] = f"{POSITIONS}.{i}"
+            self.was[f"{key}.slope_mrad"] = f"{SLOPES}.{i}" if len(slopes) > 1 else SLOPES
             if places:
                 row["position_mm"] = places[i]
             elif self.shaft is not None:
@@ -342,7 +345,8 @@ class _Upgrade:
         if isinstance(optimise := data.get("optimise"), dict) and isinstance(vary := optimise.get("vary"), dict):
             data["optimise"] = {**optimise, "vary": self._named("optimise.vary", vary, self._varied)}
         if measured := elements(data.get("measured")):
-            data["measured"] = [{**row, **self._measured(row)} for row in measured]
+            given = frozenset(_keys(self.data, _name))
+            data["measured"] = [{**row, **self._measured(row, given)} for row in measured]
 
     def _named(self, table: str, given: Table, new: Callable[[str, object], tuple[str, ...]]) -> Table:
         """A table by keys or ids, with those of schema 2."""
@@ -374,12 +378,12 @@ class _Upgrade:
         own = word in (FRONT, REAR) if step == "bearings" else step == "countershaft" and not rest.startswith(SUMS)
         return ".".join(filter(None, (step, SHAFT if self.pair and own and rest else "", rest)))
 
-    def _measured(self, row: Table) -> Table:
-        """The value of a row: the key of an input, where there is one, else the id of a value."""
+    def _measured(self, row: Table, given: Collection[str]) -> Table:
+        """The value of a row: the key of an input, where one is given, else the id of a value."""
         value = row.get("value")
         if not isinstance(value, str) or value in MANY:
             return {}
-        return {"value": self._new_keys(value)[0] if _stands(self.data, value) else self._new_id(value)}
+        return {"value": self._new_keys(value)[0] if value in given else self._new_id(value)}
 
 
 def _last(key: str) -> str:
@@ -419,16 +423,6 @@ def _with_name(table: Table, beside: Table) -> Table:
     """A table with others' keys right below its name."""
     called = {key: content for key, content in table.items() if key == "name"}
     return {**called, **beside, **without(table, *called)}
-
-
-def _stands(here: object, key: str) -> bool:
-    """Whether something stands at a dotted key in nested tables, elements of arrays by name or index."""
-    for part in key.split("."):
-        if isinstance(here, list):
-            here = {_name(item, i): item for i, item in enumerate(here)}.get(part)
-        else:
-            here = here.get(part) if isinstance(here, dict) else None
-    return here is not None
 
 
 def _name(item: object, place: int) -> str:
@@ -580,7 +574,7 @@ def _placed(rows: list[Table], value: object) -> list[Table]:
         return [without(row, "position_mm") for row in rows]
     places = _numbers(POSITIONS, value, PLACES)
     if len(places) != len(rows):
-        had = {row.get("name"): row for row in rows}
+        had = {_name(row, i): row for i, row in enumerate(rows)}
         rows = [had.get(name, {"name": name}) for name in row_names(len(places))]
     return [_with_name(without(row, "position_mm"), {"position_mm": place}) for row, place in zip(rows, places)]
 

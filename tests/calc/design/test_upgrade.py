@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Schema 1 in schema 2: the shipped designs of version 0.1, what is not well formed, old keys beside new designs."""
 
+import contextlib
 import copy
 import math
 import tomllib
@@ -77,7 +78,7 @@ def test_a_key_is_called_as_its_user_does() -> None:
     assert own_key(was, "shafts.0.masses.1.mass_kg") == "countershaft.masses.1.mass_kg"
     assert own_key(was, "shafts.0.bearings.1.length_mm") == "bearings.rear.length_mm"
     assert own_key(was, "shafts.0.bearings.1.position_mm") == "countershaft.bearing_positions_mm.1"
-    assert own_key(was, "shafts.0.bearings.0.slope_mrad") == "bearings.slope_mrad"
+    assert own_key(was, "shafts.0.bearings.1.slope_mrad") == "bearings.slope_mrad.1"
     assert own_key(was, "gears.wheels.3.shaft") == "gears.meshes.2.driven"
     assert own_key(was, "bearings.oil") == "bearings.oil"
 
@@ -255,6 +256,21 @@ def test_nothing_in_a_file_stops_it(name: str, placed: dict) -> None:
     shafts = it.data.get("shafts", [])
     assert "countershaft" not in it.data and all(shaft["name"] for shaft in shafts)
     assert all(error.reason and error.line == 1 for error in it.errors)
+
+
+rows = st.lists(st.dictionaries(st.sampled_from(["name", "position_mm", "length_mm"]), junk, max_size=3), max_size=3)
+shafts = st.lists(
+    st.fixed_dictionaries({}, optional={"name": junk, "mirrors": junk, "axis_mm": junk, "bearings": rows | junk}),
+    max_size=2,
+)
+
+
+@given(shafts | junk, st.sampled_from([POSITIONS, JOURNALS, PAIR, SLOPES]), junk)
+def test_nothing_in_a_design_of_schema_2_stops_an_old_key(content: object, key: str, value: object) -> None:
+    with contextlib.suppress(BadInput):
+        formerly({"shafts": content}, key)
+        current({"shafts": content}, f"{key}.0")
+        rewritten({"shafts": content}, key, value)
 
 
 # --- old keys beside a design of schema 2
