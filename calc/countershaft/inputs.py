@@ -390,7 +390,7 @@ class ShaftInputs:
     parts: tuple[Part, ...] = tables(
         "Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared.", fold=SUPPORT
     )
-    bearings: tuple[BearingRow, ...] = tables("Bearings", BearingRow, default=(), decides=5)
+    bearings: tuple[BearingRow, ...] = tables("Bearings", BearingRow, default=())
 
     paired: bool = False  # whether another shaft of the design mirrors it, and turns the other way: the design says so
 

@@ -42,7 +42,7 @@ def sign(row: str) -> str:
 class BearingRow:
     """One journal in its seat."""
 
-    name: str = text("Name", help="front, middle, rear or any other word; not figures alone.")
+    name: str = text("Name", help="front, middle, rear or any other word; not figures alone.", decides=5)
     position: float = quantity(
         "Position",
         "mm",
