@@ -7,7 +7,7 @@ from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, changed, declared, quantity_of
+from calc.design.addresses import Table, address, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
 from calc.design.other_tables import OptimiseInputs
 from calc.design.upgrade import TWIN, twin, without
@@ -119,7 +119,7 @@ def label_of(data: Table, key: str) -> Text:
             return Small(about.label)
         return Name(key.rpartition(".")[2].replace("_", " "))
     numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
-    if numbered is None:
+    if numbered is None or (where[:numbered] == (dotted(Design.shafts),) and len(own_shafts(data)) == 1):
         return words
     element = content_at(data, where[: numbered + 1])
     name = element.get("name") if isinstance(element, dict) else None

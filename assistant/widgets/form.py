@@ -459,7 +459,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.rebuild(place)
             return
         around = [place[:end] for end in range(len(place) - 1, 1, -1) if place[:end] in stops] if place else []
-        target = wanted or (stops[around[0]] if around else next(iter(self.stops()), self))
+        fields = (stop for stop in self.stops() if not isinstance(stop, ArrayHeading))  # whose − takes an element out
+        target = wanted or (stops[around[0]] if around else next(fields, self))
         if at_once:
             self.screen.set_focus(target)
         else:

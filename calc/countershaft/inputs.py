@@ -253,7 +253,7 @@ class ShaftInputs:
         "raises a roll torque.",
     )
     masses: tuple[EccentricMass, ...] = tables(
-        "Eccentric masses", EccentricMass, default=(), decides=6, where=(mode, "given")
+        "Eccentric masses", EccentricMass, default=(), decides=9, where=(mode, "given")
     )
     extras: tuple[Extra, ...] = tables("Further elements", Extra, default=())
     outer_radius: float | None = quantity(
