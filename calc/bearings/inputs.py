@@ -4,6 +4,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 from math import pi
+from typing import ClassVar
 
 from ..countershaft.rows import BearingRow, called
 from ..library import journal_rules as rules
@@ -31,6 +32,10 @@ MATERIALS = Text("Materials and fits")
 @inputs
 class BearingsInputs:
     """Oil, supply, housing and temperatures of the bearings; each has its sizes in its row of [[shafts.bearings]]."""
+
+    REFUSED: ClassVar[dict[str, Text]] = dict.fromkeys(
+        ("front", "rear", dotted(BearingRow.slope)), Text("stands in a row of [[shafts.bearings]] since schema 2")
+    )
 
     oil: str = text(
         "Oil",

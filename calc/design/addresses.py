@@ -14,7 +14,7 @@ from ..sheet.errors import BadInput, InputError
 from ..sheet.errors import written as written
 from ..sheet.quantity import Key, Quantity, dotted, keys, unknown
 from ..sheet.text import Small, Text
-from .model import STEPS, Design, step_of
+from .model import SCREENED, STEPS, Design, step_of
 from .upgrade import MANY, current, formerly
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
@@ -215,6 +215,19 @@ def asks(data: Table, step: str) -> bool:
 def step_at(data: Table, key: str) -> str:
     """The step that a key of a document is of."""
     return step_of(key, judged=dotted(Design.bearings) in data)
+
+
+def unjudged(data: Table) -> Table:
+    """The tables once [bearings] is out: what it alone judges goes from the bearings of the shafts."""
+    key, rows = dotted(Design.shafts), dotted(ShaftInputs.bearings)
+    kept = {entry.key for entry in keys(BearingRow).values() if entry.attribute in SCREENED}
+    shafts = [
+        {**shaft, rows: [{k: x for k, x in as_table(row).items() if k in kept} for row in as_list(shaft[rows])]}
+        if rows in shaft
+        else shaft
+        for shaft in map(as_table, as_list(data.get(key)))
+    ]
+    return {**data, key: shafts} if shafts else data
 
 
 def keys_of(cls: type, data: Table, step: str) -> list[Key]:

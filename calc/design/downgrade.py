@@ -17,21 +17,21 @@ def downgraded(data: Table) -> Table | None:
 
 def _said(data: Table) -> Table | None:
     """What schema 1 would say, whether or not it is all of it."""
-    shafts, shared = elements(data.get("shafts")), data.get("bearings")
+    shafts, shared = elements(data, "shafts"), data.get("bearings")
     made: Table = {key: content for key, content in data.items() if key != "shafts"} | {"schema": 1}
     if "gears" in made and isinstance(gears := made["gears"], dict):
-        made["gears"] = {**gears, "wheels": [without(wheel, "shaft") for wheel in elements(gears.get("wheels"))]}
+        made["gears"] = {**gears, "wheels": [without(wheel, "shaft") for wheel in elements(gears, "wheels")]}
     for table in ("locked", "accepted"):
         if isinstance(entries := made.get(table), dict):
             made[table] = {former_key(key): content for key, content in entries.items()}
     if isinstance(optimise := made.get("optimise"), dict) and isinstance(vary := optimise.get("vary"), dict):
         made["optimise"] = {**optimise, "vary": {former_key(key): content for key, content in vary.items()}}
-    if measured := elements(made.get("measured")):
+    if measured := elements(made, "measured"):
         made["measured"] = [{**row, "value": former_key(str(row.get("value", "")))} for row in measured]
     if not shafts:
         return made
     shaft, *others = shafts
-    rows = elements(shaft.get("bearings"))
+    rows = elements(shaft, "bearings")
     if shaft.get("name") != SHAFT or tuple(row.get("name") for row in rows) != row_names(len(rows)):
         return None
     if isinstance(shared, dict):

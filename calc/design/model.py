@@ -5,7 +5,7 @@ in solve.py."""
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, ClassVar
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
@@ -62,7 +62,9 @@ SCREENED = ("name", "position", "kind", "diameter", "length")  # of a bearing th
 class Design:
     """Everything that a design file says, checked and in SI."""
 
-    schema: int = integer("Schema", within=(SCHEMA, SCHEMA))
+    REFUSED: ClassVar[dict[str, Text]] = {"countershaft": Text("[countershaft] is [[shafts]] since schema 2")}
+
+    schema: int = integer("Schema", within=(1, SCHEMA))
     name: str = text("Name of the design")
     note: str = text("Note", default="")
     author: str = text("Author", default="")

@@ -17,16 +17,16 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
-from ..sheet.quantity import Quantity, keys, unknown
+from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.toml_scan import Beyond, key_lines, remarks
 from ..sheet.value import linked
-from .addresses import NAME, Table, address, as_list, changed, every, join, written
+from .addresses import NAME, Table, address, as_list, changed, every, join, unjudged, written
 from .disk import read_file
 from .limits import DESIGN_BYTES
 from .model import SCHEMA, Design
-from .upgrade import MANY, Upgraded, current, own_key, renamed, rewritten, upgraded
+from .upgrade import MANY, Upgraded, current, is_former, own_key, renamed, rewritten, upgraded
 
 T = TypeVar("T")
 REMARKS = Text("The design file says: {remarks}.")
@@ -80,12 +80,15 @@ class Document:
             return document
         key = current(self.data, first)
         former = self.former and self.former.without(key)
-        if key in MANY:
-            return replace(self, data=rewritten(self.data, key, value), lines={**self.lines, key: 0}, former=former)
+        lines = {**self.lines, key: 0}
+        if key in MANY:  # of what stands elsewhere now the file says nothing
+            return replace(self, data=rewritten(self.data, key, value), lines=lines, former=None)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
         where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
         data = changed(self.data, where, value)
-        return replace(self, data=data, lines={**self.lines, key: 0}, former=former)
+        if key == dotted(Design.bearings) and value is None:
+            data = unjudged(data)
+        return replace(self, data=data, lines=lines, former=former)
 
 
 def same_content(a: Table, b: Table, key: str) -> bool:
@@ -170,8 +173,13 @@ def parsed(raw: bytes, place: str) -> Document:
 
 
 def current_document(document: Document) -> Document:
-    """The same in the schema of this program."""
-    if document.data.get("schema", SCHEMA) != 1:
+    """The same in the schema of this program; where none is said, that of the tables that are there.  Raises BadInput
+    where it is one of a later program."""
+    schema = document.data.get("schema")
+    if isinstance(schema, int) and schema > SCHEMA:
+        newer = Text("needs a newer program; this one reads schema 1 to {n}", n=SCHEMA)
+        raise BadInput(document.place, [InputError(document.lines.get("schema", 1), "schema", str(schema), newer)])
+    if schema != 1 and (schema is not None or not is_former(document.data)):
         return document
     former = upgraded(document.data, document.lines)
     return replace(document, data=former.data, lines=former.lines, former=former)

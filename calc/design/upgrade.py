@@ -131,6 +131,18 @@ def _tables(content: object) -> bool:
     return isinstance(content, list) and all(isinstance(item, dict) for item in content)
 
 
+def elements(table: Table, key: str) -> list[Table]:
+    """The array of tables at a key of a table; empty where there is none."""
+    array = table.get(key)
+    return array if isinstance(array, list) and _tables(array) else []
+
+
+def is_former(data: Table) -> bool:
+    """Whether the tables are those of schema 1, whatever schema they name."""
+    bearings = data.get("bearings")
+    return "countershaft" in data or (isinstance(bearings, dict) and bool({FRONT, REAR} & bearings.keys()))
+
+
 def upgraded(data: Table, lines: Mapping[str, int]) -> Upgraded:
     """A design of schema 1, which nobody has checked, in schema 2.  `lines`: where its keys stand in the file."""
     return _Upgrade(data, lines).made()
@@ -318,14 +330,14 @@ class _Upgrade:
     def _gears(self, data: Table) -> None:
         """Says of the wheel that the last mesh drives, that it sits on the shaft."""
         gears = data.get("gears")
-        if not isinstance(gears, dict) or not (given := elements(gears.get("wheels"))):
+        if not isinstance(gears, dict) or not (given := elements(gears, "wheels")):
             return
         known = [key for key in keys(Wheel) if key != "shaft"]
         for i, wheel in enumerate(given):
             if "shaft" in wheel:
                 self.error(f"gears.wheels.{i}.shaft", None, unknown("shaft", known))
         wheels = [without(wheel, "shaft") for wheel in given]
-        meshes = elements(gears.get("meshes"))
+        meshes = elements(gears, "meshes")
         last = meshes[-1].get("driven") if meshes else None
         names = [wheel.get("name") for wheel in wheels]
         if isinstance(last, str) and last in names and (self.shaft is not None or self.bearings is not None):
@@ -344,7 +356,7 @@ class _Upgrade:
             data["accepted"] = self._named("accepted", accepted, lambda id, _: (self._new_id(id),))
         if isinstance(optimise := data.get("optimise"), dict) and isinstance(vary := optimise.get("vary"), dict):
             data["optimise"] = {**optimise, "vary": self._named("optimise.vary", vary, self._varied)}
-        if measured := elements(data.get("measured")):
+        if measured := elements(data, "measured"):
             given = frozenset(_keys(self.data, _name))
             data["measured"] = [{**row, **self._measured(row, given)} for row in measured]
 
@@ -485,7 +497,7 @@ def current(data: Table, key: str) -> str:
 
 def _own(data: Table, key: str) -> tuple[str, Table]:
     """The name of the shaft that is no twin, and its table, which is empty where there is none."""
-    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data.get("shafts"))) if not _is_twin(shaft)]
+    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data, "shafts")) if not _is_twin(shaft)]
     if len(own) > 1:
         first, *others = [name for name, _ in own]
         there = new_keys(key, first, _row_names(own[0][1]) or row_names(2))[0]
@@ -494,17 +506,12 @@ def _own(data: Table, key: str) -> tuple[str, Table]:
     return own[0] if own else (SHAFT, {})
 
 
-def elements(array: object) -> list[Table]:
-    """What stands in a document as an array of tables; empty where that is none."""
-    return array if isinstance(array, list) and _tables(array) else []
-
-
 def _is_twin(shaft: Table) -> bool:
     return "mirrors" in shaft or "repeats" in shaft
 
 
 def _row_names(shaft: Table) -> list[str]:
-    return [_name(row, i) for i, row in enumerate(elements(shaft.get("bearings")))]
+    return [_name(row, i) for i, row in enumerate(elements(shaft, "bearings"))]
 
 
 # --- the old keys that have become many
@@ -513,9 +520,9 @@ def _row_names(shaft: Table) -> list[str]:
 def formerly(data: Table, key: str) -> object:
     """What one of the four old keys (MANY) would say of a design of schema 2; None where it would be left out."""
     name, shaft = _own(data, key)
-    rows = elements(shaft.get("bearings"))
+    rows = elements(shaft, "bearings")
     if key == PAIR:
-        return "yes" if any(there.get("mirrors") == name for there in elements(data.get("shafts"))) else None
+        return "yes" if any(there.get("mirrors") == name for there in elements(data, "shafts")) else None
     if key == JOURNALS:
         sizes = [{size: row[size] for size in JOURNAL_KEYS if size in row} for row in rows]
         return sizes if "bearings" not in data and any(sizes) else None
@@ -528,12 +535,12 @@ def rewritten(data: Table, key: str, value: object) -> Table:
     """A design of schema 2 after one of the four old keys (MANY) was given a value, or left out (None).  Raises
     BadInput where schema 1 would not allow it, or there are several shafts of their own."""
     name, shaft = _own(data, key)
-    shafts = elements(data.get("shafts"))
+    shafts = elements(data, "shafts")
     if value is None and not shaft:
         return data
     if key == PAIR:
         return {**data, "shafts": _paired(shafts or [{"name": name}], name, shaft, value)}
-    rows = elements(shaft.get("bearings"))
+    rows = elements(shaft, "bearings")
     if key == POSITIONS:
         rows = _placed(rows, value)
     elif key == SLOPES:

@@ -189,9 +189,9 @@ class _Edited:
         self.taken: dict[str, tuple[str, str]] = {}  # by old key: comments as lines, and the one behind
         self.seen: Counter[tuple[str, ...]] = Counter()  # of the heads so far
         self.own: dict[int, Block] = {}  # the blocks that become rows, by the place of their row
-        self.shafts = elements(new.data.get("shafts"))
-        self.wheels = elements(_table(new.data, "gears").get("wheels"))
-        self.measured = elements(data.get("measured")), elements(new.data.get("measured"))
+        self.shafts = elements(new.data, "shafts")
+        self.wheels = elements(_table(new.data, "gears"), "wheels")
+        self.measured = elements(data, "measured"), elements(new.data, "measured")
         self.names = {table: self._names(table) for table in ("locked", "accepted", "optimise.vary")}
 
     def _names(self, table: str) -> Mapping[str, list[str]]:
@@ -248,7 +248,7 @@ class _Edited:
 
     def _without(self, body: list[Piece], key: str, piece: Piece) -> list[Piece]:
         """A body without the value that ends it, whose comments go where it goes; they stay where it goes nowhere."""
-        sized = JOURNAL_KEYS[0] in _nth(elements(_nth(self.shafts, 0).get("bearings")), 0)
+        sized = JOURNAL_KEYS[0] in _nth(elements(_nth(self.shafts, 0), "bearings"), 0)
         if (key == PAIR and len(self.shafts) < 2) or (key == JOURNALS and not sized):
             return [*body, *_lines(_said(piece))]
         n = next((n for n in range(len(body), 0, -1) if not _is_comment(body[n - 1])), 0)
@@ -260,7 +260,7 @@ class _Edited:
         shaft = self.shafts[0]
         if "countershaft" not in self.data:
             yield "\n" + _shaft_head() + self._given("", 0, shaft, ("mode",))
-        for n, row in enumerate(elements(shaft.get("bearings"))):
+        for n, row in enumerate(elements(shaft, "bearings")):
             block = self.own.get(n, Block([], Piece("", tail="\n"), []))
             yield _text(block.above) or "\n"
             yield f"[[shafts.bearings]]{block.head.tail}"

@@ -38,7 +38,7 @@ def test_a_key_that_no_design_has_is_no_lock(gamma: Document) -> None:
             gamma.with_value("locked.bearings.front.lenght_mm", "cast").with_value("locked.engine.bore_mm.x", "cast")
         )
     assert {(e.key, str(e.reason)) for e in bad.value.errors} == {
-        ("locked.bearings.front.lenght_mm", 'is not known; did you mean "length_mm"?'),
+        ("locked.shafts.shaft.bearings.front.lenght_mm", 'is not known; did you mean "length_mm"?'),
         ("locked.engine.bore_mm.x", '"engine.bore_mm" has no parts'),
     }
 

