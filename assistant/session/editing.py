@@ -9,12 +9,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from calc.design.addresses import Table, address, changed, every, parse_assignment, quantity_of, value_at
+from calc.design.addresses import Table, address, changed, every, parse_assignment, quantity_of, unjudged, value_at
 from calc.design.locks import locked, toggled
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
-from calc.sheet.quantity import Quantity
+from calc.sheet.quantity import Quantity, dotted
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
@@ -237,8 +237,11 @@ class Editing:
         """Add a table that may be left out, with no key yet (what it needs is then reported as missing); or leave it
         out."""
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
+        data = changed(self._state.data, where, {} if there else None)
+        if where == (dotted(Design.bearings),) and not there:
+            data = unjudged(data)
         self.seal()
-        self._step(EditState(changed(self._state.data, where, {} if there else None), texts), where)
+        self._step(EditState(data, texts), where)
         self.seal()
 
     def apply(self, changes: Iterable[str]) -> None:
