@@ -37,11 +37,12 @@ from ..session.guide import (
     is_twin,
     layout_of,
 )
-from ..session.places import Place
+from ..session.places import Place, content_at, described
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
-SHAFTS, ROWS = dotted(Design.shafts), dotted(ShaftInputs.bearings)
+SHAFTS: Place = (dotted(Design.shafts),)
+ROWS = dotted(ShaftInputs.bearings)
 MIRRORS, BEARING_NAME = dotted(ShaftInputs.mirrors), dotted(BearingRow.name)
 RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
 TWICE = Quantity(
@@ -127,12 +128,13 @@ def rows(step: Step, data: Table, asked: Asked) -> list[FormRow]:
     else of them with what they share."""
     form = _Rows(step.key, data, asked)
     if step.key == "countershaft":
-        return list(form.array(keys(Design)[SHAFTS].about, as_list(data.get(SHAFTS)), (SHAFTS,)))
+        return list(form.array(described(SHAFTS), content_at(data, SHAFTS) or [], SHAFTS))
     form_rows = list(form.of(step.inputs, data.get(step.key, {}), (step.key,), True))
     if step.key == dotted(Design.bearings):
         for n, shaft in own_shafts(data).items():
+            here = (*SHAFTS, n, ROWS)
             if bearings := as_list(shaft.get(ROWS)):
-                form_rows += form.array(keys(ShaftInputs)[ROWS].about, bearings, (SHAFTS, n, ROWS))
+                form_rows += form.array(described(here), bearings, here)
     return form_rows
 
 
@@ -212,7 +214,7 @@ class _Rows:
         yield FormRow("array", here, about, shown=shown)
         for i, item in enumerate(content):
             if shown is None or i == shown:
-                if not long and here != (SHAFTS,):
+                if not long and here != SHAFTS:
                     yield FormRow("heading", (*here, i), about)
                 yield from self.of(about.table, item, (*here, i), True)
                 if is_twin((*here, i), self.data):
