@@ -204,7 +204,7 @@ GUIDES: dict[str, Guide] = {
 def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Iterator[str]:
     """The inputs and values of earlier steps that it uses, by key or id."""
     for owner in STEP_KEYS[: STEP_KEYS.index(step)]:
-        yield from (key for key, about in quantities(data) if step in about.taken_by and key.startswith(f"{owner}."))
+        yield from (key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == owner)
         yield from (id for id, v in values.items() if step in v.about.taken_by and id.startswith(f"{owner}."))
 
 

@@ -15,7 +15,7 @@ from textual.widget import Widget
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow, titled
 from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys, own_shafts
-from calc.design.model import SCREENED, Design
+from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.locale import Language
 from calc.sheet.quantity import Quantity, dotted, keys
@@ -43,7 +43,7 @@ from .text import fit, wrap
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 SHAFTS: Place = (dotted(Design.shafts),)
 ROWS = dotted(ShaftInputs.bearings)
-MIRRORS, BEARING_NAME = dotted(ShaftInputs.mirrors), dotted(BearingRow.name)
+BEARING_NAME = dotted(BearingRow.name)
 RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
 TWICE = Quantity(
     "number", Text("Stroke"), "mm", above=0, decides=2, help=Text("Twice the crank radius, which the design file has.")
@@ -147,14 +147,9 @@ class _Rows:
     def keys(self, cls: type, content: object, place: Place) -> dict[str, Quantity]:
         """What the step asks for of a table; what stands in it all the same, or is wrong, can be seen and taken out."""
         there = as_table(content)
-        known = {key.key: key for key in keys_of(cls, self.data, self.step)}
-        own = set(own_keys(cls, there))
-        if cls is ShaftInputs:
-            own.discard(MIRRORS)
-        elif cls is BearingRow and dotted(Design.bearings) not in self.data:
-            own = {key for key in known if known[key].attribute in SCREENED}
+        own = own_keys(cls, there, judged=dotted(Design.bearings) in self.data)
         shown = {*own, *there, *(held[-1] for held in self.asked.held if held[:-1] == place)}
-        return {key: entry.about for key, entry in known.items() if key in shown}
+        return {key.key: key.about for key in keys_of(cls, self.data, self.step) if key.key in shown}
 
     def of(self, cls: type, content: object, place: Place, there: bool) -> Iterator[FormRow]:
         """Plain inputs before tables, so that none seems to belong to the table above it."""
