@@ -10,7 +10,6 @@ from functools import cache
 
 import pytest
 
-from calc.countershaft.rows import BearingRow
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.errors import BadInput, NoSolution
@@ -72,7 +71,7 @@ def _shaft(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, str]]
         yield "countershaft", "more unbalance than a full half circle has"
     if bearings is not None and "countershaft.sector.front.length" in values:
         lengths = values["countershaft.sector.front.length"], values.get("countershaft.sector.rear.length", 0.0)
-        for side, z, bearing in zip(lengths, shaft.bearing_positions, (bearings.front, bearings.rear)):
+        for side, z, bearing in zip(lengths, shaft.bearing_positions, shaft.bearings):
             if side > (abs(z) - bearing.length / 2) * 1e3 + 1e-6:
                 yield "countershaft", f"a sector of {side} mm reaches into the journal at {z * 1e3} mm"
 
@@ -80,8 +79,8 @@ def _shaft(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, str]]
 def _bearings(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, str]]:
     if asked.bearings is None:
         return
-    for place in ("front", "rear"):
-        bearing: BearingRow = getattr(asked.bearings, place)
+    for bearing in asked.rows:
+        place = bearing.name
         mine = {id.removeprefix(f"bearings.{place}."): x for id, x in values.items() if f"bearings.{place}." in id}
         for key in ("film", "film_edge", "clearance", "clearance_hot", "clearance_cold", "oil_flow", "friction_power"):
             if mine.get(key, 1.0) <= 0:

@@ -400,6 +400,11 @@ class ShaftInputs:
         return tuple(row.position for row in self.bearings)
 
     @property
+    def _placed(self) -> bool:
+        """Whether every bearing has its place: one that is missing is said as such, and nothing follows from it."""
+        return None not in self.bearing_positions
+
+    @property
     def journals(self) -> tuple[tuple[float, float], ...]:
         """Diameter and length of its journals, front to rear; empty where one of them is not known."""
         sizes = tuple((row.diameter, row.length) for row in self.bearings)
@@ -421,12 +426,18 @@ class ShaftInputs:
         if not 2 <= len(self.bearings) <= 9:
             count = len(self.bearings)
             yield dotted(ShaftInputs.bearings), Text("has {count} rows [[shafts.bearings]]; needs 2 to 9", count=count)
+        if self.mode == "bearings":
+            return
+        for i, row in enumerate(self.bearings):
+            if row.position is None:
+                needs = Text("is missing; needs {allowed}", allowed=described(BearingRow.position).allowed())
+                yield dotted(ShaftInputs.bearings, i, BearingRow.position), needs
+        if not self._placed:
+            return
         for i, (a, b) in enumerate(pairwise(self.bearing_positions), 1):
             if b <= a:
                 rise = Text("must lie behind the row before it: the rows rise from front to rear")
                 yield dotted(ShaftInputs.bearings, i, BearingRow.position), rise
-        if self.mode == "bearings":
-            return
         if self.speed_ratio is not None and self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
             yield dotted(ShaftInputs.speed_ratio), Text("must be -1, 1, -2 or 2")
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:

@@ -46,6 +46,7 @@ class BearingRow:
     position: float = quantity(
         "Position",
         "mm",
+        default=ASKED_ELSEWHERE,
         within=(-5000, 5000),
         symbol="z_B",
         help="Middle of the journal from mid-shaft, + towards the flywheel; the rows rise from front to rear.",

@@ -333,7 +333,7 @@ class Design:
             yield rows[0][0].rpartition(".")[0], two
 
     def _shaft(self, shaft: ShaftInputs) -> Problems:
-        if shaft.mode == "bearings":
+        if shaft.mode == "bearings" or None in shaft.bearing_positions:
             return
         places, journals = shaft.bearing_positions, shaft.journals
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):

@@ -138,6 +138,9 @@ def _input(design: Design, address: str) -> tuple[float, str] | None:
     """A number of the design by the key of the file, in the unit of that key."""
     here: object = design
     for part in address.split("."):
+        if isinstance(here, tuple):
+            here = next((element for element in here if getattr(element, "name", "") == part), None)
+            continue
         kind: type = type(here)
         key = keys(kind).get(part) if is_dataclass(here) else None
         if key is None:

@@ -38,7 +38,7 @@ def test_an_input_that_moves_a_value_stands_in_its_chain(name):
         ("bearings.hole_diameter_mm", "bearings.rear.film_edge"),
         ("engine.bench.2.oil_pressure_bar", "bearings.front.thinnest_film"),
         ("gears.accuracy_grade", "gears.crank_central.bulk_temperature_flash"),
-        ("countershaft.core_radius_mm", "countershaft.slope_front"),
+        ("shafts.shaft.core_radius_mm", "countershaft.slope_front"),
         ("bearings.supply_temperature_C", "friction.total_loss"),
     ],
 )

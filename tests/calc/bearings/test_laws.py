@@ -16,12 +16,12 @@ from calc.bearings.film.dynamics import coefficients
 from calc.bearings.film.reynolds import radial_damping
 from calc.bearings.film.reynolds import solve_film as reynolds
 from calc.bearings.film.table import film_at
-from calc.countershaft.rows import BearingRow
 from calc.bearings.inputs import BearingsInputs
 from calc.bearings.routes import flow
 from calc.bearings.routes.routes import own_cold, own_warm
 from calc.bearings.routes.states import BearingCase, OperatingPoint
 from calc.bearings.solve import solve_film
+from calc.countershaft.rows import BearingRow
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution

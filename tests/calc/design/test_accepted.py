@@ -95,23 +95,25 @@ def test_the_inputs_that_move_a_check_are_measured():
     assert backlash["gears.wheels.central.span_allowance_um"].slope == pytest.approx(-1, rel=1e-3)
     assert backlash["gears.meshes.1.tolerance_um"].slope == pytest.approx(-2 * 0.332, rel=0.02)  # 2·sin α_wt·cos β_b
     film = {e.key: e for e in found[LIMIT]}
-    assert film["bearings.front.journal_roughness_um"].slope == 0.0
-    assert film["bearings.front.journal_roughness_um"].gain == pytest.approx(-7.5)
-    assert film["bearings.front.length_mm"].slope == film["bearings.front.length_mm"].gain > 0
-    assert film["bearings.front.length_mm"].unit == "µm/mm"
+    assert film["shafts.shaft.bearings.front.journal_roughness_um"].slope == 0.0
+    assert film["shafts.shaft.bearings.front.journal_roughness_um"].gain == pytest.approx(-7.5)
+    assert film["shafts.shaft.bearings.front.length_mm"].slope == film["shafts.shaft.bearings.front.length_mm"].gain > 0
+    assert film["shafts.shaft.bearings.front.length_mm"].unit == "µm/mm"
     # not given, no number
-    assert film["bearings.front.clearance_um"].slope is None and film["bearings.oil"].slope is None
+    assert film["shafts.shaft.bearings.front.clearance_um"].slope is None and film["bearings.oil"].slope is None
     shorter = solve(design(document.with_value("bearings.front.length_mm", 27.4)))
     there = {c.id: c.value for c in shorter.checks()}[LIMIT]
-    assert there - checks[LIMIT].value == pytest.approx(-0.1 * film["bearings.front.length_mm"].slope, rel=0.02)
+    assert there - checks[LIMIT].value == pytest.approx(
+        -0.1 * film["shafts.shaft.bearings.front.length_mm"].slope, rel=0.02
+    )
 
 
 def test_a_table_stands_for_its_numbers_and_a_hopeless_change_for_nothing():
     document = read(EXAMPLE)
     results = solve(design(document))
     check = replace(
-        {c.id: c for c in results.checks()}[LIMIT], moved_by=("countershaft.masses", "gears.wheels.central.teeth")
+        {c.id: c for c in results.checks()}[LIMIT], moved_by=("shafts.shaft.masses", "gears.wheels.central.teeth")
     )
     found = {e.key: e for e in effects(document, results, [check])[LIMIT]}
     assert any(key.endswith("mass_kg") for key in found) and any(key.endswith("radius_mm") for key in found)
-    assert not any(key == "countershaft.masses" for key in found)
+    assert not any(key == "shafts.shaft.masses" for key in found)

@@ -85,7 +85,11 @@ def test_what_is_unusual_is_found() -> None:
     )
     found = unusual_of(changed.replace("bore_mm = 94.0", "bore_mm = 0.094"))
     assert found.pop("gears.wheels.central.span_allowance_um") == -2.0  # as in the file
-    assert found == {"engine.bore_mm": 0.094, "bearings.slope_mrad": 0.3, "bearings.front.clearance_factor": 0.9}
+    assert found == {
+        "engine.bore_mm": 0.094,
+        "shafts.shaft.bearings.rear.slope_mrad": 0.3,
+        "shafts.shaft.bearings.front.clearance_factor": 0.9,
+    }
 
 
 def test_what_is_unusual_is_told_with_its_range_and_a_long_list_by_its_first() -> None:
