@@ -263,9 +263,7 @@ def _quantities(cls: type, data: Table, prefix: str, judged: bool) -> Iterator[t
         yield from _quantities_of(cls, data, key, f"{prefix}.{key}", judged=judged)
 
 
-def _quantities_of(
-    cls: type, data: Table, key: str, here: str = "", *, judged: bool
-) -> Iterator[tuple[str, Quantity]]:
+def _quantities_of(cls: type, data: Table, key: str, here: str = "", *, judged: bool) -> Iterator[tuple[str, Quantity]]:
     about, here = keys(cls)[key].about, here or key
     if about.table is None:
         yield here, about
@@ -277,8 +275,8 @@ def _quantities_of(
 
 
 def own_keys(cls: type, data: Table, *, judged: bool = True) -> list[str]:
-    """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own, of bearings
-    that nobody has `judged` their places and sizes."""
+    """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own, of a
+    bearing that is not `judged` its place and size."""
     known = keys(cls)
     mirrors = dotted(ShaftInputs.mirrors)
     if cls is ShaftInputs:

@@ -187,7 +187,9 @@ async def test_every_form_has_the_fields_of_the_file_once(screen: Screen, sessio
             shown = [field.place for field in form.query(Field) if field.row.kind == "field" and len(field.place) > 1]
             assert len(set(shown)) == len(shown) > 1
             known = [
-                address(session.data, key) for key, _ in quantities(session.data) if step_at(session.data, key) == step.key
+                address(session.data, key)
+                for key, _ in quantities(session.data)
+                if step_at(session.data, key) == step.key
             ]
             hidden = [place for place in known if place not in shown and not idle(place, session.data)]
             absent = [place for place in hidden if not any(isinstance(part, int) and part > 0 for part in place)]
