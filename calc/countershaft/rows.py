@@ -162,6 +162,11 @@ class BearingRow:
     )
 
     @property
+    def in_words(self) -> Text:
+        """Its name inside a sentence."""
+        return called(self.name)
+
+    @property
     def sized(self) -> bool:
         """Whether the size of its journal is known."""
         return self.diameter is not None and self.length is not None

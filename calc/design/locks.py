@@ -13,8 +13,9 @@ from ..friction.inputs import FrictionInputs
 from ..sheet.errors import BadInput
 from ..sheet.quantity import dotted
 from ..sheet.text import Text
-from .addresses import Table, address, value_at
-from .model import Design
+from .addresses import Table, address, step_at, value_at
+from .model import STEP_KEYS, Design
+from .upgrade import current
 
 USUAL: Mapping[str, Text] = {
     dotted(Design.bearings, BearingsInputs.oil): Text("the oil is the engine's"),
@@ -24,7 +25,8 @@ GIVEN = {"measured": Text("it was measured"), "accepted": Text("it is the user's
 
 
 def locks(data: Table) -> Mapping[str, str]:
-    """The locked keys of a design, each with its reason.  A key locks all that stands below it."""
+    """The locked keys of a design, each with its reason.  A key locks all that stands below it, that of a step all its
+    inputs."""
     given = data.get("locked")
     return dict(given) if isinstance(given, dict) else USUAL
 
@@ -43,8 +45,14 @@ def locked(data: Table, key: str) -> str:
     """Why a key may not be changed by the program; empty where it may."""
     if (reason := GIVEN.get(key.partition(".")[0])) is not None:
         return reason
-    place = _place(data, key)
-    return next((reason for locked_key, reason in locks(data).items() if _within(place, _place(data, locked_key))), "")
+    return next((reason for lock, reason in locks(data).items() if _holds(data, lock, key)), "")
+
+
+def _holds(data: Table, lock: str, key: str) -> bool:
+    if lock in STEP_KEYS:
+        return step_at(data, current(data, key)) == lock
+    outer = _place(data, lock)
+    return _place(data, key)[: len(outer)] == outer
 
 
 def _place(data: Table, key: str) -> tuple[str | int, ...]:
@@ -55,16 +63,12 @@ def _place(data: Table, key: str) -> tuple[str | int, ...]:
         return tuple(key.split("."))
 
 
-def _within(place: tuple[str | int, ...], outer: tuple[str | int, ...]) -> bool:
-    return place[: len(outer)] == outer
-
-
 def toggled(data: Table, key: str, reason: str) -> Table:
     """The tables with a key locked, or unlocked where it was: then the locks that hold it go, that of its table too."""
-    now, place = dict(locks(data)), _place(data, key)
-    holding = [locked_key for locked_key in now if _within(place, _place(data, locked_key))]
-    for locked_key in holding:
-        del now[locked_key]
+    now = dict(locks(data))
+    holding = [lock for lock in now if _holds(data, lock, key)]
+    for lock in holding:
+        del now[lock]
     if not holding:
         now[key] = reason
     return {**data, "locked": now}

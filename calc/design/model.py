@@ -229,7 +229,7 @@ class Design:
     def _reasons(self) -> Problems:
         """Of what is accepted, locked and left out: whether there is such a thing, and whether that can be."""
         for key, _ in self.locked:
-            if (wrong := _no_key(key)) is not None:
+            if key not in STEP_KEYS and (wrong := _no_key(key)) is not None:
                 yield f"locked.{key}", wrong
         for step, _ in self.without:
             if step not in STEP_KEYS:

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ..countershaft.rows import called
 from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
 from ..sheet.quantity import published
 from ..sheet.record import record
@@ -276,14 +275,12 @@ def notes(
 
 def _clearances(results: "Results") -> list[Text]:
     """Of each bearing that is judged, front to rear."""
-    known = ((row.name, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
-    return [
-        Text("{g} µm {row}", g=number(value.shown, 0), row=called(name)) for name, value in known if value is not None
-    ]
+    known = ((row.in_words, results.values().get(f"bearings.{row.name}.clearance")) for row in results.design.rows)
+    return [Text("{g} µm {row}", g=number(value.shown, 0), row=row) for row, value in known if value is not None]
 
 
 DEFAULTS = {
-    "countershaft.balance_grade": Text("the grade of balancing"),
+    "shafts.balance_grade": Text("the grade of balancing"),
     "gears.accuracy_grade": Text("the accuracy grade of the teeth"),
     "gears.ball_diameter_mm": Text("the measuring ball"),
 }
@@ -298,7 +295,10 @@ def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
 
 
 def _given(data: Mapping[str, object], key: str) -> bool:
-    """Whether the file has a key; one of a table that it does not have is not asked."""
+    """Whether the file has a key; one of a table that it does not have is not asked.  Of shafts the first is meant,
+    which mirrors none."""
     step, _, name = key.partition(".")
     table = data.get(step)
+    if isinstance(table, list):
+        table = table[0]
     return not isinstance(table, Mapping) or name in table

@@ -30,7 +30,7 @@ from ...countershaft.making.parts import SUPPORT_WALL
 from ...countershaft.making.scatter import SCATTER_RESIDUAL
 from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.rows import BearingRow
-from ...design.addresses import address, quantity_of, step_at, value_at
+from ...design.addresses import address, every, quantity_of, step_at, value_at
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.other_tables import OBJECTIVES, OptimiseInputs
@@ -133,7 +133,7 @@ class Variables:
         self.start, self.own, self.tip = start, own, tip
         self.shaft, self.bearings = design.countershaft, design.bearings
         self.keys, self.rows = DriveKeys(design), (design.rows[0], design.rows[-1])
-        self.vary: dict[str, Any] = dict(own.vary) if isinstance(own.vary, dict) else {}
+        self.vary = self._by_own_keys(own.vary if isinstance(own.vary, dict) else {})
         self.errors: list[InputError] = []
         self.notes: list[Text] = []
         first, last = self.rows
@@ -146,6 +146,17 @@ class Variables:
                 self.wrong(key, Text("can not be varied: it is that of each shaft's own bending"))
             elif (within := self.keys.within.get(key)) is not None and (within != SURFACES or self._surfaces_vary()):
                 self.wrong(key, Text("can not be varied: it is set with {key}", key=Name(within)))
+
+    def _by_own_keys(self, vary: Mapping[str, Any]) -> dict[str, Any]:
+        """The values by the keys of the design, of which some may be those of schema 1; a * over the bearings is each
+        of both, where it is of what a drive sizes."""
+        sized = {*self.keys.sizes, *self.keys.tied, *self.keys.slopes, *self.keys.within}
+        by_key: dict[str, Any] = {}
+        for key, values in vary.items():
+            own = current(self.start.data, key)
+            each = every(self.start.data, own)
+            by_key |= dict.fromkeys(each if sized.intersection(each) else [own], values)
+        return by_key
 
     def wrong(self, key: str, why: Text, value: object = "") -> None:
         lines, vary = self.start.lines, dotted(Design.optimise, OptimiseInputs.vary)
@@ -181,14 +192,16 @@ class Variables:
         try:
             design(self.start.with_value(key, value))
         except BadInput as bad:
-            own_errors = [e for e in bad.errors if e.key == key or f"{e.key}.".startswith(f"{self._place(key)}.")]
+            own_errors = [e for e in bad.errors if e.key == key or f"{e.key}.".startswith(self._places(key))]
             if own_errors or step_at(self.start.data, key) not in ("countershaft", "bearings"):
                 self.wrong(key, (own_errors or bad.errors)[0].reason, value)
 
-    def _place(self, key: str) -> str:
-        """Where errors of a key stand: elements of arrays by index; of what is said of all bearings, at all of them."""
-        there = self.keys.design.own_key(ShaftInputs.bearings) if key in MANY else key
-        return self._as_written(".".join(map(str, address(self.start.data, there, whole=True))))
+    def _places(self, key: str) -> tuple[str, ...]:
+        """How the keys of its errors begin, in either schema: elements of arrays by index; of what is said of all
+        bearings, at them."""
+        data, there = self.start.data, self.keys.design.own_key(ShaftInputs.bearings) if key in MANY else key
+        places = [".".join(map(str, address(data, each, whole=True))) for each in every(data, there)]
+        return tuple(f"{where}." for place in places for where in (place, self._as_written(place)))
 
     def sizes(self) -> dict[str, tuple[float, ...] | None]:
         d_seat, d_small = self.seat.diameter * 1e3, self.small.diameter * 1e3
@@ -500,8 +513,6 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         for key, override in overrides.items()
     }
     inputs: OptimiseInputs = replace(file, **merged)
-    if isinstance(inputs.vary, dict):
-        inputs = replace(inputs, vary={current(document.data, key): values for key, values in inputs.vary.items()})
     errors = [
         InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why)
         for key, why in inputs.problems()

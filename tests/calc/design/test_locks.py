@@ -29,6 +29,18 @@ def test_a_table_locks_what_stands_in_it_and_is_unlocked_from_there(gamma: Docum
     assert not locked(toggled(data, "bearings.front.length_mm", "no matter"), "bearings.front.length_mm")
 
 
+def test_the_name_of_a_step_locks_all_its_inputs(gamma: Document) -> None:
+    """Those of the shaft and of its bearings stand in the table of the shaft."""
+    shaft, bearings = (gamma.with_value(f"locked.{step}", "cast") for step in ("countershaft", "bearings"))
+    size, core, place = (f"shafts.shaft.{key}" for key in ("bearings.front.length_mm", "core_radius_mm", "axis_mm"))
+    assert locked(shaft.data, core) and locked(shaft.data, place) and not locked(shaft.data, size)
+    assert locked(bearings.data, size) and locked(bearings.data, "bearings.front.length_mm")
+    assert locked(bearings.data, "bearings.supply") and not locked(bearings.data, core)
+    for document in (shaft, bearings):
+        design(document)
+    assert not locked(toggled(bearings.data, size, "no matter"), size)
+
+
 def test_a_key_that_no_design_has_is_no_lock(gamma: Document) -> None:
     """An element may come and go while its lock stays."""
     for key in ("bearings.front", "gears.wheels.nobody.teeth", "bearings.slope_mrad.0", "bearings.oil"):

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from calc.design.toml_file import Document, parse
 from calc.sheet.errors import BadInput
 from calc.studies.drive.classes import NotClosed, class_of
 from calc.studies.drive.classes import sized as row_of
@@ -18,6 +19,9 @@ from calc.studies.drive.refusal import refusal
 from calc.studies.drive.search import _instead, asked, search
 from calc.studies.drive.solved_drive import Sized, whole
 from tests.calc.studies.drive.conftest import FEW
+from tests.conftest import ROOT
+
+DESIGNS_0_1 = ROOT / "tests" / "data" / "designs_0_1"
 
 
 @pytest.fixture(scope="module")
@@ -85,6 +89,75 @@ def test_every_drive_that_is_shown_holds_and_none_is_beaten_by_another(few, foun
     powers = [one.objectives["power"] for one in found.drives]
     assert powers == sorted(powers)
     assert len(table(found).rows) == len(found.drives)
+
+
+def test_shaft_and_bearings_may_have_any_names(sized, few, found):
+    """The same drives, by the keys that the design has then."""
+    new = {"shaft": "left", "front": "fore", "rear": "aft"}
+    (shaft,) = sized.data["shafts"]
+    rows = [{**row, "name": new[row["name"]]} for row in shaft["bearings"]]
+    gears = sized.data["gears"]
+    wheels = [{**wheel, "shaft": "left"} if "shaft" in wheel else wheel for wheel in gears["wheels"]]
+    shafts = [{**shaft, "name": "left", "bearings": rows}]
+    renamed = Document({**sized.data, "shafts": shafts, "gears": {**gears, "wheels": wheels}})
+
+    def key(old):
+        return ".".join(new.get(part, part) for part in old.split("."))
+
+    problem, _ = asked(renamed, {"vary": {key(old): values for old, values in FEW.items()}, "rows": 8})
+    drives = search(problem).drives
+    assert [one.objectives for one in drives] == [one.objectives for one in found.drives]
+    assert [one.changes for one in drives] == [
+        {key(old): value for old, value in one.changes.items()} for one in found.drives
+    ]
+    assert "shafts.left.bearings.aft.diameter_mm" in drives[0].changes
+    assert [str(head) for head, _ in table(search(problem)).columns if "Ø" in str(head)] == ["fore Ø×l/g", "aft Ø×l/g"]
+
+
+def test_keys_of_schema_1_are_those_of_the_design(sized, few):
+    """Typed beside a file that has other values of the same keys: what is typed goes before."""
+    old = {
+        "countershaft.core_radius_mm": FEW["shafts.shaft.core_radius_mm"],
+        "bearings.rear.diameter_mm": FEW["shafts.shaft.bearings.rear.diameter_mm"],
+        "bearings.front.diameter_mm": FEW["shafts.shaft.bearings.front.diameter_mm"],
+        "countershaft.material": FEW["shafts.shaft.material"],
+        "bearings.supply": FEW["bearings.supply"],
+    }
+    other = sized.with_value("optimise", {"vary": {"shafts.shaft.core_radius_mm": [11.0]}})
+    problem, _ = asked(other, {"vary": old})
+    assert (problem.sizes, problem.choices) == (few.sizes, few.choices)
+
+
+def test_one_key_for_the_bearings_is_that_of_each(sized):
+    length = "shafts.shaft.bearings.{}.length_mm"
+    problem, _ = asked(sized, {"vary": {length.format("*"): [36.0, 37.0]}})
+    assert [problem.sizes[length.format(place)] for place in ("front", "rear")] == [(36.0, 37.0)] * 2
+    with pytest.raises(BadInput) as bad:
+        asked(sized, {"vary": {"shafts.shaft.bearings.*.clearance_um": [90.0]}})
+    assert len(bad.value.errors) == 2
+
+
+def test_places_of_the_bearings_are_varied_together(sized):
+    """They would not be kept apart key by key; what is no pair of places is said."""
+    positions = "countershaft.bearing_positions_mm"
+    problem, _ = asked(sized, {"vary": {positions: [[-167.5, 167.5], [-170.0, 170.0]]}})
+    assert problem.choices[positions] == ([-167.5, 167.5], [-170.0, 170.0])
+    for wrong in ([-167.5, 0.0, 167.5], [167.5, -167.5]):
+        with pytest.raises(BadInput) as bad:
+            asked(sized, {"vary": {positions: [wrong]}})
+        assert [error.key for error in bad.value.errors] == [f"optimise.vary.{positions}"]
+
+
+def test_what_is_wrong_in_a_file_of_schema_1_is_said_by_its_own_key_and_line():
+    text = (DESIGNS_0_1 / "r753ie4_drive.toml").read_text(encoding="utf-8")
+    wrong = {"bearings.rear.clearance_um": "[100]", "countershaft.core_radius_mm": "[-1, 15]"}
+    lines = "".join(f'"{key}" = {values}\n' for key, values in wrong.items())
+    text = text.replace("[optimise.vary]\n", f"[optimise.vary]\n{lines}")
+    first = text[: text.index(lines)].count("\n") + 1
+    with pytest.raises(BadInput) as bad:
+        asked(parse(text.encode(), "own.toml"), {})
+    said = [(error.line, error.key) for error in bad.value.errors]
+    assert said == [(first + n, f"optimise.vary.{key}") for n, key in enumerate(wrong)]
 
 
 def test_it_does_not_matter_how_the_front_was_come_by(sized, tmp_path):
