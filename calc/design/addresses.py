@@ -7,13 +7,14 @@ import tomllib
 from collections.abc import Iterable, Iterator
 
 from ..countershaft.inputs import TWIN, ShaftInputs
-from ..countershaft.rows import IN_WORDS, BearingRow
+from ..countershaft.rows import IN_WORDS, BearingRow, titled
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
 from ..sheet.errors import written as written
-from ..sheet.quantity import Key, Quantity, dotted, keys, unknown
-from ..sheet.text import Small, Text
+from ..sheet.quantity import Key, Quantity, described, dotted, keys, unknown
+from ..sheet.step import Step
+from ..sheet.text import Name, Small, Text
 from .model import SCREENED, STEPS, Design, step_of
 from .upgrade import MANY, current, formerly
 
@@ -232,26 +233,44 @@ def unjudged(data: Table) -> Table:
 
 
 def keys_of(cls: type, data: Table, step: str) -> list[Key]:
-    """The keys of a class of inputs that a step asks for: of the bearings of a shaft their places, or all the rest, and
-    their sizes where they are not judged."""
-    every = list(keys(cls).values())
-    if cls is not BearingRow:
-        return every
-    if not asks(data, dotted(Design.bearings)):
-        return [key for key in every if key.attribute in SCREENED]
+    """The keys of a class of inputs that a step asks for: of the bearings of a shaft their places, or all the rest."""
     of_row = dotted(Design.shafts, 0, ShaftInputs.bearings, 0)
-    return [key for key in every if step_at(data, f"{of_row}.{key.key}") == step]
+    every = keys(cls).values()
+    return [key for key in every if cls is not BearingRow or step_at(data, f"{of_row}.{key.key}") == step]
 
 
-def tables_of(data: Table, step: str) -> Iterator[tuple[type, Table, str]]:
-    """The tables of a document that a step asks for, each with its class and its key: those of [bearings] and, beside
-    it, of the shafts whose bearings it judges."""
+def asked_keys(cls: type, table: Table, data: Table, step: str) -> list[Key]:
+    """Those of one table that can be given in it, without the name of a shaft, by which it is known."""
+    own = set(own_keys(cls, table, judged=dotted(Design.bearings) in data))
+    if cls is ShaftInputs:
+        own.remove(dotted(ShaftInputs.name))
+    return [key for key in keys_of(cls, data, step) if key.key in own]
+
+
+def tables_of(data: Table, step: Step) -> Iterator[tuple[type, Table, str]]:
+    """The tables of a document that a step asks for, each with its class and its key; of the counter-shaft each of the
+    shafts."""
     key = dotted(Design.shafts)
-    if step != "countershaft" and isinstance(there := data.get(step), dict):
-        yield next(known.inputs for known in STEPS if known.key == step), there, step
-    if step == "countershaft" and asks(data, step):
+    if step.key != "countershaft" and isinstance(there := data.get(step.key), dict):
+        yield step.inputs, there, step.key
+    if step.key == "countershaft" and asks(data, step.key):
         for n, shaft in enumerate(map(as_table, as_list(data.get(key)))):
             yield ShaftInputs, shaft, f"{key}.{shaft.get('name', n)}"
+
+
+def arrays_of(data: Table, step: Step) -> Iterator[tuple[Quantity, list[Table], str]]:
+    """The arrays of tables that a step asks for beside its own table, each with its description and its key: the
+    bearings that [bearings] judges."""
+    if step.key == dotted(Design.bearings) and asks(data, step.key):
+        for n, shaft in own_shafts(data).items():
+            rows = as_list(shaft.get(dotted(ShaftInputs.bearings)))
+            yield described(ShaftInputs.bearings), list(map(as_table, rows)), dotted(Design.shafts, n, step.key)
+
+
+def element_title(cls: type | None, name: str) -> Text:
+    """What an element of an array is called where it heads a row or a column; the names of bearings that the program
+    gives speak the reader's language."""
+    return titled(name) if cls is BearingRow else Name(name)
 
 
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:

@@ -22,7 +22,7 @@ def test_of_an_array_put_together_only_what_gave_the_element_is_followed(example
     assert set(found) == {"M", "I"} and found["M"][1] == index, (
         "the core's own fibre is an input: no sector's, no journal's"
     )
-    assert inputs == ["countershaft.core_radius_mm"]
+    assert inputs == ["shafts.shaft.core_radius_mm"]
     moment, at = found["I"]
     assert at is not None and np.shape(moment.value) == (6,)
     assert moment.value[at] == stress.arguments["I"][index]  # type: ignore[index]
