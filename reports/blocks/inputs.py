@@ -302,7 +302,9 @@ def _called(context: Context, key: str) -> str:
         # a table of free form has keys of its own
         called.append(part if known is None else context.say(known.about.label))
         cls = known.about.table or cls if known is not None else cls
-    return ", ".join(reversed(called[1:] or called))
+    top = context.document.data.get(key.partition(".")[0])
+    several = isinstance(top, list) and len(top) > 1  # shafts, else what it is of goes without saying
+    return ", ".join(reversed(called if several else called[1:] or called))
 
 
 # --- oils and materials
