@@ -24,10 +24,10 @@ from tests.made_checks import made_check
 
 BETA = DESIGNS / "r753ie4_beta.toml"
 OWN = {  # of what the two files say about one and the same thing
-    "bearings.front.length_mm": (26.0, 27.5),
-    "bearings.rear.diameter_mm": (40.0, 81.0),
-    "bearings.rear.length_mm": (25.5, 26.5),
-    "bearings.rear.clearance_factor": (0.6, 0.61),
+    "shafts.shaft.bearings.front.length_mm": (26.0, 27.5),
+    "shafts.shaft.bearings.rear.diameter_mm": (40.0, 81.0),
+    "shafts.shaft.bearings.rear.length_mm": (25.5, 26.5),
+    "shafts.shaft.bearings.rear.clearance_factor": (0.6, 0.61),
 }
 
 
@@ -57,10 +57,10 @@ def test_the_inputs_of_beta_and_gamma(found: Comparison) -> None:
     assert both == OWN
     assert [d.key for d in found.inputs][-3:] == ["material", "name", "note"]  # what is not calculated with stands last
     assert by_key["countershaft.bolts"].a is None and by_key["countershaft.bolts"].b["thread"] == "M10x1.5"
-    assert "countershaft.bolts.thread" not in by_key  # a table of one design is one difference
+    assert "shafts.shaft.bolts.thread" not in by_key  # a table of one design is one difference
     assert len(by_key["gears.meshes.1.stack"].b) == 17
     assert by_key["gears.wheels.shaft.tip_diameter_tolerance_um"].b == [0, -100]  # by its name
-    rear = by_key["bearings.rear.diameter_mm"]
+    rear = by_key["shafts.shaft.bearings.rear.diameter_mm"]
     assert (rear.label, rear.unit, rear.step) == ("Journal diameter", "mm", "bearings")
 
 
@@ -84,8 +84,8 @@ def test_two_spellings_of_one_value_are_no_difference(gamma: Document) -> None:
     one = gamma.with_value("friction.flank_roughness_um", 0.8)
     assert inputs(one.data, gamma.with_value("friction.flank_roughness_um", [0.8]).data) == []
     assert inputs(one.data, gamma.with_value("friction.flank_roughness_um", [0.8, 0.9]).data)[0].b == [0.8, 0.9]
-    bolts = gamma.with_value("countershaft.bolts.property_class", "8.8")
-    assert inputs(bolts.data, gamma.with_value("countershaft.bolts.property_class", 8.8).data) == []
+    bolts = gamma.with_value("shafts.shaft.bolts.property_class", "8.8")
+    assert inputs(bolts.data, gamma.with_value("shafts.shaft.bolts.property_class", 8.8).data) == []
 
 
 def editable() -> list[str]:

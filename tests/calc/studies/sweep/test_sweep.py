@@ -25,9 +25,9 @@ def test_the_grid_runs_over_every_combination_the_last_input_fastest():
 
 
 def test_a_row_is_what_the_design_gives():
-    swept = sweep(GAMMA, varied(GAMMA, ["bearings.front.length_mm=27.5,34"]), "bearings", ["bearings.front.film"])
+    swept = sweep(GAMMA, varied(GAMMA, ["shafts.shaft.bearings.front.length_mm=27.5,34"]), "bearings", ["bearings.front.film"])
     for length, film, verdict in swept.rows:
-        results = solve(design(GAMMA.with_value("bearings.front.length_mm", length)))
+        results = solve(design(GAMMA.with_value("shafts.shaft.bearings.front.length_mm", length)))
         assert film == results.values()["bearings.front.film"].shown
         assert verdict == results.outcomes["bearings"].verdict
 
@@ -45,7 +45,7 @@ def test_it_is_written_as_csv():
 def test_elements_of_a_list_of_numbers_can_be_varied():
     swept = sweep(
         GAMMA,
-        varied(GAMMA, ["countershaft.bearing_positions_mm.1=160,167.5"]),
+        varied(GAMMA, ["shafts.shaft.bearings.rear.position_mm=160,167.5"]),
         "countershaft",
         ["countershaft.reaction_rear"],
     )
@@ -65,7 +65,7 @@ def test_elements_of_a_list_of_numbers_can_be_varied():
         ("engine.rated_speed_rpm=1000:2000:1", "one value"),
         ("engine.firing_order=1,3,2", "is a list"),
         ("engine.rated_speed_rpm=1000:2000:1e9", "at most"),
-        ("countershaft.bearing_positions_mm.5=1:2:2", "from 0 to 1"),
+        ("gears.wheels.shaft.tip_diameter_tolerance_um.5=1:2:2", "from 0 to 1"),
     ],
 )
 def test_what_can_not_be_varied_is_named(text, reason):
@@ -123,7 +123,7 @@ def test_cells_of_values_that_a_design_does_not_have_are_empty():
 
 def test_other_methods_are_solved_only_where_their_values_are_asked_for():
     """They judge nothing: values and verdicts of everything else are the same without."""
-    inputs = varied(GAMMA, ["engine.rated_speed_rpm=1200:2600:3", "bearings.front.clearance_factor=0.4:0.8:2"])
+    inputs = varied(GAMMA, ["engine.rated_speed_rpm=1200:2600:3", "shafts.shaft.bearings.front.clearance_factor=0.4:0.8:2"])
     alone = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss"])
     beside = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss", "bearings.rear.falz.film"])
     assert [[*row[:4], *row[5:]] for row in beside.rows] == alone.rows
