@@ -11,10 +11,10 @@ from tests.conftest import DESIGNS
 
 FEW = (
     "--vary",
-    "countershaft.core_radius_mm=13:17:1",
-    "bearings.rear.diameter_mm=84,85,86",
-    "bearings.front.diameter_mm=58.5,62",
-    "countershaft.material=20CrNi4",
+    "shafts.shaft.core_radius_mm=13:17:1",
+    "shafts.shaft.bearings.rear.diameter_mm=84,85,86",
+    "shafts.shaft.bearings.front.diameter_mm=58.5,62",
+    "shafts.shaft.material=20CrNi4",
     "bearings.supply=hole",
     "--rows",
     "4",
@@ -83,7 +83,7 @@ def test_when_the_time_is_up_the_drives_that_are_known_are_kept(copy, tmp_path):
         out,
         *FEW[:-4],
         "--vary",
-        "countershaft.material=20CrNi4,ADI",
+        "shafts.shaft.material=20CrNi4,ADI",
         "--processes",
         "1",
         "--time",
@@ -96,7 +96,7 @@ def test_when_the_time_is_up_the_drives_that_are_known_are_kept(copy, tmp_path):
 
 def test_dry_says_what_would_be_searched_and_searches_nothing(copy, tmp_path):
     done = run("design", copy, "--dry")
-    assert done.returncode == 0 and "countershaft.outer_radius_mm: follows from the largest journal" in done.stdout
+    assert done.returncode == 0 and "shafts.shaft.outer_radius_mm: follows from the largest journal" in done.stdout
     assert "4 classes" in done.stdout and not list(tmp_path.glob("*/"))
 
 
@@ -109,9 +109,12 @@ def test_one_object_of_json(copy, tmp_path):
     "asked, said",
     [
         ((), "--out FOLDER"),
-        (("--out", "{d}", "--vary", "bearings.rear.diameter_mm=80:90", "--most", "seat_mm=q"), "LO:HI:STEP"),
+        (
+            ("--out", "{d}", "--vary", "shafts.shaft.bearings.rear.diameter_mm=80:90", "--most", "seat_mm=q"),
+            "LO:HI:STEP",
+        ),
         (("--out", "{d}", "--most", "weight_kg=3"), "weight_kg"),
-        (("--out", "{d}", "--vary", "bearings.rear.diametre_mm=80,90"), "diametre_mm"),
+        (("--out", "{d}", "--vary", "shafts.shaft.bearings.rear.diametre_mm=80,90"), "diametre_mm"),
         (("--out", "{d}", "--rows", "0"), "2000"),
         (("--out", "{d}", "--time", "-1"), "--time"),
         (("--out", "{file}"), "is a file"),
@@ -127,7 +130,7 @@ def test_where_nothing_passes_it_ends_with_3_and_says_what_would_help(copy, tmp_
         "design", copy, "--out", tmp_path / "d", *FEW[:-2], "--most", "seat_mm=84", "--least", "margin_percent=40"
     )
     assert done.returncode == 3 and "nothing passes" in done.stderr
-    assert "lacks a margin" in done.stderr and "bearings.rear.diameter_mm" in done.stderr
+    assert "lacks a margin" in done.stderr and "shafts.shaft.bearings.rear.diameter_mm" in done.stderr
     assert not list((tmp_path / "d").glob("*.toml"))
 
 

@@ -328,10 +328,11 @@ def nothing(given: Namespace, front: FrontFound) -> int:
         )
     if why_not.lines:
         print(Text("One requirement alone would have to give way, all else as it is:"), file=sys.stderr)
+    width = max((len(line.key) for line in why_not.lines), default=0)
     for line in why_not.lines:
         beside = [str(note) for note in (line.beside,) if note]
         beside += [str(Text("then breaks {ids}", ids=", ".join(line.broken)))] if line.broken else []
-        print(f"  {line.key:<34} {line.change}" + (f"   ({'; '.join(beside)})" if beside else ""), file=sys.stderr)
+        print(f"  {line.key:<{width}} {line.change}" + (f"   ({'; '.join(beside)})" if beside else ""), file=sys.stderr)
     if why_not.also:
         print(
             Text("every one of them then breaks {ids}: repair these first", ids=", ".join(why_not.also)),

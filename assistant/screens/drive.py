@@ -273,9 +273,9 @@ class Driving(Choosing):
 
     def _now(self, names: list[str]) -> tuple[tuple[float, float] | None, bool]:
         """The design as it is, and whether a limit of it fails."""
-        results, bearings, front = self.session.results, self.session.design.bearings, self.front
+        results, rows, front = self.session.results, self.session.design.rows, self.front
         shaft = results.result(CountershaftResult) if results is not None else None
-        if results is None or bearings is None or front is None or shaft is None or shaft.mass is None:
+        if results is None or not rows or front is None or shaft is None or shaft.mass is None:
             return None, False
         if results.outcomes["bearings"].state != "solved" or front.problem.cycle:
             return None, False
@@ -284,7 +284,7 @@ class Driving(Choosing):
             "power": power(results),
             "mass": mass(results),
             "margin": front.problem.margin(checks),
-            "seat": max(bearings.front.diameter, bearings.rear.diameter) * 1e3,
+            "seat": max(row.diameter for row in rows) * 1e3,
             "price": front.problem.price({}, None),
         }
         x, y = known[names[0]], known[names[1]]

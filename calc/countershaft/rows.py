@@ -42,7 +42,7 @@ def sign(row: str) -> str:
 class BearingRow:
     """One journal in its seat."""
 
-    name: str = text("Name", help="front, middle, rear or any other word; not figures alone.")
+    name: str = text("Name", help="front, middle, rear or any other word; not figures alone.", decides=5)
     position: float = quantity(
         "Position",
         "mm",
@@ -52,7 +52,7 @@ class BearingRow:
         help="Middle of the journal from mid-shaft, + towards the flywheel; the rows rise from front to rear.",
         change=("shorter span", "longer span"),
         repair="free",
-        decides=5,
+        decides=6,
     )
     kind: str = choice("Kind", "plain", default="plain", help="plain: a journal in its seat, on a film of oil.")
     diameter: float = quantity(
@@ -67,7 +67,7 @@ class BearingRow:
         change=("smaller journal", "larger journal"),
         repair="free",
         brief="diameter",
-        decides=3,
+        decides=7,
     )
     length: float = quantity(
         "Length",
@@ -82,7 +82,7 @@ class BearingRow:
         ),
         change=("shorter journal", "longer journal"),
         repair="free",
-        decides=4,
+        decides=8,
     )
     clearance: float | None = quantity(
         "Clearance (diametral)",
@@ -99,7 +99,7 @@ class BearingRow:
         change=("smaller clearance", "larger clearance"),
         repair="free",
         brief="clearance",
-        decides=5,
+        decides=9,
     )
     clearance_factor: float | None = quantity(
         "Clearance factor K",
@@ -112,7 +112,7 @@ class BearingRow:
         help="Clearance g = K·d·u^¼ in mm, m and m/s.",
         change=("smaller clearance", "larger clearance"),
         repair="free",
-        decides=6,
+        decides=10,
     )
     load: float | None = quantity(
         "Load",

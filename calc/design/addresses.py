@@ -250,34 +250,40 @@ def tables_of(data: Table, step: str) -> Iterator[tuple[type, Table, str]]:
 
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
     """Every key that this document may hold, with its description, in the order of the form."""
-    of_shafts = list(_quantities_of(Design, data, dotted(Design.shafts)))
+    judged = dotted(Design.bearings) in data
+    of_shafts = list(_quantities_of(Design, data, dotted(Design.shafts), judged=judged))
     for step in STEPS:
         if step.key in data:
-            yield from _quantities(step.inputs, as_table(data[step.key]), step.key)
+            yield from _quantities(step.inputs, as_table(data[step.key]), step.key, judged)
         yield from ((key, about) for key, about in of_shafts if step_at(data, key) == step.key)
 
 
-def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quantity]]:
-    own = own_keys(cls, data)
-    for key in own:
-        yield from _quantities_of(cls, data, key, f"{prefix}.{key}")
+def _quantities(cls: type, data: Table, prefix: str, judged: bool) -> Iterator[tuple[str, Quantity]]:
+    for key in own_keys(cls, data, judged=judged):
+        yield from _quantities_of(cls, data, key, f"{prefix}.{key}", judged=judged)
 
 
-def _quantities_of(cls: type, data: Table, key: str, here: str = "") -> Iterator[tuple[str, Quantity]]:
+def _quantities_of(cls: type, data: Table, key: str, here: str = "", *, judged: bool) -> Iterator[tuple[str, Quantity]]:
     about, here = keys(cls)[key].about, here or key
     if about.table is None:
         yield here, about
     elif about.kind == "table":
-        yield from _quantities(about.table, as_table(data.get(key)), here)
+        yield from _quantities(about.table, as_table(data.get(key)), here, judged)
     else:
         for i, item in enumerate(map(as_table, as_list(data.get(key)))):
-            yield from _quantities(about.table, item, f"{here}.{item.get('name', i)}")
+            yield from _quantities(about.table, item, f"{here}.{item.get('name', i)}", judged)
 
 
-def own_keys(cls: type, data: Table) -> Iterable[str]:
-    """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own."""
-    of_twin = cls is ShaftInputs and data.get(dotted(ShaftInputs.mirrors))
-    return TWIN if of_twin else keys(cls)
+def own_keys(cls: type, data: Table, *, judged: bool = True) -> list[str]:
+    """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own, of a
+    bearing that is not `judged` its place and size."""
+    known = keys(cls)
+    mirrors = dotted(ShaftInputs.mirrors)
+    if cls is ShaftInputs:
+        return list(TWIN) if data.get(mirrors) else [key for key in known if key != mirrors]
+    if cls is BearingRow and not judged:
+        return [key for key, entry in known.items() if entry.attribute in SCREENED]
+    return list(known)
 
 
 # --- what a key is called

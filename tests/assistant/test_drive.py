@@ -10,6 +10,7 @@ from assistant.screens.compare import CompareScreen
 from assistant.screens.drive import Driving, Scatter
 from assistant.screens.selection import OfferList
 from assistant.session.session import Session
+from calc.design.addresses import value_at
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import strike, until, work
 from tests.conftest import DESIGNS
@@ -25,6 +26,7 @@ rows = 6
 "countershaft.material" = ["20CrNi4"]
 "bearings.supply" = ["hole"]
 """
+SEAT = "shafts.shaft.bearings.rear.diameter_mm"
 
 
 @pytest.fixture
@@ -56,10 +58,10 @@ async def test_a_drive_is_taken_and_taken_back(screen: Screen, few: Session, siz
         await strike(pilot, "enter")
         await until(pilot, lambda: not isinstance(pilot.app.screen, Driving))
         session = work(pilot).session
-        assert session.data["bearings"]["rear"]["diameter_mm"] == wanted.sized.diameter["rear"]
+        assert value_at(session.data, SEAT) == wanted.sized.diameter["rear"]
         assert session.data["bearings"]["journal_fit"] == "IT7"
         session.undo()
-        assert session.data["bearings"]["rear"]["diameter_mm"] == 86.4 and "journal_fit" not in session.data["bearings"]
+        assert value_at(session.data, SEAT) == 86.4 and "journal_fit" not in session.data["bearings"]
 
 
 async def test_the_front_is_sorted_narrowed_and_looked_at(screen: Screen, few: Session) -> None:

@@ -13,10 +13,10 @@ from tests.conftest import DESIGNS
 
 FEW = (
     "--vary",
-    "countershaft.core_radius_mm=14,15,16",
-    "bearings.rear.diameter_mm=84.5,86",
-    "bearings.front.diameter_mm=58.5,62",
-    "countershaft.material=20CrNi4",
+    "shafts.shaft.core_radius_mm=14,15,16",
+    "shafts.shaft.bearings.rear.diameter_mm=84.5,86",
+    "shafts.shaft.bearings.front.diameter_mm=58.5,62",
+    "shafts.shaft.material=20CrNi4",
     "bearings.supply=hole",
     "--rows",
     "4",

@@ -12,7 +12,7 @@ from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import LENGTH_STEP
 from ...bearings.selection.states import BearingTask
 from ...bearings.selection.variants import SUPPLIES, Variant, own_tasks
-from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, SLOPE_FRONT
+from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, JOURNAL_SLOPE
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow
 from ...design.model import Design
@@ -30,7 +30,7 @@ from ...sheet.value import recorded, untraced
 from ...solve import Results, solve
 from .combinations import DriveRows, Sizes, class_front, combinations
 from .films import Beside, Films, Stands, films, least_length, lengths
-from .problem import CORE, Problem, of_bearing
+from .problem import Problem
 from .shafts import ShaftSurroundings, with_turning
 from .solved_drive import Sized, journals_power, other_wheels, whole, written
 
@@ -56,19 +56,15 @@ class ClassFront:
 def based(problem: Problem, choices: dict[str, Any]) -> Document:
     """The document of a class with sizes that solve if any do: the largest seat, the shortest journals, the smallest
     core."""
-    document = problem.start
-    seat = problem.sizes[of_bearing(problem.seat, BearingRow.diameter)]
-    small = "front" if problem.seat == "rear" else "rear"
+    keys, bearings = problem.keys, problem.base.bearings
     diameter = {
-        problem.seat: max(seat or (0.0,)),
-        small: max(problem.sizes[of_bearing(small, BearingRow.diameter)] or (0.0,)),
+        place: max(problem.sizes[keys.of_bearing(place, BearingRow.diameter)] or (0.0,)) for place in keys.places
     }
-    bearings = problem.base.bearings
     assert bearings is not None
     wide = max(getattr(bearings, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) * 1e3
     length = {place: round(max(USUAL_LENGTH_RATIO[0] * d, wide + 1.0), 1) for place, d in diameter.items()}
     clearance = {place: round(PROBED * d, 1) for place, d in diameter.items()}
-    sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, length, clearance, None)
+    sized = Sized(choices, min(problem.sizes[keys.core] or (0.0,)), diameter, length, clearance, None)
     document, _ = written(problem, sized)
     return document
 
@@ -87,7 +83,7 @@ def not_closed(design: Design, results: Results) -> Text:
         return Text("further elements stand on the shaft")
     if bearings.supply == "axial_groove":
         return Text("films between axial grooves are not known on arrays")
-    if any(getattr(bearings, place).load is not None for place in ("front", "rear")):
+    if any(row.load is not None for row in design.rows):
         return Text("loads of the bearings are given")
     if (
         solved is not None
@@ -160,13 +156,13 @@ def drive_of(design: Design, results: Results, filleted: bool = True) -> ShaftSu
     shaft, solved = design.countershaft, results.result(CountershaftResult)
     assert shaft is not None and solved is not None
     gear = shaft_gear(design, results.result(TrainResult))
-    z_1, z_2 = shaft.bearing_positions
-    clearance = max(design.bearings.front.diameter, design.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
+    first, last = shaft.bearings
+    clearance = max(first.diameter, last.diameter) / 2 - (shaft.outer_radius or 0.0)
     drive = ShaftSurroundings(
         design.materials[shaft.material],
         float(solved.couple),
         abs(float(solved.omega)),
-        (z_1, z_2),
+        (first.position, last.position),
         clearance,
         shaft.fillet_radius or 0.0,
         shaft.sector_effectiveness,
@@ -175,26 +171,26 @@ def drive_of(design: Design, results: Results, filleted: bool = True) -> ShaftSu
         gear_z=shaft.gear_z,
         holes=shaft.holes,
     )
-    bearings = design.bearings
-    if bearings is None or solved.slope_front is None or solved.slope_rear is None:
+    if not solved.slopes:
         return drive
-    sizes = (bearings.front.diameter, bearings.rear.diameter), (bearings.front.length, bearings.rear.length)
-    return with_turning(drive, shaft.core_radius or 0.0, *sizes, (solved.slope_front, solved.slope_rear))
+    sizes = (first.diameter, last.diameter), (first.length, last.length)
+    slopes = solved.slopes[first.name], solved.slopes[last.name]
+    return with_turning(drive, shaft.core_radius or 0.0, *sizes, slopes)
 
 
 def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSurroundings) -> Sizes:
     assert design.bearings is not None
-    bearings = design.bearings
+    bearings, keys = design.bearings, problem.keys
     tasks = own_tasks(bearings_case(design, solve, results))
     variant = Variant(
         bearings.oil,
         bearings.supply,
         Lubricant(bearings.in_bearings(design.oils[bearings.oil]), bearings.viscosity_law),
     )
-    seats = np.array(problem.sizes[of_bearing(problem.seat, BearingRow.diameter)] or (0.0,)) * 1e-3
-    core = np.array(problem.sizes[CORE] or (0.0,)) * 1e-3
+    seats = np.array(problem.sizes[keys.of_bearing(problem.seat, BearingRow.diameter)] or (0.0,)) * 1e-3
+    core = np.array(problem.sizes[keys.core] or (0.0,)) * 1e-3
     R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
-    longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
+    longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(keys.places)}
     by_place = {
         place: _over_diameters(
             problem, place, tasks[place], variant, longest[place], _beside(problem, place, design, results)
@@ -202,9 +198,10 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
         for place in tasks
     }
     gear = shaft_gear(design, results.result(TrainResult))
-    if gear is not None and problem.binds(GEAR_SEAT.id):  # it goes through the front seat
-        by_place["front"] = [films for films in by_place["front"] if films.task.diameter > gear.tip_diameter + TINY]
-    limit = next(c.limit for c in results.checks() if c.rule is SLOPE_FRONT)
+    if gear is not None and problem.binds(GEAR_SEAT.id):  # it goes through the first seat
+        first, _ = keys.places
+        by_place[first] = [films for films in by_place[first] if films.task.diameter > gear.tip_diameter + TINY]
+    limit = next(c.limit for c in results.checks() if c.rule is JOURNAL_SLOPE)
     assert isinstance(limit, float)
     surfaces = tuple(_surface(surface, design) for surface in problem.surfaces)
     return Sizes(core, surfaces, problem.margins, limit * 1e-3, problem.seat, by_place)
@@ -219,17 +216,15 @@ def _beside(problem: Problem, place: str, design: Design, results: Results) -> B
     part = bearings.bearings[place].standing if bearings is not None else None
     if bearings is None or part is None or shaft is None or not problem.binds(FILM_EDGE_STANDING.of(place)):
         return Beside(over)
-    weight = (getattr(shaft.standing, f"weight_{place}") if shaft.standing is not None else None) or 0.0
+    weight = shaft.standing.weights.get(place, 0.0) if shaft.standing is not None else 0.0
     return Beside(over, Stands(weight, part.standing_load - weight, bearings.bearings[place].friction_power))
 
 
-def _surface(pair: tuple[float, float] | None, design: Design) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Ra of journal and seat of the front and of the rear bearing."""
-    assert design.bearings is not None
+def _surface(pair: tuple[float, float] | None, design: Design) -> dict[str, tuple[float, float]]:
+    """Ra of journal and seat of each bearing."""
     if pair is not None:
-        return ((pair[0] * UM, pair[1] * UM),) * 2
-    front, rear = ((b.journal_roughness, b.housing_roughness) for b in (design.bearings.front, design.bearings.rear))
-    return front, rear
+        return {row.name: (pair[0] * UM, pair[1] * UM) for row in design.rows}
+    return {row.name: (row.journal_roughness, row.housing_roughness) for row in design.rows}
 
 
 def _over_diameters(
@@ -237,9 +232,10 @@ def _over_diameters(
 ) -> list[Films]:
     advice = [rule for rule in ADVICE if problem.binds(rule.of(place))]
     ratios = USUAL_LENGTH_RATIO if LENGTH_RATIO_USUAL in advice else LENGTH_RATIO
-    given = problem.sizes[of_bearing(place, BearingRow.length)]
+    keys = problem.keys
+    given = problem.sizes[keys.of_bearing(place, BearingRow.length)]
     kept_films: list[Films] = []
-    for d in problem.sizes[of_bearing(place, BearingRow.diameter)] or ():
+    for d in problem.sizes[keys.of_bearing(place, BearingRow.diameter)] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
         l = (
             lengths(at, longest, ratios)
@@ -261,19 +257,18 @@ def _within(length: Array, above: float, longest: float) -> Array:
 
 def sized(problem: Problem, choices: dict[str, Any], rows: DriveRows, n: int) -> Sized:
     """One row in the units of the keys."""
-    mm = {name: round(float(getattr(rows, name)[n]) * 1e3, 6) for name in ("core", *_SIZES)}
-    um = {place: round(float(getattr(rows, f"{place}_clearance")[n]) * 1e6, 6) for place in ("front", "rear")}
+
+    def of_each(sizes: Array, unit: float) -> dict[str, float]:
+        return {place: round(float(x) * unit, 6) for place, x in zip(problem.keys.places, sizes[n])}
+
     return Sized(
         choices,
-        mm["core"],
-        {p: mm[f"{p}_diameter"] for p in um},
-        {p: mm[f"{p}_length"] for p in um},
-        um,
+        round(float(rows.core[n]) * 1e3, 6),
+        of_each(rows.diameter, 1e3),
+        of_each(rows.length, 1e3),
+        of_each(rows.clearance, 1e6),
         problem.surfaces[int(rows.surface[n])],
     )
-
-
-_SIZES = ("front_diameter", "front_length", "rear_diameter", "rear_length")
 
 
 def _line(problem: Problem, choices: dict[str, Any], rows: DriveRows) -> tuple[float, float]:

@@ -17,7 +17,7 @@ from ...sheet.record import record
 from ...sheet.units import Metre, Number, Radian
 from .films import Films, asked_film
 from .front import front, lower_left
-from .shafts import Shafts, ShaftSurroundings, journal_mass, journal_slopes, shafts
+from .shafts import ShaftSurroundings, along, journal_mass, journal_slopes, shafts
 
 STEPS = 1000  # of the slope's limit
 OWN = 1.01  # on what a journal's own bending adds to its slope, while it turns: a part of a hundred of it
@@ -26,36 +26,43 @@ COARSE = 16  # every so-many-th combination makes the first front, which most ot
 
 @record
 class Sizes:
-    """What is combined within a class, SI: cores, surfaces of both journals, margins, films of both places over their
-    diameters.
+    """What is combined within a class, SI: cores, surfaces of both journals, margins, films over their diameters.
 
-    `seat`: "front" or "rear", the place of the largest journal; the other is never larger.
+    `surfaces`: of each bearing, by its name, Ra of journal and seat; `films`: of each bearing, front to rear, over its
+    rising diameters; `seat`: the bearing with the largest journal, the other's is never larger.
     """
 
     core: Array
-    surfaces: tuple[tuple[tuple[Metre, Metre], tuple[Metre, Metre]], ...]  # Ra of journal and seat, front and rear
+    surfaces: tuple[dict[str, tuple[Metre, Metre]], ...]
     margins: tuple[Number, ...]
     limit: Radian  # of the slopes
     seat: str
     films: dict[str, list[Films]]
 
+    @property
+    def order(self) -> tuple[int, int]:
+        """The smaller journal's number and the larger one's, front to rear."""
+        return (1, 0) if self.seat == next(iter(self.films)) else (0, 1)
+
+    @property
+    def small(self) -> list[Films]:
+        """Those of the smaller journal."""
+        return next(some for place, some in self.films.items() if place != self.seat)
+
     def asked(self, films: Films, surface: int) -> Metre:
         """The film that the peaks of a pair of surfaces ask for."""
-        return asked_film(films.task, self.surfaces[surface][films.task.place == "rear"])
+        return asked_film(films.task, self.surfaces[surface][films.task.place])
 
 
 @record
 class DriveRows:
-    """Combinations, an array each: sizes in SI, `power` of both journals, `mass` of the shaft, the number of its
-    `surface`."""
+    """Combinations, an array each: sizes in SI, of the journals a column each, front to rear; `power` of both journals,
+    `mass` of the shaft, the number of its `surface`."""
 
     core: Array
-    front_diameter: Array
-    front_length: Array
-    front_clearance: Array
-    rear_diameter: Array
-    rear_length: Array
-    rear_clearance: Array
+    diameter: Array
+    length: Array
+    clearance: Array
     surface: Array
     margin: Array
     power: Array
@@ -66,11 +73,16 @@ class DriveRows:
 
     @property
     def seat(self) -> Array:
-        seat: Array = np.maximum(self.front_diameter, self.rear_diameter)
+        seat: Array = self.diameter.max(1)
         return seat
 
     def __len__(self) -> int:
         return len(self.power)
+
+
+def no_rows() -> DriveRows:
+    one, both = np.zeros(0), np.zeros((0, 2))
+    return DriveRows(one, both, both, both, one, one, one, one)
 
 
 def joined(parts: Sequence[DriveRows]) -> DriveRows:
@@ -103,17 +115,16 @@ def class_front(drive: ShaftSurroundings, sizes: Sizes) -> DriveRows:
     """The rows of a class that no other of it beats in power, mass, seat, surfaces and margin."""
     row_sets = [rows for surface in range(len(sizes.surfaces)) for rows in _of_surface(drive, sizes, surface)]
     if not row_sets:
-        return joined([_empty()])
+        return no_rows()
     rows = joined(row_sets)
     objectives = np.stack([rows.power, rows.mass, rows.seat, -rows.margin, rows.surface], 1)
     return rows.at(front(objectives))
 
 
 def _of_surface(drive: ShaftSurroundings, sizes: Sizes, surface: int) -> Iterator[DriveRows]:
-    small_place = "front" if sizes.seat == "rear" else "rear"
-    lengths = np.unique(np.concatenate([np.round(f.length, 9) for f in sizes.films[small_place]] or [np.zeros(0)]))
+    lengths = np.unique(np.concatenate([np.round(f.length, 9) for f in sizes.small] or [np.zeros(0)]))
     for margin in sizes.margins:
-        small = _small(drive, sizes, small_place, surface, margin, lengths)
+        small = _small(drive, sizes, surface, margin, lengths)
         if small is None:
             continue
         for big in sizes.films[sizes.seat]:
@@ -134,18 +145,16 @@ def _table(sizes: Sizes, films: Films, bending: Array, surface: int, margin: Num
     return least
 
 
-def _small(
-    drive: ShaftSurroundings, sizes: Sizes, place: str, surface: int, margin: Number, lengths: Array
-) -> _Small | None:
+def _small(drive: ShaftSurroundings, sizes: Sizes, surface: int, margin: Number, lengths: Array) -> _Small | None:
     layers_P: list[Array] = []
     layers_D: list[Array] = []
     best = np.full((lengths.size, STEPS + 1), np.inf)
     count = np.zeros(best.shape, dtype=int)
     other = np.full(lengths.size, -np.inf)
-    n, m = (0, 1) if place == "front" else (1, 0)
-    for films in sizes.films[place]:  # rising diameters
+    n, m = sizes.order
+    for films in sizes.small:
         at = np.searchsorted(lengths, np.round(films.length, 9))
-        bent = journal_slopes(drive, place == "front", films.task.diameter, films.length)
+        bent = journal_slopes(drive, n, films.task.diameter, films.length)
         other[at] = np.maximum(other[at], bent[m])
         power = np.full(best.shape, np.inf)
         power[at] = _table(sizes, films, bent[n], surface, margin)
@@ -166,25 +175,26 @@ def _with_seat(
     drive: ShaftSurroundings, sizes: Sizes, small: _Small, big: Films, surface: int, margin: Number
 ) -> DriveRows | None:
     """The front of power and mass with one largest journal."""
-    front_is_small = sizes.seat == "rear"
+    n_s, n_b = sizes.order
     d = big.task.diameter
-    l_f, l_r = (small.length, big.length) if front_is_small else (big.length, small.length)
-    shaft = _shafts(drive, sizes.core, l_f, l_r, d, front_is_small)
+    lengths = {n_s: small.length, n_b: big.length}
+    shaft = shafts(drive, sizes.core, (lengths[0], lengths[1]), d)
+    bent = journal_slopes(drive, n_b, d, big.length)
+    mass = shaft.mass + along(n_b, journal_mass(drive, d, big.length))
     unit = sizes.limit / STEPS
-    here, there = (1, 0) if front_is_small else (0, 1)  # places of the big and of the small journal among the slopes
     with np.errstate(invalid="ignore"):
-        s_big = np.ceil(
-            drive.turning(here, shaft.mass, shaft.slopes[here] + _along(small.other, not front_is_small)) / unit - 1e-9
-        )
-        s_small = np.ceil(drive.turning(there, shaft.mass, shaft.slopes[there]) / unit - 1e-9)
+        of_big = shaft.slopes[n_b] + along(n_b, bent[n_b]) + along(n_s, small.other)
+        of_small = shaft.slopes[n_s] + along(n_b, bent[n_s])
+        s_big = np.ceil(drive.turning(n_b, mass, of_big) / unit - 1e-9)
+        s_small = np.ceil(drive.turning(n_s, mass, of_small) / unit - 1e-9)
         fits = shaft.fits & (s_big <= STEPS) & (s_small <= STEPS)
     if not fits.any():
         return None
-    i_c, i_f, i_r = np.nonzero(fits)
-    i_s, i_b = (i_f, i_r) if front_is_small else (i_r, i_f)
+    i_c, *journals = np.nonzero(fits)
+    i_s, i_b = journals[n_s], journals[n_b]
     k_b, k_s = s_big[fits].astype(int), s_small[fits].astype(int)
     P_big = _table(sizes, big, np.zeros(big.length.size), surface, margin)[i_b, k_b]  # its own bending is in the slopes
-    base, index = shaft.mass[fits], np.flatnonzero(np.isfinite(P_big))
+    base, index = mass[fits], np.flatnonzero(np.isfinite(P_big))
     parts: list[tuple[Array, Array, Array, IndexArray]] = []
     for P, D in zip(small.power, small.diameter):
         power, diameter = P[i_s[index], k_s[index]] + P_big[index], D[i_s[index], k_s[index]]
@@ -197,8 +207,8 @@ def _with_seat(
             )
     if not parts:
         return None
-    power, mass, diameter, at = (np.concatenate(x) for x in zip(*parts))
-    chosen = _least(power, mass)
+    power, weight, diameter, at = (np.concatenate(x) for x in zip(*parts))
+    chosen = _least(power, weight)
     at = at[chosen]
     slopes = s_big[fits][at] * unit, s_small[fits][at] * unit
     return _rows(
@@ -211,26 +221,8 @@ def _with_seat(
         (i_c[at], i_s[at], i_b[at]),
         diameter[chosen],
         slopes,
-        (power[chosen], mass[chosen]),
+        (power[chosen], weight[chosen]),
     )
-
-
-def _shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, d: Metre, front_is_small: bool) -> Shafts:
-    """With the rear journal's own bending and mass within: where the rear one is the smaller, those are taken out
-    again."""
-    shaft = shafts(drive, core, l_f, l_r, d, d)
-    slopes, mass = list(shaft.slopes), shaft.mass
-    if not front_is_small:
-        for n, (rear, front_) in enumerate(
-            zip(journal_slopes(drive, False, d, l_r), journal_slopes(drive, True, d, l_f))
-        ):
-            slopes[n] = slopes[n] - rear[None, None, :] + front_[None, :, None]
-        mass = mass - journal_mass(drive, d, l_r)[None, None, :] + journal_mass(drive, d, l_f)[None, :, None]
-    return Shafts(shaft.face, (slopes[0], slopes[1]), mass, shaft.fits)
-
-
-def _along(x: Array, rear: bool) -> Array:
-    return x[None, None, :] if rear else x[None, :, None]
 
 
 def _least(power: Array, mass: Array) -> IndexArray:
@@ -255,29 +247,25 @@ def _rows(
 ) -> DriveRows:
     """The clearances of the rows that are kept: those of least power that bear their slopes."""
     i_c, i_s, i_b = at
-    place = "front" if sizes.seat == "rear" else "rear"
-    by_diameter = {f.task.diameter: f for f in sizes.films[place]}
+    n_s, _ = sizes.order
+    by_diameter = {f.task.diameter: f for f in sizes.small}
     g_big, g_small = np.zeros(i_c.size), np.zeros(i_c.size)
     bears = big.bears(sizes.asked(big, surface), margin, sizes.limit)
     for n, column in enumerate(i_b.tolist()):
         g_big[n] = _clearance(big, bears[:, column], column, slopes[0][n])
     for d in np.unique(diameter):
         f = by_diameter[float(d)]
-        bending = journal_slopes(drive, place == "front", f.task.diameter, f.length)[0 if place == "front" else 1]
+        bending = journal_slopes(drive, n_s, f.task.diameter, f.length)[n_s]
         bears = f.bears(sizes.asked(f, surface), margin, sizes.limit) - bending * OWN
         for n in np.flatnonzero(diameter == d).tolist():
             column = int(np.searchsorted(np.round(f.length, 9), round(float(small.length[i_s[n]]), 9)))
             g_small[n] = _clearance(f, bears[:, column], column, slopes[1][n])
-    sized = (diameter, small.length[i_s], g_small), (np.full(i_c.size, big.task.diameter), big.length[i_b], g_big)
-    (d_f, l_f, g_f), (d_r, l_r, g_r) = sized if place == "front" else sized[::-1]
+    both = (diameter, small.length[i_s], g_small), (np.full(i_c.size, big.task.diameter), big.length[i_b], g_big)
+    d, l, g = (np.stack(columns, 1) for columns in zip(*(both if n_s == 0 else both[::-1])))
     surfaces, margins = np.full(i_c.size, surface, dtype=float), np.full(i_c.size, margin)
-    return DriveRows(sizes.core[i_c], d_f, l_f, g_f, d_r, l_r, g_r, surfaces, margins, *known)
+    return DriveRows(sizes.core[i_c], d, l, g, surfaces, margins, *known)
 
 
 def _clearance(films: Films, bears: Array, column: int, slope: Radian) -> Metre:
     holds = bears >= slope * (1 - 1e-12)
     return float(films.clearance[np.where(holds, films.power[:, column], np.inf).argmin()])
-
-
-def _empty() -> DriveRows:
-    return DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))

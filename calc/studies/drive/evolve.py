@@ -18,9 +18,9 @@ from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.text import Text
 from ...solve import Results
-from .combinations import DriveRows, joined
+from .combinations import no_rows
 from .front import front, representatives
-from .problem import CORE, Problem, of_bearing
+from .problem import Problem
 from .search import FrontFound, FrontTable
 from .solved_drive import Sized, Whole, whole
 
@@ -108,7 +108,7 @@ class _Space:
         self.problem = problem
         self.known: dict[tuple[Any, ...], tuple[Whole, Array, float]] = {}
         self.before: Results | None = None
-        self.widths = self._widths()
+        self.width = self._width()
 
     @property
     def variables(self) -> int:
@@ -118,31 +118,30 @@ class _Space:
     def passing(self) -> list[Whole]:
         return [drive for drive, _, _ in self.known.values() if not drive.broken]
 
-    def _widths(self) -> dict[str, float]:
+    def _width(self) -> float:
         """The width of the supply in mm, which a journal must be longer than."""
         bearings = self.problem.base.bearings
         assert bearings is not None
         widths = (bearings.hole_diameter, bearings.groove_width, bearings.pocket_width, bearings.axial_groove_length)
-        return dict.fromkeys(("front", "rear"), max(x or 0.0 for x in widths) * 1e3)
+        return max(x or 0.0 for x in widths) * 1e3
 
     def sized(self, x: Array) -> Sized:
         """The drive at a point: class, surfaces, core, diameters, then of each journal l/d and clearance over
         diameter."""
-        problem, sizes = self.problem, self.problem.sizes
-        small = "front" if problem.seat == "rear" else "rear"
-        seat = _at(sizes[of_bearing(problem.seat, BearingRow.diameter)] or (), x[3])
-        below = tuple(d for d in sizes[of_bearing(small, BearingRow.diameter)] or () if d <= seat + 1e-9)
-        diameter = {problem.seat: seat, small: _at(below or (seat,), x[4])}
+        problem, sizes, keys = self.problem, self.problem.sizes, self.problem.keys
+        seat = _at(sizes[keys.of_bearing(problem.seat, BearingRow.diameter)] or (), x[3])
+        below = tuple(d for d in sizes[keys.of_bearing(problem.small, BearingRow.diameter)] or () if d <= seat + 1e-9)
+        diameter = {problem.seat: seat, problem.small: _at(below or (seat,), x[4])}
         length, clearance = {}, {}
-        for place, (u, v) in {"front": (x[5], x[6]), "rear": (x[7], x[8])}.items():
-            d, given = diameter[place], sizes[of_bearing(place, BearingRow.length)]
+        for place, (u, v) in zip(keys.places, ((x[5], x[6]), (x[7], x[8]))):
+            d, given = diameter[place], sizes[keys.of_bearing(place, BearingRow.length)]
             low, high = (ratio * d for ratio in USUAL_LENGTH_RATIO)
-            low = max(low, self.widths[place] + LENGTH_STEP)
+            low = max(low, self.width + LENGTH_STEP)
             length[place] = _at(given, u) if given else round((low + u * (high - low)) / LENGTH_STEP) * LENGTH_STEP
             clearance[place] = round((NARROWEST + v * (WIDEST - NARROWEST)) * d * 1e3 / CLEARANCE_STEP) * CLEARANCE_STEP
         return Sized(
             _at(tuple(problem.classes), x[0]),
-            _at(sizes[CORE] or (), x[2]),
+            _at(sizes[keys.core] or (), x[2]),
             diameter,
             length,
             clearance,
@@ -178,8 +177,7 @@ class _Space:
             (good[int(kept[n])][0] for n in chosen), key=lambda drive: (drive.objectives["power"], str(drive.changes))
         )
         worst = sorted((entry for entry in every if entry[0].broken), key=lambda entry: entry[2])[:10]
-        nothing = DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))
-        known = FrontTable(joined([nothing]), np.zeros(0, dtype=int), rows[kept], len(every), ())
+        known = FrontTable(no_rows(), np.zeros(0, dtype=int), rows[kept], len(every), ())
         return FrontFound(
             problem, known, tuple(drives), tuple(drive for drive, _, _ in worst), len(problem.classes), proved=False
         )

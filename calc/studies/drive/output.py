@@ -7,11 +7,11 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ...countershaft.rows import BearingRow
+from ...countershaft.rows import BearingRow, called
 from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Name, Text
 from ...sheet.version import VERSION
-from .problem import CORE, FITS, LIMITS, MATERIAL, OIL, SUPPLY_KEY, TIED, Problem, of_bearing
+from .problem import FITS, LIMITS, OIL, SUPPLY_KEY, Problem
 from .search import FrontFound, key
 from .solved_drive import Whole
 
@@ -24,7 +24,6 @@ LABELS = {
 }
 UNIT = {"power": "W", "mass": "kg", "seat": "mm", "price": "€", "margin": "%"}
 CHOICES = {
-    MATERIAL: Text("material"),
     OIL: Text("oil"),
     SUPPLY_KEY: Text("supply"),
     FITS: Text("fits"),
@@ -56,13 +55,15 @@ def label(problem: Problem, name: str) -> Text:
 
 def table(front: FrontFound, drives: Iterable[int] | None = None) -> Table:
     """The drives by number; columns that are the same in all are left out."""
-    problem = front.problem
+    problem, keys = front.problem, front.problem.keys
+    words = {keys.material: Text("material"), **CHOICES}
     varied = [name for name in problem.choices if len({str(drive.sized.choices[name]) for drive in front.drives}) > 1]
     surfaces = len({drive.sized.surface for drive in front.drives}) > 1
     columns = [(Text("no."), ""), *((label(problem, name), UNIT[name]) for name in problem.objectives)]
-    columns += [(CHOICES.get(name, Text("{key}", key=Name(name))), "") for name in varied]
+    columns += [(words.get(name, Text("{key}", key=Name(name))), "") for name in varied]
     columns += [(Text("Ra"), "µm")] if surfaces else []
-    columns += [(Text("front Ø×l/g"), "mm/µm"), (Text("rear Ø×l/g"), "mm/µm"), (Text("core"), "mm"), (Text("open"), "")]
+    columns += [(Text("{row} Ø×l/g", row=called(place)), "mm/µm") for place in keys.places]
+    columns += [(Text("core"), "mm"), (Text("open"), "")]
     rows = []
     for n, drive in enumerate(front.drives, 1):
         if drives is not None and n not in drives:
@@ -74,8 +75,8 @@ def table(front: FrontFound, drives: Iterable[int] | None = None) -> Table:
         ]
         cells += [Name(word(s.choices[name])) for name in varied]
         cells += [Name(_surfaces(problem, s.surface))] if surfaces else []
-        cells += [Name(_size(problem, s, place)) for place in ("front", "rear")]
-        cells += [Name(f"{s.core:g}{END if CORE in at_end(problem, drive) else ''}"), float(drive.open)]
+        cells += [Name(_size(problem, s, place)) for place in keys.places]
+        cells += [Name(f"{s.core:g}{END if keys.core in at_end(problem, drive) else ''}"), float(drive.open)]
         rows.append(tuple(cells))
     note = Text("{proof} Every row was solved whole, and no limit of it fails.", proof=proof(front))
     if any(at_end(problem, drive) for drive in front.drives):
@@ -91,26 +92,23 @@ def word(choice: object) -> str:
 
 
 def _size(problem: Problem, s: Any, place: str) -> str:
-    end = END if _ends(problem, {of_bearing(place, BearingRow.diameter): s.diameter[place]}) else ""
+    end = END if _ends(problem, {problem.keys.of_bearing(place, BearingRow.diameter): s.diameter[place]}) else ""
     return f"{s.diameter[place]:g}{end}×{s.length[place]:g}/{s.clearance[place]:g}"
 
 
 def _surfaces(problem: Problem, pair: tuple[float, float] | None) -> str:
     """Journal and seat; as designed, where both bearings have the same."""
-    bearings = problem.base.bearings
-    if pair is None and bearings is not None:
-        pairs = {(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in (bearings.front, bearings.rear)}
+    if pair is None:
+        pairs = {(row.journal_roughness * 1e6, row.housing_roughness * 1e6) for row in problem.base.rows}
         pair = pairs.pop() if len(pairs) == 1 else None
     return "/".join(f"{x:g}" for x in pair) if pair is not None else "–"
 
 
 def at_end(problem: Problem, drive: Whole) -> list[str]:
     """The keys whose range ends at this drive, where the range is a rule or the user's and no limit of the design."""
-    sizes = {
-        CORE: drive.sized.core,
-        **{of_bearing(p, BearingRow.diameter): d for p, d in drive.sized.diameter.items()},
-    }
-    return _ends(problem, sizes)
+    keys = problem.keys
+    diameters = {keys.of_bearing(place, BearingRow.diameter): d for place, d in drive.sized.diameter.items()}
+    return _ends(problem, {keys.core: drive.sized.core, **diameters})
 
 
 def _ends(problem: Problem, sizes: Mapping[str, float]) -> list[str]:
@@ -167,7 +165,7 @@ def json_text(front: FrontFound) -> str:
         "limits": list(problem.limits),
         "waived": list(problem.waived),
         "said": [str(line) for line in problem.said],
-        "ties": {name: str(why) for name, why in TIED.items()},
+        "ties": {name: str(why) for name, why in problem.keys.tied.items()},
         "refused": [[n, str(why)] for n, why in front.table.refused],
         "dropped": [{"changes": drive.changes, "broken": list(drive.broken)} for drive in front.dropped],
     }
@@ -226,7 +224,7 @@ def said(problem: Problem) -> list[Text]:
             ", ".join("/".join(f"{x:g}" for x in pair) if pair else "as designed" for pair in problem.surfaces)
         )
         lines.append(Text("surfaces, journal and seat: {pairs} µm", pairs=pairs))
-    lines += [Text("{key}: {why}", key=Name(name), why=why) for name, why in TIED.items()]
+    lines += [Text("{key}: {why}", key=Name(name), why=why) for name, why in problem.keys.tied.items()]
     more = [limit for limit in problem.limits if limit not in LIMITS]
     lines.append(
         Text(

@@ -23,18 +23,19 @@ from ...bearings.checks import (
 )
 from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.variants import SUPPLIES, placed
-from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, RIGID, SLOPE_FRONT, SLOPE_REAR
+from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, JOURNAL_SLOPE, RIGID
 from ...countershaft.inputs import THREADED, ShaftInputs
 from ...countershaft.making.inputs import Support
 from ...countershaft.making.parts import SUPPORT_WALL
 from ...countershaft.making.scatter import SCATTER_RESIDUAL
 from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.rows import BearingRow
-from ...design.addresses import quantity_of, value_at
+from ...design.addresses import address, quantity_of, step_at, value_at
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.other_tables import OBJECTIVES, OptimiseInputs
 from ...design.toml_file import Document, design
+from ...design.upgrade import MANY, SLOPES, current, own_key
 from ...gears.backlash.checks import BACKLASH_CHANCE
 from ...gears.checks import CONTACT_RATIO_USUAL
 from ...gears.measures.solve import SPAN_WIDTH
@@ -58,45 +59,70 @@ MOST_CLASSES = 500
 MOST_VALUES = 1000  # of one range
 
 
-def of_shaft(field: object) -> str:
-    """The key of a field of the shaft."""
-    return dotted(Design.countershaft, field)
-
-
-def of_bearing(place: str, field: object) -> str:
-    """The key of a field of one bearing."""
-    return dotted(Design.bearings, place, field)
-
-
-BOTH = ("front", "rear")
-CORE, MATERIAL = of_shaft(ShaftInputs.core_radius), of_shaft(ShaftInputs.material)
-SLOPE = dotted(Design.bearings, BearingsInputs.slope)
 OIL, SUPPLY_KEY = dotted(Design.bearings, BearingsInputs.oil), dotted(Design.bearings, BearingsInputs.supply)
 BOTH_FITS = (dotted(Design.bearings, BearingsInputs.journal_fit), dotted(Design.bearings, BearingsInputs.seat_fit))
 FITS, SURFACES = (
     dotted(Design.bearings, "fits"),
     dotted(Design.bearings, "surfaces"),
-)  # several keys that are chosen as one
-SIZES = (CORE, *(of_bearing(place, size) for place in BOTH for size in (BearingRow.diameter, BearingRow.length)))
+)  # several keys that are chosen as one: words of the search
 IN_STEPS = Text("is chosen in steps of 5 µm between what is left cold and the usual factor")
-TIED = {
-    of_shaft(ShaftInputs.outer_radius): Text("follows from the largest journal, less the clearance for threading in"),
-    of_shaft(ShaftInputs.half_length): Text("follows from the longer journal, less two fillets"),
-    **{of_bearing(place, BearingRow.clearance): IN_STEPS for place in BOTH},
-}
-WITHIN = {  # keys that a drive is given with another one
-    **dict.fromkeys(BOTH_FITS, FITS),
-    **{
-        of_bearing(place, surface): SURFACES
-        for place in BOTH
-        for surface in (BearingRow.journal_roughness, BearingRow.housing_roughness)
-    },
-    **{of_bearing(place, BearingRow.clearance_factor): of_bearing(place, BearingRow.clearance) for place in BOTH},
-}
 WIDTHS = Text(
     'must be pairs of widths, journal and seat: ["IT6", "IT7"]; the clearance is searched for, and a fit with a place '
     "makes it"
 )
+
+
+@record
+class DriveKeys:
+    """What a design calls the sizes of its drive: keys of its own shaft and of that shaft's two bearings."""
+
+    design: Design
+
+    @property
+    def places(self) -> tuple[str, str]:
+        """The names of the bearings, front to rear."""
+        return self.design.rows[0].name, self.design.rows[-1].name
+
+    def of_bearing(self, place: str, field: object) -> str:
+        return self.design.own_key(ShaftInputs.bearings, place, field)
+
+    @property
+    def core(self) -> str:
+        return self.design.own_key(ShaftInputs.core_radius)
+
+    @property
+    def material(self) -> str:
+        return self.design.own_key(ShaftInputs.material)
+
+    @property
+    def sizes(self) -> tuple[str, ...]:
+        both = (BearingRow.diameter, BearingRow.length)
+        return (self.core, *(self.of_bearing(place, size) for place in self.places for size in both))
+
+    @property
+    def tied(self) -> dict[str, Text]:
+        """What follows from other sizes, and how."""
+        largest = Text("follows from the largest journal, less the clearance for threading in")
+        return {
+            self.design.own_key(ShaftInputs.outer_radius): largest,
+            self.design.own_key(ShaftInputs.half_length): Text("follows from the longer journal, less two fillets"),
+            **{self.of_bearing(place, BearingRow.clearance): IN_STEPS for place in self.places},
+        }
+
+    @property
+    def slopes(self) -> tuple[str, ...]:
+        return (SLOPES, *(self.of_bearing(place, BearingRow.slope) for place in self.places))
+
+    @property
+    def within(self) -> dict[str, str]:
+        """Keys that a drive is given with another one."""
+        others = dict.fromkeys(BOTH_FITS, FITS)
+        for place in self.places:
+            for surface in (BearingRow.journal_roughness, BearingRow.housing_roughness):
+                others[self.of_bearing(place, surface)] = SURFACES
+            factor, clearance = BearingRow.clearance_factor, BearingRow.clearance
+            others[self.of_bearing(place, factor)] = self.of_bearing(place, clearance)
+        return others
 
 
 class Variables:
@@ -106,22 +132,30 @@ class Variables:
         assert design.countershaft is not None and design.bearings is not None
         self.start, self.own, self.tip = start, own, tip
         self.shaft, self.bearings = design.countershaft, design.bearings
+        self.keys, self.rows = DriveKeys(design), (design.rows[0], design.rows[-1])
         self.vary: dict[str, Any] = dict(own.vary) if isinstance(own.vary, dict) else {}
         self.errors: list[InputError] = []
         self.notes: list[Text] = []
-        self.seat = "rear" if self.bearings.rear.diameter >= self.bearings.front.diameter else "front"
+        first, last = self.rows
+        self.small, self.seat = (first, last) if last.diameter >= first.diameter else (last, first)
+        tied, slopes = self.keys.tied, self.keys.slopes
         for key in self.vary:
-            if key in TIED:
-                self.wrong(key, Text("can not be varied: it {why}", why=TIED[key]))
-            elif key == SLOPE:
+            if key in tied:
+                self.wrong(key, Text("can not be varied: it {why}", why=tied[key]))
+            elif key in slopes:
                 self.wrong(key, Text("can not be varied: it is that of each shaft's own bending"))
-            elif (within := WITHIN.get(key)) is not None and (within != SURFACES or self._surfaces_vary()):
+            elif (within := self.keys.within.get(key)) is not None and (within != SURFACES or self._surfaces_vary()):
                 self.wrong(key, Text("can not be varied: it is set with {key}", key=Name(within)))
 
     def wrong(self, key: str, why: Text, value: object = "") -> None:
         lines, vary = self.start.lines, dotted(Design.optimise, OptimiseInputs.vary)
         name = f"{vary}.{key}"
-        self.errors.append(InputError(lines.get(name, lines.get(vary, 0)), name, str(value), why))
+        line = lines.get(name, lines.get(vary, 0))
+        self.errors.append(InputError(line, self._as_written(name), str(value), why))
+
+    def _as_written(self, key: str) -> str:
+        """What the file calls a key, which may be one of schema 1."""
+        return own_key(self.start.former.was, key) if self.start.former is not None else key
 
     def values(self, key: str, otherwise: Sequence[float]) -> tuple[float, ...]:
         """Numbers of a key: those that are given, else those of the rule."""
@@ -147,36 +181,38 @@ class Variables:
         try:
             design(self.start.with_value(key, value))
         except BadInput as bad:
-            own_errors = [e for e in bad.errors if e.key == key]
-            if own_errors or not key.startswith(("countershaft", "bearings")):
+            own_errors = [e for e in bad.errors if e.key == key or f"{e.key}.".startswith(f"{self._place(key)}.")]
+            if own_errors or step_at(self.start.data, key) not in ("countershaft", "bearings"):
                 self.wrong(key, (own_errors or bad.errors)[0].reason, value)
 
+    def _place(self, key: str) -> str:
+        """Where errors of a key stand: elements of arrays by index; of what is said of all bearings, at all of them."""
+        there = self.keys.design.own_key(ShaftInputs.bearings) if key in MANY else key
+        return self._as_written(".".join(map(str, address(self.start.data, there, whole=True))))
+
     def sizes(self) -> dict[str, tuple[float, ...] | None]:
-        diameters = {place: getattr(self.bearings, place).diameter * 1e3 for place in ("front", "rear")}
-        small = "front" if self.seat == "rear" else "rear"
+        d_seat, d_small = self.seat.diameter * 1e3, self.small.diameter * 1e3
         threaded = (THREADED if self.shaft.radial_clearance is None else self.shaft.radial_clearance) * 1e3
-        R = diameters[self.seat] / 2 - threaded
+        R = d_seat / 2 - threaded
         core = (self.shaft.core_radius or 0.0) * 1e3 / R
-        most = min(
-            diameters[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf"))
-        )
-        through = self.tip if small == "front" else None  # the gear goes through the front seat
-        least = through + 2 * ROOM if through is not None else LEAST_SHARE * diameters[small]
+        most = min(d_seat + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
+        through = self._gear_through_small
+        least = through + 2 * ROOM if through is not None else LEAST_SHARE * d_small
         seat_key, small_key = self._diameters()
-        seats = self.values(seat_key, _steps(LEAST_SEAT * diameters[self.seat], most))
+        seats = self.values(seat_key, _steps(LEAST_SEAT * d_seat, most))
         seats = tuple(d for d in seats if d <= most + 1e-9)
         sizes: dict[str, tuple[float, ...] | None] = {
-            CORE: self.values(
-                CORE,
+            self.keys.core: self.values(
+                self.keys.core,
                 _steps(max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * R),
             ),
             seat_key: seats,
             small_key: self.values(small_key, _steps(least, max(seats, default=0.0))),
         }
-        for place in ("front", "rear"):
-            key = of_bearing(place, BearingRow.length)
+        for row in self.rows:
+            key = self.keys.of_bearing(row.name, BearingRow.length)
             sizes[key] = self.values(key, ()) if key in self.vary else None
-        for key in SIZES:
+        for key in self.keys.sizes:
             if (why := locked(self.start.data, key)) and key not in self.vary:
                 sizes[key] = self.values(key, ()) if self.vary.setdefault(key, "fixed") else None
                 self.notes.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
@@ -185,13 +221,19 @@ class Variables:
     def bounded(self) -> dict[str, tuple[bool, bool]]:
         seat_key, small_key = self._diameters()
         most = min(self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
-        through = self.tip is not None and self.seat == "rear" and small_key not in self.vary
-        return {CORE: (False, False), seat_key: (False, most < float("inf")), small_key: (through, True)}
+        through = self._gear_through_small is not None and small_key not in self.vary
+        return {self.keys.core: (False, False), seat_key: (False, most < float("inf")), small_key: (through, True)}
 
     def _diameters(self) -> tuple[str, str]:
         """The keys of the larger journal's and of the smaller one's."""
-        small = "front" if self.seat == "rear" else "rear"
-        return of_bearing(self.seat, BearingRow.diameter), of_bearing(small, BearingRow.diameter)
+        seat, small = (self.keys.of_bearing(row.name, BearingRow.diameter) for row in (self.seat, self.small))
+        return seat, small
+
+    @property
+    def _gear_through_small(self) -> float | None:
+        """The tip diameter of the gear, mm, where it goes through the smaller journal's seat: it comes from the
+        front."""
+        return self.tip if self.small is self.rows[0] else None
 
     def _widest_seat(self) -> float:
         support = self.shaft.support
@@ -202,7 +244,8 @@ class Variables:
     def choices(self) -> dict[str, tuple[Any, ...]]:
         """The values of every key that makes classes."""
         by_rule = self._choices_by_rule()
-        further = [key for key in self.vary if key not in (*by_rule, *SIZES, *TIED, SURFACES)]
+        elsewhere = (*by_rule, *self.keys.sizes, *self.keys.tied, SURFACES)
+        further = [key for key in self.vary if key not in elsewhere]
         options = {key: self._options(key, by_rule.get(key, [])) for key in (*by_rule, *further)}
         options = {key: values for key, values in options.items() if values}
         count = math.prod(map(len, options.values()))
@@ -219,7 +262,7 @@ class Variables:
         fits = [str(bearings.journal_fit), str(bearings.seat_fit)]
         supplies = [s for s, width in SUPPLIES.items() if getattr(bearings, width) is not None and s != bearings.supply]
         by_rule: dict[str, list[Any]] = {
-            MATERIAL: [shaft.material, *(m for m in others if m != shaft.material)],
+            self.keys.material: [shaft.material, *(m for m in others if m != shaft.material)],
             OIL: [bearings.oil],
             SUPPLY_KEY: [bearings.supply, *supplies],
             FITS: [fits, *(p.value for p in self.own.price if p.what == "fit" and p.value != fits)],
@@ -279,8 +322,7 @@ class Variables:
                 return (None,)
         if not pairs:
             self.notes.append(Text("The surfaces stay: no price says what smoother ones cost."))
-        bearings = self.bearings.front, self.bearings.rear
-        as_designed = [(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in bearings]
+        as_designed = [(row.journal_roughness * 1e6, row.housing_roughness * 1e6) for row in self.rows]
         surfaces: list[tuple[float, float] | None] = [] if isinstance(given, list) else [None]
         same = as_designed[0] == as_designed[1]
         for a, b in pairs:
@@ -321,8 +363,7 @@ LIMITS = tuple(
         FILM_TRUMPLER,
         LENGTH_RATIO_USUAL,
         SUPPLY_RANGE,
-        SLOPE_FRONT,
-        SLOPE_REAR,
+        JOURNAL_SLOPE,
         RIGID,
         GEAR_SEAT,
         FILLET_ROOM,
@@ -336,7 +377,7 @@ LIMITS = tuple(
         SAFETY_BENDING_USUAL,
     )
 )
-MARGIN_OF = (FILM_EDGE_CORNER, FILM_DOUBLE_LOAD, FILM_EDGE_STANDING, SLOPE_FRONT, SLOPE_REAR)
+MARGIN_OF = (FILM_EDGE_CORNER, FILM_DOUBLE_LOAD, FILM_EDGE_STANDING, JOURNAL_SLOPE)
 MARGINS = (0.0, 0.05, 0.1, 0.2, 0.3)
 UNITS = {"power": ("W", 10.0), "mass": ("kg", 0.5), "seat": ("mm", 1.0), "price": ("EUR", 3.0), "margin": ("%", 10.0)}
 
@@ -347,9 +388,9 @@ class Problem:
     `sizes`: the values of every size by its key, mm, None: by the rule of lengths.
 
     `choices`: the values of everything else; `surfaces`: pairs of Ra, journal and seat, µm; None: as designed.  `seat`:
-    the place of the largest journal.  `most`: hard ends by objective, in its unit; margin is a least.  `cycle`: speed
-    over the rated one, and share of the time; empty: the rated speed alone.  `bounded`: whether the low and the high
-    end of a range of sizes is a limit of the design itself.  `said`: what was chosen here."""
+    the bearing of the largest journal, by its name.  `most`: hard ends by objective, in its unit; margin is a least.
+    `cycle`: speed over the rated one, and share of the time; empty: the rated speed alone.  `bounded`: whether the low
+    and the high end of a range of sizes is a limit of the design itself.  `said`: what was chosen here."""
 
     start: Document
     began: Changes
@@ -374,6 +415,16 @@ class Problem:
     def classes(self) -> list[Changes]:
         """The choices of every class, in the order of their lists."""
         return [dict(zip(self.choices, values)) for values in product(*self.choices.values())]
+
+    @property
+    def keys(self) -> DriveKeys:
+        return DriveKeys(self.base)
+
+    @property
+    def small(self) -> str:
+        """The name of the other bearing."""
+        first, last = self.keys.places
+        return first if self.seat == last else last
 
     @property
     def shaft(self) -> ShaftInputs:
@@ -417,7 +468,7 @@ class Problem:
 def price(design: Design, choices: Mapping[str, Any], surface: tuple[float, float] | None) -> float | None:
     assert design.countershaft is not None
     cost = design.countershaft.cost
-    material = choices.get(MATERIAL, design.countershaft.material)
+    material = choices.get(DriveKeys(design).material, design.countershaft.material)
     alternative = next((a for a in cost.alternatives if a.material == material), None) if cost is not None else None
     if alternative is None or cost is None:
         return None
@@ -449,14 +500,16 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         for key, override in overrides.items()
     }
     inputs: OptimiseInputs = replace(file, **merged)
+    if isinstance(inputs.vary, dict):
+        inputs = replace(inputs, vary={current(document.data, key): values for key, values in inputs.vary.items()})
     errors = [
         InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why)
         for key, why in inputs.problems()
     ]
     errors += [
-        InputError(0, step, "", Text("is needed: a drive has a shaft on two bearings"))
-        for step in ("countershaft", "bearings")
-        if getattr(base, step) is None
+        InputError(0, dotted(table), "", Text("is needed: a drive has a shaft on two bearings"))
+        for table, there in ((Design.shafts, base.countershaft), (Design.bearings, base.bearings))
+        if there is None
     ]
     if errors:
         raise BadInput(document.place, errors)
@@ -477,7 +530,7 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
     most = {key.rpartition("_")[0]: float(bound) for key, bound in (inputs.most or {}).items()}
     if "price" in (*objectives, *most) and any(price(base, choice, None) is None for choice in known):
         objectives = _without_price(document, objectives, most)
-        variables.notes.append(Text("The price is left out: [countershaft.cost] does not have it of every material."))
+        variables.notes.append(Text("The price is left out: [shafts.cost] does not have it of every material."))
     least = (inputs.least or {}).get("margin_percent", 0.0) / 100
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
     limits, waived = (*LIMITS, *(inputs.limits or ())), tuple(inputs.waive or ())
@@ -488,7 +541,7 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         sizes=sizes,
         choices=choices,
         surfaces=surfaces,
-        seat=variables.seat,
+        seat=variables.seat.name,
         objectives=objectives,
         margins=margins,
         most=most | {"margin": least * 100},
@@ -509,7 +562,7 @@ def _without_price(document: Document, objectives: tuple[str, ...], most: Mappin
     left = tuple(objective for objective in objectives if objective != "price")
     wrong = [key for key, needed in (("objectives", not left), ("most.price_EUR", "price" in most)) if needed]
     if wrong:
-        why = Text("needs the price of every material: give each a row in countershaft.cost.alternatives")
+        why = Text("needs the price of every material: give each a row in shafts.cost.alternatives")
         raise BadInput(
             document.place,
             [InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key in wrong],
@@ -537,24 +590,24 @@ def _cycle(design: Design, inputs: OptimiseInputs) -> tuple[tuple[float, float],
 def _sized(design: Design) -> tuple[Changes, list[Text]]:
     """What makes of it a design with a shaft that is sized, its fits written so that their corners are judged; and in
     words."""
-    shaft, bearings = design.countershaft, design.bearings
+    shaft, bearings, keys = design.countershaft, design.bearings, DriveKeys(design)
     assert shaft is not None and bearings is not None
     notes: list[Text] = []
     start: Changes = {}
-    R = max(bearings.front.diameter, bearings.rear.diameter) / 2 - (
-        THREADED if shaft.radial_clearance is None else shaft.radial_clearance
-    )
-    half = min(abs(z) - b.length / 2 for z, b in zip(shaft.bearing_positions, (bearings.front, bearings.rear)))
+    seat = max(row.diameter for row in design.rows)
+    R = seat / 2 - (THREADED if shaft.radial_clearance is None else shaft.radial_clearance)
+    half = min(abs(row.position) - row.length / 2 for row in design.rows)
     if shaft.mode != "size" and not shaft.sections:
-        start[of_shaft(ShaftInputs.outer_radius)] = round(R * 1e3, 6)
+        start[design.own_key(ShaftInputs.outer_radius)] = round(R * 1e3, 6)
         if shaft.core_radius is None:
-            start[CORE] = round(0.4 * R * 1e3, 6)
+            start[keys.core] = round(0.4 * R * 1e3, 6)
         half -= 2 * (shaft.fillet_radius or 0.0)
-        start[of_shaft(ShaftInputs.half_length)] = round(half * 1e3, 6)
-        start[of_shaft(ShaftInputs.mode)] = "size"
+        start[design.own_key(ShaftInputs.half_length)] = round(half * 1e3, 6)
+        start[design.own_key(ShaftInputs.mode)] = "size"
         notes.append(Text("The masses are sized anew within the envelope of the journals (mode = size)."))
-    if bearings.slope is not None:
-        start[SLOPE] = None
+    sloped = [row.name for row in design.rows if row.slope is not None]
+    if sloped:
+        start |= {keys.of_bearing(name, BearingRow.slope): None for name in sloped}
         notes.append(Text("The slopes that are given are left out: those of each shaft's own bending are taken."))
     fits = (str(bearings.journal_fit), str(bearings.seat_fit))
     widths = placed(bearings)
@@ -569,12 +622,11 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
         )
     support = shaft.support
     if support is not None and support.wall is not None and support.wall_at_seat is None:
-        seat = max(bearings.front.diameter, bearings.rear.diameter) * 1e3
-        start[dotted(Design.countershaft, ShaftInputs.support, Support.wall_at_seat)] = round(seat, 6)
+        start[design.own_key(ShaftInputs.support, Support.wall_at_seat)] = round(seat * 1e3, 6)
         notes.append(
             Text(
                 "The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.",
-                seat=f"{seat:g}",
+                seat=f"{seat * 1e3:g}",
             )
         )
     return start, notes

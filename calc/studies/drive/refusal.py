@@ -7,7 +7,7 @@ checks are never relaxed; they are named. Each line is one change alone, sought 
 solution before it is said."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -29,7 +29,7 @@ from ...sheet.text import EMPTY, Name, Text
 from ...sheet.value import untraced
 from .classes import NotClosed, class_with, sized
 from .combinations import DriveRows
-from .problem import FITS, OIL, SEAT_REACH, SUPPLY_KEY, SURFACES, Problem, of_bearing, of_shaft
+from .problem import FITS, OIL, SEAT_REACH, SUPPLY_KEY, SURFACES, Problem
 from .search import FrontFound
 from .solved_drive import Whole, whole
 
@@ -94,8 +94,7 @@ def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
 
 def quick(problem: Problem) -> Problem:
     """The same with few diameters of the smaller journal, and no margin but the least."""
-    small = of_bearing("front" if problem.seat == "rear" else "rear", BearingRow.diameter)
-    seat = of_bearing(problem.seat, BearingRow.diameter)
+    seat, small = (problem.keys.of_bearing(place, BearingRow.diameter) for place in (problem.seat, problem.small))
     values, seats = problem.sizes[small] or (), problem.sizes[seat] or ()
     few = values[:: max(1, math.ceil(len(values) / FEW))]
     sizes = {**problem.sizes, small: few, seat: seats[-1:]}
@@ -171,55 +170,54 @@ Requirement = tuple[Text, Callable[[], RefusalLine | None]]
 
 
 def _ways(problem: Problem) -> Iterator[Requirement]:
-    shaft, bearings = problem.shaft, problem.base.bearings
-    assert bearings is not None
-    seats = problem.sizes[of_bearing(problem.seat, BearingRow.diameter)] or ()
+    shaft, base = problem.shaft, problem.base
+    seats = problem.sizes[problem.keys.of_bearing(problem.seat, BearingRow.diameter)] or ()
     if seats:
         yield Text("a larger seat"), lambda: _seat(problem, max(seats))
-    z = shaft.bearing_positions
+    z = {problem.keys.of_bearing(row.name, BearingRow.position): row.position * 1e3 for row in base.rows}
     yield (
         Text("bearings further apart"),
         lambda: _stretched(
             problem,
-            of_shaft(ShaftInputs.bearing_positions),
+            problem.keys.of_bearing("*", BearingRow.position),
             0.1,
-            lambda share: [round(x * 1e3 * (1 + share), 2) for x in z],
-            lambda value: Text("{a} → {b} mm", a=Name(_list([x * 1e3 for x in z])), b=Name(_list(value))),
+            lambda share: {key: round(x * (1 + share), 2) for key, x in z.items()},
+            lambda moved: Text("{a} → {b} mm", a=Name(_list(z.values())), b=Name(_list(moved.values()))),
         ),
     )
-    x_o = shaft.overdesign * 100
+    x_o, beyond = shaft.overdesign * 100, base.own_key(ShaftInputs.overdesign)
     yield (
         Text("less couple beyond the required one"),
         lambda: _stretched(
             problem,
-            of_shaft(ShaftInputs.overdesign),
+            beyond,
             0.05,
-            lambda share: round(x_o - share * 100, 2),
-            lambda value: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{value:g}")),
+            lambda share: {beyond: round(x_o - share * 100, 2)},
+            lambda moved: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{moved[beyond]:g}")),
         ),
     )
-    r = problem.fillet
+    r, fillet = problem.fillet, base.own_key(ShaftInputs.fillet_radius)
     if r:
         yield (
             Text("a smaller fillet"),
             lambda: _stretched(
                 problem,
-                of_shaft(ShaftInputs.fillet_radius),
+                fillet,
                 0.8,
-                lambda share: round(r * (1 - share), 3),
-                lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")),
+                lambda share: {fillet: round(r * (1 - share), 3)},
+                lambda moved: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{moved[fillet]:g}")),
             ),
         )
     yield from _chosen(problem)
 
 
-def _list(values: list[float]) -> str:
+def _list(values: Iterable[float]) -> str:
     return "[" + ", ".join(f"{x:g}" for x in values) + "]"
 
 
 def _seat(problem: Problem, now: float) -> RefusalLine | None:
     """The least larger seat; the wall beside it gives what it takes, and may be what is then broken."""
-    key = of_bearing(problem.seat, BearingRow.diameter)
+    key = problem.keys.of_bearing(problem.seat, BearingRow.diameter)
 
     def at(seat: float) -> Problem:
         reduced = quick(problem)
@@ -255,13 +253,16 @@ def _wall(problem: Problem, now: float, seat: float) -> Text:
     )
 
 
+Moved = Mapping[str, float]  # keys and their new values
+
+
 def _stretched(
-    problem: Problem, key: str, reach: float, value: Callable[[float], Any], words: Callable[[Any], Text]
+    problem: Problem, key: str, reach: float, moved: Callable[[float], Moved], words: Callable[[Moved], Text]
 ) -> RefusalLine | None:
-    """One key moved by the least share that lets something pass."""
+    """One requirement moved by the least share that lets something pass; `key`: what it is called."""
 
     def at(share: float) -> Problem | None:
-        return _with(quick(problem), key, value(share))
+        return _with(quick(problem), moved(share))
 
     def holds(share: float) -> bool:
         candidate = at(share)
@@ -271,12 +272,14 @@ def _stretched(
     changed = at(share) if share is not None else None
     if share is None or changed is None or (drive := _confirmed(changed)) is None:
         return None
-    return RefusalLine(key, words(value(share)), EMPTY, drive.broken)
+    return RefusalLine(key, words(moved(share)), EMPTY, drive.broken)
 
 
-def _with(problem: Problem, key: str, value: object) -> Problem | None:
+def _with(problem: Problem, moved: Moved) -> Problem | None:
     """The problem of a changed design; None where that is none."""
-    start = problem.start.with_value(key, value)
+    start = problem.start
+    for key, value in moved.items():
+        start = start.with_value(key, value)
     try:
         base: Design = design(start)
     except BadInput:

@@ -28,7 +28,7 @@ from ...sheet.version import VERSION
 from ...solve import Results, solve
 from ..processes import spread
 from .classes import ClassFront, NotClosed, class_of, sized
-from .combinations import DriveRows, joined
+from .combinations import DriveRows, joined, no_rows
 from .front import front, representatives
 from .problem import FITS, Problem
 from .problem import problem as problem_of
@@ -94,11 +94,7 @@ def one_class(problem: Problem, n: int) -> ClassFront:
     except NotClosed:
         raise
     except NoSolution as none:
-        return ClassFront(joined([_none()]), 0, (0.0, 1.0), why=none.text)
-
-
-def _none() -> DriveRows:
-    return DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))
+        return ClassFront(no_rows(), 0, (0.0, 1.0), why=none.text)
 
 
 def classes(
@@ -180,7 +176,7 @@ def _keep(problem: Problem, n: int, class_front: ClassFront, parts: Path | None)
 
 def table(problem: Problem, done: dict[int, ClassFront]) -> FrontTable:
     """The rows of all classes that no other beats in the objectives, within their hard ends."""
-    parts, of, columns = [_none()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]
+    parts, of, columns = [no_rows()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]
     for n in sorted(done):
         class_front = done[n]
         if len(class_front.rows):

@@ -39,8 +39,10 @@ class ShaftSurroundings:
     wheel.
 
     `clearance`: for threading; `fillet` 0: none is asked; `effectiveness`: share of the sectors' stiffness. `added`: to
-    the slope of the front and of the rear journal while the shaft turns, as TURNING. `gear_z`: middle of its wheel
-    where that is given, ahead of both journals or behind them; None: it stands against the front one."""
+    the slopes of both journals while the shaft turns, as TURNING. `gear_z`: middle of its wheel where that is given,
+    ahead of both journals or behind them; None: it stands against the first one.
+
+    Journals are counted front to rear: 0 and 1."""
 
     material: Material
     couple: NewtonMetre
@@ -66,7 +68,7 @@ class ShaftSurroundings:
         return b.shear_coefficient(nu=m.poisson) * b.shear_modulus(E=m.E, nu=m.poisson)
 
     def turning(self, n: int, mass: Array, slope: Array) -> Array:
-        """The slope of journal n (0 front, 1 rear) as the shaft turns."""
+        """The slope of journal n as the shaft turns."""
         turned: Array = slope * (1 + self.added[n] * mass * self.omega**2 * self.span**2 * np.abs(slope) / self.couple)
         return turned
 
@@ -76,20 +78,20 @@ class ShaftSurroundings:
         K = z.couple_number(C=self.couple, rho=self.material.density, omega=self.omega, R=R, r_0=r_0)
         return 2 * (abs(self.positions[n]) - math.sqrt(2 * K) - 2 * self.fillet)
 
-    def stub(self, l_f: Array, l_r: Array) -> Array:
-        """The core between the wheel and the journal beside it; 0 where it stands against the front one, below it where
+    def stub(self, l_0: Array, l_1: Array) -> Array:
+        """The core between the wheel and the journal beside it; 0 where it stands against the first one, below it where
         they cross."""
         if self.gear is None or self.gear_z is None:
-            return 0 * l_f + 0 * l_r
+            return 0 * l_0 + 0 * l_1
         half = self.gear[1] / 2
         ahead = self.gear_z < self.positions[0]
-        room: Array = self.positions[0] - l_f / 2 - self.gear_z if ahead else self.gear_z - self.positions[1] - l_r / 2
-        return room - half + 0 * l_f + 0 * l_r
+        room: Array = self.positions[0] - l_0 / 2 - self.gear_z if ahead else self.gear_z - self.positions[1] - l_1 / 2
+        return room - half + 0 * l_0 + 0 * l_1
 
-    def face(self, l_f: Array, l_r: Array) -> Array:
+    def face(self, l_0: Array, l_1: Array) -> Array:
         """Half-length: where the sectors' outer faces stand, two fillets from the longer journal (in reach)."""
-        front, rear = abs(self.positions[0]) - l_f / 2, abs(self.positions[1]) - l_r / 2
-        face: Array = np.minimum(front, rear) - 2 * self.fillet
+        z_0, z_1 = self.positions
+        face: Array = np.minimum(abs(z_0) - l_0 / 2, abs(z_1) - l_1 / 2) - 2 * self.fillet
         return face
 
     def gear_mass(self) -> Kilogram:
@@ -101,11 +103,10 @@ class ShaftSurroundings:
 
 @record
 class Shafts:
-    """Over core (first axis), length of the front (second) and of the rear journal (third); not a number where nothing
-    fits.
+    """Over core (first axis) and the lengths of journal 0 (second) and 1 (third); not a number where nothing fits.
 
-    `slopes`: of front and rear journal, without what the front journal's own bending adds; `mass` without the front
-    journal; `fits`: the envelope holds the couple, and the core beside a wheel its fillets."""
+    `slopes` of the journals without what their own bending adds; `mass` without their own; `fits`: the envelope holds
+    the couple, and the core beside a wheel its fillets."""
 
     face: Array
     slopes: tuple[Array, Array]
@@ -113,19 +114,19 @@ class Shafts:
     fits: BoolArray
 
 
-def journal_slopes(drive: ShaftSurroundings, front: bool, d: Metre, l: Array) -> tuple[Array, Array]:
-    """What the bending of one journal, from its pin to its end, adds to the slopes of both."""
+def journal_slopes(drive: ShaftSurroundings, n: int, d: Metre, l: Array) -> tuple[Array, Array]:
+    """What the bending of journal n, from its pin to its inner end, adds to the slopes of both."""
     A, I = s.cylinder_area(R=d / 2), s.cylinder_inertia(R=d / 2)
-    z_1, z_2 = drive.positions
-    start, end = (z_1 + 0 * l, z_1 + l / 2) if front else (z_2 - l / 2, z_2 + 0 * l)
+    pin = drive.positions[n]
+    start, end = (pin + 0 * l, pin + l / 2) if n == 0 else (pin - l / 2, pin + 0 * l)
     R = drive.couple / drive.span
     total = [np.zeros_like(l), np.zeros_like(l)]
     for share in GAUSS:
         at = start + (end - start) * share
-        M = R * (at - z_1) if front else R * (at - z_2)
-        for n in (0, 1):
-            total[n] = (
-                total[n] + _virtual(drive, n, at, M, R, drive.material.E * I, drive.shear * A) * (end - start) / 2
+        M = R * (at - pin)
+        for k in (0, 1):
+            total[k] = (
+                total[k] + _virtual(drive, k, at, M, R, drive.material.E * I, drive.shear * A) * (end - start) / 2
             )
     return total[0], total[1]
 
@@ -148,24 +149,25 @@ def with_turning(
     turning: tuple[Radian, Radian],
 ) -> ShaftSurroundings:
     """The same with what its mass adds to slopes, from one shaft of it that was bent whole as it turns."""
-    l_f, l_r = (np.array([x]) for x in l)
-    still = shafts(drive, np.array([core]), l_f, l_r, max(d), d[1])
-    mass = float(still.mass[0, 0, 0] + journal_mass(drive, d[0], l_f)[0])
+    lengths = np.array([l[0]]), np.array([l[1]])
+    still = shafts(drive, np.array([core]), lengths, max(d))
+    mass = float(still.mass[0, 0, 0] + sum(journal_mass(drive, d[n], lengths[n])[0] for n in (0, 1)))
+    bent = [journal_slopes(drive, n, d[n], lengths[n]) for n in (0, 1)]
     added = list(drive.added)
-    for n, bending in enumerate(journal_slopes(drive, True, d[0], l_f)):
-        slope = float(still.slopes[n][0, 0, 0] + bending[0])
+    for n in (0, 1):
+        slope = float(still.slopes[n][0, 0, 0] + bent[0][n][0] + bent[1][n][0])
         if slope > 0:
             share = (turning[n] / slope - 1) * drive.couple / (mass * drive.omega**2 * drive.span**2 * slope)
             added[n] = max(added[n], SAFE * share)
     return replace(drive, added=(added[0], added[1]))
 
 
-def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: Metre, rear: Metre) -> Shafts:
-    """`seat`: the largest journal, through which the sectors go; `rear`: diameter of the rear journal."""
-    material, R, span, z_1 = drive.material, seat / 2 - drive.clearance, drive.span, drive.positions[0]
+def shafts(drive: ShaftSurroundings, core: Array, lengths: tuple[Array, Array], seat: Metre) -> Shafts:
+    """`lengths` of the journals, front to rear; `seat`: diameter of the largest, through which the sectors go."""
+    material, R, span, (z_0, z_1) = drive.material, seat / 2 - drive.clearance, drive.span, drive.positions
     r_0 = core[:, None, None]
-    front, back = l_f[None, :, None], l_r[None, None, :]
-    F = drive.face(front, back)
+    l_0, l_1 = along(0, lengths[0]), along(1, lengths[1])
+    F = drive.face(l_0, l_1)
     faces, place = np.unique(np.round(F, 9), return_inverse=True)
     place = place.reshape(F.shape)[0]  # of each pair of lengths
     with np.errstate(all="ignore"):
@@ -188,11 +190,11 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
         EI = material.E * b.shared_inertia(I_0=I_0, eta=drive.effectiveness, I=I)
         EI_0, GA, GA_0 = material.E * I_0, drive.shear * whole, drive.shear * math.pi * r**2
         load = drive.couple / (length * (2 * f - length))  # of each sector, per length
-        R_1 = drive.couple / span
+        reaction = drive.couple / span
 
         def state(at: Array) -> tuple[Array, Array]:
             """M and Q, by Macaulay's brackets."""
-            M, Q = R_1 * (at - z_1), R_1 + 0 * at
+            M, Q = reaction * (at - z_0), reaction + 0 * at
             for edge, sign in ((-f, -1), (-f + length, 1), (f - length, 1), (f, -1)):
                 beyond = np.maximum(at - edge, 0.0)
                 M, Q = M + sign * load * beyond**2 / 2, Q + sign * load * beyond
@@ -214,24 +216,19 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
         slopes = [inner[n][:, place] for n in (0, 1)]
         E, G = material.E * math.pi / 4 * r_0**4, drive.shear * math.pi * r_0**2
         for start, end, pin in (
-            (z_1 + front / 2 + 0 * back, -F, z_1),
-            (F, drive.positions[1] - back / 2 + 0 * front, drive.positions[1]),
+            (z_0 + l_0 / 2 + 0 * l_1, -F, z_0),
+            (F, z_1 - l_1 / 2 + 0 * l_0, z_1),
         ):
             for share in GAUSS:
                 at = start + (end - start) * share
                 for n in (0, 1):
-                    slopes[n] = slopes[n] + _virtual(drive, n, at, R_1 * (at - pin), R_1, E, G) * (end - start) / 2
-        for n, bending in enumerate(journal_slopes(drive, False, rear, l_r)):
-            slopes[n] = slopes[n] + bending[None, None, :]
-        beside = (-F - z_1 - front / 2) + (drive.positions[1] - back / 2 - F)
-        stub = drive.stub(front, back)
+                    M = reaction * (at - pin)
+                    slopes[n] = slopes[n] + _virtual(drive, n, at, M, reaction, E, G) * (end - start) / 2
+        beside = (-F - z_0 - l_0 / 2) + (z_1 - l_1 / 2 - F)
+        stub = drive.stub(l_0, l_1)
         beside = beside + np.where(stub > TOUCH, stub, 0.0)
         free = (stub >= -TOUCH) & ~(drive.filleted & too_narrow(stub, drive.fillet))
-        weight = (
-            mass[:, place]
-            + material.density * (math.pi * r_0**2 * beside + math.pi / 4 * rear**2 * back)
-            + drive.gear_mass()
-        )
+        weight = mass[:, place] + material.density * math.pi * r_0**2 * beside + drive.gear_mass()
     return Shafts(np.broadcast_to(F, slopes[0].shape), (slopes[0], slopes[1]), weight, fits[:, place] & free)
 
 
@@ -241,6 +238,11 @@ def _drilled(holes: Holes, R: Metre, r: Array, length: Array, gamma: Array) -> B
     chord = 2 * max(R - holes.depth, 0.0) * np.sin(np.minimum(gamma, math.pi / 2))
     inside: BoolArray = (holes.depth <= R - r + NEAR) & (row <= length) & (holes.diameter <= chord)
     return inside
+
+
+def along(n: int, x: Array) -> Array:
+    """What is known over the length of journal n, along its axis of `Shafts`."""
+    return x[None, :, None] if n == 0 else x[None, None, :]
 
 
 def journal_mass(drive: ShaftSurroundings, d: Metre | Array, l: Array) -> Array:

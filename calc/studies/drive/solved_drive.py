@@ -24,7 +24,7 @@ from ...sheet.units import Kilogram, Watt
 from ...sheet.value import recorded
 from ...sheet.verdict import counts
 from ...solve import Results, solve
-from .problem import BOTH, BOTH_FITS, CORE, FITS, Problem, of_bearing, of_shaft
+from .problem import BOTH_FITS, FITS, Problem
 
 LARGE = 1e3  # a step without solution, and a hard end that is passed over, are lacks as large as this
 LEAST_LACK = 0.01  # of whatever is broken: by the less the fewer it is
@@ -67,14 +67,13 @@ def chosen(choices: Mapping[str, Any]) -> Changes:
 
 def changes(problem: Problem, sized: Sized) -> Changes:
     """Every key that makes the design this drive; the ties are followed here."""
-    changed = chosen(sized.choices)
-    changed[CORE] = digits(sized.core)
+    changed, keys, base = chosen(sized.choices), problem.keys, problem.base
+    changed[keys.core] = digits(sized.core)
     R = max(sized.diameter.values()) / 2 - problem.threaded
-    positions = [abs(z) * 1e3 for z in problem.shaft.bearing_positions]
-    half = min(z - sized.length[place] / 2 for z, place in zip(positions, ("front", "rear"))) - 2 * problem.fillet
-    changed[of_shaft(ShaftInputs.outer_radius)] = digits(R)
-    changed[of_shaft(ShaftInputs.half_length)] = digits(half)
-    for place in BOTH:
+    half = min(abs(row.position) * 1e3 - sized.length[row.name] / 2 for row in base.rows) - 2 * problem.fillet
+    changed[base.own_key(ShaftInputs.outer_radius)] = digits(R)
+    changed[base.own_key(ShaftInputs.half_length)] = digits(half)
+    for place in keys.places:
         here: dict[object, float | None] = {
             BearingRow.diameter: digits(sized.diameter[place]),
             BearingRow.length: digits(sized.length[place]),
@@ -86,7 +85,7 @@ def changes(problem: Problem, sized: Sized) -> Changes:
                 BearingRow.journal_roughness: sized.surface[0],
                 BearingRow.housing_roughness: sized.surface[1],
             }
-        changed |= {of_bearing(place, field): value for field, value in here.items()}
+        changed |= {keys.of_bearing(place, field): value for field, value in here.items()}
     return changed
 
 

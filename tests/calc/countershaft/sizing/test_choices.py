@@ -274,7 +274,9 @@ def test_a_material_that_does_not_fit_is_said(case):
 def test_where_nothing_fits_the_reason_is_that_of_the_densest(case):
     shaft, balance, omega, _ = case
     with pytest.raises(NoSolution) as caught:
-        choices(shaft, balance, omega, Envelope(0.0402, 0.015, 0.152, (), "shaft"), candidates(shaft, MATERIALS, "here"))
+        choices(
+            shaft, balance, omega, Envelope(0.0402, 0.015, 0.152, (), "shaft"), candidates(shaft, MATERIALS, "here")
+        )
     assert caught.value.possible_couple == pytest.approx(552.8, abs=0.05)
 
 

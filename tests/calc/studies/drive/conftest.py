@@ -8,10 +8,10 @@ from calc.studies.drive.search import asked
 from tests.conftest import DESIGNS
 
 FEW = {
-    "countershaft.core_radius_mm": {"from": 13.0, "to": 17.0, "step": 1.0},
-    "bearings.rear.diameter_mm": [84.0, 85.0, 86.0],
-    "bearings.front.diameter_mm": [58.5, 62.0, 66.0],
-    "countershaft.material": ["20CrNi4"],
+    "shafts.shaft.core_radius_mm": {"from": 13.0, "to": 17.0, "step": 1.0},
+    "shafts.shaft.bearings.rear.diameter_mm": [84.0, 85.0, 86.0],
+    "shafts.shaft.bearings.front.diameter_mm": [58.5, 62.0, 66.0],
+    "shafts.shaft.material": ["20CrNi4"],
     "bearings.supply": ["hole"],
 }
 
@@ -19,7 +19,7 @@ FEW = {
 @pytest.fixture(scope="package")
 def sized():
     # fillets that take room
-    return read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)
+    return read(DESIGNS / "r753ie4_sized.toml").with_value("shafts.shaft.fillet_radius_mm", 1.5)
 
 
 @pytest.fixture(scope="package")

@@ -63,10 +63,12 @@ class Class:
         d_f, d_r = f.task.diameter, r.task.diameter
         l_f, l_r = np.array([f.length[i_f]]), np.array([r.length[i_r]])
         with untraced(), np.errstate(all="ignore"):
-            shaft = shafts(self.drive, np.array([point.core]), l_f, l_r, max(d_f, d_r), d_r)
-            own = journal_slopes(self.drive, True, d_f, l_f)
-        mass = float(shaft.mass[0, 0, 0] + journal_mass(self.drive, d_f, l_f)[0])
-        slopes = tuple(float(self.drive.turning(n, mass, shaft.slopes[n][0, 0, 0] + own[n][0])) for n in (0, 1))
+            shaft = shafts(self.drive, np.array([point.core]), (l_f, l_r), max(d_f, d_r))
+            own = [journal_slopes(self.drive, n, d, l) for n, (d, l) in enumerate(((d_f, l_f), (d_r, l_r)))]
+        journals = journal_mass(self.drive, d_f, l_f)[0] + journal_mass(self.drive, d_r, l_r)[0]
+        mass = float(shaft.mass[0, 0, 0] + journals)
+        still = [shaft.slopes[n][0, 0, 0] + own[0][n][0] + own[1][n][0] for n in (0, 1)]
+        slopes = tuple(float(self.drive.turning(n, mass, still[n])) for n in (0, 1))
         borne = [
             t.bears(self.sizes.asked(t, point.surface), margin, self.sizes.limit)[j, i] for t, i, j in point.journals
         ]
@@ -128,7 +130,7 @@ def compared(of, count, seed=0):
             shaft = results.result(CountershaftResult)
             power = max(power, abs(journals_power(results) - said.power))
             mass = max(mass, abs(shaft.mass / said.mass - 1))
-            over += [a / b - 1 for a, b in zip(said.slopes, (shaft.slope_front, shaft.slope_rear))]
+            over += [a / b - 1 for a, b in zip(said.slopes, shaft.slopes.values(), strict=True)]
         if said.passes == (not one.broken):
             both[said.passes] += 1
         else:

@@ -12,20 +12,20 @@ from calc.studies.drive.search import search
 from tests.calc.studies.drive.points import PLACES, Class, Point
 
 GRID = {
-    "countershaft.core_radius_mm": [14.0, 16.0],
-    "bearings.rear.diameter_mm": [85.0],
-    "bearings.front.diameter_mm": [60.0],
-    "bearings.front.length_mm": [36.0, 38.0],
-    "bearings.rear.length_mm": [30.0, 32.0],
-    "countershaft.material": ["20CrNi4"],
+    "shafts.shaft.core_radius_mm": [14.0, 16.0],
+    "shafts.shaft.bearings.rear.diameter_mm": [85.0],
+    "shafts.shaft.bearings.front.diameter_mm": [60.0],
+    "shafts.shaft.bearings.front.length_mm": [36.0, 38.0],
+    "shafts.shaft.bearings.rear.length_mm": [30.0, 32.0],
+    "shafts.shaft.material": ["20CrNi4"],
     "bearings.supply": ["hole"],
 }
 LARGE = GRID | {
-    "countershaft.core_radius_mm": [13.0, 15.0, 17.0],
-    "bearings.rear.diameter_mm": [84.0, 86.0],
-    "bearings.front.diameter_mm": [58.5, 64.0],
-    "bearings.front.length_mm": [35.0, 37.0, 39.0],
-    "bearings.rear.length_mm": [29.0, 31.0],
+    "shafts.shaft.core_radius_mm": [13.0, 15.0, 17.0],
+    "shafts.shaft.bearings.rear.diameter_mm": [84.0, 86.0],
+    "shafts.shaft.bearings.front.diameter_mm": [58.5, 64.0],
+    "shafts.shaft.bearings.front.length_mm": [35.0, 37.0, 39.0],
+    "shafts.shaft.bearings.rear.length_mm": [29.0, 31.0],
 }
 UNITS = np.array([1.0, 0.01, 0.5])  # W, kg, mm
 
@@ -65,9 +65,9 @@ def test_without_any_choice_but_the_clearance_the_front_is_that_of_all(sized):
     """One core, one size of each journal: the least power of all clearances, by a walk over every one about the
     best."""
     vary = GRID | {
-        "countershaft.core_radius_mm": [15.0],
-        "bearings.front.length_mm": [37.0],
-        "bearings.rear.length_mm": [31.0],
+        "shafts.shaft.core_radius_mm": [15.0],
+        "shafts.shaft.bearings.front.length_mm": [37.0],
+        "shafts.shaft.bearings.rear.length_mm": [31.0],
     }
     one = Class(sized, {"vary": vary, "objectives": ["power"], "rows": 1})
     (best,) = search(one.problem).drives

@@ -5,6 +5,7 @@ ends of ranges."""
 import numpy as np
 import pytest
 
+from calc.design.addresses import value_at
 from calc.design.toml_file import read
 from calc.studies.drive.output import at_end
 from calc.studies.drive.search import asked, search
@@ -31,21 +32,20 @@ def test_tables_and_whole_solutions_agree_on_every_engine_with_a_couple(engine, 
 def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
     """From `new` alone, a few values of its sizes about the start."""
     document = written("inline-3", tmp_path)
-    own = document.data
-    vary = {f"bearings.{p}.diameter_mm": [own["bearings"][p]["diameter_mm"]] for p in ("front", "rear")}
-    vary |= {"bearings.oil": "fixed", "bearings.supply": "fixed", "countershaft.material": "fixed"}
+    keys = {place: f"shafts.shaft.bearings.{place}.diameter_mm" for place in ("front", "rear")}
+    own = {place: value_at(document.data, key) for place, key in keys.items()}
+    vary = {keys[place]: [own[place]] for place in own}
+    vary |= {"bearings.oil": "fixed", "bearings.supply": "fixed", "shafts.shaft.material": "fixed"}
     problem, _ = asked(document, {"vary": vary, "rows": 3, "objectives": ["power", "mass"]})
     found = search(problem)
     assert found.drives and found.dropped == ()
-    assert all(
-        one.sized.diameter == {p: own["bearings"][p]["diameter_mm"] for p in ("front", "rear")} for one in found.drives
-    )
+    assert all(one.sized.diameter == own for one in found.drives)
 
 
 def test_holes_that_would_run_into_the_core_or_out_of_the_sector(sized):
     """Sizes of holes are limits that change with core, seat and length: what breaks them is not offered, and hides
     nothing."""
-    deep = changed(sized, {"countershaft.holes.depth_mm": 27.5})
+    deep = changed(sized, {"shafts.shaft.holes.depth_mm": 27.5})
     _, misses, *_ = compared(Class(deep, {"vary": SOME}), 14, 4)
     assert [broken for passes, broken, _ in misses if passes] == []
     problem, _ = asked(deep, {"vary": SOME, "rows": 5, "objectives": ["power", "mass"]})
@@ -55,31 +55,35 @@ def test_holes_that_would_run_into_the_core_or_out_of_the_sector(sized):
 
 def test_a_range_that_holds_one_drive_and_one_that_holds_none(sized):
     one = GRID | {
-        "countershaft.core_radius_mm": [15.0],
-        "bearings.front.length_mm": [37.0],
-        "bearings.rear.length_mm": [31.0],
+        "shafts.shaft.core_radius_mm": [15.0],
+        "shafts.shaft.bearings.front.length_mm": [37.0],
+        "shafts.shaft.bearings.rear.length_mm": [31.0],
     }
     problem, _ = asked(sized, {"vary": one, "rows": 9, "objectives": ["power", "mass", "seat"]})
     (only,) = search(problem).drives
     assert only.sized.core == 15.0 and set(at_end(problem, only)) == set()  # a single value is no end of a range
     for key, value in (
-        ("bearings.front.length_mm", [20.0]),
-        ("countershaft.core_radius_mm", [8.0]),
-        ("bearings.rear.length_mm", [90.0]),
+        ("shafts.shaft.bearings.front.length_mm", [20.0]),
+        ("shafts.shaft.core_radius_mm", [8.0]),
+        ("shafts.shaft.bearings.rear.length_mm", [90.0]),
     ):
         problem, _ = asked(sized, {"vary": one | {key: value}})
         assert search(problem).drives == ()
 
 
 def test_a_start_that_fails_and_has_no_film_is_as_good_as_any(sized):
-    vary = {"vary": GRID | {"bearings.rear.diameter_mm": [85.0, 86.0]}, "rows": 4, "objectives": ["power", "mass"]}
+    vary = {
+        "vary": GRID | {"shafts.shaft.bearings.rear.diameter_mm": [85.0, 86.0]},
+        "rows": 4,
+        "objectives": ["power", "mass"],
+    }
     broken = changed(
         sized,
         {
-            "bearings.rear.clearance_factor": None,
-            "bearings.rear.clearance_um": 900.0,
-            "bearings.front.length_mm": 16.0,
-            "countershaft.core_radius_mm": 8.0,
+            "shafts.shaft.bearings.rear.clearance_factor": None,
+            "shafts.shaft.bearings.rear.clearance_um": 900.0,
+            "shafts.shaft.bearings.front.length_mm": 16.0,
+            "shafts.shaft.core_radius_mm": 8.0,
         },
     )
     one, other = (search(asked(d, vary)[0]) for d in (sized, broken))
@@ -96,7 +100,10 @@ def test_bounds_hold_in_what_is_solved_whole(sized):
 
 
 def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
-    vary = GRID | {"bearings.front.length_mm": [38.0, 37.3, 36.9], "countershaft.core_radius_mm": [16.0, 14.25, 15.1]}
+    vary = GRID | {
+        "shafts.shaft.bearings.front.length_mm": [38.0, 37.3, 36.9],
+        "shafts.shaft.core_radius_mm": [16.0, 14.25, 15.1],
+    }
     problem, _ = asked(sized, {"vary": vary, "rows": 5, "objectives": ["power", "mass"]})
     found = search(problem)
     assert found.drives and {one.sized.core for one in found.drives} <= {14.25, 15.1, 16.0}
@@ -106,7 +113,7 @@ def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
 def test_a_gap_too_narrow_for_its_fillets_is_offered_where_that_is_waived(sized):
     """The wheel stands a little ahead of its journal: the usual list refuses it, and with the finding waived it passes
     whole as well."""
-    apart = changed(sized, {"countershaft.gear_z_mm": -195.0})
+    apart = changed(sized, {"shafts.shaft.gear_z_mm": -195.0})
     usual, waived = (Class(apart, {"vary": SOME, **said}) for said in ({}, {"waive": ["countershaft.fillet_room"]}))
     assert usual.drive.filleted and not waived.drive.filleted
     _, misses, *_ = compared(waived, 10, 6)

@@ -79,8 +79,8 @@ def test_films_over_the_speeds_are_known_where_they_are_the_thinnest(sized):
 def test_a_range_from_below_the_gear_hides_no_drive(sized):
     """A journal that the gear does not go through rubs less than any that it does."""
     vary = FEW | {
-        "bearings.front.diameter_mm": {"from": 46.0, "to": 62.0, "step": 0.5},
-        "bearings.rear.diameter_mm": [85.0],
+        "shafts.shaft.bearings.front.diameter_mm": {"from": 46.0, "to": 62.0, "step": 0.5},
+        "shafts.shaft.bearings.rear.diameter_mm": [85.0],
     }
     one = Class(sized, {"vary": vary})
     assert min(f.task.diameter for f in one.sizes.films["front"]) == pytest.approx(58e-3)

@@ -10,13 +10,14 @@ import pytest
 import calc.studies.drive.search as running
 from calc.sheet.text import EMPTY
 from calc.studies.drive.classes import ClassFront
-from calc.studies.drive.combinations import DriveRows
+from calc.studies.drive.combinations import DriveRows, no_rows
 from calc.studies.drive.search import FrontTable, classes, key, solved
 
 
 def rows(count):
     rng = np.random.default_rng(3)
-    return DriveRows(**{name: rng.random(count) for name in DriveRows.__dataclass_fields__})
+    shapes = {name: (count, *column.shape[1:]) for name, column in vars(no_rows()).items()}
+    return DriveRows(**{name: rng.random(shape) for name, shape in shapes.items()})
 
 
 @pytest.fixture

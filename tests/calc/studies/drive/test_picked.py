@@ -9,7 +9,8 @@ import pytest
 
 from calc.studies.drive.front import Broken, picked
 
-DATA = {"countershaft": {"core_radius_mm": 15.0}, "bearings": {"front": {"length_mm": 37.0}}}
+SHAFT = {"name": "shaft", "core_radius_mm": 15.0, "bearings": [{"name": "front", "length_mm": 37.0}]}
+DATA = {"shafts": [SHAFT], "bearings": {}}
 
 
 def front(rows, mine=1, **changed):
@@ -18,8 +19,8 @@ def front(rows, mine=1, **changed):
         {
             "objectives": dict(zip(("power", "mass", "margin"), row)),
             "changes": {
-                "countershaft.core_radius_mm": 15.0 if n == mine else 20.0 + n,
-                "bearings.front.clearance_factor": None,
+                "shafts.shaft.core_radius_mm": 15.0 if n == mine else 20.0 + n,
+                "shafts.shaft.bearings.front.clearance_factor": None,
             },
         }
         for n, row in enumerate(rows)
@@ -27,7 +28,7 @@ def front(rows, mine=1, **changed):
     about = {
         "objectives": {"power": "W", "mass": "kg", "margin": "%"},
         "drives": drives,
-        "sizes_mm": {"bearings.front.length_mm": None},
+        "sizes_mm": {"shafts.shaft.bearings.front.length_mm": None},
         "choices": {"bearings.fits": [["IT6", "IT7"]]},
         "proved": True,
         "combinations": 10**11,
@@ -55,8 +56,13 @@ def test_what_each_objective_costs_is_the_slope_to_the_next_one():
 
 def test_a_design_that_is_none_of_the_drives():
     assert picked(front(ROWS, mine=9), DATA) is None
-    assert picked(front(ROWS), {**DATA, "countershaft": {"core_radius_mm": 15.5}}) is None
+    assert picked(front(ROWS), {**DATA, "shafts": [{**SHAFT, "core_radius_mm": 15.5}]}) is None
     assert picked(front([]), DATA) is None
+
+
+def test_a_front_that_was_kept_with_the_keys_of_schema_1_is_understood():
+    old = front(ROWS).replace(b"shafts.shaft.bearings.", b"bearings.").replace(b"shafts.shaft.", b"countershaft.")
+    assert b"shafts" not in old and picked(old, DATA).number == 2
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from calc.studies.drive.shafts import journal_mass, journal_slopes, shafts
 from tests.conftest import DESIGNS
 
 # no fixture: a failure would print it whole
-SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)
+SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value("shafts.shaft.fillet_radius_mm", 1.5)
 SIZES = st.fixed_dictionaries(
     {
         "core": st.floats(12, 22),
@@ -36,15 +36,15 @@ def _solved(x):
     half = min(abs(z[0]) - x["l_f"] / 2, abs(z[1]) - x["l_r"] / 2) - 3.0
     document = SIZED
     for key, value in {
-        "countershaft.core_radius_mm": x["core"],
-        "countershaft.outer_radius_mm": x["seat"] / 2 - 0.2,
-        "countershaft.half_length_mm": half,
-        "countershaft.sector_effectiveness": x["eta"],
+        "shafts.shaft.core_radius_mm": x["core"],
+        "shafts.shaft.outer_radius_mm": x["seat"] / 2 - 0.2,
+        "shafts.shaft.half_length_mm": half,
+        "shafts.shaft.sector_effectiveness": x["eta"],
         "countershaft.bearing_positions_mm": list(z),
-        "bearings.front.diameter_mm": d_f,
-        "bearings.rear.diameter_mm": d_r,
-        "bearings.front.length_mm": x["l_f"],
-        "bearings.rear.length_mm": x["l_r"],
+        "shafts.shaft.bearings.front.diameter_mm": d_f,
+        "shafts.shaft.bearings.rear.diameter_mm": d_r,
+        "shafts.shaft.bearings.front.length_mm": x["l_f"],
+        "shafts.shaft.bearings.rear.length_mm": x["l_r"],
     }.items():
         document = document.with_value(key, value)
     made = design(document)
@@ -56,16 +56,16 @@ def _solved(x):
 def test_slopes_and_mass_are_those_of_the_step(x):
     made, results, (d_f, d_r) = _solved(x)
     solved = results.result(CountershaftResult)
-    if solved is None or solved.slope_front is None:  # the envelope is too small, or the pieces cross
+    if solved is None or not solved.slopes:  # the envelope is too small, or the pieces cross
         return
     drive = drive_of(made, results)
     l_f, l_r = np.array([x["l_f"] * 1e-3]), np.array([x["l_r"] * 1e-3])
-    found = shafts(drive, np.array([x["core"] * 1e-3]), l_f, l_r, max(d_f, d_r), d_r)
-    own = journal_slopes(drive, True, d_f, l_f)
-    mass = float(found.mass[0, 0, 0] + journal_mass(drive, d_f, l_f)[0])
-    slopes = [float(found.slopes[n][0, 0, 0] + own[n][0]) for n in (0, 1)]
+    found = shafts(drive, np.array([x["core"] * 1e-3]), (l_f, l_r), max(d_f, d_r))
+    own = [journal_slopes(drive, n, d, l) for n, (d, l) in enumerate(((d_f, l_f), (d_r, l_r)))]
+    mass = float(found.mass[0, 0, 0] + journal_mass(drive, d_f, l_f)[0] + journal_mass(drive, d_r, l_r)[0])
+    slopes = [float(found.slopes[n][0, 0, 0] + own[0][n][0] + own[1][n][0]) for n in (0, 1)]
     assert found.fits[0, 0, 0]
-    for n, (still, turning) in enumerate(zip(slopes, (solved.slope_front, solved.slope_rear))):
+    for n, (still, turning) in enumerate(zip(slopes, solved.slopes.values(), strict=True)):
         # what the mass adds or takes as it turns: -0.6 to 2.9 % at the corners of these sizes
         assert -0.01 < still / turning - 1 < 0.03
         assert turning <= drive.turning(n, mass, still) * (1 + 1e-9)  # which the tables take
@@ -79,7 +79,7 @@ def test_an_envelope_that_does_not_hold_the_couple_does_not_fit():
     )
     drive = drive_of(made, results)
     long = np.array([0.03, 0.12])  # a journal that leaves the sectors no room
-    found = shafts(drive, np.array([0.014]), np.array([0.03]), long, 0.086, 0.086)
+    found = shafts(drive, np.array([0.014]), (np.array([0.03]), long), 0.086)
     assert found.fits[0, 0].tolist() == [True, False]
     assert drive.longest(1, 0.086 / 2 - drive.clearance, 0.014) < long[1]
 
@@ -93,8 +93,9 @@ def test_sectors_that_nearly_meet_are_closed_on_arrays_as_by_the_step():
     assert solved.sector_length == pytest.approx(made.countershaft.half_length, abs=1e-12)
     assert "countershaft.fillet_room" not in {c.id: c for c in results.checks() if c.margin < 0}
     drive, l = drive_of(made, results), np.array([36.53e-3])
-    found = shafts(drive, np.array([0.014]), l, l, d_r, d_r)
+    found = shafts(drive, np.array([0.014]), (l, l), d_r)
     assert found.fits[0, 0, 0]
-    assert found.mass[0, 0, 0] + journal_mass(drive, d_f, l)[0] == pytest.approx(solved.mass, rel=1e-7)
-    still = found.slopes[1][0, 0, 0] + journal_slopes(drive, True, d_f, l)[1][0]
-    assert still == pytest.approx(solved.slope_rear, rel=0.02)
+    mass = found.mass[0, 0, 0] + journal_mass(drive, d_f, l)[0] + journal_mass(drive, d_r, l)[0]
+    assert mass == pytest.approx(solved.mass, rel=1e-7)
+    own = journal_slopes(drive, 0, d_f, l)[1][0] + journal_slopes(drive, 1, d_r, l)[1][0]
+    assert found.slopes[1][0, 0, 0] + own == pytest.approx(solved.slopes["rear"], rel=0.02)

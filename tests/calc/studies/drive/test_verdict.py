@@ -6,42 +6,45 @@ import pytest
 
 from tests.calc.studies.drive.points import Class, compared
 
-PLAIN = {"countershaft.material": ["20CrNi4"], "bearings.supply": "fixed"}
+PLAIN = {"shafts.shaft.material": ["20CrNi4"], "bearings.supply": "fixed"}
 SOME = PLAIN | {
-    "countershaft.core_radius_mm": {"from": 13.0, "to": 20.0, "step": 0.5},
-    "bearings.rear.diameter_mm": [84.0, 86.0, 88.5],
-    "bearings.front.diameter_mm": [58.5, 63.0, 70.0, 80.0],
+    "shafts.shaft.core_radius_mm": {"from": 13.0, "to": 20.0, "step": 0.5},
+    "shafts.shaft.bearings.rear.diameter_mm": [84.0, 86.0, 88.5],
+    "shafts.shaft.bearings.front.diameter_mm": [58.5, 63.0, 70.0, 80.0],
 }
-SWAPPED = SOME | {"bearings.rear.diameter_mm": [58.5, 63.0, 70.0], "bearings.front.diameter_mm": [84.0, 86.0]}
+SWAPPED = SOME | {
+    "shafts.shaft.bearings.rear.diameter_mm": [58.5, 63.0, 70.0],
+    "shafts.shaft.bearings.front.diameter_mm": [84.0, 86.0],
+}
 CASES = {
     "pocket": ({"bearings.supply": "pocket", "bearings.pocket_width_mm": 12.0}, SOME),
     "through the shaft": ({"bearings.supply": "shaft"}, SOME),
     "a viscosity": ({"bearings.viscosity_mPas": 9.0}, SOME),
     "no gears": ({"gears": None, "friction": None}, SOME),
-    "no fillet": ({"countershaft.fillet_radius_mm": None}, SOME),
-    "a large fillet": ({"countershaft.fillet_radius_mm": 3.0}, SOME),
+    "no fillet": ({"shafts.shaft.fillet_radius_mm": None}, SOME),
+    "a large fillet": ({"shafts.shaft.fillet_radius_mm": 3.0}, SOME),
     "off the middle": ({"countershaft.bearing_positions_mm": [-166.0, 170.0]}, SOME),
     "off to the front": ({"countershaft.bearing_positions_mm": [-171.0, 166.0]}, SOME),
     "a longer span, cooler oil": (
         {"countershaft.bearing_positions_mm": [-180.0, 180.0], "bearings.supply_temperature_C": 110.0},
         SOME,
     ),
-    "the gear apart": ({"countershaft.gear_z_mm": -215.0}, SOME),
-    "the gear at the other end": ({"countershaft.gear_z_mm": 205.0}, SOME),
-    "soft sectors": ({"countershaft.sector_effectiveness": 0.1}, SOME),
-    "whole sectors": ({"countershaft.sector_effectiveness": 1.0}, SOME),
+    "the gear apart": ({"shafts.shaft.gear_z_mm": -215.0}, SOME),
+    "the gear at the other end": ({"shafts.shaft.gear_z_mm": 205.0}, SOME),
+    "soft sectors": ({"shafts.shaft.sector_effectiveness": 0.1}, SOME),
+    "whole sectors": ({"shafts.shaft.sector_effectiveness": 1.0}, SOME),
     "a floating bush": ({"bearings.bush_speed_ratio": 0.3}, SOME),
-    "more room to thread": ({"countershaft.radial_clearance_mm": 1.0}, SOME),
+    "more room to thread": ({"shafts.shaft.radial_clearance_mm": 1.0}, SOME),
     "the larger journal in front": (
         {
-            "bearings.front.diameter_mm": 86.4,
-            "bearings.rear.diameter_mm": 59.5,
-            "bearings.front.length_mm": 29.5,
-            "bearings.rear.length_mm": 37.5,
+            "shafts.shaft.bearings.front.diameter_mm": 86.4,
+            "shafts.shaft.bearings.rear.diameter_mm": 59.5,
+            "shafts.shaft.bearings.front.length_mm": 29.5,
+            "shafts.shaft.bearings.rear.length_mm": 37.5,
         },
         SWAPPED,
     ),
-    "another material": ({}, SOME | {"countershaft.material": ["ADI"]}),
+    "another material": ({}, SOME | {"shafts.shaft.material": ["ADI"]}),
     "closer fits": ({"bearings.journal_fit": "IT5", "bearings.seat_fit": "IT6"}, SOME),
     "smoother": ({}, SOME | {"bearings.surfaces": [[0.4, 0.6], [0.2, 0.3]]}),
     "less couple": ({"engine.crank_radius_mm": 50.0}, SOME),
