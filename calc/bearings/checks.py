@@ -698,7 +698,7 @@ def edge_missing(
         taken.append(Text("IT7 for what has no fit"))
         best = exact
     if r.slope is None:
-        keys.append(SLOPE)
+        keys.append(row_key(r.seat.bearing.name, BearingRow.slope))
         taken.append(Text("slope {slope}", slope=Amount(SLOPE_TAKEN * 1e3, "mrad")))
         best += r.film - r.film_edge
     return Missing(tuple(keys), tuple(taken), best, math.nan if edge is None else edge) if keys else None

@@ -16,7 +16,6 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
 from .materials import DEFAULT_APPLICATION
 
-PLACES = ("front", "rear")
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 LEAST_SPEED_SHARE = 0.02
 

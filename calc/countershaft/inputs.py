@@ -401,8 +401,8 @@ class ShaftInputs:
 
     @property
     def _placed(self) -> bool:
-        """Whether every bearing has its place: one that is missing is said as such, and nothing follows from it."""
-        return None not in self.bearing_positions
+        """Whether the bearings have their places: what is missing is said as such, and nothing follows from it."""
+        return len(self.bearings) > 1 and None not in self.bearing_positions
 
     @property
     def journals(self) -> tuple[tuple[float, float], ...]:
@@ -432,12 +432,6 @@ class ShaftInputs:
             if row.position is None:
                 needs = Text("is missing; needs {allowed}", allowed=described(BearingRow.position).allowed())
                 yield dotted(ShaftInputs.bearings, i, BearingRow.position), needs
-        if not self._placed:
-            return
-        for i, (a, b) in enumerate(pairwise(self.bearing_positions), 1):
-            if b <= a:
-                rise = Text("must lie behind the row before it: the rows rise from front to rear")
-                yield dotted(ShaftInputs.bearings, i, BearingRow.position), rise
         if self.speed_ratio is not None and self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
             yield dotted(ShaftInputs.speed_ratio), Text("must be -1, 1, -2 or 2")
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
@@ -448,7 +442,8 @@ class ShaftInputs:
             )
         yield from self._envelope()
         yield from self._sections()
-        yield from self._places()
+        if self._placed:
+            yield from self._places()
 
     def _twin(self) -> Iterable[tuple[str, Text]]:
         """A mirror image has little of its own."""
@@ -498,7 +493,11 @@ class ShaftInputs:
 
     def _places(self) -> Iterable[tuple[str, Text]]:
         """Journals and masses must lie on the shaft: its sections, or else between its outer bearings."""
-        if not self.bearing_positions or any(not a < b for a, b in pairwise(self.bearing_positions)) or not self._known:
+        falls = [i for i, (a, b) in enumerate(pairwise(self.bearing_positions), 1) if b <= a]
+        for i in falls:
+            rise = Text("must lie behind the row before it: the rows rise from front to rear")
+            yield dotted(ShaftInputs.bearings, i, BearingRow.position), rise
+        if falls or not self._known:
             return
         masses = [(dotted(ShaftInputs.masses, i, EccentricMass.z), mass.z) for i, mass in enumerate(self.masses)]
         if not self.sections:

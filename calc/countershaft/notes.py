@@ -32,7 +32,7 @@ def size_notes(shaft: ShaftInputs) -> Iterator[Text]:
     """What of the design a sized shaft does not use."""
     for word, given in (("masses", shaft.masses), ("sections", shaft.sections)):
         if given:
-            yield Text("Mode size: [[countershaft.{word}]] are left aside; the sectors are found.", word=word)
+            yield Text("Mode size: [[shafts.{word}]] are left aside; the sectors are found.", word=word)
 
 
 def outline_note(sized: bool, gear: bool) -> Text:

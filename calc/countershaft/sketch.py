@@ -125,7 +125,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     side += _supports(view, checks)
     side += _dimensions(view)
     if shaft.holes is not None:
-        side += _holes(view, shaft.holes, judged(checks, HOLES))
+        side += _holes(view, shaft.holes, judged(checks, dotted(STEP, ShaftInputs.holes)))
     if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
         side += bent[0]
         notes.append(Text("dashed: bending × {factor}", factor=Amount(bent[1])))

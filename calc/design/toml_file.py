@@ -8,7 +8,7 @@ import hashlib
 import math
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import MISSING, field, replace
 from datetime import date
@@ -214,23 +214,16 @@ class _Reader:
         self.document = document
         self.was = document.former.was if document.former is not None else {}
         self.errors: list[InputError] = list(document.former.errors) if document.former is not None else []
-        self.wrong: set[str] = set(document.former.wrong) if document.former is not None else set()  # their keys
+        self.told = frozenset(document.former.wrong if document.former is not None else ())  # keys, by the upgrade
+        self.wrong: set[str] = set(self.told)  # the keys of all
 
     def error(self, key: str, value: object, reason: Text, kind: str = "text") -> object:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
-        if not self.known_wrong(key):
+        if not _lies_within(key, self.told):
             named = own_key(self.was, key)
             self.errors.append(InputError(self.line(key), named, "" if value is None else written(value), reason))
         self.wrong.add(key)
         return PLACEHOLDER[kind]
-
-    def known_wrong(self, key: str) -> bool:
-        """Whether a key, or the table around it, is known to be wrong: what would follow from that is not said."""
-        while key:
-            if key in self.wrong:
-                return True
-            key = key.rpartition(".")[0]
-        return False
 
     def refused(self, about: Quantity, value: object, key: str) -> object:
         """Note a value that is not allowed, with what is."""
@@ -271,7 +264,9 @@ class _Reader:
         inputs = cls(**values)
         try:
             problems = getattr(inputs, "problems", lambda: ())()
-            for key, reason in [(key, reason) for key, reason in problems if not self.known_wrong(join(prefix, key))]:
+            for key, reason in [
+                (key, reason) for key, reason in problems if not _lies_within(join(prefix, key), self.wrong)
+            ]:
                 self.error(join(prefix, key), _plain(data, key), reason)
         except (TypeError, ValueError, AttributeError, LookupError):
             if not self.wrong:
@@ -389,6 +384,15 @@ def _keyed(about: Quantity, value: object, address: str) -> object:
     if words and (not value or address.rpartition(".")[2] in ("name", "note", "source", "label")):
         return value
     return linked(value, address)
+
+
+def _lies_within(key: str, wrong: Collection[str]) -> bool:
+    """Whether a key, or the table around it, is known to be wrong: what would follow from that is not said."""
+    while key:
+        if key in wrong:
+            return True
+        key = key.rpartition(".")[0]
+    return False
 
 
 def _plain(data: object, key: str) -> object:

@@ -283,7 +283,7 @@ def _clearances(results: "Results") -> list[Text]:
 
 
 DEFAULTS = {
-    "countershaft.balance_grade": Text("the grade of balancing"),
+    "shafts.balance_grade": Text("the grade of balancing"),
     "gears.accuracy_grade": Text("the accuracy grade of the teeth"),
     "gears.ball_diameter_mm": Text("the measuring ball"),
 }
@@ -298,7 +298,10 @@ def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
 
 
 def _given(data: Mapping[str, object], key: str) -> bool:
-    """Whether the file has a key; one of a table that it does not have is not asked."""
+    """Whether the file has a key; one of a table that it does not have is not asked.  Of shafts the first is meant,
+    which mirrors none."""
     step, _, name = key.partition(".")
     table = data.get(step)
+    if isinstance(table, list):
+        table = table[0]
     return not isinstance(table, Mapping) or name in table

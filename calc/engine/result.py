@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the engine gives: masses, kinematics and harmonics, the torque about its crank, the stresses of a throw."""
 
-from ..sheet.quantity import Stated, group, result, value
+from ..sheet.quantity import Stated, group, result, value, values
+from ..sheet.text import Text
 from ..sheet.units import (
     CubicMetre,
     Kilogram,
@@ -20,6 +21,8 @@ from .crank import Crank
 from .cycle import Cycle
 from .formulas import Unlike
 from .throw_strength import ThrowFatigue
+
+MAIN_JOURNALS = {"front": Text("front"), "rear": Text("rear")}  # of a throw, which carry alike
 
 
 @result
@@ -53,8 +56,14 @@ class Position(Rod):
     """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the
     pin."""
 
-    reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
-    reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
+    reactions: dict[str, Newton] = values(
+        "Reaction of the {row} main journal",
+        "N",
+        "R_*",
+        id="reaction_*",
+        called=MAIN_JOURNALS.__getitem__,
+        sign=lambda journal: journal[0],
+    )
     torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
     pin: CrankSection = group(words="pin")
     journal: CrankSection = group(words="journal")

@@ -28,7 +28,7 @@ from .crank import sharing
 from .cycle import TURN, Cycle
 from .gas import GasInputs
 from .inputs import EngineInputs, ThrowInputs
-from .result import CrankSection, EngineResult, Position, Rod, ThrowResult
+from .result import MAIN_JOURNALS, CrankSection, EngineResult, Position, Rod, ThrowResult
 from .throw_strength import FATIGUE, PLACES, Forces, Notch, ThrowFatigue, fatigue_check, judged
 from .torque import prepare
 
@@ -248,7 +248,9 @@ def _position(crank: _Throw, k: int, epsilon: float, words: str) -> Position:
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
         R, pin, journal = crank.sections(F_t, F_r, T_v)
     on_pin = replace(rod, tangential_force=F_t, radial_force=F_r)
-    return Position(**vars(on_pin), reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal)
+    return Position(
+        **vars(on_pin), reactions=dict.fromkeys(MAIN_JOURNALS, R), torque_in_front=T_v, pin=pin, journal=journal
+    )
 
 
 # --- what is judged
@@ -418,8 +420,7 @@ def _tables(result: ThrowResult, worst: Array) -> Iterator[Table]:
                 p.side_thrust,
                 p.tangential_force,
                 p.radial_force,
-                p.reaction_front,
-                p.reaction_rear,
+                *p.reactions.values(),
                 p.torque_in_front,
             )
             for words, p in positions

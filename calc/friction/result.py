@@ -3,6 +3,7 @@
 
 from typing import Annotated
 
+from ..countershaft.rows import IN_WORDS
 from ..sheet.formula import formula
 from ..sheet.functions import pi
 from ..sheet.quantity import group, result, value
@@ -100,9 +101,7 @@ class FrictionResult:
 
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
-    journals: dict[str, JournalResult] = group(
-        words="journals", key_words={"front": Text("front"), "rear": Text("rear")}
-    )
+    journals: dict[str, JournalResult] = group(words="journals", key_words=IN_WORDS)
     scenarios: dict[str, ScenarioResult] | None = group(short=False, default=None, words="scenarios")
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0", short=True)
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B", short=True)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..countershaft.rows import called
+from ..countershaft.rows import called, row_key
 from ..draw.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words, awaited, judged
 from ..gears.inputs import GearsInputs
 from ..sheet.quantity import dotted
@@ -59,7 +59,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
         Loss(
             Text("{place} bearing", place=called(place)),
             journal.friction_power,
-            dotted("bearings", place),
+            row_key(place),
             judged(checks, f"friction.{place}"),
         )
         for place, journal in result.journals.items()

@@ -205,7 +205,7 @@ def checks(
             "One shaft at −ω takes it: {required_couple} N·m at {phase}",
             required_couple=Amount(result.required_couple),
             phase=Amount(round(degrees(result.required_couple_phase), 3), "°"),
-        ) + Text("; add [countershaft].")
+        ) + Text("; add [[shafts]].")
         yield BACKWARD_COUPLE(first.couple_backward, couple, advice=counter)
         yield BACKWARD_FORCE(first.force_backward, force)
     yield FORWARD_COUPLE(first.couple_forward, couple, advice=forward)

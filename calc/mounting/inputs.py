@@ -537,7 +537,7 @@ class MountingInputs:
         default=None,
         within=(-100, 100),
         symbol="s",
-        help="For the variant scatter; left out: from [countershaft.scatter].",
+        help="For the variant scatter; left out: from [shafts.scatter].",
     )
     late: float | None = quantity(
         "The shaft is late by",

@@ -200,9 +200,7 @@ def _of_shaft(mounting: MountingInputs, shaft: ShaftOnEngine) -> Iterator[Text]:
     if shaft.errors is None:
         yield Text("How the shaft scatters is not known: give late_deg and scatter_couple_percent.")
     elif mounting.late is None and mounting.scatter_couple is None:
-        yield Text(
-            "The shaft as it scatters: 95 % of its errors by [countershaft.scatter] and the free turn of the train."
-        )
+        yield Text("The shaft as it scatters: 95 % of its errors by [shafts.scatter] and the free turn of the train.")
 
 
 def _of_mounts(mounting: MountingInputs) -> Iterator[Text]:

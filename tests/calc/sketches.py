@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator
 
 from calc.design.addresses import address
-from calc.design.toml_file import Document
+from calc.design.toml_file import Document, design
 from calc.draw.drawing import Mark, Sketch, Words
 
 
@@ -31,5 +31,6 @@ def check(sketch: Sketch, document: Document) -> None:
     assert sketch.primitives
     for picture in (sketch, *sketch.beside):
         assert all(map(math.isfinite, picture.box))
-    for key in {key for mark in marks(sketch) for key in mark.key.split()}:
+    asked = design(document)
+    for key in {key for mark in marks(sketch) for words in mark.key.split() for key in asked.in_place(words)}:
         address(document.data, key, whole=True)

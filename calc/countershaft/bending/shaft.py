@@ -372,7 +372,7 @@ def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[Eccent
                 start=Amount(outline.start * 1000.0, form=".4g"),
                 end=Amount(outline.end * 1000.0, form=".4g"),
             ),
-            Text("Let [[countershaft.sections]] reach that far."),
+            Text("Let [[shafts.sections]] reach that far."),
         )
 
 

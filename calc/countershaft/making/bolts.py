@@ -455,7 +455,7 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
     return (support.proof_stress, Text("proof stress")) if support.proof_stress is not None else None
 
 
-BOLT_KEYS = "countershaft", ShaftInputs.bolts
+BOLT_KEYS = SHAFT, ShaftInputs.bolts
 TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
 HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
 JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), dotted(*BOLT_KEYS, Bolts.row_span))
@@ -541,21 +541,21 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
 
 def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
     """The same of bolts beside those of the support, whose load stands across the joint or turns."""
-    own = dotted(SHAFT, ShaftInputs.further_bolts, bolts.name)
-    found = list(_tightened_checks(joint, own.removeprefix("countershaft.")))
+    at = dotted(ShaftInputs.further_bolts, bolts.name)
+    key, id = dotted(SHAFT, at), dotted("countershaft", at)
+    found = list(_tightened_checks(joint, at))
     if (safety := joint.bolt_slip_across_safety) is not None:
         least = HOLDS_TURNING if bolts.turns == "yes" else HOLDS_STANDING
         what = Text("Safety against slip of the joint")
         asked = Text("Safety against slip of the joint, as VDI 2230 asks for")
-        at = own.removeprefix("countershaft.")
         found += [SLIP(safety, 1.0, at=at, name=what), SLIP_VDI(safety, least, at=at, name=asked)]
     across = dotted("countershaft", BoltsResult.bolt_slip_across_safety)
     for check in found:
         value = across if check.rule in (SLIP, SLIP_VDI) else check.value_id
         yield check.but(
             name=Text("{what}, {bolts}", what=check.name, bolts=Name(bolts.name)),
-            value_id=value.replace("countershaft", own),
-            moved_by=tuple([key.replace(dotted(*BOLT_KEYS), own) for key in check.moved_by]),
+            value_id=value.replace("countershaft", id),
+            moved_by=tuple([moving.replace(dotted(*BOLT_KEYS), key) for moving in check.moved_by]),
         )
 
 

@@ -222,7 +222,7 @@ def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple
     return why
 
 
-DRAIN = "countershaft", ShaftInputs.oil_drain
+DRAIN = SHAFT, ShaftInputs.oil_drain
 HOSE = (dotted(*DRAIN, OilDrain.hose_min), dotted(*DRAIN, OilDrain.hose_max))
 THREAD, PASSAGE = dotted(*DRAIN, OilDrain.thread), dotted(*DRAIN, OilDrain.slope)
 CLAMP = CheckRule(
@@ -338,12 +338,13 @@ def of_drain(drain_check: Check, drain: OilDrain) -> Check:
     has no name."""
     if not isinstance(drain, FurtherDrain):
         return drain_check
-    own = dotted(SHAFT, ShaftInputs.further_drains, drain.name)
+    key = dotted(SHAFT, ShaftInputs.further_drains, drain.name)
+    id = dotted("countershaft", ShaftInputs.further_drains, drain.name)
     return drain_check.but(
         name=Text("{what}, {drain}", what=drain_check.name, drain=Name(drain.name)),
-        value_id=drain_check.value_id.replace("countershaft", own),
-        limit_id=drain_check.limit_id.replace("countershaft", own),
-        moved_by=tuple([key.replace(dotted(*DRAIN), own) for key in drain_check.moved_by]),
+        value_id=drain_check.value_id.replace("countershaft", id),
+        limit_id=drain_check.limit_id.replace("countershaft", id),
+        moved_by=tuple([moving.replace(dotted(*DRAIN), key) for moving in drain_check.moved_by]),
     )
 
 

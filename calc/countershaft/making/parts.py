@@ -22,7 +22,7 @@ from .. import formulas as f
 from ..inputs import EccentricMass, ShaftInputs
 from ..outline import Journals
 from ..result import CountershaftResult
-from ..rows import EACH_ROW, SHAFT, BearingRow
+from ..rows import EACH_ROW, SHAFT, BearingRow, called
 from ..sizing.choices import Seat, compared, compared_table
 from ..sizing.sectors import LEFT_OVER, ShaftTask
 from . import bolts, drain, scatter
@@ -43,26 +43,25 @@ CASES = 4  # a quarter of a turn apart
 
 
 def table(shaft: ShaftInputs, result: CountershaftResult) -> list[Table]:
-    """Forces of the shaft on both its bearings, the front one's upwards first; none where they have more supports or
+    """Forces of the shaft on both its bearings, the first one's upwards first; none where they have more supports or
     carry nothing."""
     if len(shaft.bearings) != 2 or not abs(result.reactions[0]):
         return []
-    front, rear = (-R for R in result.reactions)
-    upwards = abs(front) / front
+    on_bearings = [-R for R in result.reactions]
+    upwards = abs(on_bearings[0]) / on_bearings[0]
     preload = () if result.bolts is None else (float(result.bolts.bolt_preload),)
     rows = []
     for n in range(CASES):
         turn = upwards * cmath.exp(2j * math.pi * n / CASES)
-        forces = (part for force in (front * turn, rear * turn) for part in (force.real, force.imag))
+        forces = (part for force in on_bearings for part in ((force * turn).real, (force * turn).imag))
         rows.append((n + 1, 360.0 * n / CASES, *(round(x, 9) + 0.0 for x in forces), *preload))
     columns = [
         (Text("case"), ""),
-        (Text("direction, front"), "°"),
-        (Text("front, up"), "N"),
-        (Text("front, side"), "N"),
-        (Text("rear, up"), "N"),
-        (Text("rear, side"), "N"),
+        (Text("direction, {row}", row=called(shaft.bearings[0].name)), "°"),
     ]
+    for row in shaft.bearings:
+        name = called(row.name)
+        columns += [(Text("{row}, up", row=name), "N"), (Text("{row}, side", row=name), "N")]
     bolts = EMPTY
     if shaft.bolts is not None:
         columns.append((Text("each bolt"), "N"))
@@ -72,7 +71,7 @@ def table(shaft: ShaftInputs, result: CountershaftResult) -> list[Table]:
         "Forces of the shaft on its bearings at {n} rpm, at four instants of a turn (Finotti 2013, 4.7, in chapter 6, "
         "spreads each over 60° of its seat); side is 90° further in the sense of crank rotation. Weight and gear force "
         "are left out, as there.{bolts} The stresses that finite elements find with them belong to "
-        "[countershaft.support].",
+        "[shafts.support].",
         n=speed,
         bolts=bolts,
     )

@@ -105,7 +105,7 @@ def compared(
 
 
 def named(shaft: ShaftInputs, materials: Mapping[str, Material]) -> tuple[str, ...]:
-    """The materials to compare: the design's own, and those of [countershaft.cost]; where it is sized without one, the
+    """The materials to compare: the design's own, and those of [shafts.cost]; where it is sized without one, the
     ADI grades."""
     if shaft.cost is not None:
         others = [a.material for a in shaft.cost.alternatives]

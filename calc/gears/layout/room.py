@@ -185,7 +185,7 @@ AXIS = CheckRule(
     unit="µm",
     source=Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
     role="self",
-    moved_by=(HERE, "countershaft.axis_mm"),
+    moved_by=(HERE, "shafts.S.axis_mm"),
 )
 DISTANCE = CheckRule(
     "gears.M.position",

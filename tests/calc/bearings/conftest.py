@@ -26,9 +26,7 @@ def fitting(tight):
 def source(gamma):
     """The same without an outline, so that no room is known."""
     made = design(gamma)
-    return bearings_case(
-        replace(made, countershaft=replace(made.countershaft, outer_radius=None, core_radius=None)), solve
-    )
+    return bearings_case(made.with_shaft(replace(made.own, outer_radius=None, core_radius=None)), solve)
 
 
 @pytest.fixture(scope="session")

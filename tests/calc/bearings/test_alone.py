@@ -7,38 +7,10 @@ from types import SimpleNamespace
 import pytest
 
 from calc.bearings.solve import _load, _slope, operating_point, solve_film
-from calc.design.toml_file import Document, design
+from calc.design.toml_file import design
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
-
-
-def alone(**changes):
-    bearing = {
-        "diameter_mm": 60.0,
-        "length_mm": 30.0,
-        "clearance_um": 80.0,
-        "load_N": 3000.0,
-        "journal_roughness_um": 0.4,
-        "housing_roughness_um": 0.4,
-    }
-    table = {
-        "oil": "SAE 30",
-        "supply_temperature_C": 60.0,
-        "supply_pressure_bar": 2.0,
-        "supply": "hole",
-        "hole_diameter_mm": 5.0,
-        "housing_material": "steel",
-        "journal_material": "steel",
-        "speed_rpm": 1500.0,
-        "load_speed_ratio": 0.0,
-        "front": dict(bearing),
-        "rear": dict(bearing),
-    }
-    for key, value in changes.items():
-        part, _, name = key.rpartition("__")
-        (table[part] if part else table)[name] = value
-    table = {key: value for key, value in table.items() if value is not None}
-    return Document({"schema": 1, "name": "alone", "bearings": table}, "alone.toml")
+from tests.calc.bearings.documents import alone
 
 
 def test_bearings_alone_are_solved():
@@ -50,15 +22,18 @@ def test_bearings_alone_are_solved():
     assert front.standing is None
 
 
-@pytest.mark.parametrize("key", ["speed_rpm", "journal_material", "front__load_N"])
-def test_what_they_then_need_is_named(key):
+@pytest.mark.parametrize(
+    "name, key",
+    [
+        ("speed_rpm", "bearings.speed_rpm"),
+        ("journal_material", "bearings.journal_material"),
+        ("front__load_N", "shafts.0.bearings.0.load_N"),
+    ],
+)
+def test_what_they_then_need_is_named(name, key):
     with pytest.raises(BadInput) as caught:
-        document = alone()
-        table = document.data["bearings"]
-        part, _, name = key.rpartition("__")
-        del (table[part] if part else table)[name]
-        design(document)
-    assert f"bearings.{key.replace('__', '.')}" in {error.key for error in caught.value.errors}
+        design(alone(**{name: None}))
+    assert key in {error.key for error in caught.value.errors}
 
 
 def test_a_standing_load_is_swept_at_its_own_size():
@@ -75,7 +50,7 @@ def test_a_standing_load_is_swept_at_its_own_size():
 
 
 def test_a_given_load_stands_beside_a_shaft_that_has_others(gamma):
-    document = gamma.with_value("bearings.front.load_N", 900.0)
+    document = gamma.with_value("shafts.shaft.bearings.front.load_N", 900.0)
     found = solve(design(document)).outcomes["bearings"].result.bearings
     assert found["front"].load == 900
     assert found["rear"].load == pytest.approx(1713.6, rel=1e-3)
@@ -158,21 +133,21 @@ def test_a_groove_parts_the_bearing_into_two_lands():
 
 
 def test_a_shaft_without_a_reaction_loads_no_bearing():
-    bearing, shaft = replace(design(alone()).bearings.front, load=None), SimpleNamespace
-    assert _load("front", bearing, shaft(reaction_front=0.5, reaction_rear=7.0)) == 0.5
-    assert _load("rear", bearing, shaft(reaction_front=0.5, reaction_rear=7.0)) == 7.0
-    for none in (None, shaft(reaction_front=0.0, reaction_rear=7.0)):
-        with pytest.raises(NoSolution, match="carries no load"):
-            _load("front", bearing, none)
+    front, rear = (replace(row, load=None) for row in design(alone()).rows)
+    shaft = SimpleNamespace(loads={"front": 0.5, "rear": 7.0})
+    assert (_load(front, shaft), _load(rear, shaft)) == (0.5, 7.0)
+    for none in (None, SimpleNamespace(loads={"front": 0.0, "rear": 7.0})):
+        with pytest.raises(NoSolution, match="the front bearing carries no load"):
+            _load(front, none)
 
 
-def test_a_slope_is_given_for_both_bearings_or_for_each():
-    shaft = SimpleNamespace(slope_front=3e-4, slope_rear=4e-4)
-    inputs = design(alone()).bearings
-    for slope, front, rear in (((1e-4,), 1e-4, 1e-4), ((1e-4, 2e-4), 1e-4, 2e-4), (None, 3e-4, 4e-4)):
-        with_slope = replace(inputs, slope=slope)
-        assert (_slope("front", with_slope, shaft), _slope("rear", with_slope, shaft)) == (front, rear)
-    assert _slope("front", inputs, None) is None
+def test_a_slope_is_that_given_for_the_bearing_or_that_of_the_shaft():
+    shaft = SimpleNamespace(slopes={"front": 3e-4, "rear": 4e-4})
+    rows = design(alone()).rows
+    for slopes, found in (((1e-4, 1e-4), (1e-4, 1e-4)), ((1e-4, None), (1e-4, 4e-4)), ((None, None), (3e-4, 4e-4))):
+        given = [replace(row, slope=slope) for row, slope in zip(rows, slopes)]
+        assert tuple(_slope(row, shaft) for row in given) == found
+    assert _slope(rows[0], None) is None and _slope(rows[0], SimpleNamespace(slopes={})) is None
 
 
 def test_a_film_from_python_is_that_of_the_step():
@@ -279,6 +254,6 @@ def test_the_length_that_a_check_names_is_just_enough(feed, key, load, length):
         return found
 
     (((name, enough),),) = (one.changes for one in judged(length).remedies)
-    assert name == "bearings.front.length_mm" and judged(length).margin < 0
+    assert name == "shafts.shaft.bearings.front.length_mm" and judged(length).margin < 0
     assert judged(enough).margin >= 0
     assert judged(enough - (0.05 if enough > length else -0.05)).margin < 0

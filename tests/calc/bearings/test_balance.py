@@ -102,7 +102,9 @@ def test_a_film_that_breaks_down_above_is_still_found(gamma):
     from calc.design.toml_file import design
     from calc.solve import solve
 
-    document = gamma.with_value("bearings.expansion_restraint", 0.75).with_value("bearings.rear.clearance_factor", 0.8)
+    document = gamma.with_value("bearings.expansion_restraint", 0.75).with_value(
+        "shafts.shaft.bearings.rear.clearance_factor", 0.8
+    )
     held = solve(design(document)).outcomes["bearings"].result.bearings["front"]
     many = settled(held.seat, replace(held.duty, load=held.duty.load * np.ones(3)))
     assert many.film == pytest.approx(held.film, rel=1e-6)

@@ -9,12 +9,7 @@ from calc.bearings.routes.states import BearingCase
 from calc.bearings.routes.thermal_balance import balanced
 from calc.design.toml_file import design
 from calc.solve import solve
-
-
-def outcome(document, **changes):
-    for key, value in changes.items():
-        document = document.with_value("bearings." + key.replace("__", "."), value)
-    return solve(design(document)).outcomes["bearings"]
+from tests.calc.bearings.documents import outcome
 
 
 def front(found):
@@ -84,8 +79,8 @@ def test_a_corner_is_a_caution_whether_its_fits_are_given_or_assumed(gamma):
 
 def test_fits_alone_make_the_clearance(gamma):
     """H7/f7 at Ø59.5: 30 to 90 µm (ISO 286), the middle 60; at Ø81 36 to 106, the middle 71."""
-    document = gamma.with_value("bearings.front.clearance_factor", None).with_value(
-        "bearings.rear.clearance_factor", None
+    document = gamma.with_value("shafts.shaft.bearings.front.clearance_factor", None).with_value(
+        "shafts.shaft.bearings.rear.clearance_factor", None
     )
     found = outcome(document, seat_fit="H7", journal_fit="f7")
     r = found.result.bearings
@@ -100,7 +95,9 @@ def test_a_clearance_that_the_fits_do_not_make_warns(gamma):
 
 
 def test_a_corner_that_seizes_when_cold_is_named_even_where_the_middle_does_not(gamma):
-    document = gamma.with_value("bearings.front.clearance_factor", None).with_value("bearings.front.clearance_um", 45.0)
+    document = gamma.with_value("shafts.shaft.bearings.front.clearance_factor", None).with_value(
+        "shafts.shaft.bearings.front.clearance_um", 45.0
+    )
     found = {c.id: c for c in outcome(document).checks}
     assert found["bearings.front.clearance_cold"].verdict == "pass"
     corner = found["bearings.front.clearance_cold_corner"]
@@ -119,7 +116,9 @@ def test_a_corner_without_film_warns_and_does_not_end_the_step(gamma):
 def test_fits_with_letters_make_the_corners_whatever_clearance_is_given(gamma):
     """H7/f7 at Ø59.5 makes 30 to 90 µm, and no other: a given middle of 88 µm moves the judged film, not the
     corners."""
-    document = gamma.with_value("bearings.front.clearance_factor", None).with_value("bearings.front.clearance_um", 88.0)
+    document = gamma.with_value("shafts.shaft.bearings.front.clearance_factor", None).with_value(
+        "shafts.shaft.bearings.front.clearance_um", 88.0
+    )
     r = front(outcome(document, seat_fit="H7", journal_fit="f7"))
     assert r.clearance == pytest.approx(88e-6)
     assert (r.corners.clearance_min, r.corners.clearance_max) == pytest.approx((30e-6, 90e-6))

@@ -9,13 +9,13 @@ import pytest
 
 from calc.bearings.checks import checks, least_film, oil_check
 from calc.bearings.corners import Exact
-from calc.bearings.inputs import BearingsInputs
 from calc.bearings.loads import _checks as standing_checks
 from calc.bearings.materials import application, bearing_materials
 from calc.bearings.result import BearingsResult
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.thermal_balance import balanced
 from calc.bearings.suitability import application_checks, film_asked, material_checks
+from calc.countershaft.rows import BearingRow
 from calc.design.toml_file import Document, design
 from calc.library.catalogue import materials, oils
 from calc.library.journal_rules import LUBRICATIONS, N_RPM_MM, speed_factor
@@ -254,7 +254,7 @@ def test_the_length_that_would_do(given, key, changed, lengths):
     assert not check.holds and len(ways) == len(lengths)
     for (words, changes), (bound, length) in zip(ways, lengths):
         ((name, x),) = changes
-        assert name == "bearings.front.length_mm" and bound in words
+        assert name == "shafts.S.bearings.front.length_mm" and bound in words
         assert 0 <= (x - length if bound == "at least" else length - x) < 0.1
 
 
@@ -334,7 +334,7 @@ def test_the_least_speed_is_three_to_ten_times_that_of_transition():
 
 def test_a_slope_is_usual_up_to_what_the_engine_s_maker_aims_at():
     """Finotti 2013, 4.6: 0.25 mrad."""
-    assert keys(BearingsInputs)["slope_mrad"].about.usual == (0, pytest.approx(0.25))
+    assert keys(BearingRow)["slope_mrad"].about.usual == (0, pytest.approx(0.25))
 
 
 # --- what is not given
@@ -353,7 +353,7 @@ def test_without_a_slope_the_film_is_judged_from_none_to_what_is_taken(given, fi
     found = made(cornered(r, film_edge=edge))
     assert found["film_edge"].verdict == found["film_edge_range"].verdict == verdict
     assert (found["film_edge"].at_best, found["film_edge"].at_worst) == pytest.approx((film / UM, edge / UM))
-    assert found["film_edge"].missing == ("bearings.slope_mrad",)
+    assert found["film_edge"].missing == ("shafts.S.bearings.front.slope_mrad",)
     caution = {"warn": "pass", "fail": "warn"}.get(verdict, verdict)
     for key in ("film_edge_sheared", "film_overspeed", "film_edge_corner"):
         assert found[key].verdict == caution, key
@@ -416,7 +416,9 @@ def test_a_supply_outside_its_range_is_known_by_a_third_less_in_its_rise(gamma):
 def test_an_oil_outside_its_law_is_known_by_a_third_less_in_its_films(gamma):
     oil = {"name": "thin", "nu40_mm2_s": 6.0, "nu100_mm2_s": 2.2, "rho15_kgm3": 850.0, "base": "mineral"}
     document = replace(gamma, data={**gamma.data, "oil": [oil]}).with_value("bearings.oil", "thin")
-    document = document.with_value("bearings.front.length_mm", 45.0).with_value("bearings.rear.length_mm", 45.0)
+    document = document.with_value("shafts.shaft.bearings.front.length_mm", 45.0).with_value(
+        "shafts.shaft.bearings.rear.length_mm", 45.0
+    )
     results = solve(design(document))
     found, r = {c.id: c for c in results.checks()}, results.result(BearingsResult).bearings["front"]
     lost = (r.film - r.film_edge) / UM  # what the slope takes of the film is known
@@ -463,8 +465,10 @@ MAKERS = [
 def test_films_of_makers_journals(case):
     """Solved point by point, each with its own balance; lengths, oils and temperatures are assumed."""
     d, l, g, F, n, oil, T, bar, housing, hths, film, outlet, sheared, over = case
-    bearing = dict(diameter_mm=d, length_mm=l, clearance_um=g, load_N=F)
-    bearing |= dict(journal_roughness_um=0.2, housing_roughness_um=0.4)
+    sizes = dict(diameter_mm=d, length_mm=l, clearance_um=g, load_N=F, slope_mrad=0.1)
+    sizes |= dict(journal_roughness_um=0.2, housing_roughness_um=0.4)
+    rows = [{"name": name, "position_mm": z, **sizes} for name, z in (("front", 0.0), ("rear", 1000.0))]
+    shaft = {"name": "shaft", "mode": "bearings", "bearings": rows}
     table = dict(
         oil=oil,
         supply_temperature_C=T,
@@ -474,11 +478,8 @@ def test_films_of_makers_journals(case):
         housing_material=housing,
         journal_material="42CrMo4",
         speed_rpm=n,
-        slope_mrad=0.1,
-        front=bearing,
-        rear=dict(bearing),
     )
-    solved = solve(design(Document({"schema": 1, "name": "maker", "bearings": table}, "maker.toml")))
+    solved = solve(design(Document({"schema": 2, "name": "maker", "shafts": [shaft], "bearings": table}, "maker.toml")))
     r = solved.outcomes["bearings"].result.bearings["front"]
     assert high_shear(r.seat.lubricant) == (None if hths is None else pytest.approx(hths * 1e-3))
     assert r.film / UM == pytest.approx(film, rel=1e-4) and r.outlet_temperature == pytest.approx(outlet, rel=1e-4)

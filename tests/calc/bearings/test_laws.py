@@ -38,7 +38,8 @@ def cases(draw):
     ε, l/d)."""
     d, psi, b, eps, n = draw(diameters), draw(clearances), draw(ratios), draw(eccentricities), draw(speeds)
     l, g = b * d, psi * d
-    bearing = BearingRow(diameter=d, length=l, clearance=g, load=1.0, journal_roughness=0.0, housing_roughness=0.0)
+    sizes = dict(diameter=d, length=l, clearance=g, load=1.0, journal_roughness=0.0, housing_roughness=0.0)
+    bearing = BearingRow(name="front", position=0.0, **sizes)
     inputs = BearingsInputs(
         oil=draw(st.sampled_from(OILS)),
         supply_temperature=draw(temperatures),
@@ -46,8 +47,6 @@ def cases(draw):
         supply="hole",
         hole_diameter=l / 10,
         housing_material="steel",
-        front=bearing,
-        rear=bearing,
         load_speed_ratio=1.0,
     )
     case = BearingCase(bearing, inputs, Lubricant(oils()[inputs.oil]), g, 1.15e-5, 1.15e-5)

@@ -3,14 +3,7 @@
 import pytest
 
 from calc.bearings.routes.routes import ROUTES
-from calc.design.toml_file import design
-from calc.solve import solve
-
-
-def outcome(document, **changes):
-    for key, value in changes.items():
-        document = document.with_value("bearings." + key.replace("__", "."), value)
-    return solve(design(document)).outcomes["bearings"]
+from tests.calc.bearings.documents import outcome
 
 
 @pytest.mark.parametrize(
@@ -64,7 +57,9 @@ def test_the_note_says_who_is_off_and_why(gamma_results):
 def test_a_route_whose_flow_is_another_is_told_by_its_flow(gamma):
     """At l/d = ½ the cubic is the chart itself: what is off is the flow of a groove alone, and so the oil's
     temperature."""
-    document = gamma.with_value("bearings.front.length_mm", 29.75).with_value("bearings.supply_pressure_bar", 0.4)
+    document = gamma.with_value("shafts.shaft.bearings.front.length_mm", 29.75).with_value(
+        "bearings.supply_pressure_bar", 0.4
+    )
     found = outcome(document)
     note = next(t for t in found.tables if t.id == "routes_front").note
     assert "Raimondi & Boyd, supply flow of the thesis: its flow is" in note and "cubic" not in note

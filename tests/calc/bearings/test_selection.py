@@ -38,7 +38,7 @@ from calc.bearings.selection.tables import (
     summary,
 )
 from calc.bearings.selection.variants import closer_fits, tasks, tied, variants
-from calc.countershaft.inputs import Section
+from calc.countershaft.inputs import Section, ShaftInputs
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design, parse, read
 from calc.sheet.search import least
@@ -131,7 +131,7 @@ def test_no_length_is_looked_at_that_the_supply_takes_up(source):
 
 def test_every_row_passes_where_it_stands(source, found):
     for row in found.rows[: found.verified]:
-        there = source.solve(with_row(source.bearings, row)).outcomes["bearings"]
+        there = source.solve(*with_row(source, row)).outcomes["bearings"]
         assert [c.id for c in there.checks if c.verdict == "fail"] == []
         beyond = [c.id for c in there.checks if c.id.endswith("_corner") and c.margin < 0]
         assert beyond == []
@@ -152,7 +152,7 @@ def test_the_nearest_is_first_and_the_others_rise_in_power(source, found):
 def test_nothing_nearer_passes(source, found):
     """Every candidate of both grids with a smaller change breaks a rule, solved where it stands."""
     slopes = slopes_of(source, source.results)
-    for place, one in zip(("front", "rear"), found.rows[0].both):
+    for place, one in zip(("front", "rear"), found.rows[0].picks):
         made = field(task_of(source, place), found.variants[0], slopes[place])
         nearer = made.change() < one.change - 1e-9
         assert nearer.any()
@@ -219,11 +219,10 @@ def test_a_new_design_is_the_nearest_row_by_the_rise_of_its_oil():
 
 
 def test_what_ties_the_diameters(tight, source, sized):
-    assert "sectors" in tied(tight, "rear") and "gear" in tied(tight, "front")
-    assert "not known" in tied(source, "rear")
-    assert "sectors" in tied(sized, "rear")
     beta = bearings_case(design(read(DESIGNS / "r753ie4_beta.toml")), solve)
-    assert tied(beta, "rear") == "" and "gear" in tied(beta, "front")
+    for case, front, rear in ((tight, "gear", "sectors"), (source, "", "not known"), (sized, "", "sectors")):
+        assert front in tied(case, case.rows[0]) and rear in tied(case, case.rows[1])
+    assert tied(beta, beta.rows[1]) == "" and "gear" in tied(beta, beta.rows[0])
     assert [len(tasks(source)[place]) for place in ("front", "rear")] == [1, 1]
 
 
@@ -248,7 +247,7 @@ def test_given_sections_leave_their_cylinder(source):
 def test_a_room_that_is_given_is_kept(sized):
     some = search(sized)
     assert some.kind == "all" and some.rows[0].what == "nearest" and not some.elsewhere
-    assert all(one.length <= 0.040 + 1e-9 for row in (*some.rows, *some.pareto) for one in row.both)
+    assert all(one.length <= 0.040 + 1e-9 for row in (*some.rows, *some.pareto) for one in row.picks)
     assert some.beyond and all(max(row.too_long) > 0 for row in some.beyond)
     of = {(row.variant.oil, row.variant.supply) for row in some.rows}
     assert not of & {(row.variant.oil, row.variant.supply) for row in some.beyond}
@@ -260,14 +259,14 @@ def test_rows_that_fit_come_first(tight, fitting):
     assert fitting.kind == "given" and fitting.rows
     for row in fitting.rows:
         assert row.too_long == (0, 0)
-        outcomes = tight.solve(with_row(tight.bearings, row)).outcomes
+        outcomes = tight.solve(*with_row(tight, row)).outcomes
         assert [
             c.id for step in ("countershaft", "bearings") for c in outcomes[step].checks if c.verdict == "fail"
         ] == []
     assert summary(fitting)[0].startswith("Nothing that fits keeps every rule: the front journal has room for 28.29 mm")
     least = fitting.beyond[0]
     assert max(least.too_long) == min(max(row.too_long) for row in fitting.beyond)
-    assert max(least.too_long) == pytest.approx(least.front.length - 0.028294, abs=2e-6)
+    assert max(least.too_long) == pytest.approx(least.picks[0].length - 0.028294, abs=2e-6)
     assert "at every corner: these keep them as given" in choices_table(fitting, 20).title
     assert any(words.startswith("Rows 1 to") for words in notes(fitting))
 
@@ -283,8 +282,7 @@ def test_numbers_run_on_over_all_tables(fitting):
 @pytest.mark.slow
 def test_a_design_that_collides_hears_of_it_first(tight, fitting):
     """The room is that of the shaft without the overlap, and the design no row."""
-    done = with_row(tight.bearings, fitting.beyond[0])
-    again = search(replace(tight, bearings=done, results=tight.solve(done)))
+    again = search(other(tight, *with_row(tight, fitting.beyond[0])))
     assert (
         "countershaft.crossing" in choices_table(again, 5).title and "FAILS countershaft.crossing" in summary(again)[0]
     )
@@ -297,14 +295,17 @@ def test_a_design_that_collides_hears_of_it_first(tight, fitting):
 @pytest.mark.slow
 def test_smoother_surfaces_come_after_all_else(source):
     """With Ra 2 µm on both Kreisle asks for more film than any oil has; smoother surfaces bring the rows back."""
-    rough = replace(source.bearings.front, housing_roughness=2e-6, journal_roughness=2e-6)
-    some = search(other(source, front=rough))
-    assert some.rows and all(row.front.task.level > 0 and row.rear.task.level == 0 for row in some.rows)
+    front, rear = source.rows
+    rough = replace(front, housing_roughness=2e-6, journal_roughness=2e-6)
+    some = search(other(source, rows=(rough, rear)))
+    assert some.rows and all([pick.task.level > 0 for pick in row.picks] == [True, False] for row in some.rows)
     row = some.rows[0]
-    written = bearing_changes(row, source.bearings)
-    b = row.front.task.seat.bearing
-    assert float(written["bearings.front.journal_roughness_um"]) == pytest.approx(b.journal_roughness * 1e6)
-    limit = next(c.limit for c in row.front.checks if c.id == "bearings.front.film_edge")
+    written = bearing_changes(row, source)
+    b = row.picks[0].task.seat.bearing
+    assert float(written["shafts.shaft.bearings.front.journal_roughness_um"]) == pytest.approx(
+        b.journal_roughness * 1e6
+    )
+    limit = next(c.limit for c in row.picks[0].checks if c.id == "bearings.front.film_edge")
     assert limit == pytest.approx(7.5e6 * (b.journal_roughness + b.housing_roughness))  # Rt = 7.5·Ra, Kreisle
     assert "Ra" in changed(row)
 
@@ -326,12 +327,10 @@ def test_closer_fits_go_by_grades(source):
 def test_fits_with_a_place_become_widths(source):
     """A row with another clearance than that of the fits can not keep them."""
     placed = other(source, journal_fit="f7", seat_fit="H7")
-    row = next(row for row in search(placed).rows if any(one.clearance != one.task.clearance for one in row.both))
-    there = with_row(placed.bearings, row)
+    row = next(row for row in search(placed).rows if any(one.clearance != one.task.clearance for one in row.picks))
+    there, _ = with_row(placed, row)
     assert (there.journal_fit, there.seat_fit) == ("IT7", "IT7")
-    assert {"bearings.journal_fit": "IT7", "bearings.seat_fit": "IT7"}.items() <= bearing_changes(
-        row, placed.bearings
-    ).items()
+    assert {"bearings.journal_fit": "IT7", "bearings.seat_fit": "IT7"}.items() <= bearing_changes(row, placed).items()
 
 
 def test_wider_clearances_where_the_oil_is_too_little(source):
@@ -339,13 +338,13 @@ def test_wider_clearances_where_the_oil_is_too_little(source):
     speeds = 1000 / 60, 2600 / 60  # with this oil, not with that of the bench run
     cool = dict(supply_pressure=0.1e5, supply_temperature=60.0, oil="SAE 30", speed_range=speeds)
     row = nearest_passing(other(source, **cool))
-    assert row is not None and any(one.clearance > widest_usual(one.task) for one in row.both)
+    assert row is not None and any(one.clearance > widest_usual(one.task) for one in row.picks)
 
 
-def other(case, **changes):
+def other(case, bearings=None, rows=None, **changes):
     """The same design with other bearings."""
-    changed = replace(case.bearings, **changes)
-    return replace(case, bearings=changed, results=case.solve(changed))
+    bearings, rows = replace(bearings or case.bearings, **changes), rows or case.rows
+    return replace(case, bearings=bearings, rows=rows, results=case.solve(bearings, rows))
 
 
 def test_closer_fits_and_a_surer_oil_ask_for_less(source, found):
@@ -354,40 +353,40 @@ def test_closer_fits_and_a_surer_oil_ask_for_less(source, found):
 
 
 def test_a_design_that_passes_is_its_own_nearest(source, found):
-    done = with_row(source.bearings, found.rows[0])
-    row = nearest_passing(replace(source, bearings=done, results=source.solve(done)))
+    done = other(source, *with_row(source, found.rows[0]))
+    row = nearest_passing(done)
     assert row is not None and row.change == 0 and changed(row) == ""
     assert bearing_changes(row, done) == {}
 
 
 def test_bearings_without_a_film_are_helped_too(source):
     """A clearance of a tenth of a micrometre, in steel, so that it never opens."""
-    tight = replace(source.bearings.rear, clearance_factor=None, clearance=1e-7)
-    stuck = other(source, rear=tight, housing_material="20CrNi4")
+    front, rear = source.rows
+    tight = replace(rear, clearance_factor=None, clearance=1e-7)
+    stuck = other(source, rows=(front, tight), housing_material="20CrNi4")
     assert stuck.results.outcomes["bearings"].state == "no_solution"
     row = nearest_passing(stuck)
-    assert row is not None and row.rear.clearance > 50e-6 and row.rear.task.clearance == 1e-7
+    assert row is not None and row.picks[1].clearance > 50e-6 and row.picks[1].task.clearance == 1e-7
 
 
 def test_a_clearance_meant_warm_is_widened_for_the_cold(source):
     """Given at 150 °C the usual clearance would seize when cold: wider ones are looked at."""
     row = nearest_passing(other(source, clearance_reference_temperature=150.0))
-    assert row is not None and all(one.clearance > one.task.clearance for one in row.both)
-    assert all(c.value >= 20 - 1e-9 for one in row.both for c in one.checks if c.id.endswith("clearance_cold"))
+    assert row is not None and all(one.clearance > one.task.clearance for one in row.picks)
+    assert all(c.value >= 20 - 1e-9 for one in row.picks for c in one.checks if c.id.endswith("clearance_cold"))
 
 
 def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_results):
-    loads = {p: gamma_results.outcomes["bearings"].result.bearings[p].load for p in ("front", "rear")}
-    own = source.bearings
-    front, rear = (replace(getattr(own, p), load=loads[p]) for p in ("front", "rear"))
+    found = gamma_results.outcomes["bearings"].result.bearings
+    rows = tuple(replace(row, load=found[row.name].load) for row in source.rows)
     alone = replace(
         design(gamma),
         engine=None,
         imbalance=None,
-        countershaft=None,
+        shafts=(ShaftInputs(name="shaft", mode="bearings", bearings=rows),),
         gears=None,
         friction=None,
-        bearings=replace(own, speed=2600 / 60, journal_material="20CrNi4", front=front, rear=rear),
+        bearings=replace(source.bearings, speed=2600 / 60, journal_material="20CrNi4"),
     )
     some = tasks(bearings_case(alone, solve))
     assert [round(t.seat.bearing.diameter * 1e3, 6) for t in some["front"]] == [59.5, 50.5, 68.5, 77.5, 86.5]
@@ -423,7 +422,7 @@ def test_other_supplies_are_searched_too(source, changes):
     case = other(source, **changes)
     row = nearest_passing(case)
     assert row is not None and row.margin >= 0 and row.variant.supply == changes["supply"]
-    for one in row.both:
+    for one in row.picks:
         ratio = next(c.value for c in one.checks if c.id.endswith("length_ratio"))
         bare = (one.length - 0.003) / 2 if changes["supply"] == "groove" else one.length
         assert ratio == pytest.approx(bare / one.diameter) and one.length > changes.get("pocket_width", 0)

@@ -53,12 +53,13 @@ def test_where_nothing_passes_the_nearest_is_named_with_what_stops_it(found, thi
 def test_whatever_is_worst_in_a_row_has_a_word(found):
     """Every rule, at the corners and as given, has one that fits its column; a check without one has its name."""
     first = found.rows[0]
-    tasks = (first.front.task, replace(first.front.task, corners=False))
+    tasks = (first.picks[0].task, replace(first.picks[0].task, corners=False))
     checks = [c for task in tasks for c in picks(task, [0.03], [80e-6], 0.0)[0].checks]
-    assert {c.rule for c in checks} == set(RULES) == set(first.front.task.rules) - {CLEARANCE_USUAL}
+    assert {c.rule for c in checks} == set(RULES) == set(first.picks[0].task.rules) - {CLEARANCE_USUAL}
 
     def by(check):
-        worst = replace(first, front=replace(first.front, governing=check, margin=-1.0))
+        front, rear = first.picks
+        worst = replace(first, picks=(replace(front, governing=check, margin=-1.0), rear))
         return choices_table(replace(found, now=None, rows=(worst,)), 1).rows[0][-1]
 
     assert all(by(check) == f"{RULES[check.rule]} F" and len(by(check)) <= 10 for check in checks)
@@ -73,7 +74,7 @@ def free(found, best):
         replace(task, seat=replace(task.seat, bearing=replace(task.seat.bearing, diameter=d)))
         for d in (0.0595, 0.0505, 0.0685)
     ]
-    rows = [SimpleNamespace(both=(SimpleNamespace(diameter=d), SimpleNamespace(diameter=0.081))) for d in best]
+    rows = [SimpleNamespace(picks=(SimpleNamespace(diameter=d), SimpleNamespace(diameter=0.081))) for d in best]
     return SimpleNamespace(tasks={"front": looked, "rear": found.tasks["rear"]}, rows=rows, case=found.case)
 
 
@@ -124,7 +125,7 @@ def test_what_is_hidden_is_said_with_how_to_see_it(rows, beyond, top, said):
 
 
 def test_what_fails_elsewhere_what_was_dropped_and_what_the_fits_take_is_said(found):
-    check = found.rows[0].front.governing
+    check = found.rows[0].picks[0].governing
     more = replace(found, elsewhere={2: (check,), 5: (check,)}, dropped=("one", "other"), placed=True)
     said = "\n".join(notes(more))
     assert (
@@ -142,15 +143,15 @@ def test_clearances_wider_than_usual_and_those_not_of_the_application_are_said(f
     def pick(one, **changes):
         return replace(one, unusual=None, **changes)
 
-    rows = [replace(row, front=pick(row.front), rear=pick(row.rear)) for row in found.rows[:3]]
+    rows = [replace(row, picks=tuple(map(pick, row.picks))) for row in found.rows[:3]]
     assert not any(
         "wider than K" in words or "relative clearance" in words
         for words in notes(replace(found, rows=tuple(rows), pareto=()))
     )
     (check,) = (c for c in found.case.results.checks() if c.id == "bearings.rear.clearance_usual")
     unusual = check.but(value=3.0)
-    rows[1] = replace(rows[1], front=pick(rows[1].front, clearance=1e-3))
-    rows[1] = replace(rows[1], rear=replace(rows[1].rear, unusual=unusual))
+    front, rear = rows[1].picks
+    rows[1] = replace(rows[1], picks=(pick(front, clearance=1e-3), replace(rear, unusual=unusual)))
     said = "\n".join(notes(replace(found, rows=tuple(rows), pareto=())))
     assert "Some clearances of the front bearing are wider than K = 0.8" in said and "Pareto set: row 2." in said
 
@@ -170,11 +171,8 @@ def test_what_changes_in_the_first_row_is_said(found):
     assert summary(replace(found, rows=())) == ()
     asis = replace(
         first,
-        front=replace(
-            first.front, task=replace(first.front.task, length=first.front.length, clearance=first.front.clearance)
-        ),
-        rear=replace(
-            first.rear, task=replace(first.rear.task, length=first.rear.length, clearance=first.rear.clearance)
+        picks=tuple(
+            replace(pick, task=replace(pick.task, length=pick.length, clearance=pick.clearance)) for pick in first.picks
         ),
     )
     assert (

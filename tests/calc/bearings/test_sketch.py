@@ -20,7 +20,7 @@ def circles(picture, place):
         next(
             mark
             for mark in picture.primitives
-            if isinstance(mark, Arc) and f"bearings.{place}.{key}" in mark.key.split()
+            if isinstance(mark, Arc) and f"shafts.S.bearings.{place}.{key}" in mark.key.split()
         )
         for key in ("clearance_um", "diameter_mm")
     )
@@ -46,7 +46,7 @@ def test_the_journal_lies_in_its_clearance_as_the_film_holds_it(gamma, gamma_res
 def test_the_film_is_told_with_what_is_asked_of_it(gamma_results):
     bearings = sketch(gamma_results.design, gamma_results)
     assert "7.4 of 9 µm" in sketches.words(bearings)
-    assert {key.split(".")[1] for key in sketches.failing(bearings)} == {"front"}
+    assert {key.split(".")[3] for key in sketches.failing(bearings)} == {"front"}
 
 
 def test_bearings_that_carry_are_not_marked():

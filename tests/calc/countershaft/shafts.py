@@ -4,6 +4,7 @@ import copy
 import math
 
 from calc.countershaft.outline import Outline, Piece, outline
+from calc.countershaft.rows import BearingRow
 from calc.design.toml_file import Document, design, read
 from calc.solve import solve
 from tests.conftest import DESIGNS, GAMMA
@@ -22,23 +23,52 @@ STEEL = {
     "expansion_1e6_K": 11.5,
     "kind": "steel",
 }
+NAMES = {
+    1: ["front"],
+    2: ["front", "rear"],
+    3: ["front", "middle", "rear"],
+}  # of so many bearings, as an upgrade has them
+
+
+def rows(journals=(), places=(-167.5, 167.5)):
+    """The rows [[shafts.bearings]] of a design, front to rear; without the sizes of their journals they have places
+    alone."""
+    sizes = journals or [{}] * len(places)
+    return [{"name": name, "position_mm": z, **size} for name, z, size in zip(NAMES[len(places)], places, sizes)]
+
+
+def bearing_rows(places, journals=()):
+    """The same as the program has them: places, diameters and lengths in m."""
+    sizes = [dict(zip(("diameter", "length"), size)) for size in journals] or [{}] * len(places)
+    return tuple(BearingRow(name=name, position=z, **d) for name, z, d in zip(NAMES[len(places)], places, sizes))
+
+
+SEATED = rows(JOURNALS)
+TWIN = {"name": "twin", "mirrors": "shaft"}
 ENVELOPE = {"outer_radius_mm": 43.0, "core_radius_mm": 15.0, "half_length_mm": 150.0}
 
 
-def document(design_name=None, imbalance=None, **shaft):
-    """The source's shaft alone, or the shaft of another design, with its keys changed; None takes one out."""
+def document(design_name=None, imbalance=None, twin=None, **shaft):
+    """The source's shaft alone, or the shaft of another design, with its keys changed; None takes one out.  `twin`:
+    with a mirror image or without, where that is not as in the design."""
     data = copy.deepcopy(START if design_name is None else read(DESIGNS / f"{design_name}.toml").data)
-    own = {"mode": "given", "material": "20CrNi4", "bearing_positions_mm": [-167.5, 167.5], "masses": [FRONT, REAR]}
-    own = {**(own if design_name is None else data["countershaft"]), **shaft}
+    own, *twins = data["shafts"]
+    if design_name is None:
+        own = {"name": "shaft", "mode": "given", "material": "20CrNi4", "speed_ratio": -1, "bearings": rows()}
+        own["masses"] = [FRONT, REAR]
+    elif "bearings" in data:  # which judges them; what only that needs stands in no design without
+        own["bearings"] = [{key: row[key] for key in ("name", "position_mm")} for row in own["bearings"]]
+    own = {key: value for key, value in {**own, **shaft}.items() if value is not None}
+    twins = twins if twin is None else [TWIN] * twin
     kept = {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance") if key in data}
     if design_name is None:
         kept["material"] = [*kept["material"], STEEL]
     kept["imbalance"] = {**kept["imbalance"], **(imbalance or {})}
-    return Document({**kept, "countershaft": {key: value for key, value in own.items() if value is not None}})
+    return Document({**kept, "shafts": [own, *twins]})
 
 
-def outcome(design_name=None, imbalance=None, **shaft):
-    return solve(design(document(design_name, imbalance, **shaft))).outcomes["countershaft"]
+def outcome(*arguments, **shaft):
+    return solve(design(document(*arguments, **shaft))).outcomes["countershaft"]
 
 
 def result(*arguments, **shaft):

@@ -27,25 +27,25 @@ def test_table_4_1(gamma):
 
 def test_reactions_of_a_pure_couple(gamma):
     """±C/l: 572.9/0.335 = 1710.15 N in the source."""
-    same = gamma.with_value("countershaft.masses.front.mass_kg", 2.688).with_value(
-        "countershaft.masses.front.radius_mm", 18.731
+    same = gamma.with_value("shafts.shaft.masses.front.mass_kg", 2.688).with_value(
+        "shafts.shaft.masses.front.radius_mm", 18.731
     )
     r = shaft(same).result
     assert r.force == pytest.approx(0, abs=1e-6)
-    assert r.reaction_front_levers == pytest.approx(r.couple / 0.335)
-    assert r.reaction_rear_levers == pytest.approx(r.reaction_front_levers)
+    assert r.loads_by_levers["front"] == pytest.approx(r.couple / 0.335)
+    assert r.loads_by_levers["rear"] == pytest.approx(r.loads_by_levers["front"])
 
 
 def test_one_degree_of_mistiming_leaves_ten_newton_metres(gamma):
-    turned = gamma.with_value("countershaft.masses.front.angle_deg", 211.0).with_value(
-        "countershaft.masses.rear.angle_deg", 31.0
+    turned = gamma.with_value("shafts.shaft.masses.front.angle_deg", 211.0).with_value(
+        "shafts.shaft.masses.rear.angle_deg", 31.0
     )
     assert shaft(turned).result.residual_order_1_couple == pytest.approx(10.0, abs=0.05)
 
 
 def test_a_shaft_without_mass_changes_nothing(gamma):
-    bare = gamma.with_value("countershaft.masses.front.mass_kg", 0.0).with_value(
-        "countershaft.masses.rear.mass_kg", 0.0
+    bare = gamma.with_value("shafts.shaft.masses.front.mass_kg", 0.0).with_value(
+        "shafts.shaft.masses.rear.mass_kg", 0.0
     )
     outcome = shaft(bare)
     assert outcome.result.residual_order_1_couple == pytest.approx(572.932, abs=5e-4)
@@ -53,8 +53,8 @@ def test_a_shaft_without_mass_changes_nothing(gamma):
 
 
 def test_a_shaft_without_mass_leaves_bearings_without_a_film(gamma):
-    bare = gamma.with_value("countershaft.masses.front.mass_kg", 0.0).with_value(
-        "countershaft.masses.rear.mass_kg", 0.0
+    bare = gamma.with_value("shafts.shaft.masses.front.mass_kg", 0.0).with_value(
+        "shafts.shaft.masses.rear.mass_kg", 0.0
     )
     results = solve(design(bare))
     assert results.outcomes["bearings"].state == "no_solution"
@@ -62,16 +62,16 @@ def test_a_shaft_without_mass_leaves_bearings_without_a_film(gamma):
 
 
 def test_a_shaft_out_of_static_balance_fails(gamma):
-    outcome = shaft(gamma.with_value("countershaft.masses.front.radius_mm", 30.0))
+    outcome = shaft(gamma.with_value("shafts.shaft.masses.front.radius_mm", 30.0))
     assert {c.id: c.verdict for c in outcome.checks}["countershaft.residual_force"] == "fail"
 
 
 def test_the_slopes_that_are_given_are_judged_where_the_outline_is_not_known(gamma):
-    bare = gamma.with_value("countershaft.core_radius_mm", None)
+    bare = gamma.with_value("shafts.shaft.core_radius_mm", None)
     outcome = shaft(bare)
     assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_front"] == "pass"
     assert outcome.result.mass is None and any("core_radius_mm" in note for note in outcome.notes)
-    outcome = shaft(bare.with_value("bearings.slope_mrad", 0.3))
+    outcome = shaft(bare.with_value("shafts.shaft.bearings.rear.slope_mrad", 0.3))
     assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_rear"] == "warn"
 
 
@@ -81,4 +81,4 @@ def test_the_figure_of_the_loaded_shaft_says_what_the_tables_say(gamma):
     outcome = shaft(gamma)
     (figure,) = (curve for curve in outcome.curves if curve.id == "loads")
     held = sorted(abs(load.size) for load in figure.loads if load.held)
-    assert held == pytest.approx(sorted((outcome.result.reaction_front, outcome.result.reaction_rear)), rel=1e-12)
+    assert held == pytest.approx(sorted(outcome.result.loads.values()), rel=1e-12)

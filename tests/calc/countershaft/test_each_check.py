@@ -23,7 +23,7 @@ from calc.imbalance.result import ImbalanceResult
 from calc.library.catalogue import materials
 from calc.sheet.check import RULES, stretched
 from calc.solve import solve
-from tests.calc.countershaft.shafts import outcome
+from tests.calc.countershaft.shafts import bearing_rows, outcome
 from tests.conftest import DESIGNS
 
 mm, MPa, rpm = 1e-3, 1e6, 1 / 60
@@ -67,7 +67,7 @@ def left(id, couple=None, force=None, order=1, before=(0j, 0j)):
 def envelope(room, clearance=0.2 * mm, **outline):
     """The larger of two seats, the rear one, around the wider of two sectors; a journal is none of them."""
     pieces = (*OPPOSED, Piece(0.16, 0.18, 40 * mm, 0.0, None, 0.0, "full"))
-    shaft = {"bearing_positions": (-0.17, 0.17), "radial_clearance": clearance, "outer_radius": R}
+    shaft = {"bearings": bearing_rows((-0.17, 0.17)), "radial_clearance": clearance, "outer_radius": R}
     wide = replace(pieces[0], outer_radius=R - 1 * mm)
     shape = SimpleNamespace(pieces=(wide, *pieces[1:]))
     seats = ((59 * mm, 24 * mm), (2 * (R + room), 26 * mm))
@@ -81,7 +81,7 @@ def gear_seat(room):
 
 def envelope_length(room):
     """The front journal is nearer: 0.17 − 24/2 = 158 mm, the rear one 0.18 − 26/2 = 167 mm."""
-    shaft = {"mode": "size", "half_length": 0.158 - room, "bearing_positions": (-0.17, 0.18)}
+    shaft = {"mode": "size", "half_length": 0.158 - room, "bearings": bearing_rows((-0.17, 0.18))}
     return step("envelope_length", shaft)
 
 
@@ -221,16 +221,16 @@ CASES = [
         "warn",
         0.25,
         "Finotti 2013, 4.6",
-        lambda: step("slope_front", slope_front=0.249e-3),
-        lambda: step("slope_front", slope_front=0.251e-3),
+        lambda: step("slope_front", slopes={"front": 0.249e-3}),
+        lambda: step("slope_front", slopes={"front": 0.251e-3}),
     ),
     (
         "slope_rear",
         "warn",
         0.25,
         "Finotti 2013, 4.6",
-        lambda: step("slope_rear", slope_rear=0.249e-3),
-        lambda: step("slope_rear", slope_rear=0.251e-3),
+        lambda: step("slope_rear", slopes={"front": 0.1e-3, "rear": 0.249e-3}),
+        lambda: step("slope_rear", slopes={"front": 0.1e-3, "rear": 0.251e-3}),
     ),
     (
         "first_critical_speed",
@@ -600,7 +600,7 @@ def mass_shape(radius):
 def crossing(overlap):
     """A sector of 100 mm that runs into the front journal, which is 24 mm long."""
     sector = Piece(-0.158 - overlap, -0.058, R, CORE, 1.2, 0.0, "sector")
-    shaft = replace(ASKED.countershaft, bearing_positions=(-0.17, 0.17), core_radius=CORE)
+    shaft = replace(ASKED.countershaft, bearings=bearing_rows((-0.17, 0.17)), core_radius=CORE)
     try:
         drawn.assembled(shaft, [sector], ((59 * mm, 24 * mm), (65 * mm, 26 * mm)), None)
     except NoOutline as none:
@@ -627,7 +627,7 @@ def test_a_shaft_that_is_drawn_is_one():
 
 
 def test_the_overlap_of_a_piece_within_another_is_its_whole_length():
-    shaft = replace(ASKED.countershaft, bearing_positions=(-0.17, 0.17), core_radius=CORE)
+    shaft = replace(ASKED.countershaft, bearings=bearing_rows((-0.17, 0.17)), core_radius=CORE)
     inside = Piece(-0.175, -0.165, R, CORE, 1.2, 0.0, "sector")
     with pytest.raises(NoOutline) as none:
         drawn.assembled(shaft, [inside], ((59 * mm, 24 * mm), (65 * mm, 26 * mm)), None)
@@ -723,8 +723,8 @@ def test_a_check_of_a_further_drain_names_it_with_its_values_and_keys():
         "countershaft.drain_slope",
         "countershaft.further_drains.middle.drain_slope",
     )
-    assert first.moved_by == ("countershaft.oil_drain.slope_deg",)
-    assert other.moved_by == ("countershaft.further_drains.middle.slope_deg",)
+    assert first.moved_by == ("shafts.S.oil_drain.slope_deg",)
+    assert other.moved_by == ("shafts.S.further_drains.middle.slope_deg",)
     assert str(other.name) == f"{first.name}, middle" and other.rule is first.rule
 
 
@@ -735,7 +735,7 @@ def judged(shaft=None, todo=None, journals=((59 * mm, 24 * mm), (65 * mm, 26 * m
     return {check.id.removeprefix("countershaft."): check for check in checks}
 
 
-SIZED = {"mode": "size", "half_length": 0.1, "bearing_positions": (-0.17, 0.17), "outer_radius": R}
+SIZED = {"mode": "size", "half_length": 0.1, "bearings": bearing_rows((-0.17, 0.17)), "outer_radius": R}
 FIT = ("envelope", "gear_seat", "envelope_length")
 
 
@@ -765,29 +765,25 @@ def test_how_it_would_fit():
     """Of seats of 59 and 65 mm the larger, less 0.2 mm; the journals begin 157 mm from mid-shaft."""
     checks = judged(SIZED | {"radial_clearance": 0.2 * mm, "outer_radius": 33 * mm, "half_length": 0.16}, outline=None)
     assert "Outer radius of the sectors at most 32.3 mm" in checks["envelope"].advice
-    assert checks["envelope"].remedies[0].changes == (("countershaft.outer_radius_mm", pytest.approx(32.3)),)
-    assert checks["envelope_length"].remedies[0].changes == (("countershaft.half_length_mm", pytest.approx(157.0)),)
+    assert checks["envelope"].remedies[0].changes == (("shafts.S.outer_radius_mm", pytest.approx(32.3)),)
+    assert checks["envelope_length"].remedies[0].changes == (("shafts.S.half_length_mm", pytest.approx(157.0)),)
     # sections are as wide as they are given
     wide = SimpleNamespace(pieces=(replace(OPPOSED[0], outer_radius=34 * mm),))
     check = judged(SIZED | {"radial_clearance": 0.2 * mm}, outline=wide)["envelope"]
     assert check.verdict == "fail" and not check.remedies
     (smaller,) = fillet_room(2.6).remedies
-    assert (
-        smaller.changes == (("countershaft.fillet_radius_mm", pytest.approx(2.5)),) and "at most 2.5" in smaller.words
-    )
+    assert smaller.changes == (("shafts.S.fillet_radius_mm", pytest.approx(2.5)),) and "at most 2.5" in smaller.words
     assert fillet_room(2.6).zero_scale == pytest.approx(2.6)
 
 
 def test_keys_of_the_fillet():
-    assert (
-        fillet_room(2.6).moved_by == bent("fillet", step_over_fillet=1.0).moved_by == ("countershaft.fillet_radius_mm",)
-    )
+    assert fillet_room(2.6).moved_by == bent("fillet", step_over_fillet=1.0).moved_by == ("shafts.S.fillet_radius_mm",)
 
 
 AIM = "Aim at {} at {}°: the {} of {} grows with mass{}"
 REACH = "{} turn against the shaft, and no mass on it takes them: "
 CRANK = REACH + "that is for the counterweights of the crank (see the imbalance)."
-SECOND_SHAFT = REACH + "a mirrored second shaft does (pair)."
+SECOND_SHAFT = REACH + "a mirrored second shaft does (mirrors)."
 ALIKE = "Balance the masses against each other (mass times radius), so that only a couple remains."
 COUPLE = AIM.format("800.0 N·m", "-90.0", "couple", "{}", ", radius and arm.").replace("-", "−")
 FORCE = AIM.format("900 N", "0.0", "force", "the shaft", " and radius.")
@@ -797,14 +793,14 @@ FORCE = AIM.format("900 N", "0.0", "force", "the shaft", " and radius.")
     "couple, against, left_over, shaft, advice",
     [
         (800j, 0j, 50.0, {}, COUPLE.format("the shaft")),
-        (800j, 0j, 50.0, {"pair": "yes"}, COUPLE.format("each of both shafts")),
+        (800j, 0j, 50.0, {"paired": True}, COUPLE.format("each of both shafts")),
         # 5 % of 800 N·m may be left, on either side
         (800j, 39j, 50.0, {}, COUPLE.format("the shaft")),
         (800j, 100j, 139.0, {}, CRANK.format("100 N·m")),
         (800j, 100j, 141.0, {}, COUPLE.format("the shaft") + " " + CRANK.format("100 N·m")),
         (800j, 100j, 139.0, {"speed_ratio": -2}, SECOND_SHAFT.format("100 N·m")),
         (800j, 100j, 139.0, {"speed_ratio": 1}, SECOND_SHAFT.format("100 N·m")),
-        (800j, 100j, 139.0, {"speed_ratio": -2, "pair": "yes"}, COUPLE.format("each of both shafts")),
+        (800j, 100j, 139.0, {"speed_ratio": -2, "paired": True}, COUPLE.format("each of both shafts")),
     ],
 )
 def test_what_would_leave_less_of_the_couple(couple, against, left_over, shaft, advice):
@@ -879,7 +875,7 @@ def test_a_fillet_outside_its_range_is_known_by_a_half_less(safety, verdict):
 
 def test_a_fillet_that_is_not_given_leaves_fatigue_not_verified():
     fatigue = bent("fatigue", fatigue_safety=None)
-    assert (fatigue.verdict, fatigue.missing) == ("not_verified", ("countershaft.fillet_radius_mm",))
+    assert (fatigue.verdict, fatigue.missing) == ("not_verified", ("shafts.S.fillet_radius_mm",))
     assert fatigue.advice == "Give the radius of the fillets."
     still = replace(SOLVED.bending, bending_stress=0.0, fatigue_safety=None)
     assert not [c for c in of_shaft.bending_checks(still, STEEL, 1.0) if c.rule is of_shaft.FATIGUE], "nothing bends it"
@@ -899,7 +895,7 @@ def test_a_fillet_that_is_not_given_leaves_fatigue_not_verified():
 def test_what_a_casting_endures_is_not_given(material, stress, limit, verdict, missing):
     check = casting("load_stress", materials()[material], load_stress=stress * MPa)
     assert (check.verdict, check.limit, len(check.missing)) == (verdict, limit, missing)
-    assert check.missing[0] == "countershaft.support.load_stress_limit_MPa" and len(check.taken) == missing
+    assert check.missing[0] == "shafts.S.support.load_stress_limit_MPa" and len(check.taken) == missing
 
 
 def test_the_strength_of_a_casting_under_its_bolts_is_not_given():

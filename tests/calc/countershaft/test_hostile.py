@@ -2,6 +2,7 @@
 never a traceback."""
 
 import math
+import re
 from itertools import pairwise
 
 import pytest
@@ -12,7 +13,7 @@ from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 
-HEAD = """schema = 1
+HEAD = """schema = 2
 name = "d"
 [engine]
 name = "three"
@@ -30,12 +31,30 @@ rated_speed_rpm = 2600.0
 [imbalance]
 crank_balance_fraction = 0.5
 kinematics = "exact"
-[countershaft]
+[[shafts]]
+name = "shaft"
 mode = "given"
 material = "20CrNi4"
-bearing_positions_mm = [-167.5, 167.5]
+speed_ratio = -1
 masses = [{ name = "front", mass_kg = 2.6, radius_mm = 18.8, angle_deg = 210.0, z_mm = -76.5 }]
 """
+REAR_ROW = """[[shafts.bearings]]
+name = "rear"
+position_mm = 167.5
+"""
+ROWS = (
+    """[[shafts.bearings]]
+name = "front"
+position_mm = -167.5
+"""
+    + REAR_ROW
+)
+# what is told where it stands, not where something was added
+ELSEWHERE = {
+    "bearings.0.position_mm": "position_mm = -167.5",
+    "bearings.1.position_mm": "position_mm = 167.5",
+    "material": 'material = "20CrNi4"',
+}
 FIRST = HEAD.count("\n") + 1  # line of what is added
 
 
@@ -46,7 +65,7 @@ def errors(text):
 
 
 SECTION = "sections = [{ from_mm = %s, to_mm = %s, outer_radius_mm = %s%s }]\n"
-BOLTS = """[countershaft.bolts]
+BOLTS = """[shafts.bolts]
 thread = "%s"
 torque_Nm = %s
 friction = 0.12
@@ -54,9 +73,8 @@ head_diameter_mm = %s
 hole_diameter_mm = %s
 count = %s
 """
-DRAIN = '[countershaft.oil_drain]\nhose_min_mm = %s\nhose_max_mm = %s\nthread = "%s"\n'
-SCATTER = "[countershaft.scatter]\nmass_g = %s\nradius_mm = 0.05\nangle_deg = 0.1\nz_mm = 0.1\nshafts = %s\n"
-JOURNALS = "journals = [{ diameter_mm = 40.0, length_mm = 20.0 }%s]\n"
+DRAIN = '[shafts.oil_drain]\nhose_min_mm = %s\nhose_max_mm = %s\nthread = "%s"\n'
+SCATTER = "[shafts.scatter]\nmass_g = %s\nradius_mm = 0.05\nangle_deg = 0.1\nz_mm = 0.1\nshafts = %s\n"
 
 
 @pytest.mark.parametrize(
@@ -79,13 +97,8 @@ JOURNALS = "journals = [{ diameter_mm = 40.0, length_mm = 20.0 }%s]\n"
             "smaller",
         ),
         (SECTION % (-200, 200, 15, ", core_radius_mm = 5.0"), "sections.0.core_radius_mm", "belongs to a sector"),
-        (SECTION % (-160, 200, 15, ""), "bearing_positions_mm.0", "outside the shaft's sections"),
-        (SECTION % (-200, 100, 15, ""), "bearing_positions_mm.1", "outside the shaft's sections"),
-        (
-            SECTION % (-170, 170, 15, "") + JOURNALS % ", { diameter_mm = 40.0, length_mm = 20.0 }",
-            "bearing_positions_mm.0",
-            "reaches beyond",
-        ),
+        (SECTION % (-160, 200, 15, ""), "bearings.0.position_mm", "outside the shaft's sections"),
+        (SECTION % (-200, 100, 15, ""), "bearings.1.position_mm", "outside the shaft's sections"),
         (
             "sections = [{ from_mm = -200.0, to_mm = 10.0, outer_radius_mm = 15.0 }, { from_mm = 0.0, to_mm = 200.0, "
             "outer_radius_mm = 15.0 }]\n",
@@ -104,13 +117,11 @@ JOURNALS = "journals = [{ diameter_mm = 40.0, length_mm = 20.0 }%s]\n"
             "extras.0.z_mm",
             "outside the shaft's sections",
         ),
-        (JOURNALS % "", "journals", "one for each of the 2"),
         ("outer_radius_mm = 40.0\ncore_radius_mm = 40.0\n", "core_radius_mm", "smaller than outer_radius_mm"),
         ("sector_effectiveness = 0.0\n", "sector_effectiveness", "from 0.1 to 1"),
         ('balance_grade = "G5"\n', "balance_grade", '"G6.3"'),
-        ('pair = "maybe"\n', "pair", '"no", "yes"'),
-        ("speed_ratio = -1.5\n", "speed_ratio", "-1, 1, -2 or 2"),
-        ("speed_ratio = 0\n", "speed_ratio", "-1, 1, -2 or 2"),
+        ('pair = "yes"\n', "pair", "is not known"),
+        ('mirrors = "other"\n', "material", "is that of the shaft that it mirrors, other: leave it out here"),
         ("outer_radius_mm = " + "9" * 400 + "\n", "outer_radius_mm", "up to 1000"),
         ("radial_clearance_mm = -0.1\n", "radial_clearance_mm", "from 0 to 50"),
         ("fillet_radius_mm = 0\n", "fillet_radius_mm", "above 0"),
@@ -160,10 +171,14 @@ JOURNALS = "journals = [{ diameter_mm = 40.0, length_mm = 20.0 }%s]\n"
     ],
 )
 def test_it_is_refused_by_its_key_and_line(added, key, words):
-    found = [line for line in errors(HEAD + added) if f"countershaft.{key}:" in line]
-    assert found and words in found[0], errors(HEAD + added)
+    text = HEAD + added + ROWS
+    found = [line for line in errors(text) if f"shafts.0.{key}:" in line]
+    assert found and words in found[0], errors(text)
     named = int(found[0].split(":")[1])
-    assert FIRST <= named < FIRST + added.count("\n") or (key.startswith("bearing_positions_mm") and named == FIRST - 2)
+    if key in ELSEWHERE:
+        assert text.splitlines()[named - 1] == ELSEWHERE[key]
+    else:
+        assert FIRST <= named < FIRST + added.count("\n")
 
 
 @pytest.mark.parametrize(
@@ -173,32 +188,56 @@ def test_it_is_refused_by_its_key_and_line(added, key, words):
         ("mass_kg = 2.6", "mass_kg = nan", "masses.0.mass_kg", "finite"),
         ("z_mm = -76.5", "z_mm = -376.5", "masses.0.z_mm", "outside the span of the bearings"),
         ("z_mm = -76.5", "z_mm = 1e308", "masses.0.z_mm", "from −5000 to 5000"),
-        ("[-167.5, 167.5]", "[-167.5, -167.5]", "bearing_positions_mm", "rise"),
-        ("[-167.5, 167.5]", "[0.0]", "bearing_positions_mm", "entries"),
-        ("[-167.5, 167.5]", "[-167.5, inf]", "bearing_positions_mm", "finite"),
+        ("position_mm = 167.5", "position_mm = -168.5", "bearings.1.position_mm", "rise"),
+        (REAR_ROW, "", "bearings", "needs 2 to 9"),
+        ("position_mm = 167.5", "position_mm = inf", "bearings.1.position_mm", "finite"),
+        (
+            REAR_ROW,
+            REAR_ROW + "diameter_mm = 40.0\nlength_mm = 20.0\n",
+            "bearings.1.diameter_mm",
+            "of all bearings, or of none",
+        ),
+        ("speed_ratio = -1", "speed_ratio = -1.5", "speed_ratio", "-1, 1, -2 or 2"),
+        ("speed_ratio = -1", "speed_ratio = 0", "speed_ratio", "-1, 1, -2 or 2"),
+        ("speed_ratio = -1\n", "", "speed_ratio", "is missing"),
         ('"20CrNi4"', '"20CrNi5"', "material", '"20CrNi4"'),
         ('mode = "given"', 'mode = "guess"', "mode", '"given", "size"'),
     ],
 )
 def test_what_the_head_says_wrongly(old, new, key, words):
-    assert old in HEAD
-    found = [line for line in errors(HEAD.replace(old, new)) if f"countershaft.{key}:" in line]
+    assert (HEAD + ROWS).count(old) == 1
+    found = [line for line in errors((HEAD + ROWS).replace(old, new)) if f"shafts.0.{key}:" in line]
     assert found and words in found[0]
 
 
+def test_a_journal_ends_within_the_sections():
+    seated = re.sub(r"(position_mm = -?167.5\n)", r"\1diameter_mm = 40.0\nlength_mm = 20.0\n", ROWS)
+    text = HEAD + SECTION % (-170, 170, 15, "") + seated
+    front, rear = errors(text)
+    for i, line in enumerate((front, rear)):
+        key = f"bearings.{i}.position_mm"
+        assert f"shafts.0.{key}:" in line and "reaches beyond" in line
+        assert text.splitlines()[int(line.split(":")[1]) - 1] == ELSEWHERE[key]
+
+
+def test_one_row_is_told_once():
+    (only,) = errors((HEAD + ROWS).replace(REAR_ROW, ""))
+    assert "shafts.0.bearings: has 1" in only
+
+
 def test_size_without_envelope_names_all_three_at_once():
-    found = errors(HEAD.replace('mode = "given"', 'mode = "size"'))
+    found = errors((HEAD + ROWS).replace('mode = "given"', 'mode = "size"'))
     assert [line.split(": ")[1] for line in found] == [
-        f"countershaft.{name}_mm" for name in ("outer_radius", "core_radius", "half_length")
+        f"shafts.0.{name}_mm" for name in ("outer_radius", "core_radius", "half_length")
     ]
 
 
 def test_all_errors_come_at_once_each_with_its_line():
     text = HEAD.replace("mass_kg = 2.6", "mass_kg = -1") + "outer_radius_mm = -1\n" + 'balance_grade = "G5"\n'
-    text += BOLTS % ("M", 45, 15, 11, 0) + DRAIN % (24.0, 22.5, "x")
+    text += BOLTS % ("M", 45, 15, 11, 0) + DRAIN % (24.0, 22.5, "x") + ROWS
     found = {line.split(": ")[1]: int(line.split(":")[1]) for line in errors(text)}
     lines = text.splitlines()
-    assert {key.removeprefix("countershaft.") for key in found} == {
+    assert {key.removeprefix("shafts.0.") for key in found} == {
         "masses.0.mass_kg",
         "outer_radius_mm",
         "balance_grade",
@@ -252,6 +291,17 @@ def sections(draw):
     return made
 
 
+def rows_at(positions):
+    return [{"name": f"seat-{n}", "position_mm": z} for n, z in enumerate(positions)]
+
+
+def seats(positions):
+    sizes = {"diameter_mm": number(10, 120), "length_mm": number(5, 40)}
+    return st.tuples(*(table({key: st.just(x) for key, x in row.items()} | sizes) for row in rows_at(positions))).map(
+        list
+    )
+
+
 @st.composite
 def shafts(draw):
     """A shaft that may be, but for one place where something may stand that may not."""
@@ -261,14 +311,14 @@ def shafts(draw):
             {
                 "mode": st.sampled_from(["given", "given", "size"]),
                 "material": MATERIALS,
-                "bearing_positions_mm": st.just(positions),
+                "name": st.just("shaft"),
+                "speed_ratio": st.sampled_from([-1, 1, 2, -2]),
+                "bearings": st.one_of(st.just(rows_at(positions)), seats(positions)),
                 "masses": elements(0, 5).filter(bool),
                 "outer_radius_mm": number(31, 80),
                 "core_radius_mm": number(0, 30),
                 "half_length_mm": number(20, 180),
             },
-            speed_ratio=st.sampled_from([-1, 1, 2, -2]),
-            pair=st.sampled_from(["yes", "no"]),
             axis_mm=st.lists(number(-200, 200), min_size=2, max_size=2),
             extras=elements(-0.1, 0.1, 240),
             overdesign_percent=number(-50, 50),
@@ -277,11 +327,6 @@ def shafts(draw):
             sector_effectiveness=number(0.1, 1),
             fillet_radius_mm=number(0.1, 5),
             gear_z_mm=number(-250, 250),
-            journals=st.lists(
-                table({"diameter_mm": number(10, 120), "length_mm": number(5, 40)}),
-                min_size=len(positions),
-                max_size=len(positions),
-            ),
             balance_grade=st.sampled_from(["G6.3", "G16", "G4000", "G0.4"]),
             holes=table({"diameter_mm": number(1, 30), "depth_mm": number(1, 30), "count": st.just(6)}),
             scatter=table(
@@ -352,14 +397,14 @@ def spoiled(draw, here):
         return
 
 
-BASE = parse(HEAD.encode(), "d.toml").data
+BASE = parse((HEAD + ROWS).encode(), "d.toml").data
 
 
 @settings(derandomize=True, max_examples=110, deadline=None, suppress_health_check=[HealthCheck.too_slow])
-@given(shafts())
-def test_any_table_is_solved_or_refused_in_words(shaft):
+@given(shafts(), st.booleans())
+def test_any_table_is_solved_or_refused_in_words(shaft, paired):
     """Solved, no solution with its reason, or bad input with its keys: nothing else; and what is solved is a number."""
-    document = Document({**BASE, "countershaft": shaft})
+    document = Document({**BASE, "shafts": [shaft, *[{"name": "twin", "mirrors": "shaft"}] * paired]})
     try:
         made = design(document)
     except BadInput as bad:
@@ -375,5 +420,5 @@ def test_any_table_is_solved_or_refused_in_words(shaft):
 
 
 def test_a_section_without_a_place_says_only_that():
-    said = errors(HEAD + "sections = [{ outer_radius_mm = 20 }]\n")
+    said = errors(HEAD + "sections = [{ outer_radius_mm = 20 }]\n" + ROWS)
     assert len(said) == 2 and all("is missing" in line for line in said) and not any("nan" in line for line in said)

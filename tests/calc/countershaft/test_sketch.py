@@ -15,10 +15,10 @@ from tests.conftest import DESIGNS
 
 
 def made(document, **values):
-    """The sketch of a design with other values in [countershaft]."""
+    """The sketch of a design with other values of its shaft."""
     data = document.data
     for key, value in values.items():
-        data = changed(data, address(data, f"countershaft.{key}"), value)
+        data = changed(data, address(data, f"shafts.shaft.{key}"), value)
     asked = design(Document(data))
     return sketch(asked, solve(asked))
 
@@ -38,7 +38,7 @@ def test_gamma_to_scale_with_its_bending_line(gamma, gamma_results):
 
 def test_holes_that_have_nothing_to_take_away_show_it(gamma_results):
     """The shaft of gamma gives less than the engine asks for, the sized one more."""
-    key = "countershaft.holes"
+    key = "shafts.S.holes"
 
     def states(shaft):
         return {mark.state for mark in sketches.marks(shaft) if mark.key == key}
@@ -49,13 +49,13 @@ def test_holes_that_have_nothing_to_take_away_show_it(gamma_results):
 
 def test_a_mass_lights_its_own_sector_alone(gamma, gamma_results):
     shaft = sketch(gamma_results.design, gamma_results)
-    front = {mark for mark in sketches.lit(shaft, "countershaft.masses.front.mass_kg") if isinstance(mark, Area)}
-    rear = {mark for mark in sketches.lit(shaft, "countershaft.masses.rear.mass_kg") if isinstance(mark, Area)}
+    front = {mark for mark in sketches.lit(shaft, "shafts.S.masses.front.mass_kg") if isinstance(mark, Area)}
+    rear = {mark for mark in sketches.lit(shaft, "shafts.S.masses.rear.mass_kg") if isinstance(mark, Area)}
     assert front and rear and not front & rear
 
 
 def test_a_slope_beyond_its_target_marks_its_support(gamma):
-    supports = "countershaft.bearing_positions_mm countershaft.bearing_positions_mm.0"
+    supports = "shafts.S.bearings.*.position_mm shafts.S.bearings.front.position_mm"
 
     def warned(shaft):
         return {mark.key for mark in sketches.marks(shaft) if mark.state == "warn"}

@@ -7,7 +7,7 @@ import pytest
 from calc.countershaft.supports import Gear, ShaftDrive, standing
 from calc.design.toml_file import design
 from calc.solve import solve
-from tests.calc.countershaft.shafts import JOURNALS, result
+from tests.calc.countershaft.shafts import SEATED, result
 
 FRONT, REAR = -0.1675, 0.1675
 GEAR = Gear(
@@ -19,9 +19,12 @@ GEAR = Gear(
 )
 DRIVE = ShaftDrive(power=1400.0, speed=2600 / 60)
 
+WEIGHT = 80.0, REAR - 45 / 80 * (REAR - FRONT)  # 45 N on the front bearing, 35 N on the rear one
+
 
 def stands(weight=None, gear=GEAR, z_G=-0.18875, drive=DRIVE, reactions=(1710.0, 1710.0)):
-    return standing(reactions, (FRONT, REAR), weight, gear, z_G, drive)
+    loads = dict(zip(("front", "rear"), reactions))
+    return standing(loads, {"front": FRONT, "rear": REAR}, weight, gear, z_G, drive)
 
 
 def test_tooth_force_by_hand():
@@ -38,48 +41,53 @@ def test_a_spur_wheel_over_a_bearing_loads_that_one_alone():
     """Helix 0 and z_G at the front bearing: R = F_t/cos α there, nothing at the rear."""
     r = stands(gear=GEAR._replace(helix_angle=0.0), z_G=FRONT)
     assert r.gear_force_axial == 0
-    assert r.stationary_front == pytest.approx(r.gear_force_tangential / math.cos(math.radians(20)), rel=1e-12)
-    assert r.stationary_rear == pytest.approx(0, abs=1e-12)
+    assert r.stationary["front"] == pytest.approx(r.gear_force_tangential / math.cos(math.radians(20)), rel=1e-12)
+    assert r.stationary["rear"] == pytest.approx(0, abs=1e-12)
 
 
 def test_an_overhung_spur_wheel_is_a_lever():
     """21.25 mm ahead of the front bearing: front F·(335 + 21.25)/335, rear F·21.25/335."""
     r = stands(gear=GEAR._replace(helix_angle=0.0))
     F = math.hypot(r.gear_force_tangential, r.gear_force_radial)
-    assert r.stationary_front == pytest.approx(F * 356.25 / 335, rel=1e-12)
-    assert r.stationary_rear == pytest.approx(F * 21.25 / 335, rel=1e-12)
+    assert r.stationary["front"] == pytest.approx(F * 356.25 / 335, rel=1e-12)
+    assert r.stationary["rear"] == pytest.approx(F * 21.25 / 335, rel=1e-12)
 
 
 def test_thrust_only_adds():
     spur, helical = stands(gear=GEAR._replace(helix_angle=1e-6)), stands()
-    assert helical.stationary_front > spur.stationary_front and helical.stationary_rear > spur.stationary_rear
+    assert (
+        helical.stationary["front"] > spur.stationary["front"] and helical.stationary["rear"] > spur.stationary["rear"]
+    )
     C = helical.gear_force_axial * 0.027  # tilting couple of the thrust, in the radial plane
     front = math.hypot(helical.gear_force_tangential * 356.25, helical.gear_force_radial * 356.25 + C * 1e3) / 335
-    assert helical.stationary_front == pytest.approx(front, rel=1e-9)
+    assert helical.stationary["front"] == pytest.approx(front, rel=1e-9)
 
 
 def test_the_largest_load_is_the_sum():
-    r = stands(weight=(80.0, 45.0, 35.0), reactions=(1706.0, 1713.0))
+    r = stands(weight=WEIGHT, reactions=(1706.0, 1713.0))
     bare = stands()
-    assert r.stationary_front == pytest.approx(45 + bare.stationary_front) and r.stationary_rear == pytest.approx(
-        35 + bare.stationary_rear
-    )
-    assert r.reaction_front_peak == pytest.approx(1706 + r.stationary_front)
-    assert r.reaction_rear_peak == pytest.approx(1713 + r.stationary_rear)
+    assert r.stationary["front"] == pytest.approx(45 + bare.stationary["front"]) and r.stationary[
+        "rear"
+    ] == pytest.approx(35 + bare.stationary["rear"])
+    assert r.peaks["front"] == pytest.approx(1706 + r.stationary["front"])
+    assert r.peaks["rear"] == pytest.approx(1713 + r.stationary["rear"])
 
 
 def test_nothing_is_known_without_weight_and_drive():
     for gear, drive in ((GEAR, None), (None, DRIVE)):
         r = stands(gear=gear, drive=drive)
-        assert r.stationary_front is r.gear_torque is r.reaction_front_peak is None
-    alone = stands(weight=(80.0, 45.0, 35.0), gear=None)
-    assert alone.stationary_front == 45.0 and alone.gear_force_tangential is None
+        assert r.gear_torque is None and r.stationary == r.peaks == {}
+    alone = stands(weight=WEIGHT, gear=None)
+    assert (
+        alone.stationary == pytest.approx({"front": 45.0, "rear": 35.0}, rel=1e-12)
+        and alone.gear_force_tangential is None
+    )
 
 
 def test_the_weight_is_shared_by_the_lever():
-    made = result(core_radius_mm=15.0, journals=JOURNALS)  # no gear here
+    made = result(core_radius_mm=15.0, bearings=SEATED)  # no gear here
     assert made.standing is not None and made.standing.gear_torque is None
-    assert made.standing.weight_rear / made.standing.weight == pytest.approx(
+    assert made.standing.weights["rear"] / made.standing.weight == pytest.approx(
         (made.centre_of_gravity - FRONT) / 0.335, rel=1e-12
     )
 
@@ -88,12 +96,14 @@ def test_in_the_design(gamma):
     """Weight with g = 9.80665 m/s² on both bearings; a given power of 1.4 kW in place of the closed balance."""
     made = solve(design(gamma.with_value("gears.power_kW", 1.4))).outcomes["countershaft"].result
     r = made.standing
-    assert r.weight == pytest.approx(9.80665 * made.mass) and r.weight_front + r.weight_rear == pytest.approx(r.weight)
-    assert r.weight_rear * 0.335 == pytest.approx(r.weight * (made.centre_of_gravity - FRONT), rel=1e-12)
+    assert r.weight == pytest.approx(9.80665 * made.mass) and r.weights["front"] + r.weights["rear"] == pytest.approx(
+        r.weight
+    )
+    assert r.weights["rear"] * 0.335 == pytest.approx(r.weight * (made.centre_of_gravity - FRONT), rel=1e-12)
     assert r.gear_torque == pytest.approx(5.1419, abs=5e-5)
     d = 2e-3 * 25 / math.cos(math.radians(21.916))
     assert r.gear_force_tangential == pytest.approx(2 * r.gear_torque / d)
-    assert r.reaction_front_peak == pytest.approx(made.reaction_front + r.stationary_front)
+    assert r.peaks["front"] == pytest.approx(made.loads["front"] + r.stationary["front"])
 
 
 def test_the_closed_balance_gives_what_the_last_mesh_passes_on(gamma_results):

@@ -9,9 +9,20 @@ import pytest
 
 from calc.design.toml_file import design
 from calc.solve import solve
-from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, OMEGA, REAR, document, outcome, result, verdicts
+from tests.calc.countershaft.shafts import (
+    ENVELOPE,
+    FRONT,
+    OMEGA,
+    REAR,
+    SEATED,
+    document,
+    outcome,
+    result,
+    rows,
+    verdicts,
+)
 
-SIZE = {"mode": "size", **ENVELOPE, "journals": JOURNALS}
+SIZE = {"mode": "size", **ENVELOPE, "bearings": SEATED}
 
 
 def turned(mass, angle):
@@ -25,7 +36,7 @@ def test_the_mode_says_whether_the_masses_or_the_envelope_count():
     assert given.couple == pytest.approx(572.921, abs=5e-4)  # Finotti 2013, Table 4.1
     assert sized.result.couple == pytest.approx(572.932, abs=5e-4)  # what the engine asks for, 2.5.3.4
     assert given.sector is None and given.utilisation is None and sized.result.sector_mass < 2
-    assert any("[[countershaft.masses]] are left aside" in note for note in sized.notes)
+    assert any("[[shafts.masses]] are left aside" in note for note in sized.notes)
     assert result(**ENVELOPE).couple == given.couple
 
 
@@ -41,9 +52,10 @@ def test_a_sized_shaft_given_back_as_masses_is_the_same_shaft():
         }
         for name, one in sized.sector.items()
     ]
-    given = result(masses=masses, **ENVELOPE, journals=JOURNALS)
-    for name in ("couple", "eccentric_mass", "mass", "slope_front", "slope_rear", "first_critical_speed"):
+    given = result(masses=masses, **ENVELOPE, bearings=SEATED)
+    for name in ("couple", "eccentric_mass", "mass", "slopes", "first_critical_speed"):
         assert getattr(given, name) == pytest.approx(getattr(sized, name), rel=1e-7), name
+    assert list(given.slopes) == ["front", "rear"]
     assert sized.residual_order_1_couple == pytest.approx(0, abs=1e-6) and sized.force == pytest.approx(0, abs=1e-6)
 
 
@@ -80,7 +92,7 @@ def test_a_hole_in_a_journal_and_metal_ahead_of_the_gear_add_a_couple_without_a_
     assert alone.couple == pytest.approx(557.09, abs=5e-3)
     assert whole.couple - alone.couple == pytest.approx(OMEGA**2 * U * 369.75e-9, rel=1e-9)
     assert whole.couple == pytest.approx(572.925, abs=1e-3) and whole.force == pytest.approx(0, abs=1e-9)
-    assert whole.reaction_front == pytest.approx(whole.couple / 0.335) == pytest.approx(whole.reaction_rear)
+    assert whole.loads["front"] == pytest.approx(whole.couple / 0.335) == pytest.approx(whole.loads["rear"])
     assert whole.eccentric_mass == alone.eccentric_mass
 
 
@@ -97,11 +109,11 @@ def test_a_twin_shaft_takes_what_turns_the_other_way():
     """Nothing on the crank: vectors of 572.93 N·m turn in both senses; a shaft takes one of them, a mirrored pair
     both."""
     crank = {"crank_balance_fraction": 0.0}
-    alone, pair = result(None, crank), result(None, crank, pair="yes")
+    alone, pair = result(None, crank), result(None, crank, twin=True)
     assert alone.residual_order_1_couple == pytest.approx(572.932 + 0.0105, abs=1e-3)
     assert pair.residual_order_1_couple == pytest.approx(2 * 0.0105, abs=1e-3)
     other = [turned(FRONT, 150.0), turned(REAR, -30.0)]
-    assert result(None, crank, pair="yes", speed_ratio=1, masses=other).residual_order_1_couple == pytest.approx(
+    assert result(None, crank, twin=True, speed_ratio=1, masses=other).residual_order_1_couple == pytest.approx(
         pair.residual_order_1_couple, rel=1e-9
     )
 
@@ -116,7 +128,7 @@ def test_the_couple_grows_with_the_square_of_the_shafts_speed(ratio):
 
 def test_the_pair_of_the_source_takes_four_times_its_force_off_the_second_order():
     """R754IE4: 10617.7 N (10325 with two terms), and 4 · 2134 N taken by two shafts; one alone leaves half of that."""
-    engine = result("r754ie4_balance_shafts", pair="no").residual_order_2_force + 4268.13
+    engine = result("r754ie4_balance_shafts", twin=False).residual_order_2_force + 4268.13
     assert engine == pytest.approx(10617.73, abs=0.05)
     assert result("r754ie4_balance_shafts").residual_order_2_force == pytest.approx(engine - 4 * 2134.0647, abs=0.05)
     assert result("r754ie4_balance_shafts", speed_ratio=-2).residual_order_2_force == pytest.approx(
@@ -126,20 +138,18 @@ def test_the_pair_of_the_source_takes_four_times_its_force_off_the_second_order(
 
 def test_a_shaft_with_a_force_beside_the_crank_raises_a_roll_torque_that_a_twin_takes():
     """T = y·F for a force turning at the distance y = 95 mm (its largest, (x, y) = (0, 95)): 4268.1 N · 0.095 m."""
-    alone = result("r754ie4_balance_shafts", pair="no", axis_mm=[0.0, 95.0])
+    alone = result("r754ie4_balance_shafts", twin=False, axis_mm=[0.0, 95.0])
     assert alone.roll_torque == pytest.approx(4268.1294 * 0.095, rel=1e-6)
     assert result("r754ie4_balance_shafts", axis_mm=[0.0, 95.0]).roll_torque is None
 
 
 # --- supports
 def test_two_supports_carry_the_reactions_of_the_lever():
-    made = result(journals=JOURNALS)
-    assert [s.reaction for s in made.support.values()] == pytest.approx(
-        [made.reaction_front, made.reaction_rear], rel=1e-12
-    )
+    made = result(bearings=SEATED)
+    assert [s.reaction for s in made.support.values()] == pytest.approx(list(made.loads.values()), rel=1e-12)
     front = made.support["1"]
-    assert front.specific_load == pytest.approx(made.reaction_front / (59.5e-3 * 27.5e-3))
-    assert front.heat_index == pytest.approx(made.reaction_front * 2600 / 60 / 27.5e-3)
+    assert front.specific_load == pytest.approx(made.loads["front"] / (59.5e-3 * 27.5e-3))
+    assert front.heat_index == pytest.approx(made.loads["front"] * 2600 / 60 / 27.5e-3)
 
 
 THIN = [{"from_mm": -185.0, "to_mm": 185.0, "outer_radius_mm": 6.0}]
@@ -155,18 +165,18 @@ def test_a_shaft_that_bends_carries_more_than_its_levers_say():
         return solve(design(shaft.with_value("engine.rated_speed_rpm", speed))).shaft
 
     slow, half, fast = (made(speed) for speed in (260.0, 1300.0, 2600.0))
-    more = [shaft.reaction_front / shaft.reaction_front_levers - 1 for shaft in (slow, half, fast)]
+    more = [shaft.loads["front"] / shaft.loads_by_levers["front"] - 1 for shaft in (slow, half, fast)]
     assert 0 < more[0] < 2e-3 and more[2] > 0.05
     assert (1 - 1 / (1 + more[1])) * 4 == pytest.approx(1 - 1 / (1 + more[2]), rel=0.02)
-    assert abs(fast.reactions[0]) == fast.reaction_front and fast.bending.reactions[1] == fast.reactions[1]
+    assert abs(fast.reactions[0]) == fast.loads["front"] and fast.bending.reactions[1] == fast.reactions[1]
     plain = made(2600.0, None)
-    assert plain.bending is None and plain.reaction_front_levers is None
-    assert plain.reaction_front == pytest.approx(fast.reaction_front_levers, rel=1e-12)
+    assert plain.bending is None and plain.loads_by_levers == {}
+    assert plain.loads["front"] == pytest.approx(fast.loads_by_levers["front"], rel=1e-12)
 
 
 def test_three_supports_have_clapeyrons_reactions_beside():
-    three = [-167.5, 0.0, 167.5]
-    bent, plain = result(sections=THIN, bearing_positions_mm=three), result(bearing_positions_mm=three)
+    three = rows(places=(-167.5, 0.0, 167.5))
+    bent, plain = result(sections=THIN, bearings=three), result(bearings=three)
     assert [s.reaction_clapeyron for s in bent.support.values()] == pytest.approx(
         [s.reaction for s in plain.support.values()], rel=1e-12
     )
@@ -186,7 +196,7 @@ def test_on_its_films_a_shaft_has_a_lower_critical_speed_and_in_a_soft_housing_a
 
 def test_a_third_support_in_the_middle_of_an_antisymmetric_shaft_carries_nothing():
     masses = [{**FRONT, "z_mm": -76.0}, {**turned(FRONT, 30.0), "name": "rear", "z_mm": 76.0}]
-    two, three = result(masses=masses), result(masses=masses, bearing_positions_mm=[-167.5, 0.0, 167.5])
+    two, three = result(masses=masses), result(masses=masses, bearings=rows(places=(-167.5, 0.0, 167.5)))
     assert two.support == {}  # of two bearings the reactions of front and rear say it
     assert [s.reaction for s in three.support.values()] == pytest.approx(
         [two.couple / 0.335, 0, two.couple / 0.335], rel=1e-9, abs=1e-6
@@ -211,7 +221,7 @@ def test_what_is_left_grows_with_the_square_of_the_speed():
             if series.label == "after":
                 left = getattr(made.result, f"residual_order_1_{word}")
                 assert series.y[at] == pytest.approx(left * (series.x[at] / 2600.0) ** 2, rel=1e-9)
-    assert curves["reactions"].series[0].y[-1] == pytest.approx(1.21 * made.result.reaction_front)
+    assert curves["reactions"].series[0].y[-1] == pytest.approx(1.21 * made.result.loads["front"])
     limits = {c.id: c.limit for c in made.checks}
     assert curves["residual_couple_over_speed"].limits[0][1] == pytest.approx(limits["countershaft.residual"])
     assert curves["residual_force_over_speed"].limits[0][1] == pytest.approx(limits["countershaft.residual_force"])
@@ -234,16 +244,18 @@ def test_the_locus_of_what_is_left_runs_with_the_crank(name, order):
 def test_bearings_take_the_computed_slope_unless_one_is_given(gamma):
     """Finotti 2013, ch. 6: slopes of 0.15625 and 0.11501 mrad, given in the design; the film at the edge is lower by
     slope times l/2."""
-    free = gamma.with_value("bearings.slope_mrad", None)
+    free = gamma
+    for row in ("front", "rear"):
+        free = free.with_value(f"shafts.shaft.bearings.{row}.slope_mrad", None)
     given, computed = solve(design(gamma)), solve(design(free))
     for results, slopes in ((given, (0.15625e-3, 0.11501e-3)), (computed, None)):
         shaft, films = results.outcomes["countershaft"].result, results.outcomes["bearings"].result.bearings
-        slopes = slopes or (shaft.slope_front, shaft.slope_rear)
+        slopes = slopes or shaft.slopes.values()
         for bearing, slope, length in zip((films["front"], films["rear"]), slopes, (27.5e-3, 26.5e-3)):
             assert bearing.film - bearing.film_edge == pytest.approx(slope * length / 2, rel=1e-6)
     assert (
-        given.outcomes["countershaft"].result.slope_front
-        == computed.outcomes["countershaft"].result.slope_front
+        given.outcomes["countershaft"].result.slopes["front"]
+        == computed.outcomes["countershaft"].result.slopes["front"]
         != 0.15625e-3
     )
 
@@ -254,13 +266,13 @@ def test_the_step_is_taken_over_when_nothing_that_it_needs_has_changed(gamma):
     same = solve(design(gamma.with_value("friction.flank_roughness_um", 0.5)), before)
     assert same.parts[name][1] is before.parts[name][1]
     for key, value in (
-        ("countershaft.masses.front.mass_kg", 2.7),
-        ("bearings.front.length_mm", 30.0),
+        ("shafts.shaft.masses.front.mass_kg", 2.7),
+        ("shafts.shaft.bearings.front.length_mm", 30.0),
         ("engine.rated_speed_rpm", 2500.0),
     ):
         assert solve(design(gamma.with_value(key, value)), before).parts[name][1] is not before.parts[name][1], key
-    fresh = solve(design(gamma.with_value("bearings.front.length_mm", 30.0))).values()
-    again = solve(design(gamma.with_value("bearings.front.length_mm", 30.0)), before).values()
+    fresh = solve(design(gamma.with_value("shafts.shaft.bearings.front.length_mm", 30.0))).values()
+    again = solve(design(gamma.with_value("shafts.shaft.bearings.front.length_mm", 30.0)), before).values()
     assert {k: v.shown for k, v in fresh.items()} == {k: v.shown for k, v in again.items()}
 
 

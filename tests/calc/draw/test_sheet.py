@@ -70,8 +70,10 @@ def variant(name, **bearings):
 
 def with_sections():
     data = copy.deepcopy(read(GAMMA).data)
-    data["countershaft"]["sections"] = SECTIONS
-    return {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance", "countershaft")}
+    (shaft,) = data["shafts"]
+    shaft["sections"] = SECTIONS
+    shaft["bearings"] = [{key: row[key] for key in ("name", "position_mm")} for row in shaft["bearings"]]
+    return {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance", "shafts")}
 
 
 CASES = {
@@ -240,7 +242,7 @@ def test_a_fit_is_written_with_its_deviations(gamma_results):
 
 def test_a_given_cylinder_in_a_bearing_has_its_fit_and_its_roughness_too():
     data = variant("r753ie4_gamma", journal_fit="f7")
-    data["countershaft"]["sections"] = SECTIONS
+    data["shafts"][0]["sections"] = SECTIONS
     said = [words.text for words in letters(shaft_sheet(solve(design(Document(data)))))]
     # ISO 286-2: f7 from 18 to 30 mm
     assert said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said

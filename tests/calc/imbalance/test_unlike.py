@@ -362,7 +362,7 @@ def test_rotating_masses_that_are_left_are_not_laid_on_the_share_of_the_reciproc
     """With a tenth of the rotating masses left, half of the reciprocating ones leaves more than 0.6 of them does; no
     offset is in it."""
     single = {
-        "schema": 1,
+        "schema": 2,
         "name": "d",
         "imbalance": {"crank_balance_fraction": 0.5, "rotating_balance_fraction": 0.9},
         "engine": {

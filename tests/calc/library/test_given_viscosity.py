@@ -182,12 +182,11 @@ def test_the_textbook_bearing_of_shigley():
     """Shigley, Examples 12-1 and 12-2 (from memory): 4 µreyn, 30 rev/s, 500 lbf, r = l/2 = 0.75 in, c = 0.0015 in give
     S = 0.135, h_0/c = 0.42 and (r/c)·f = 3.50, read from the charts of Raimondi and Boyd."""
     inch, reyn, pound = 25.4, 6894.757, 4.4482216
-    own = dict.fromkeys(
-        ("front", "rear"),
+    row = (
         f"diameter_mm = {1.5 * inch}\nlength_mm = {1.5 * inch}\nclearance_um = {3.0 * inch}\n"
-        f"load_N = {500 * pound}\njournal_roughness_um = 0.2\nhousing_roughness_um = 0.2\n",
+        f"load_N = {500 * pound}\njournal_roughness_um = 0.2\nhousing_roughness_um = 0.2\n"
     )
-    text = f"""schema = 1
+    text = f"""schema = 2
 name = "textbook"
 [bearings]
 oil = "SAE 20"
@@ -200,8 +199,16 @@ housing_material = "steel"
 journal_material = "steel"
 speed_rpm = 1800.0
 load_speed_ratio = 0.0
-"""
-    text += "".join(f"[bearings.{place}]\n{rows}" for place, rows in own.items())
+[[shafts]]
+name = "shaft"
+mode = "bearings"
+[[shafts.bearings]]
+name = "front"
+position_mm = 0.0
+{row}[[shafts.bearings]]
+name = "rear"
+position_mm = 1000.0
+{row}"""
     values = {id: v.inside for id, v in solve(design(parse(text.encode(), "d.toml"))).values().items()}
     c = 0.0015 * inch * 1e-3
     assert values["bearings.front.reynolds.sommerfeld"] == pytest.approx(0.135, rel=1e-3)

@@ -104,7 +104,7 @@ def test_all_mistakes_come_at_once_each_with_its_line():
 
 def test_the_mounts_need_engine_and_imbalance(data):
     with pytest.raises(BadInput) as bad:
-        design(Document({"schema": 1, "name": "x", "mounting": data["mounting"]}))
+        design(Document({"schema": 2, "name": "x", "mounting": data["mounting"]}))
     assert sum("says what shakes the engine" in error.reason for error in bad.value.errors) == 2
 
 

@@ -454,7 +454,7 @@ def test_the_screws_of_a_wheel_hold_its_force_across_their_joint():
         "slip_vdi": ("pass", 1.2),
     }
     assert checks["slip"].value_id == "countershaft.further_bolts.idler.bolt_slip_across_safety"
-    assert "countershaft.further_bolts.idler.torque_Nm" in checks["slip"].moved_by
+    assert "shafts.S.further_bolts.idler.torque_Nm" in checks["slip"].moved_by
     assert judged(further(force=1000.0, turns="yes"))[1]["slip_vdi"].verdict == "warn"
     assert judged(further(force=2000.0))[1]["slip"].verdict == "fail"
 

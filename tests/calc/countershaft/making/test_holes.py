@@ -105,7 +105,7 @@ def test_a_hole_has_the_width_of_its_sector(half, other, half_chord):
 
 def test_what_would_keep_the_holes_in_the_sectors():
     (way,) = judged(core=0.0255, holes=replace(HOLES, depth=0.0146))["depth"].remedies
-    assert way.changes == (("countershaft.holes.depth_mm", 14.5),) and "at most 14.5 mm" in way.words
+    assert way.changes == (("shafts.S.holes.depth_mm", 14.5),) and "at most 14.5 mm" in way.words
     (way,) = judged((0, 50, 5, 0))["width"].remedies  # 40·sin 5° = 3.486
     assert way.words == "Diameter at most 3.48 mm"
 

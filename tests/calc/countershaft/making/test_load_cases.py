@@ -10,7 +10,19 @@ from calc.countershaft.making import parts
 from calc.countershaft.making.inputs import Support
 from calc.countershaft.making.unbalance import permitted
 from calc.design.toml_file import design
-from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, OMEGA, REAR, document, outcome, result
+from tests.calc.countershaft.shafts import (
+    ENVELOPE,
+    FRONT,
+    JOURNALS,
+    OMEGA,
+    REAR,
+    SEATED,
+    bearing_rows,
+    document,
+    outcome,
+    result,
+    rows,
+)
 
 SUPPORT = {"material": "EN AC-43100"}
 BOLTS = {
@@ -52,17 +64,17 @@ def test_the_four_cases_of_the_source():
 def test_no_cases_without_a_support_and_no_preload_without_bolts():
     assert not cases(bolts=BOLTS)
     assert [len(row) for row in cases(support=SUPPORT)[0].rows] == [6] * 4
-    assert not cases(support=SUPPORT, bearing_positions_mm=[-167.5, 0.0, 167.5])
+    assert not cases(support=SUPPORT, bearings=rows(places=(-167.5, 0.0, 167.5)))
 
 
 def test_a_shaft_that_presses_on_nothing_has_no_cases():
-    shaft = parts.ShaftInputs(mode="given", material="20CrNi4", bearing_positions=(-0.1675, 0.1675))
-    assert not parts.table(shaft, replace(result(), reaction_front=0.0))
+    shaft = parts.ShaftInputs(name="shaft", material="20CrNi4", bearings=bearing_rows((-0.1675, 0.1675)))
+    assert not parts.table(shaft, replace(result(), reactions=(0j, 0j)))
     assert parts.table(shaft, result())
 
 
 # --- what the parts are given
-SIZE = {"mode": "size", **ENVELOPE, "journals": JOURNALS}
+SIZE = {"mode": "size", **ENVELOPE, "bearings": SEATED}
 COST = {
     "pieces_per_year": 100,
     "alternatives": [
@@ -83,10 +95,10 @@ def test_materials_are_compared_where_there_is_a_cost_or_a_shaft_to_size(shaft, 
 def test_what_is_given_of_the_largest_seat(order, monkeypatch):
     given = []
     monkeypatch.setattr(parts, "compared", lambda *args: given.append(args[-1] and vars(args[-1])))
-    made = result(cost=COST, journals=JOURNALS[::order])
-    load = made.reaction_rear if order == 1 else made.reaction_front
+    made = result(cost=COST, bearings=rows(JOURNALS[::order]))
+    load = made.loads["rear"] if order == 1 else made.loads["front"]
     middle = [JOURNALS[0], {"diameter_mm": 90.0, "length_mm": 25.0}, JOURNALS[1]]
-    result(cost=COST, journals=middle[::order], bearing_positions_mm=[-167.5, 0.0, 167.5])
+    result(cost=COST, bearings=rows(middle[::order], (-167.5, 0.0, 167.5)))
     assert given.pop()["diameter"] == 81e-3, "an outer one"
     result(cost=COST)
     assert given == [{"diameter": 81e-3, "length": 26.5e-3, "load": load}, None]
@@ -98,7 +110,7 @@ def test_a_support_in_the_middle_has_no_plane_of_its_own(monkeypatch):
     scattered = parts.scatter.scattered
     monkeypatch.setattr(parts.scatter, "scattered", lambda *args: targets.append(args[3]) or scattered(*args))
     shaft = design(document(**SIZE, scatter=SCATTER)).countershaft
-    shaft = replace(shaft, bearing_positions=(-0.1675, 0.01, 0.2))
+    shaft = replace(shaft, bearings=bearing_rows((-0.1675, 0.01, 0.2)))
     todo = SimpleNamespace(C=300 - 500j, F=20 + 10j, couple=abs(300 - 500j), may_leave=28.0)
     step, whole = parts.ShaftStep(shaft, todo, {}, (), OMEGA), result(**SIZE)
     wanted = permitted("G6.3", whole.mass, OMEGA, whole.centre_of_gravity, -0.1675, 0.2, todo.couple)
@@ -114,7 +126,7 @@ def test_a_support_in_the_middle_has_no_plane_of_its_own(monkeypatch):
 
 
 def test_without_the_mass_of_the_whole_shaft_nothing_is_permitted():
-    made = outcome(scatter=SCATTER, journals=None)
+    made = outcome(scatter=SCATTER)
     assert made.result.tolerance is made.result.scatter is None
     assert any("needs the mass of the whole shaft" in note for note in made.notes)
     step, whole = parts.ShaftStep(None, None, {}, (), OMEGA), result(**SIZE)
@@ -153,9 +165,7 @@ def test_what_the_holes_may_take_is_what_is_beyond_the_couple_of_the_engine():
     ],
 )
 def test_the_wall_beside_the_largest_seat(support, journals, wall):
-    shaft = parts.ShaftInputs(
-        mode="given", material="", bearing_positions=(0.0, 1.0), support=Support(material="", **support)
-    )
+    shaft = parts.ShaftInputs(name="shaft", material="", support=Support(material="", **support))
     assert parts._with_wall(shaft, journals).support.wall == pytest.approx(wall)
     bare = replace(shaft, support=None)
     assert parts._with_wall(bare, journals) is bare

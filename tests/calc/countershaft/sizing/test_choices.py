@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.countershaft.inputs import Journal
 from calc.countershaft.making.inputs import Alternative, Cost, Support
 from calc.countershaft.sizing import formulas as f
 from calc.countershaft.sizing.choices import (
@@ -30,6 +29,7 @@ from calc.imbalance import solve as imbalance
 from calc.library.catalogue import Material
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.remedy import assignments
+from tests.calc.countershaft.shafts import bearing_rows
 
 STEEL, ADI = 7860.0, 7200.0
 OMEGA = 2 * math.pi * 2600 / 60
@@ -51,8 +51,7 @@ FINOTTI = Cost(
 
 @pytest.fixture
 def case(gamma):
-    """Inputs of the shaft, the imbalance, the crank's speed, and the bearings of the source's final design; materials
-    as here."""
+    """Inputs of the shaft, the imbalance and the crank's speed of the source's final design; materials as here."""
     made = design(gamma)
     e = engine.values(made.engine)
     support = Support(material="EN AC-43100", wall=5.5e-3)
@@ -65,11 +64,10 @@ def case(gamma):
         core_radius=0.015,
         half_length=None,
         radial_clearance=None,
-        journals=(),
         extras=(),
         overdesign=0.0,
     )
-    return shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, made.bearings
+    return shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed
 
 
 # --- other materials
@@ -186,38 +184,42 @@ def test_front(force):
 
 
 # --- the envelope
+def bare(shaft):
+    """Without the sizes of its journals."""
+    return replace(shaft, bearings=bearing_rows(shaft.bearing_positions))
+
+
 def test_the_envelope_is_derived_from_the_journals(case):
-    shaft, _, _, bearings = case
-    shaft = replace(shaft, fillet_radius=None)
-    room = envelope(shaft, bearings, "here")
+    shaft = replace(case[0], fillet_radius=None)
+    room = envelope(shaft, "here")
     assert room.outer_radius == pytest.approx(40.3e-3)  # half of 81, less 0.2 mm
     assert room.half_length == pytest.approx(0.1675 - 0.02750 / 2)  # the front journal's inner face is the nearer one
     assert len(room.derived) == 2
-    given = envelope(replace(shaft, outer_radius=0.043, half_length=0.15, radial_clearance=1e-3), None, "here")
+    given = envelope(replace(bare(shaft), outer_radius=0.043, half_length=0.15, radial_clearance=1e-3), "here")
     assert (given.outer_radius, given.half_length, given.derived) == (0.043, 0.15, ())
-    assert envelope(replace(shaft, radial_clearance=1e-3), bearings, "here").outer_radius == pytest.approx(39.5e-3)
-    own = replace(shaft, journals=(Journal(diameter=0.06, length=0.03), Journal(diameter=0.09, length=0.04)))
-    assert envelope(own, bearings, "here").outer_radius == pytest.approx(44.8e-3)
-    assert envelope(own, bearings, "here").half_length == pytest.approx(0.1475)
-    filleted = envelope(replace(own, fillet_radius=0.002), bearings, "here")
+    assert envelope(replace(shaft, radial_clearance=1e-3), "here").outer_radius == pytest.approx(39.5e-3)
+    own = replace(shaft, bearings=bearing_rows(shaft.bearing_positions, ((0.06, 0.03), (0.09, 0.04))))
+    assert envelope(own, "here").outer_radius == pytest.approx(44.8e-3)
+    assert envelope(own, "here").half_length == pytest.approx(0.1475)
+    filleted = envelope(replace(own, fillet_radius=0.002), "here")
     assert filleted.half_length == pytest.approx(0.1435) and "two fillets of 2 mm" in filleted.derived[1]
 
 
 def test_what_the_envelope_lacks_is_named(case):
-    shaft, _, _, bearings = case
+    shaft = case[0]
     with pytest.raises(BadInput, match=r"core_radius_mm: needed") as caught:
-        envelope(replace(shaft, core_radius=None), bearings, "here.toml")
+        envelope(replace(shaft, core_radius=None), "here.toml")
     assert len(caught.value.errors) == 1 and "here.toml" in str(caught.value)
     with pytest.raises(BadInput) as caught:
-        envelope(replace(shaft, core_radius=None), None, "here.toml")
+        envelope(replace(bare(shaft), core_radius=None), "here.toml")
     assert {e.key for e in caught.value.errors} == {
-        f"countershaft.{n}_mm" for n in ("outer_radius", "half_length", "core_radius")
+        f"shafts.shaft.{n}_mm" for n in ("outer_radius", "half_length", "core_radius")
     }
     with pytest.raises(BadInput, match="smaller than the outer radius"):
-        envelope(replace(shaft, core_radius=0.0405), bearings, "here")
-    middle = replace(shaft, bearing_positions=(-0.15, 0.0, 0.15), journals=(Journal(diameter=0.06, length=0.03),) * 3)
+        envelope(replace(shaft, core_radius=0.0405), "here")
+    middle = replace(shaft, bearings=bearing_rows((-0.15, 0.0, 0.15), ((0.06, 0.03),) * 3))
     with pytest.raises(BadInput, match="at mid-shaft"):
-        envelope(middle, None, "here")
+        envelope(middle, "here")
 
 
 def test_an_unknown_material_of_the_cost_is_named(case):
@@ -236,7 +238,7 @@ ROOM = Envelope(0.043, 0.015, 0.152, (), "shaft")
 
 
 def test_the_lightest_stands_first_and_each_is_the_least_of_its_radius(case):
-    shaft, balance, omega, _ = case
+    shaft, balance, omega = case
     found = choices(shaft, balance, omega, ROOM, candidates(shaft, MATERIALS, "here"))
     U, P, omega_S = asked(shaft, balance, omega)
     assert abs(U) < 1e-12 and abs(P) * omega_S**2 == pytest.approx(572.932, abs=5e-4)
@@ -258,13 +260,13 @@ def test_the_lightest_stands_first_and_each_is_the_least_of_its_radius(case):
 
 
 def test_more_couple_is_asked_for_where_drilling_takes_some_away(case):
-    shaft, balance, omega, _ = case
+    shaft, balance, omega = case
     plain, more = asked(shaft, balance, omega)[1], asked(replace(shaft, overdesign=0.015), balance, omega)[1]
     assert more == pytest.approx(1.015 * plain)
 
 
 def test_a_material_that_does_not_fit_is_said(case):
-    shaft, balance, omega, _ = case
+    shaft, balance, omega = case
     room = Envelope(0.041, 0.015, 0.152, (), "shaft")
     found = choices(shaft, balance, omega, room, candidates(shaft, MATERIALS, "here"))
     assert set(found.refused) == {"ADI"} and {c.material for c in found.shafts} == {"steel"}
@@ -272,7 +274,7 @@ def test_a_material_that_does_not_fit_is_said(case):
 
 
 def test_where_nothing_fits_the_reason_is_that_of_the_densest(case):
-    shaft, balance, omega, _ = case
+    shaft, balance, omega = case
     with pytest.raises(NoSolution) as caught:
         choices(
             shaft, balance, omega, Envelope(0.0402, 0.015, 0.152, (), "shaft"), candidates(shaft, MATERIALS, "here")
@@ -281,7 +283,7 @@ def test_where_nothing_fits_the_reason_is_that_of_the_densest(case):
 
 
 def test_the_table_and_the_keys_of_a_row(case):
-    shaft, balance, omega, _ = case
+    shaft, balance, omega = case
     found = choices(shaft, balance, omega, ROOM, candidates(shaft, MATERIALS, "here"))
     table = choices_table(found, 3, ROOM)
     assert len(table.rows) == 3 and [row[0] for row in table.rows] == ["1", "2", "3"]
@@ -289,16 +291,16 @@ def test_the_table_and_the_keys_of_a_row(case):
     assert cells["outer radius"] == pytest.approx(43) and cells["half-angle of each"] == pytest.approx(68.25, abs=5e-3)
     assert cells["length of each"] == pytest.approx(104.62, abs=5e-3) and cells["first year"] == 210
     assert assignments(changes(found.shafts[0], ROOM)) == [
-        'countershaft.mode="size"',
-        'countershaft.material="steel"',
-        "countershaft.outer_radius_mm=43.0",
-        "countershaft.core_radius_mm=15.0",
-        "countershaft.half_length_mm=152.0",
+        'shafts.shaft.mode="size"',
+        'shafts.shaft.material="steel"',
+        "shafts.shaft.outer_radius_mm=43.0",
+        "shafts.shaft.core_radius_mm=15.0",
+        "shafts.shaft.half_length_mm=152.0",
     ]
 
 
 def test_unequal_sectors_stand_beside_each_other(case):
-    shaft, balance, omega, _ = case
+    shaft, balance, omega = case
     from calc.countershaft.inputs import Extra
 
     uneven = replace(shaft, extras=(Extra(name="hole", mass=-0.05, radius=0.02, angle=0.0, z=0.1),))

@@ -51,8 +51,8 @@ def test_the_standing_load_is_that_of_the_power_that_closes(gamma_results):
     """Weight and the gear's force at the power that the last mesh passes on, as the shaft's own step has them."""
     stands = gamma_results.outcomes["countershaft"].result.standing
     found = friction_of(gamma_results).journals
-    assert found["front"].standing_load == pytest.approx(stands.stationary_front, rel=1e-9)
-    assert found["rear"].standing_load == pytest.approx(stands.stationary_rear, rel=1e-9)
+    assert found["front"].standing_load == pytest.approx(stands.stationary["front"], rel=1e-9)
+    assert found["rear"].standing_load == pytest.approx(stands.stationary["rear"], rel=1e-9)
 
 
 def test_a_loss_on_the_shaft_is_felt_by_its_journals():
@@ -77,15 +77,11 @@ def test_a_standing_load_that_is_no_small_part_is_told():
 def test_without_a_shaft_the_bearings_step_says_what_is_lost():
     """Bearings whose loads are given: no standing part is known."""
     data = gamma().data
-    alone = {key: value for key, value in data.items() if key not in ("countershaft", "imbalance")}
-    loads = {place: {**data["bearings"][place], "load_N": 1700.0} for place in PLACES}
-    document = replace(
-        gamma(),
-        data={
-            **alone,
-            "bearings": {**data["bearings"], **loads, "slope_mrad": [0.1, 0.1], "journal_material": "20CrNi4"},
-        },
-    )
+    alone = {key: value for key, value in data.items() if key != "imbalance"}
+    rows = [{**row, "load_N": 1700.0, "slope_mrad": 0.1} for row in data["shafts"][0]["bearings"]]
+    shaft = {"name": "shaft", "mode": "bearings", "bearings": rows}
+    bearings = {**data["bearings"], "journal_material": "20CrNi4"}
+    document = replace(gamma(), data={**alone, "shafts": [shaft], "bearings": bearings})
     outcomes = solve(design(document)).outcomes
     bearings = outcomes["bearings"].result.bearings
     for place, found in outcomes["friction"].result.journals.items():

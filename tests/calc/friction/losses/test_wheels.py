@@ -176,7 +176,7 @@ def bearing_forces(results):
 def test_in_their_places_the_bushes_carry_what_the_gear_step_says():
     placed = (
         bushes(gamma())
-        .with_value("countershaft.axis_mm", [-60.0, 120.0])
+        .with_value("shafts.shaft.axis_mm", [-60.0, 120.0])
         .with_value("gears.wheels.central.position_mm", [30.0, 59.0])
     )
     results = solve(design(placed))
