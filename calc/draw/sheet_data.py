@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ..countershaft.rows import called
+from ..library.journal_rules import called
 from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
 from ..sheet.quantity import published
 from ..sheet.record import record

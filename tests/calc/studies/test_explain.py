@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import design, read
 from calc.sheet.value import Line
 from calc.solve import solve
 from calc.studies.explain import Chains, chain, needs, origin
@@ -182,7 +182,11 @@ def inputs_of(name, value):
         (
             "r753ie4_gamma",
             "countershaft.slope_front",
-            {"shafts.shaft.masses.front.mass_kg", "shafts.shaft.masses.rear.radius_mm", "shafts.shaft.bearings.rear.length_mm"},
+            {
+                "shafts.shaft.masses.front.mass_kg",
+                "shafts.shaft.masses.rear.radius_mm",
+                "shafts.shaft.bearings.rear.length_mm",
+            },
         ),
         (
             "r753ie4_gamma",

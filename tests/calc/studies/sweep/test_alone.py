@@ -62,7 +62,10 @@ def test_each_design_is_what_it_is_alone(name):
             "shafts.shaft.bearings.front.length_mm": (29.0, 31.0),
             "shafts.shaft.bearings.rear.length_mm": (24.0, 24.5, 25.0),
         },  # the front goes apart, and is one in each part
-        {"shafts.shaft.bearings.front.diameter_mm": (62.0, 64.0), "shafts.shaft.bearings.rear.length_mm": (24.0, 25.0, 26.0)},
+        {
+            "shafts.shaft.bearings.front.diameter_mm": (62.0, 64.0),
+            "shafts.shaft.bearings.rear.length_mm": (24.0, 25.0, 26.0),
+        },
         {
             "shafts.shaft.bearings.front.length_mm": (58.9, 59.3, 59.7, 60.1, 60.5)
         },  # l/d through 1, up to which some of the routes reach

@@ -25,7 +25,9 @@ def test_the_grid_runs_over_every_combination_the_last_input_fastest():
 
 
 def test_a_row_is_what_the_design_gives():
-    swept = sweep(GAMMA, varied(GAMMA, ["shafts.shaft.bearings.front.length_mm=27.5,34"]), "bearings", ["bearings.front.film"])
+    swept = sweep(
+        GAMMA, varied(GAMMA, ["shafts.shaft.bearings.front.length_mm=27.5,34"]), "bearings", ["bearings.front.film"]
+    )
     for length, film, verdict in swept.rows:
         results = solve(design(GAMMA.with_value("shafts.shaft.bearings.front.length_mm", length)))
         assert film == results.values()["bearings.front.film"].shown
@@ -123,7 +125,9 @@ def test_cells_of_values_that_a_design_does_not_have_are_empty():
 
 def test_other_methods_are_solved_only_where_their_values_are_asked_for():
     """They judge nothing: values and verdicts of everything else are the same without."""
-    inputs = varied(GAMMA, ["engine.rated_speed_rpm=1200:2600:3", "shafts.shaft.bearings.front.clearance_factor=0.4:0.8:2"])
+    inputs = varied(
+        GAMMA, ["engine.rated_speed_rpm=1200:2600:3", "shafts.shaft.bearings.front.clearance_factor=0.4:0.8:2"]
+    )
     alone = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss"])
     beside = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss", "bearings.rear.falz.film"])
     assert [[*row[:4], *row[5:]] for row in beside.rows] == alone.rows
