@@ -19,7 +19,7 @@ from calc.sheet.step import Outcome
 from calc.solve import Results, solve
 from calc.studies.compare import SAME, Comparison, ValueDifference, compare, inputs, relative, turn
 from calc.studies.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
-from tests.conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA, ROOT
 from tests.made_checks import made_check
 
 BETA = DESIGNS / "r753ie4_beta.toml"
@@ -56,7 +56,7 @@ def test_the_inputs_of_beta_and_gamma(found: Comparison) -> None:
     }
     assert both == OWN
     assert [d.key for d in found.inputs][-3:] == ["material", "name", "note"]  # what is not calculated with stands last
-    assert by_key["countershaft.bolts"].a is None and by_key["countershaft.bolts"].b["thread"] == "M10x1.5"
+    assert by_key["shafts.shaft.bolts"].a is None and by_key["shafts.shaft.bolts"].b["thread"] == "M10x1.5"
     assert "shafts.shaft.bolts.thread" not in by_key  # a table of one design is one difference
     assert len(by_key["gears.meshes.1.stack"].b) == 17
     assert by_key["gears.wheels.shaft.tip_diameter_tolerance_um"].b == [0, -100]  # by its name
@@ -304,5 +304,11 @@ def test_the_tables_have_a_row_for_each_difference(found: Comparison) -> None:
     assert all(len(row) == len(table.columns) for row in table.rows)
     values = value_table("gears", "Gears", [d for d in found.values if d.step == "gears"], names, ids=False)
     assert all(len(row) == len(values.columns) for row in values.rows) and ("β", "") in values.columns
-    bolts = next(d for d in found.inputs if d.key == "countershaft.bolts")
+    bolts = next(d for d in found.inputs if d.key == "shafts.shaft.bolts")
     assert "thread = M10x1.5, torque_Nm = 45" in str(input_table([bolts], names, full=True).rows[0][2])
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in (ROOT / "tests" / "data" / "designs_0_1").glob("*.toml")))
+def test_a_file_and_the_same_upgraded_do_not_differ(name: str) -> None:
+    former, today = (read(ROOT / "tests" / "data" / folder / name) for folder in ("designs_0_1", "upgraded"))
+    assert inputs(former.data, today.data) == []
