@@ -153,11 +153,7 @@ def test_a_mass_that_stands_at_a_wrong_place_is_moved_back(said, which, away):
     z = row[n].z - away
     moved = P - now[n] * away
     assume(abs(z) > 1e-3)
-    found = [
-        way[f"shafts.shaft.masses.m{n}.z_mm"]
-        for way in _shifted(row, now, U, moved)
-        if f"shafts.shaft.masses.m{n}.z_mm" in way
-    ]
+    found = [way[f"m{n}.z_mm"] for way in _shifted(row, now, U, moved) if f"m{n}.z_mm" in way]
     assert found == [pytest.approx(z * 1e3, abs=0.0501)]  # to a tenth, of which either may be the nearer
     assert not list(_shifted(row, now, U + 0.11 * max(map(abs, now)), moved)), "the force is to be right already"
 
