@@ -12,6 +12,7 @@ from calc.design.key_results import outside
 from calc.design.model import Design
 from calc.design.toml_file import Document, load
 from calc.design.toml_file import design as design_of
+from calc.design.upgrade import current
 from calc.friction.inputs import FrictionInputs
 from calc.friction.studies.scenarios import as_design
 from calc.library.publications import resolved
@@ -54,7 +55,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
     results = solve(design)
     values = results.values()
     if asked.value not in values and (given := _given(document.data, asked.value)) is not None:
-        print(f"{asked.value} = {given}   an input of the design file")
+        print(f"{current(document.data, asked.value)} = {given}   an input of the design file")
         return 0
     if asked.value not in values:
         for check in results.checks():
