@@ -9,7 +9,7 @@ from math import copysign, isclose
 
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
-from ...design.addresses import Table, address, as_list, quantities, quantity_of, value_at
+from ...design.addresses import Table, address, as_list, quantities, quantity_of, value_at, within
 from ...design.model import Design, step_of
 from ...design.names import published
 from ...design.toml_file import Document
@@ -95,14 +95,14 @@ def _is_there(data: Table, key: str) -> bool:
 
 def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[list[str], list[str]]:
     """Keys of numbers of a step that its maker is free to move: those in the same bearing, mesh or wheel as the checks,
-    and all others."""
+    and all others, with the places of bearings, which move together."""
     near = {part for check in checks for part in check.id.split(".")[1].split("_")}
     free = [
         key
         for key, about in quantities(state.document.data)
         if about.repair == "free" and about.kind in NUMBERS and state.design.step_of(key) == step
     ]
-    beside = [key for key in free if near & set(key.split("."))]
+    beside = [key for key in free if not is_position(key) and near & set(within(key))]
     return beside, [key for key in free if key not in beside]
 
 
