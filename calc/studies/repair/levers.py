@@ -45,6 +45,14 @@ def is_position(key: str) -> bool:
     return key.rpartition(".")[2] == ALONG[0]
 
 
+def together(keys: Iterable[str]) -> Iterable[list[str]]:
+    """Keys that are moved as one: the places of the bearings of a shaft; any other alone."""
+    groups: dict[str, list[str]] = {}
+    for key in keys:
+        groups.setdefault(place_of(key) if is_position(key) else key, []).append(key)
+    return groups.values()
+
+
 def words_of(document: Document, key: str) -> ChangeWords:
     """What a change of a key is called: where its field says nothing, by its label."""
     about = quantity_of(document.data, key)

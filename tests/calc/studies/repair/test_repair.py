@@ -18,7 +18,7 @@ from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
 from calc.sheet.text import EMPTY
 from calc.solve import Results, solve
-from calc.studies.repair.levers import Lever, called, disturbance, kind_of, levers
+from calc.studies.repair.levers import Lever, called, disturbance, kind_of, levers, together
 from calc.studies.repair.nearest import nearest
 from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
 from calc.studies.repair.state import broken, closer_limits, is_mended, state_of
@@ -199,6 +199,8 @@ def test_a_number_moves_by_a_share_and_a_whole_one_by_one_at_least(gamma: Docume
     assert [teeth.number(change) - teeth.now for change in (0.02, -0.02, 0.1)] == [1, -1, round(0.1 * teeth.now)]
     places = [f"shafts.shaft.bearings.{name}.position_mm" for name in ("front", "rear")]
     assert lever(gamma, *places).write(-150.75) == dict(zip(places, (-150.75, 150.75)))
+    core = "shafts.shaft.core_radius_mm"
+    assert list(together([places[0], core, places[1]])) == [places, [core]]
 
 
 def test_numbers_of_one_kind_in_one_place_move_together(gamma: Document) -> None:
