@@ -44,6 +44,7 @@ MOST = 12  # fields that an array of tables may have before it is shown one elem
 SHAFTS: Place = (dotted(Design.shafts),)
 ROWS = dotted(ShaftInputs.bearings)
 BEARING_NAME = dotted(BearingRow.name)
+COLUMNS = {"front": Text("Front bearing"), "rear": Text("Rear bearing")}
 RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
 TWICE = Quantity(
     "number", Text("Stroke"), "mm", above=0, decides=2, help=Text("Twice the crank radius, which the design file has.")
@@ -218,7 +219,8 @@ class _Rows:
 
 def _titled(about: Quantity, bearing: object) -> Quantity:
     """What stands above a column of inputs of one bearing, whose name is an input of another step."""
-    return replace(about, label=Text("{name} bearing", name=titled(str(as_table(bearing).get(BEARING_NAME, "")))))
+    name = str(as_table(bearing).get(BEARING_NAME, ""))
+    return replace(about, label=COLUMNS.get(name) or Text("{name} bearing", name=titled(name)))
 
 
 # --- at the foot of the form

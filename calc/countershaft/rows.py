@@ -6,8 +6,11 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..library import journal_rules as rules
+from ..library.journal_rules import IN_WORDS as IN_WORDS
+from ..library.journal_rules import called as called
+from ..library.journal_rules import titled as titled
 from ..sheet.quantity import choice, dotted, inputs, quantity, text
-from ..sheet.text import EMPTY, Name, Text
+from ..sheet.text import Text
 
 # keys of a shaft's inputs, of those of one of its bearings and of all of them, the names left open
 SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
@@ -17,20 +20,6 @@ ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is nee
 def row_key(row: str, field: object = "") -> str:
     """The key of one of the bearings, by its name, or of one of its inputs."""
     return dotted(SHAFT, "bearings", row, field) if field else dotted(SHAFT, "bearings", row)
-
-
-IN_WORDS = {"front": Text("front"), "middle": Text("middle"), "rear": Text("rear")}
-IN_TITLES = {"front": Text("Front"), "middle": Text("Middle"), "rear": Text("Rear")}
-
-
-def called(row: str) -> Text:
-    """The name of a bearing inside a sentence; those that the program gives speak the reader's language."""
-    return IN_WORDS.get(row, EMPTY) or Name(row)
-
-
-def titled(row: str) -> Text:
-    """The same at the beginning of a sentence."""
-    return IN_TITLES.get(row, EMPTY) or Name(row)
 
 
 def sign(row: str) -> str:
