@@ -58,15 +58,22 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
 
 
 def every(data: Table, key: str) -> list[str]:
-    """The keys that one with a * among its parts stands for: those of all elements of that array; any other key alone.
-    Raises BadInput where nothing matches."""
+    """The keys that one with a * among its parts stands for: those of all elements of that array, of shafts without
+    the mirror images, which have what they mirror; any other key alone.  Raises BadInput where nothing matches."""
     before, star, after = key.partition(".*.")
     if not star:
         return [key]
+    before, _, after = current(data, key).partition(".*.")  # one of schema 1 has moved
     here: object = data
     for part in address(data, before, whole=True):
         here = here[part] if isinstance(here, list) and isinstance(part, int) else as_table(here).get(str(part))
-    names = [str(as_table(item).get("name", n)) for n, item in enumerate(here if isinstance(here, list) else ())]
+    items = [as_table(item) for item in here] if isinstance(here, list) else []
+    mirrored = before == dotted(Design.shafts) and after.partition(".")[0] not in TWIN
+    names = [
+        str(item.get("name", n))
+        for n, item in enumerate(items)
+        if not (mirrored and dotted(ShaftInputs.mirrors) in item)
+    ]
     if not names:
         raise _no_such(key, Text("nothing stands where the * is"))
     return [each for name in names for each in every(data, f"{before}.{name}.{after}")]

@@ -27,7 +27,19 @@ from .addresses import NAME, Table, address, as_list, changed, every, join, unju
 from .disk import read_file
 from .limits import DESIGN_BYTES
 from .model import SCHEMA, Design
-from .upgrade import MANY, PAIR, POSITIONS, Upgraded, current, is_former, own_key, renamed, rewritten, upgraded
+from .upgrade import (
+    MANY,
+    PAIR,
+    POSITIONS,
+    Upgraded,
+    current,
+    is_former,
+    own_key,
+    renamed,
+    rewritten,
+    upgraded,
+    without_shaft,
+)
 
 T = TypeVar("T")
 REMARKS = Text("The design file says: {remarks}.")
@@ -85,6 +97,8 @@ class Document:
         key = current(self.data, first)
         former = self.former and self.former.without(key)
         lines = {**self.lines, key: 0}
+        if first == "countershaft" and value is None:
+            return replace(self, data=without_shaft(self.data), lines=lines, former=former)
         if key in MANY:  # of what stands elsewhere now the file says nothing
             return replace(self, data=rewritten(self.data, key, value), lines=lines, former=None)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
