@@ -242,7 +242,7 @@ OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which ta
     "engine": (("engine", "imbalance"), Text("firing orders are ranked by what they leave of the imbalance"), _engine),
     "countershaft": (
         ("engine", "imbalance", "countershaft"),
-        Text("the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]"),
+        Text("the shaft is sized for what the engine's crank leaves, in the envelope of its table [[shafts]]"),
         _countershaft,
     ),
     "bearings": (("bearings",), Text("there is nothing to choose a bearing for"), _bearings),

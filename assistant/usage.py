@@ -305,6 +305,9 @@ def oils(it: argparse.ArgumentParser) -> None:
 
 @command("setup", "the JSON Schema of a design file, by which editors complete and check it")
 def schema(it: argparse.ArgumentParser) -> None:
+    it.add_argument(
+        "--schema", type=int, choices=(1, 2), default=2, help="1: of designs as version 0.1 wrote them (default: 2)"
+    )
     it.add_argument("-o", "--output", metavar="OUT.json", help="default: to the terminal")
 
 

@@ -60,7 +60,7 @@ def test_an_envelope_in_which_nothing_fits_ends_with_three(wide):
 @pytest.mark.parametrize(
     "changes, words",
     [
-        (("countershaft.core_radius_mm=",), "countershaft.core_radius_mm: needed"),
+        (("countershaft.core_radius_mm=",), "shafts.shaft.core_radius_mm: needed"),
         (("countershaft.core_radius_mm=42.9",), None),
     ],
 )

@@ -443,7 +443,7 @@ def test_explain_of_the_film_reaches_the_engine():
     text = run("explain", GAMMA, "bearings.front.film").stdout
     assert (
         "← engine.rated_speed_rpm" in text
-        and "← countershaft.masses.front.mass_kg" in text
+        and "← shafts.shaft.masses.front.mass_kg" in text
         and "← bearings.supply_temperature_C" in text
     )
     assert "9.557 µm" in text
@@ -553,8 +553,8 @@ def test_an_input_is_explained_by_its_help(key, head, help):
 @pytest.mark.parametrize(
     "check, said",
     [
-        ("bearings.rear.slope_given", "taken from the inputs: bearings.slope_mrad"),
-        ("countershaft.support.wall", "taken from the inputs: countershaft.support.wall_mm"),
+        ("bearings.rear.slope_given", "taken from the inputs: shafts.shaft.bearings.rear.slope_mrad"),
+        ("countershaft.support.wall", "taken from the inputs: shafts.shaft.support.wall_mm"),
     ],
 )
 def test_a_check_on_no_published_value_is_explained_by_what_it_judges(check, said):

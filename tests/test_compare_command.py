@@ -47,7 +47,7 @@ def test_the_conclusion_stands_first(capsys, found) -> None:
     assert "the whole goes from FAIL: " in out
     assert re.search(r"Sum of the losses +115\.2 +228\.8 +W +\+99 % +worse\n", out)
     assert re.search(r"bearings\.rear\.diameter_mm +40 +81\n", out)
-    assert re.search(r"countershaft\.bolts +left out +6 keys\n", out)
+    assert re.search(r"shafts\.shaft\.bolts +left out +6 keys\n", out)
     assert (
         f"What differs in all: {len(found['checks'])} checks, {len(found['values'])} values; --all lists them." in out
     )
@@ -97,8 +97,9 @@ def test_json_has_both_sides(found) -> None:
         f"R753IE4 counter-shaft, solution {name}" for name in ("beta", "gamma")
     ]
     assert all(len(d["sha256"]) == 64 for d in found["designs"])
-    length = next(d for d in found["inputs"] if d["key"] == "bearings.front.length_mm")
-    assert length == {"key": "bearings.front.length_mm", "label": "Length", "unit": "mm", "a": 26.0, "b": 27.5}
+    key = "shafts.shaft.bearings.front.length_mm"
+    length = next(d for d in found["inputs"] if d["key"] == key)
+    assert length == {"key": key, "label": "Length", "unit": "mm", "a": 26.0, "b": 27.5}
     verdicts = [solve(design(read(file))).outcomes["countershaft"].verdict for file in (BETA, GAMMA)]
     assert found["steps"]["countershaft"] == {"a": verdicts[0], "b": verdicts[1], "moved": verdicts[0] != verdicts[1]}
     edge = next(c for c in found["checks"] if c["id"] == "bearings.rear.film_edge")
@@ -119,7 +120,7 @@ def test_a_design_and_itself(capsys) -> None:
 def test_a_step_that_is_missing_is_not_asked(capsys) -> None:
     code, out, _ = said(capsys, DESIGNS / "timing_pair.toml", GAMMA)
     assert code == 0
-    assert re.search(r"\n  bearings +not used +11 keys\n", out)
+    assert re.search(r"\n  bearings +not used +8 keys\n", out)
     assert re.search(r"\nSteps: .*Bearings · not used → ✗ FAIL", out)
     assert re.search(r"\n  Mass of the whole shaft +– +9\.052 +kg +–\n", out)
     assert "Film at the edge, front" not in out  # the step says it

@@ -113,7 +113,7 @@ def test_a_shaft_without_outline_says_what_to_add(capsys, tmp_path, design):
     out = tmp_path / "shaft.dxf"
     code, _, errors = run(capsys, "export", design(PLAIN), "--dxf", "-o", out)
     assert code == 2 and not out.exists()
-    assert "[[countershaft.sections]]" in errors and "core_radius_mm" in errors
+    assert "[[shafts.sections]]" in errors and "core_radius_mm" in errors
 
 
 # --- gears
@@ -207,7 +207,7 @@ def test_a_design_with_neither_shaft_nor_gears_says_so(capsys, tmp_path, design)
     path = design(PLAIN.split("[countershaft]")[0])
     out = tmp_path / "o.dxf"
     code, _, errors = run(capsys, "export", path, "--dxf", "-o", out)
-    assert code == 2 and "add [countershaft]" in errors and "[gears]" in errors and not out.exists()
+    assert code == 2 and "add [[shafts]]" in errors and "[gears]" in errors and not out.exists()
     code, _, errors = run(capsys, "export", path, "--gears", "-o", out)
     assert code == 2 and "add [gears]" in errors and not out.exists()
 

@@ -84,6 +84,8 @@ def test_a_name_that_a_shell_would_split_is_quoted(capsys: pytest.CaptureFixture
 def test_a_key_that_is_set_stands_once(capsys: pytest.CaptureFixture[str]) -> None:
     _, lines = check(capsys, str(GAMMA), "--step", "bearings", "--set", "bearings.front.length_mm=20")
     assert lines[-1].count("bearings.front.length_mm=") == 1
+    _, lines = check(capsys, str(GAMMA), "--step", "bearings", "--set", "shafts.shaft.bearings.*.length_mm=20")
+    assert lines[-1].count("length_mm=") == 2 and "*" not in lines[-1], "all that it sets is set anew"
 
 
 def test_what_is_locked_stays_and_is_said(capsys: pytest.CaptureFixture[str]) -> None:

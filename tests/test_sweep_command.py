@@ -29,7 +29,7 @@ def test_sweep_without_a_file_prints_the_table_alone():
         "sweep",
         GAMMA,
         "--vary",
-        "countershaft.masses.rear.angle_deg=20,30",
+        "shafts.shaft.masses.rear.angle_deg=20,30",
         "--step",
         "countershaft",
         "--values",
@@ -38,7 +38,7 @@ def test_sweep_without_a_file_prints_the_table_alone():
     assert done.returncode == 0
     assert (
         done.stdout.splitlines()[0]
-        == "countershaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
+        == "shafts.shaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
     )
     assert [line.rsplit(",", 1)[1] for line in done.stdout.splitlines()[1:]] == [
         "fail",

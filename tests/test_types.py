@@ -18,7 +18,12 @@ from typing import get_args, get_type_hints
 
 import pytest
 
+from calc.countershaft.inputs import ShaftInputs
+from calc.countershaft.rows import BearingRow
 from calc.design.model import Design
+from calc.design.toml_file import design
+from calc.design.toml_file import read as read_design
+from calc.sheet.errors import BadInput
 from calc.sheet.quantity import keys
 
 ROOT = Path(__file__).parents[1]
@@ -106,6 +111,13 @@ def test_a_formula_of_numbers_is_one_of_arrays_too_and_its_arguments_are_held_to
     assert accepted(calls, tmp_path) == [name for name, (_, fits) in FORMULA_CALLS.items() if fits]
 
 
+# Left out by the file's own rules alone: a sound design has them wherever they are read, as the whole design asks.
+ASKED_ELSEWHERE = {
+    ShaftInputs: ("material", "speed_ratio"),
+    BearingRow: ("position", "diameter", "length", "journal_roughness", "housing_roughness"),
+}
+
+
 def test_an_input_that_may_be_left_out_is_typed_so():
     """Else the type checker takes what is done without it for unreachable, and checks none of it."""
     wrong, seen, classes = [], set(), [Design]
@@ -115,7 +127,21 @@ def test_an_input_that_may_be_left_out_is_typed_so():
         seen.add(cls)
         for key in keys(cls).values():
             if key.field.default is None and NoneType not in get_args(hints[key.attribute]):
-                wrong.append(f"{cls.__module__}.{cls.__name__}.{key.attribute}")
+                wrong.append((cls, key.attribute))
             if key.about.table is not None and key.about.table not in seen:
                 classes.append(key.about.table)
-    assert len(seen) > 20 and wrong == []
+    elsewhere = [(cls, field) for cls, fields in ASKED_ELSEWHERE.items() for field in fields]
+    assert len(seen) > 20 and sorted(wrong, key=str) == sorted(elsewhere, key=str)
+
+
+@pytest.mark.parametrize(
+    ("cls", "field"), [(cls, field) for cls, fields in ASKED_ELSEWHERE.items() for field in fields]
+)
+def test_what_the_whole_design_asks_is_no_sound_design_without(cls, field):
+    (key,) = [key.key for key in keys(cls).values() if key.attribute == field]
+    there = "shafts.shaft.bearings.rear" if cls is BearingRow else "shafts.shaft"
+    with pytest.raises(BadInput) as bad:
+        design(
+            read_design(ROOT / "tests" / "data" / "upgraded" / "r753ie4_gamma.toml").with_value(f"{there}.{key}", None)
+        )
+    assert [error.key.rpartition(".")[2] for error in bad.value.errors] == [key]

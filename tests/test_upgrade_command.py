@@ -85,3 +85,15 @@ def test_what_is_no_design_is_bad_input(text: str | None, words: str, tmp_path: 
         (tmp_path / "x.toml").write_text(text, encoding="utf-8")
     done = run("upgrade", tmp_path / "x.toml")
     assert done.returncode == 2 and words in done.stderr
+
+
+@pytest.mark.parametrize("folder", [OLD, NEW], ids=lambda folder: folder.name)
+def test_a_key_of_schema_1_is_answered_by_that_of_today(folder: Path) -> None:
+    said = run("explain", folder / "r753ie4_gamma.toml", "bearings.front.length_mm").stdout
+    assert said.startswith("shafts.shaft.bearings.front.length_mm = 27.5 ")
+    table = run(
+        *("sweep", folder / "r753ie4_gamma.toml", "--step", "countershaft", "--values", "countershaft.reaction_front"),
+        *("--vary", "countershaft.bearing_positions_mm.0=-167.5,-160", "--vary", "bearings.slope_mrad=0.1,0.2"),
+    ).stdout
+    assert table.splitlines()[0].startswith("shafts.shaft.bearings.front.position_mm,bearings.slope_mrad,")
+    assert len(table.splitlines()) >= 5

@@ -10,11 +10,12 @@ from contextlib import suppress
 from dataclasses import replace
 
 from assistant.results_text import print_results, results_json
-from calc.design.addresses import address, parse_assignment
+from calc.design.addresses import Table, address, every, parse_assignment
 from calc.design.limits import SEARCH_SECONDS
 from calc.design.locks import standing
 from calc.design.model import STEPS, Design
 from calc.design.toml_file import Document, design, read
+from calc.design.upgrade import current
 from calc.sheet.errors import BadInput, Cancelled, InputError
 from calc.sheet.progress import at_most
 from calc.sheet.text import Text
@@ -80,7 +81,7 @@ def nearest_passing(
             Text("no passing design found in {seconds} s; --step STEP looks for one step alone", seconds=SEARCH_SECONDS)
         ]
     kept = {change.partition("=")[0] for change in repair.changes}
-    all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *repair.changes]
+    all_changes = [*(change for change in changes if not set_by(document.data, change) <= kept), *repair.changes]
     kept_as = [f"kept as locked: {key} ({reason})" for key, reason in standing(document.data).items()]
     asked = ["--step", step] if step is not None else []
     command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
@@ -99,6 +100,11 @@ def nearest_passing(
     lines += [f"still fails: {unmended.id}: {unmended.why}" for unmended in repair.left[1:]]
     first = repair.left[0]
     return [*kept_as, *lines, f"no passing design found: {first.id} still fails: {first.why}"]
+
+
+def set_by(data: Table, change: str) -> set[str]:
+    """The keys of today that a KEY=VALUE sets."""
+    return {current(data, key) for key in every(data, parse_assignment(change)[0])}
 
 
 def known_step(step: str | None) -> None:

@@ -13,6 +13,7 @@ from calc.design.key_results import outside
 from calc.design.model import Design
 from calc.design.toml_file import Document, load
 from calc.design.toml_file import design as design_of
+from calc.design.upgrade import current
 from calc.friction.inputs import FrictionInputs
 from calc.friction.studies.scenarios import as_design
 from calc.library.publications import resolved
@@ -56,7 +57,8 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
     values = results.values()
     if asked.value not in values and (known := _input(document.data, asked.value)) is not None:
         about, given = known
-        print(f"{asked.value} = {given}   an input" if given is not None else f"{asked.value}   an input, left out")
+        key = current(document.data, asked.value)
+        print(f"{key} = {given}   an input" if given is not None else f"{key}   an input, left out")
         told = f"{about.label}{f', {about.unit}' if about.unit else ''}. {about.help}"
         print(fill(told, 116, initial_indent="    ", subsequent_indent="    "))
         return 0

@@ -4,13 +4,12 @@
 A design of a shipped engine, the JSON Schema by which editors complete and check a design, the script by which a shell
 completes commands."""
 
-import json
 import sys
 from argparse import Namespace
 from pathlib import Path
 
 from assistant.session.saving import write_asked
-from calc.design.schema import schema
+from calc.design.schema import schema_text
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.studies.shipped import engine_design, engines
@@ -36,7 +35,7 @@ def run_completion(asked: Namespace) -> int:
 
 
 def run_schema(asked: Namespace) -> int:
-    text = json.dumps(schema(), ensure_ascii=False, indent=1) + "\n"
+    text = schema_text(asked.schema)
     if asked.output is None:
         print(text, end="")
     else:

@@ -17,7 +17,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
-from calc.design.addresses import quantities
+from calc.design.addresses import quantities, step_at, within
 from calc.design.model import STEPS, Design
 from calc.locale import LANGUAGES, language
 from calc.sheet.check import Check
@@ -118,7 +118,9 @@ def _designs(work: Workbench, add: Add) -> None:
 def _fields(work: Workbench, add: Add) -> None:
     for key, about in (*_of_design(), *quantities(work.session.data)):
         title = Text("Field: {label}  {key}", label=about.label, key=key)
-        add(title, about.help or about.allowed(), partial(work.to_field, work.session.place(key)), weight=FIELD)
+        in_step = ".".join([step_at(work.session.data, key), *within(key)])  # as schema 1 had it
+        does = partial(work.to_field, work.session.place(key))
+        add(title, about.help or about.allowed(), does, in_step, weight=FIELD)
 
 
 def _of_design() -> Iterator[tuple[str, Quantity]]:

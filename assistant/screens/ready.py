@@ -176,12 +176,12 @@ class Closing(ItemList):
             for method, n in beyond.items()
         ]
         yield self._part(Text("holds outside the validity of a formula ({n})", n=len(stretched)), stretched, width)
-        odd = [(oddity.key.partition(".")[0], oddity.words) for oddity in unusual(session.design, checks=checks)]
+        odd = [(session.design.step_of(oddity.key), oddity.words) for oddity in unusual(session.design, checks=checks)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
         measured = [
             (
-                row.step,
+                session.design.step_of(row.value),
                 Text(
                     "{what}: {value}",
                     what=values[row.value].label if row.value in values else self._labels((row.value,)),

@@ -22,10 +22,10 @@ from calc.sheet.verdict import grouped
 from ..session.compare_with import edit_text
 from ..session.editing import BuildPlan, told
 from ..session.guide import CHOICES
-from ..session.places import Place, first_key
+from ..session.places import Place, first_key, named_key
 from ..session.recording import Recording
 from ..session.recovery import Edits
-from ..session.saving import ChangedOnDisk, Draft, SaveError, write_atomic
+from ..session.saving import ChangedOnDisk, Draft, NeedsUpgrade, SaveError, write_atomic
 from ..session.session import Session
 from ..session.solving import mistake
 from ..widgets.entry import Entry
@@ -33,7 +33,7 @@ from ..widgets.field import Field
 from ..widgets.form import Form
 from ..widgets.radio import Todo
 from ..widgets.steps import states_of
-from .dialogs import Accept, LeaveOut
+from .dialogs import Accept, Ask, LeaveOut
 from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, folder_of
 from .workbench_moves import WorkbenchMoves
 
@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from calc.studies.repair.options import RepairOption
 
 BUILDING = Text("It is being built by the rules …")
+ASK_UPGRADE = Text(
+    "The file is written in schema 1, which has no words for what was changed.\n"
+    "Save it in schema 2? Its comments stay, and the old file is kept as .bak."
+)
 
 
 class WorkbenchEdits(WorkbenchMoves):
@@ -292,13 +296,24 @@ class WorkbenchEdits(WorkbenchMoves):
             self.app.tell(Text("{name} is read-only; give another name.", name=self.session.name), "warning")
             self.action_save_as()
             return
+        self._save(partial(self.session.save, force=self.app.warned_of == self.session.home))
+
+    def _save(self, save: Callable[..., Path], upgrade: bool = False) -> None:
+        """Save, or say why not; where the file's schema has no words for what changed, ask whether to write it in that
+        of this program."""
         try:
-            path = self.session.save(force=self.app.warned_of == self.session.home)
+            path = save(upgrade=upgrade)
+        except NeedsUpgrade:
+            say = self.app.say
+            self.app.push_screen(
+                Ask(say(ASK_UPGRADE), say(Text("save")), say(Text("go back"))),
+                lambda yes: self._save(save, upgrade=True) if yes else None,
+            )
         except SaveError as error:
             self.app.warned_of = self.session.home if isinstance(error, ChangedOnDisk) else None
             self.app.tell(error.text, "error")
-            return
-        self._saved(path)
+        else:
+            self._saved(path)
 
     def _saved(self, path: Path) -> None:
         self.app.warned_of = None
@@ -312,12 +327,8 @@ class WorkbenchEdits(WorkbenchMoves):
         self.app.push_screen(SaveDialog(self.session), self._save_as)
 
     def _save_as(self, path: Path | None) -> None:
-        if path is None:
-            return
-        try:
-            self._saved(self.session.save_as(path))
-        except SaveError as error:
-            self.app.tell(error.text, "error")
+        if path is not None:
+            self._save(partial(self.session.save_as, path))
 
     # --- opening
     def action_open(self) -> None:
@@ -397,7 +408,7 @@ class WorkbenchEdits(WorkbenchMoves):
             self.app.tell(
                 Text(
                     "No report, export or replay while the input is not valid: {map} {reason}",
-                    map=".".join(map(str, place)),
+                    map=named_key(self.session.data, place),
                     reason=reason,
                 ),
                 "error",

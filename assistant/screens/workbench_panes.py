@@ -19,6 +19,7 @@ from textual.screen import Screen
 from textual.style import Style
 from textual.widget import Widget
 
+from calc.design.addresses import asks
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.sheet.step import Step
@@ -70,7 +71,7 @@ class WorkbenchPanes(Screen[None]):
     def begin(self, session: Session) -> None:
         """Enter a design, at its first step."""
         self.session = session
-        self.step: Step = next((s for s in STEPS if s.key in session.data), STEPS[0])
+        self.step: Step = next((s for s in STEPS if asks(session.data, s.key)), STEPS[0])
         self.reset_panes()
 
     def reset_panes(self) -> None:

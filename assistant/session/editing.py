@@ -9,16 +9,27 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from calc.design.addresses import Table, address, changed, every, parse_assignment, quantity_of, value_at
+from calc.design.addresses import Table, address, changed, every, parse_assignment, quantity_of, unjudged, value_at
 from calc.design.locks import locked, toggled
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
-from calc.sheet.quantity import Quantity
+from calc.sheet.quantity import Quantity, dotted
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
-from .places import Place, content_at, described, error_place, named_key, optional_table, without_empty
+from .places import (
+    Place,
+    content_at,
+    described,
+    error_place,
+    followed,
+    further,
+    less,
+    named_key,
+    optional_table,
+    without_empty,
+)
 from .recording import Recording
 from .undo import EditState, History
 
@@ -193,7 +204,7 @@ class Editing:
             if content == old and type(content) is not bool
             else changed(self._state.data, where, content)
         )
-        self._step(EditState(without_empty(data, where), texts), where)
+        self._step(EditState(followed(self._valid, without_empty(data, where), where), texts), where)
         return self.reason(where)
 
     def seal(self) -> None:
@@ -201,34 +212,36 @@ class Editing:
         self.history.seal()
 
     def add(self, key: str | Place) -> int:
-        """A further element of an array of tables, like the last one but with a name of its own.  Gives its index."""
-        where = self.place(key) if not isinstance(key, str) else tuple(key.split("."))
-        there = self.value(where) or []
-        element = dict(there[-1]) if there else {}
-        names = [item.get("name") for item in there]
-        if isinstance(element.get("name"), str):
-            base = element["name"].rstrip("0123456789").rstrip("-")
-            element["name"] = next(name for n in range(2, len(there) + 3) if (name := f"{base}-{n}") not in names)
+        """A further element of an array of tables (see `further`).  Gives its index."""
+        where = self._array(key)
+        elements, index = further(where, self.value(where) or [])
         self.seal()
-        self._step(EditState(changed(self._state.data, where, [*there, element]), self._state.texts), where)
+        self._step(EditState(changed(self._state.data, where, elements), self._state.texts), where)
         self.seal()
-        return len(there)
+        return index
 
     def remove(self, key: str | Place, index: int) -> None:
-        """Take an element out of an array of tables."""
-        where = self.place(key) if not isinstance(key, str) else tuple(key.split("."))
-        there = [item for n, item in enumerate(self.value(where) or []) if n != index]
+        """Take an element out of an array of tables; a shaft with its mirror image."""
+        where = self._array(key)
+        there = self.value(where) or []
+        left = less(where, there, index)
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
-        self._step(EditState(changed(self._state.data, where, there or None), texts), where)
+        self._step(EditState(changed(self._state.data, where, left or None), texts), where)
         self.seal()
+
+    def _array(self, key: str | Place) -> Place:
+        return address(self._state.data, key, whole=True) if isinstance(key, str) else key
 
     def put_table(self, where: Place, there: bool) -> None:
         """Add a table that may be left out, with no key yet (what it needs is then reported as missing); or leave it
         out."""
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
+        data = changed(self._state.data, where, {} if there else None)
+        if where == (dotted(Design.bearings),) and not there:
+            data = unjudged(data)
         self.seal()
-        self._step(EditState(changed(self._state.data, where, {} if there else None), texts), where)
+        self._step(EditState(data, texts), where)
         self.seal()
 
     def apply(self, changes: Iterable[str]) -> None:
@@ -331,7 +344,7 @@ class Editing:
         self.document = replace(self.document, data=data)
         self.generation += 1
         try:
-            self.design = design(self.document)
+            self.design = design(replace(self.document, former=None))  # fields go by their keys of today
             self.errors = ()
             self._valid = data
         except BadInput as bad:

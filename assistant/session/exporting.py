@@ -29,10 +29,7 @@ if TYPE_CHECKING:
     from calc.gears.inputs import GearsInputs
 
 KINDS = {"dxf": Text("a drawing of the shaft or of the gears"), "csv": Text("the values"), "json": Text("all results")}
-HOW = Text(
-    "give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or "
-    "[[countershaft.journals]])"
-)
+HOW = Text("give [[shafts.sections]], or core_radius_mm with diameter_mm and length_mm of each [[shafts.bearings]]")
 
 
 def write_draft(
@@ -109,7 +106,7 @@ def drawing_text(document: Document, results: Results) -> str:
                     0,
                     "countershaft",
                     "",
-                    Text("needed for a drawing: add [countershaft], and {how}; or [gears]", how=HOW),
+                    Text("needed for a drawing: add [[shafts]], and {how}; or [gears]", how=HOW),
                 )
             ],
         )

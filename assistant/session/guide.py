@@ -9,10 +9,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
+from calc.countershaft.inputs import ShaftInputs
 from calc.design.addresses import Table, quantities, step_at
-from calc.design.model import STEP_KEYS, STEPS
+from calc.design.model import STEP_KEYS, STEPS, Design
 from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
-from calc.sheet.quantity import Published, Quantity, keys
+from calc.sheet.quantity import Published, Quantity, dotted, keys
 from calc.sheet.text import Amount, Text
 
 from .places import Place, content_at, described
@@ -49,11 +50,22 @@ def layout_of(place: Place) -> Quantity | None:
 
 
 def idle(place: Place, data: Table) -> bool:
-    """Whether an input says nothing in this design, and has no value."""
-    if len(place) < 2 or (where := described(place).where) is None:
+    """Whether an input says nothing in this design: it has no value, or the only one there is."""
+    if len(place) < 2:
+        return False
+    about = described(place)
+    if about.kind == "choice" and len(about.choices) == 1:
+        return content_at(data, place) in (None, *about.choices)
+    if (where := about.where) is None:
         return False
     table = content_at(data, place[:-1])
     return isinstance(table, dict) and not where.holds(table) and content_at(data, place) in (None, [])
+
+
+def is_twin(place: Place, data: Table) -> bool:
+    """Whether a place is that of a shaft that mirrors another, or lies in it."""
+    of_shaft = len(place) > 1 and place[0] == dotted(Design.shafts)
+    return of_shaft and content_at(data, (*place[:2], dotted(ShaftInputs.mirrors))) is not None
 
 
 def step_of(place: Place, data: Table) -> str:
@@ -72,7 +84,7 @@ def fold_at(step: str, place: Place, data: Table) -> int | None:
         return None
     if place[:1] in (DOCUMENT, NAME, NOTE):
         return document_fold()
-    if len(place) < 2 or str(place[1]).startswith(FOLD):
+    if len(place) < 2 or str(place[1]).startswith(FOLD) or is_twin(place, data):
         return None
     about = layout_of(place)
     return 0 if about is None else None if about.decides else folds(step).index(about.fold)
@@ -192,7 +204,7 @@ GUIDES: dict[str, Guide] = {
 def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Iterator[str]:
     """The inputs and values of earlier steps that it uses, by key or id."""
     for owner in STEP_KEYS[: STEP_KEYS.index(step)]:
-        yield from (key for key, about in quantities(data) if step in about.taken_by and key.startswith(f"{owner}."))
+        yield from (key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == owner)
         yield from (id for id, v in values.items() if step in v.about.taken_by and id.startswith(f"{owner}."))
 
 

@@ -1,13 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Places in the tables of a design: names of keys and indices of arrays, which hold while an element is being
-renamed."""
+"""Places in the tables of a design: names of keys and indices of arrays, which hold while an element is being renamed;
+and how an array gets an element more, or less."""
 
+from itertools import pairwise
 from typing import Any
 
-from calc.design.addresses import Table, address, changed, declared, quantity_of
+from calc.countershaft.inputs import ShaftInputs
+from calc.countershaft.rows import BearingRow
+from calc.design.addresses import Table, address, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
+from calc.design.other_tables import OptimiseInputs
+from calc.design.upgrade import TWIN, twin, without
+from calc.gears.inputs import GearsInputs
+from calc.gears.wheel_inputs import Wheel
 from calc.sheet.errors import BadInput
-from calc.sheet.quantity import Quantity, keys
+from calc.sheet.quantity import Quantity, dotted, keys
 from calc.sheet.text import Name, Small, Text
 
 Place = tuple[str | int, ...]
@@ -112,8 +119,98 @@ def label_of(data: Table, key: str) -> Text:
             return Small(about.label)
         return Name(key.rpartition(".")[2].replace("_", " "))
     numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
-    if numbered is None:
+    if numbered is None or (where[:numbered] == (dotted(Design.shafts),) and len(own_shafts(data)) == 1):
         return words
     element = content_at(data, where[: numbered + 1])
     name = element.get("name") if isinstance(element, dict) else None
     return Text("{label} of {place}", label=words, place=str(name or int(where[numbered]) + 1))
+
+
+# --- elements of arrays of tables
+
+NAME, MIRRORS, POSITION = "name", dotted(ShaftInputs.mirrors), dotted(BearingRow.position)
+
+
+def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
+    """An array with one element more, and its index.
+
+    It is like the last one but with a name of its own; of a shaft that has none it is the mirror image, and a bearing
+    stands in the middle of the widest gap between two."""
+    about, index = described(where), len(there)
+    element = dict(there[-1]) if there else {}
+    names = [item.get(NAME) for item in there]
+    alone = [shaft for shaft in there if MIRRORS not in shaft and shaft.get(NAME) not in _mirrored(there)]
+    if about.table is ShaftInputs and alone:
+        element = {**twin(alone[0], str(alone[0].get(NAME))), NAME: _free(TWIN, names)}
+    elif about.table is BearingRow and (gap := _widest(there)) is not None:
+        index, place = gap
+        before = without(there[index - 1], *map(dotted, (BearingRow.load, BearingRow.slope)))
+        element = {**before, NAME: _free("middle", names), POSITION: place}
+    elif isinstance(name := element.get(NAME), str):
+        element[NAME] = _free(name, names)
+    return [*there[:index], element, *there[index:]], index
+
+
+def _mirrored(shafts: list[Table]) -> list[object]:
+    return [shaft.get(MIRRORS) for shaft in shafts]
+
+
+def _free(name: str, names: list[object]) -> str:
+    """The name, or the first with a number behind it that no element has."""
+    base = name.rstrip("0123456789").rstrip("-") or name
+    return (
+        name
+        if name not in names
+        else next(free for n in range(2, len(names) + 3) if (free := f"{base}-{n}") not in names)
+    )
+
+
+def _widest(bearings: list[Table]) -> tuple[int, float] | None:
+    """The index of a bearing in the middle of the widest gap, and its place; None where places are not known."""
+    places = [place for row in bearings if isinstance(place := row.get(POSITION), (int, float))]
+    if len(places) < max(2, len(bearings)):
+        return None
+    width, i = max((b - a, i) for i, (a, b) in enumerate(pairwise(places)))
+    return i + 1, places[i] + width / 2
+
+
+def less(where: Place, there: list[Table], index: int) -> list[Table]:
+    """An array without one of its elements; a shaft takes its mirror image with it."""
+    gone, left = there[index].get(NAME), [item for n, item in enumerate(there) if n != index]
+    return [item for item in left if item.get(MIRRORS) != gone] if described(where).table is ShaftInputs else left
+
+
+def followed(valid: Table, data: Table, where: Place) -> Table:
+    """The tables after an element of an array was given another name: what is locked or varied in it goes by that name,
+    and so does what mirrors a shaft or sits on it.  `valid`: the tables before.
+
+    While the name is none, or that of another one, all that stays as it was."""
+    if where[-1:] != (NAME,) or len(where) < 3:
+        return data
+    others, old_others = (_names(tables, where[:-2]) for tables in (data, valid))
+    n = where[-2]
+    if not isinstance(n, int) or len(others) != len(old_others) or n >= len(others):
+        return data
+    old, new = old_others.pop(n), others.pop(n)
+    if old_others != others or new in (None, "", old, *others) or not isinstance(old, str):
+        return data
+    was, now = named_key(valid, where[:-1]), named_key(data, where[:-1])
+    for table in ((dotted(Design.locked),), (dotted(Design.optimise), dotted(OptimiseInputs.vary))):
+        if isinstance(there := content_at(data, table), dict):
+            data = changed(data, table, {_renamed(key, was, now): content for key, content in there.items()})
+    if where[:-2] == (dotted(Design.shafts),):
+        wheels = (dotted(Design.gears), dotted(GearsInputs.wheels))
+        for array, key in ((where[:-2], MIRRORS), (wheels, dotted(Wheel.shaft))):
+            for i, item in enumerate(content_at(data, array) or []):
+                if item.get(key) == old:
+                    data = changed(data, (*array, i, key), new)
+    return data
+
+
+def _names(data: Table, array: Place) -> list[object]:
+    return [item.get(NAME) for item in content_at(data, array) or []]
+
+
+def _renamed(key: str, was: str, now: str) -> str:
+    """A key once the element that it is of, or stands in, is called otherwise."""
+    return f"{now}{key.removeprefix(was)}" if f"{key}.".startswith(f"{was}.") else key

@@ -13,8 +13,10 @@ from pathlib import Path
 from secrets import token_hex
 from typing import Any
 
-from calc.design.addresses import Table, changed
+from calc.design.addresses import Table, address, changed
 from calc.design.disk import lock
+from calc.design.toml_file import Document, current_document
+from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
 from ..output import state_dir
@@ -287,10 +289,12 @@ class Memory:
 def _read(file: Path) -> Edits | None:
     try:
         table = tomllib.loads(file.read_text(encoding="utf-8"))
-        head = table["unsaved"]
+        head, kept = table["unsaved"], current_document(Document(table["design"]))
         typed = {tuple(entry["place"]): str(entry["text"]) for entry in table.get("typed", [])}
+        if kept.former is not None:  # by version 0.1
+            typed = {_today(kept.data, where): text for where, text in typed.items()}
         return Edits(
-            table["design"],
+            kept.data,
             datetime.fromisoformat(head["time"]),
             str(head["sha256"]),
             typed,
@@ -298,6 +302,14 @@ def _read(file: Path) -> Edits | None:
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None
+
+
+def _today(data: Table, where: Place) -> Place:
+    """Where an input stands now that stood at a place of schema 1."""
+    try:
+        return address(data, ".".join(map(str, where)))
+    except BadInput:
+        return where
 
 
 def is_file(path: Path) -> bool:

@@ -88,16 +88,23 @@ def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, An
 def saved_text(raw: bytes, data: Table) -> str:
     """The text of a design file once its tables are these, in the schema that the file has.  Raises SaveError where it
     can not be edited in place, NeedsUpgrade where its schema has no words for what changed."""
-    document = parse(raw, "")
-    before, after = document.data, data
-    if document.former is not None:
-        from calc.design.downgrade import downgraded
+    document, text = parse(raw, ""), raw.decode("utf-8")
+    if document.former is None:
+        return edited_text(text, differences(document.data, data))
+    from calc.design.downgrade import downgraded
 
-        old, new = downgraded(before), downgraded(after)
-        if old is None or new is None:
-            raise NeedsUpgrade(UPGRADE)
-        before, after = old, new
-    return edited_text(raw.decode("utf-8"), differences(before, after))
+    old, new = downgraded(document.data), downgraded(data)
+    if old is None or new is None:
+        raise NeedsUpgrade(UPGRADE)
+    return edited_text(text, differences(old, new))
+
+
+def upgraded_bytes(raw: bytes) -> tuple[bytes, bool]:
+    """A design file in the schema of this program, and whether it kept its comments."""
+    from calc.design.upgrade_text import upgraded_text
+
+    made = upgraded_text(raw.decode("utf-8"))
+    return made.text.encode("utf-8"), made.kept
 
 
 def fresh_text(data: Table) -> str:
@@ -318,12 +325,19 @@ class Draft:
     home: Path
     results: "Results | None" = field(repr=False)
 
-    def bytes(self) -> tuple[bytes, bool]:
-        """The file as it would be saved, and whether it kept its comments."""
+    def bytes(self, upgrade: bool = True) -> tuple[bytes, bool]:
+        """The file as it would be saved, and whether it kept its comments.  Where its schema has no words for what
+        changed it is in that of this program, or (not `upgrade`) NeedsUpgrade is raised."""
         if self.saved == self.data:
             return self.raw, True
         try:
-            return saved_text(self.raw, self.data).encode("utf-8"), True
+            try:
+                return saved_text(self.raw, self.data).encode("utf-8"), True
+            except NeedsUpgrade:
+                if not upgrade:
+                    raise
+                raw, kept = upgraded_bytes(self.raw)
+                return saved_text(raw, self.data).encode("utf-8"), kept
         except NeedsUpgrade:
             raise
         except SaveError:  # a notation that can not be edited in place

@@ -23,7 +23,7 @@ from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import DESIGNS, EXAMPLE
 
 from .editing import Editing
-from .places import Place
+from .places import Place, named_key
 from .recovery import Edits, Memory, Presence, is_file, not_accepted
 from .saving import Draft, SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
@@ -260,24 +260,25 @@ class Session(Editing):
         results = self.results if self.current and (data is None or data == now) else None
         return Draft(self._raw, self.saved, now if data is None else data, self.home, results)
 
-    def bytes(self) -> bytes:
-        """The design file as it would be saved now."""
-        raw, kept = self.draft().bytes()
+    def bytes(self, upgrade: bool = False) -> bytes:
+        """The design file as it would be saved now.  Raises NeedsUpgrade where its schema has no words for what
+        changed; `upgrade`: it is then in that of this program."""
+        raw, kept = self.draft().bytes(upgrade)
         if not kept:
             self.message = Text("The comments of the file could not be kept; the old file stays as .bak.")
         return raw
 
-    def save(self, *, force: bool = False) -> Path:
+    def save(self, *, force: bool = False, upgrade: bool = False) -> Path:
         """Save; the example under its own name in the current folder, never over another file.  Raises SaveError with
-        what to do.
+        what to do, NeedsUpgrade as `bytes` does.
 
         `force` overwrites a file that another program has changed since it was read.
         """
         if self.path is None:
-            return self._write(free_name(Path.cwd() / self.origin.name), new=True)
-        return self._write(self.path, force=force)
+            return self._write(free_name(Path.cwd() / self.origin.name), new=True, upgrade=upgrade)
+        return self._write(self.path, force=force, upgrade=upgrade)
 
-    def save_as(self, path: Path) -> Path:
+    def save_as(self, path: Path, *, upgrade: bool = False) -> Path:
         """Save under another name; the session goes on with that file.  A file that is there is overwritten, and kept
         as .bak."""
         path = path.expanduser()
@@ -287,15 +288,14 @@ class Session(Editing):
             raise SaveError(Text("{name} is the shipped example; give another name", name=path.name))
         if path.is_dir():
             raise SaveError(Text("{path} is a folder; give the name of a file in it", path=str(path)))
-        return self._write(path.absolute())
+        return self._write(path.absolute(), upgrade=upgrade)
 
-    def _write(self, path: Path, *, force: bool = True, new: bool = False) -> Path:
+    def _write(self, path: Path, *, force: bool = True, new: bool = False, upgrade: bool = False) -> Path:
         if not self.valid:
             where, reason = next(iter(self.reasons().items()))
-            raise SaveError(
-                Text("not saved: {key} {reason}", key=".".join(map(str, where)) or Text("the design"), reason=reason)
-            )
-        raw, before = self.bytes(), self.home
+            key = named_key(self.data, where) or Text("the design")
+            raise SaveError(Text("not saved: {key} {reason}", key=key, reason=reason))
+        raw, before = self.bytes(upgrade), self.home
         try:
             document = parse(raw, str(path))
         except BadInput as bad:  # nothing is written that can not be read

@@ -370,9 +370,9 @@ class CellColumns(Widget):
         labels = [str(heading.about.label).split() for heading in self.row.inside]
         common = [word for word in labels[0] if all(word.lower() in map(str.lower, label) for label in labels)]
         known = {word.lower() for word in common}
-        names = [" ".join(word for word in label if word.lower() not in known).capitalize() for label in labels]
+        names = [" ".join(word for word in label if word.lower() not in known) for label in labels]
         title = " ".join(common).capitalize()
-        boxes = "".join(f" {fit(name, CELL):<{CELL + 1}}" for name in names)
+        boxes = "".join(f" {fit(name[:1].upper() + name[1:], CELL):<{CELL + 1}}" for name in names)
         return Content.styled(pad(f" {title}", label_width(self.size.width)) + boxes, "bold")
 
 

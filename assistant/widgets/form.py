@@ -16,14 +16,16 @@ from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
+from calc.countershaft.inputs import ShaftInputs
 from calc.design.addresses import asks, quantity_of, step_at, value_at
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
+from calc.sheet.quantity import dotted
 from calc.sheet.step import Step
-from calc.sheet.text import COMMA, EMPTY, Text
+from calc.sheet.text import COMMA, EMPTY, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
@@ -169,6 +171,9 @@ class FormParts:
 
     def heading(self, row: FormRow) -> Content:
         last = row.place[-1]
+        if row.kind == "original":
+            name = content_at(self._session.data, (*row.place, dotted(ShaftInputs.mirrors)))
+            return Content.styled(f" {self._say(Text('all else as {name}', name=Name(str(name))))}", "dim")
         name = (
             str((content_at(self._session.data, row.place) or {}).get("name", last + 1))
             if isinstance(last, int)
@@ -454,7 +459,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.rebuild(place)
             return
         around = [place[:end] for end in range(len(place) - 1, 1, -1) if place[:end] in stops] if place else []
-        target = wanted or (stops[around[0]] if around else next(iter(self.stops()), self))
+        fields = (stop for stop in self.stops() if not isinstance(stop, ArrayHeading))  # whose − takes an element out
+        target = wanted or (stops[around[0]] if around else next(fields, self))
         if at_once:
             self.screen.set_focus(target)
         else:

@@ -3,7 +3,7 @@
 
 That of an array says how many there are, which one is shown, and the keys that add, remove and leaf."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from textual import events
@@ -22,7 +22,7 @@ from ..session.guide import DOCUMENT, NOTE
 from ..session.places import content_at
 from ..session.session import Session
 from .entry import LEAVING
-from .rows import FormRow, heading_help
+from .rows import SHAFTS, FormRow, heading_help
 from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements
@@ -64,7 +64,7 @@ class ArrayHeading(Widget, can_focus=True):
         index: int
 
     def __init__(self, row: FormRow, session: Session) -> None:
-        super().__init__()
+        super().__init__(classes="-first" if row.place == SHAFTS else "")
         self.row = row
         self.session = session
         self.reason = EMPTY  # why the array as a whole is not accepted
@@ -174,9 +174,10 @@ class ArrayHeading(Widget, can_focus=True):
 
     def action_leaf(self, by: int) -> None:
         if self.row.shown is not None and (count := len(self.names())):
-            self.post_message(self.Leafed(self, (self.row.shown + by) % count))
+            self.action_show((self.row.shown + by) % count)
 
     def action_show(self, index: int) -> None:
+        self.row = replace(self.row, shown=index)  # the next key, of which it is, may come before the form does
         self.post_message(self.Leafed(self, index))
 
     def action_add(self) -> None:

@@ -6,14 +6,15 @@ array stands there whole, and of a long one only one element does: its heading l
 for in place of the crank radius, which is half of it."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from operator import itemgetter
 
 from textual.content import Content
 from textual.widget import Widget
 
 from calc.countershaft.inputs import ShaftInputs
-from calc.design.addresses import Table, as_list, as_table
+from calc.countershaft.rows import BearingRow, titled
+from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys, own_shafts
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.locale import Language
@@ -33,14 +34,17 @@ from ..session.guide import (
     fold_at,
     folds,
     idle,
+    is_twin,
     layout_of,
-    step_of,
 )
-from ..session.places import Place
+from ..session.places import Place, content_at, described
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
-SHAFTS, ROWS = dotted(Design.shafts), dotted(ShaftInputs.bearings)
+SHAFTS: Place = (dotted(Design.shafts),)
+ROWS = dotted(ShaftInputs.bearings)
+BEARING_NAME = dotted(BearingRow.name)
+COLUMNS = {"front": Text("Front bearing"), "rear": Text("Rear bearing")}
 RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
 TWICE = Quantity(
     "number", Text("Stroke"), "mm", above=0, decides=2, help=Text("Twice the crank radius, which the design file has.")
@@ -51,7 +55,7 @@ TWICE = Quantity(
 class FormRow:
     """`kind`: heading (of a sub-table, or of one element), option (heading of a sub-table that may be left out), array
     (heading of an array of tables), columns (names of tables side by side), cells (one input of each of them), fold
-    (heading of what is folded), stroke or field."""
+    (heading of what is folded), original (of which a shaft is the mirror image), stroke or field."""
 
     kind: str
     place: Place
@@ -79,8 +83,9 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     if step.key == FIRST:
         form_rows.append(FormRow("stroke", (FIRST, STROKE), TWICE, required=True))
     ordered = [_of_design(NAME, required=True)] if step.key == FIRST else []
-    ordered += sorted((row for row in form_rows if _rank(row)), key=_rank)
-    folded = [row for row in form_rows if not _rank(row)]
+    ranked = [(_rank(row, step.key, data), row) for row in form_rows]
+    ordered += [row for rank, row in sorted(ranked, key=itemgetter(0)) if rank]
+    folded = [row for rank, row in ranked if not rank]
     for n, title in enumerate(folds(step.key)):
         if inside := tuple([row for row in folded if fold_at(step.key, row.place, data) == n]):
             ordered.append(
@@ -90,13 +95,15 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     return [*ordered, *_document(data, asked, opened)] if step.key == FIRST else ordered
 
 
-def _rank(row: FormRow) -> int:
+def _rank(row: FormRow, step: str, data: Table) -> int:
     """Which of the few that decide a row is, from 1; 0 in a fold.  The heading of several elements stands before what
-    decides of each."""
+    decides of each; a mirror image has nothing but what decides."""
+    if is_twin(row.place, data):
+        return 1
     about = row.about if row.kind == "stroke" else layout_of(row.place)
     if about is not None and about.decides:
         return about.decides
-    inside = keys(row.about.table).values() if row.about.table and row.kind in ("array", "columns") else ()
+    inside = keys_of(row.about.table, data, step) if row.about.table and row.kind in ("array", "columns") else ()
     return min((key.about.decides for key in inside if key.about.decides), default=0)
 
 
@@ -111,7 +118,7 @@ def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[FormRo
     assert about.table is not None
     inside = (
         _of_design(NOTE),
-        *_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False),
+        *_Rows(FIRST, data, asked).of(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, False),
     )
     is_open = (n := document_fold()) in opened
     return [FormRow("fold", (FIRST, f"{FOLD}{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
@@ -120,82 +127,100 @@ def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[FormRo
 def rows(step: Step, data: Table, asked: Asked) -> list[FormRow]:
     """All rows of a step's form, in the order of the file; the bearings of a shaft stand with it by their places, all
     else of them with what they share."""
-    shafts = as_list(data.get(SHAFTS))
+    form = _Rows(step.key, data, asked)
     if step.key == "countershaft":
-        all_rows = list(_array(keys(Design)[SHAFTS].about, shafts, (SHAFTS,), asked))
-    else:
-        all_rows = list(_rows(step.inputs, data.get(step.key, {}), (step.key,), asked, True))
+        return list(form.array(described(SHAFTS), content_at(data, SHAFTS) or [], SHAFTS))
+    form_rows = list(form.of(step.inputs, data.get(step.key, {}), (step.key,), True))
     if step.key == dotted(Design.bearings):
-        for n, shaft in enumerate(map(as_table, shafts)):
-            if rows_there := as_list(shaft.get(ROWS)):
-                all_rows += _array(keys(ShaftInputs)[ROWS].about, rows_there, (SHAFTS, n, ROWS), asked)
-    return [row for row in all_rows if row.kind not in ("field", "cells") or step_of(row.place, data) == step.key]
+        for n, shaft in own_shafts(data).items():
+            here = (*SHAFTS, n, ROWS)
+            if bearings := as_list(shaft.get(ROWS)):
+                form_rows += form.array(described(here), bearings, here)
+    return form_rows
 
 
-def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iterator[FormRow]:
-    """Plain inputs before tables, so that none seems to belong to the table above it."""
-    known = {key: field.about for key, field in keys(cls).items()}
-    tables = [about.table for about in known.values() if about.kind == "table" and not about.optional]
-    twins = [key for key, about in known.items() if about.kind == "table" and tables.count(about.table) > 1]
-    for key in sorted(known, key=lambda key: known[key].kind in ("table", "tables")):
-        yield from _one(cls, key, data, place, asked, there, twins)
+class _Rows:
+    """The rows of a step's form: of tables that two steps share those that this one asks for."""
+
+    def __init__(self, step: str, data: Table, asked: Asked) -> None:
+        self.step, self.data, self.asked = step, data, asked
+
+    def keys(self, cls: type, content: object, place: Place) -> dict[str, Quantity]:
+        """What the step asks for of a table; what stands in it all the same, or is wrong, can be seen and taken out."""
+        there = as_table(content)
+        own = own_keys(cls, there, judged=dotted(Design.bearings) in self.data)
+        shown = {*own, *there, *(held[-1] for held in self.asked.held if held[:-1] == place)}
+        return {key.key: key.about for key in keys_of(cls, self.data, self.step) if key.key in shown}
+
+    def of(self, cls: type, content: object, place: Place, there: bool) -> Iterator[FormRow]:
+        """Plain inputs before tables, so that none seems to belong to the table above it."""
+        known = self.keys(cls, content, place)
+        tables = [about.table for about in known.values() if about.kind == "table" and not about.optional]
+        twins = [key for key, about in known.items() if about.kind == "table" and tables.count(about.table) > 1]
+        for key in sorted(known, key=lambda key: known[key].kind in ("table", "tables")):
+            yield from self._one(known, key, as_table(content), place, there, twins)
+
+    def _one(
+        self, known: Mapping[str, Quantity], key: str, data: Table, place: Place, there: bool, twins: list[str]
+    ) -> Iterator[FormRow]:
+        about, here = known[key], (*place, key)
+        if key in twins and self.asked.side >= len(twins):
+            if key == twins[0]:
+                columns = [FormRow("heading", (*place, twin), known[twin]) for twin in twins]
+                yield from self._side_by_side(columns, [data.get(twin) for twin in twins])
+        elif about.kind == "table":
+            yield from self._table(about, data.get(key), here, there)
+        elif about.kind == "tables":
+            yield from self.array(about, as_list(data.get(key)), here)
+        else:
+            yield FormRow("field", here, about, required=there and not about.optional)
+
+    def _side_by_side(self, columns: Sequence[FormRow], contents: Sequence[object]) -> Iterator[FormRow]:
+        """One row for each input of tables of one kind."""
+        first = columns[0]
+        assert first.about.table is not None
+        yield FormRow("columns", first.place, first.about, inside=tuple(columns))
+        known: dict[str, Quantity] = {}
+        for column, content in zip(columns, contents):
+            known |= self.keys(first.about.table, content, column.place)
+        for key, about in known.items():
+            cells = [FormRow("field", (*column.place, key), about, required=not about.optional) for column in columns]
+            yield FormRow("cells", cells[0].place, about, inside=tuple(cells))
+
+    def _table(self, about: Quantity, content: object, here: Place, there: bool) -> Iterator[FormRow]:
+        assert about.table is not None
+        yield FormRow("option" if about.optional else "heading", here, about)
+        held = any(here == place[: len(here)] for place in self.asked.held)
+        if content is not None or not about.optional or held:
+            yield from self.of(about.table, content, here, content is not None or (there and not about.optional))
+
+    def array(self, about: Quantity, content: list[object], here: Place) -> Iterator[FormRow]:
+        """Elements side by side, below each other, or where that were too many rows one at a time."""
+        assert about.table is not None
+        known = self.keys(about.table, content[0] if content else {}, (*here, 0))
+        flat = all(key.kind not in ("table", "tables") for key in known.values())
+        if flat and 1 < len(content) <= self.asked.side:
+            columns = [FormRow("heading", (*here, i), _titled(about, item)) for i, item in enumerate(content)]
+            names, *cells = self._side_by_side(columns, content)
+            yield FormRow("array", here, about) if BEARING_NAME in known or about.table is not BearingRow else names
+            yield from cells
+            return
+        long = len(content) > 1 and len(content) * len(known) > MOST
+        shown = min(self.asked.chosen.get(here, 0), len(content) - 1) if long else None
+        yield FormRow("array", here, about, shown=shown)
+        for i, item in enumerate(content):
+            if shown is None or i == shown:
+                if not long and here != SHAFTS:
+                    yield FormRow("heading", (*here, i), about)
+                yield from self.of(about.table, item, (*here, i), True)
+                if is_twin((*here, i), self.data):
+                    yield FormRow("original", (*here, i), about)
 
 
-def _one(
-    cls: type, key: str, data: Any, place: Place, asked: Asked, there: bool, twins: list[str]
-) -> Iterator[FormRow]:
-    about, here = keys(cls)[key].about, (*place, key)
-    content = data.get(key) if isinstance(data, dict) else None
-    if key in twins and asked.side >= len(twins):
-        if key == twins[0]:
-            yield from _side_by_side(
-                [(FormRow("heading", (*place, twin), keys(cls)[twin].about), data.get(twin)) for twin in twins]
-            )
-    elif about.kind == "table":
-        yield from _table(about, content, here, asked, there)
-    elif about.kind == "tables":
-        yield from _array(about, content or [], here, asked)
-    else:
-        yield FormRow("field", here, about, required=there and not about.optional)
-
-
-def _side_by_side(tables: Sequence[tuple[FormRow, Any]]) -> Iterator[FormRow]:
-    """One row for each input of tables of one kind."""
-    first = tables[0][0]
-    assert first.about.table is not None
-    yield FormRow("columns", first.place, first.about, inside=tuple(heading for heading, _ in tables))
-    for key, known in keys(first.about.table).items():
-        about = known.about
-        cells = tuple(
-            FormRow("field", (*heading.place, key), about, required=not about.optional) for heading, _ in tables
-        )
-        yield FormRow("cells", cells[0].place, about, inside=cells)
-
-
-def _table(about: Quantity, content: Any, here: Place, asked: Asked, there: bool) -> Iterator[FormRow]:
-    assert about.table is not None
-    yield FormRow("option" if about.optional else "heading", here, about)
-    if content is not None or not about.optional or any(here == place[: len(here)] for place in asked.held):
-        yield from _rows(about.table, content or {}, here, asked, content is not None or (there and not about.optional))
-
-
-def _array(about: Quantity, content: list[Any], here: Place, asked: Asked) -> Iterator[FormRow]:
-    assert about.table is not None
-    flat = all(key.about.kind not in ("table", "tables") for key in keys(about.table).values())
-    if flat and 1 < len(content) <= asked.side:
-        yield FormRow("array", here, about)
-        yield from list(
-            _side_by_side([(FormRow("heading", (*here, i), about), item) for i, item in enumerate(content)])
-        )[1:]
-        return
-    long = len(content) > 1 and len(content) * len(keys(about.table)) > MOST
-    shown = min(asked.chosen.get(here, 0), len(content) - 1) if long else None
-    yield FormRow("array", here, about, shown=shown)
-    for i, item in enumerate(content):
-        if shown is None or i == shown:
-            if not long:
-                yield FormRow("heading", (*here, i), about)
-            yield from _rows(about.table, item, (*here, i), asked, True)
+def _titled(about: Quantity, bearing: object) -> Quantity:
+    """What stands above a column of inputs of one bearing, whose name is an input of another step."""
+    name = str(as_table(bearing).get(BEARING_NAME, ""))
+    return replace(about, label=COLUMNS.get(name) or Text("{name} bearing", name=titled(name)))
 
 
 # --- at the foot of the form

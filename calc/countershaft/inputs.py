@@ -258,7 +258,7 @@ class ShaftInputs:
         "raises a roll torque.",
     )
     masses: tuple[EccentricMass, ...] = tables(
-        "Eccentric masses", EccentricMass, default=(), decides=6, where=(mode, "given")
+        "Eccentric masses", EccentricMass, default=(), decides=9, where=(mode, "given")
     )
     extras: tuple[Extra, ...] = tables("Further elements", Extra, default=())
     outer_radius: float | None = quantity(
@@ -395,7 +395,7 @@ class ShaftInputs:
     parts: tuple[Part, ...] = tables(
         "Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared.", fold=SUPPORT
     )
-    bearings: tuple[BearingRow, ...] = tables("Bearings", BearingRow, default=(), decides=5)
+    bearings: tuple[BearingRow, ...] = tables("Bearings", BearingRow, default=())
 
     paired: bool = False  # whether another shaft of the design mirrors it, and turns the other way: the design says so
 

@@ -6,8 +6,11 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..library import journal_rules as rules
+from ..library.journal_rules import IN_WORDS as IN_WORDS
+from ..library.journal_rules import called as called
+from ..library.journal_rules import titled as titled
 from ..sheet.quantity import choice, dotted, inputs, quantity, text
-from ..sheet.text import EMPTY, Name, Text
+from ..sheet.text import Text
 
 # keys of a shaft's inputs, of those of one of its bearings and of all of them, the names left open
 SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
@@ -19,20 +22,6 @@ def row_key(row: str, field: object = "") -> str:
     return dotted(SHAFT, "bearings", row, field) if field else dotted(SHAFT, "bearings", row)
 
 
-IN_WORDS = {"front": Text("front"), "middle": Text("middle"), "rear": Text("rear")}
-IN_TITLES = {"front": Text("Front"), "middle": Text("Middle"), "rear": Text("Rear")}
-
-
-def called(row: str) -> Text:
-    """The name of a bearing inside a sentence; those that the program gives speak the reader's language."""
-    return IN_WORDS.get(row, EMPTY) or Name(row)
-
-
-def titled(row: str) -> Text:
-    """The same at the beginning of a sentence."""
-    return IN_TITLES.get(row, EMPTY) or Name(row)
-
-
 def sign(row: str) -> str:
     """What stands for it in a symbol: f and r for front and rear."""
     return {"front": "f", "middle": "m", "rear": "r"}.get(row, row)
@@ -42,7 +31,7 @@ def sign(row: str) -> str:
 class BearingRow:
     """One journal in its seat."""
 
-    name: str = text("Name", help="front, middle, rear or any other word; not figures alone.")
+    name: str = text("Name", help="front, middle, rear or any other word; not figures alone.", decides=5)
     position: float = quantity(
         "Position",
         "mm",
@@ -52,7 +41,7 @@ class BearingRow:
         help="Middle of the journal from mid-shaft, + towards the flywheel; the rows rise from front to rear.",
         change=("shorter span", "longer span"),
         repair="free",
-        decides=5,
+        decides=6,
     )
     kind: str = choice("Kind", "plain", default="plain", help="plain: a journal in its seat, on a film of oil.")
     diameter: float = quantity(
@@ -67,7 +56,7 @@ class BearingRow:
         change=("smaller journal", "larger journal"),
         repair="free",
         brief="diameter",
-        decides=3,
+        decides=7,
     )
     length: float = quantity(
         "Length",
@@ -82,7 +71,7 @@ class BearingRow:
         ),
         change=("shorter journal", "longer journal"),
         repair="free",
-        decides=4,
+        decides=8,
     )
     clearance: float | None = quantity(
         "Clearance (diametral)",
@@ -99,7 +88,7 @@ class BearingRow:
         change=("smaller clearance", "larger clearance"),
         repair="free",
         brief="clearance",
-        decides=5,
+        decides=9,
     )
     clearance_factor: float | None = quantity(
         "Clearance factor K",
@@ -112,7 +101,7 @@ class BearingRow:
         help="Clearance g = K·d·u^¼ in mm, m and m/s.",
         change=("smaller clearance", "larger clearance"),
         repair="free",
-        decides=6,
+        decides=10,
     )
     load: float | None = quantity(
         "Load",

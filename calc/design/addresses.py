@@ -7,13 +7,14 @@ import tomllib
 from collections.abc import Iterable, Iterator
 
 from ..countershaft.inputs import TWIN, ShaftInputs
-from ..countershaft.rows import IN_WORDS, BearingRow
+from ..countershaft.rows import IN_WORDS, BearingRow, titled
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
 from ..sheet.errors import written as written
-from ..sheet.quantity import Key, Quantity, dotted, keys, unknown
-from ..sheet.text import Small, Text
+from ..sheet.quantity import Key, Quantity, described, dotted, keys, unknown
+from ..sheet.step import Step
+from ..sheet.text import Name, Small, Text
 from .model import SCREENED, STEPS, Design, step_of
 from .upgrade import MANY, current, formerly
 
@@ -57,15 +58,22 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
 
 
 def every(data: Table, key: str) -> list[str]:
-    """The keys that one with a * among its parts stands for: those of all elements of that array; any other key alone.
-    Raises BadInput where nothing matches."""
+    """The keys that one with a * among its parts stands for: those of all elements of that array, of shafts without
+    the mirror images, which have what they mirror; any other key alone.  Raises BadInput where nothing matches."""
     before, star, after = key.partition(".*.")
     if not star:
         return [key]
+    before, _, after = current(data, key).partition(".*.")  # one of schema 1 has moved
     here: object = data
     for part in address(data, before, whole=True):
         here = here[part] if isinstance(here, list) and isinstance(part, int) else as_table(here).get(str(part))
-    names = [str(as_table(item).get("name", n)) for n, item in enumerate(here if isinstance(here, list) else ())]
+    items = [as_table(item) for item in here] if isinstance(here, list) else []
+    mirrored = before == dotted(Design.shafts) and after.partition(".")[0] not in TWIN
+    names = [
+        str(item.get("name", n))
+        for n, item in enumerate(items)
+        if not (mirrored and dotted(ShaftInputs.mirrors) in item)
+    ]
     if not names:
         raise _no_such(key, Text("nothing stands where the * is"))
     return [each for name in names for each in every(data, f"{before}.{name}.{after}")]
@@ -243,46 +251,76 @@ def keys_of(cls: type, data: Table, step: str) -> list[Key]:
     return [key for key in every if cls is not BearingRow or step_at(data, f"{of_row}.{key.key}") == step]
 
 
-def tables_of(data: Table, step: str) -> Iterator[tuple[type, Table, str]]:
-    """The tables of a document that a step asks for, each with its class and its key: those of [bearings] and, beside
-    it, of the shafts whose bearings it judges."""
+def asked_keys(cls: type, table: Table, data: Table, step: str) -> list[Key]:
+    """Those of one table that can be given in it, without the name of a shaft, by which it is known."""
+    own = set(own_keys(cls, table, judged=dotted(Design.bearings) in data))
+    if cls is ShaftInputs:
+        own.remove(dotted(ShaftInputs.name))
+    return [key for key in keys_of(cls, data, step) if key.key in own]
+
+
+def tables_of(data: Table, step: Step) -> Iterator[tuple[type, Table, str]]:
+    """The tables of a document that a step asks for, each with its class and its key; of the counter-shaft each of the
+    shafts."""
     key = dotted(Design.shafts)
-    if step != "countershaft" and isinstance(there := data.get(step), dict):
-        yield next(known.inputs for known in STEPS if known.key == step), there, step
-    if step == "countershaft" and asks(data, step):
+    if step.key != "countershaft" and isinstance(there := data.get(step.key), dict):
+        yield step.inputs, there, step.key
+    if step.key == "countershaft" and asks(data, step.key):
         for n, shaft in enumerate(map(as_table, as_list(data.get(key)))):
             yield ShaftInputs, shaft, f"{key}.{shaft.get('name', n)}"
 
 
+def arrays_of(data: Table, step: Step) -> Iterator[tuple[Quantity, list[Table], str]]:
+    """The arrays of tables that a step asks for beside its own table, each with its description and its key: the
+    bearings that [bearings] judges."""
+    if step.key == dotted(Design.bearings) and asks(data, step.key):
+        for n, shaft in own_shafts(data).items():
+            rows = as_list(shaft.get(dotted(ShaftInputs.bearings)))
+            yield described(ShaftInputs.bearings), list(map(as_table, rows)), dotted(Design.shafts, n, step.key)
+
+
+def element_title(cls: type | None, name: str) -> Text:
+    """What an element of an array is called where it heads a row or a column; the names of bearings that the program
+    gives speak the reader's language."""
+    return titled(name) if cls is BearingRow else Name(name)
+
+
 def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
     """Every key that this document may hold, with its description, in the order of the form."""
-    of_shafts = list(_quantities_of(Design, data, dotted(Design.shafts)))
+    judged = dotted(Design.bearings) in data
+    of_shafts = list(_quantities_of(Design, data, dotted(Design.shafts), judged=judged))
     for step in STEPS:
         if step.key in data:
-            yield from _quantities(step.inputs, as_table(data[step.key]), step.key)
+            yield from _quantities(step.inputs, as_table(data[step.key]), step.key, judged)
         yield from ((key, about) for key, about in of_shafts if step_at(data, key) == step.key)
 
 
-def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quantity]]:
-    own = own_keys(cls, data)
-    for key in own:
-        yield from _quantities_of(cls, data, key, f"{prefix}.{key}")
+def _quantities(cls: type, data: Table, prefix: str, judged: bool) -> Iterator[tuple[str, Quantity]]:
+    for key in own_keys(cls, data, judged=judged):
+        yield from _quantities_of(cls, data, key, f"{prefix}.{key}", judged=judged)
 
 
-def _quantities_of(cls: type, data: Table, key: str, here: str = "") -> Iterator[tuple[str, Quantity]]:
+def _quantities_of(cls: type, data: Table, key: str, here: str = "", *, judged: bool) -> Iterator[tuple[str, Quantity]]:
     about, here = keys(cls)[key].about, here or key
     if about.table is None:
         yield here, about
     elif about.kind == "table":
-        yield from _quantities(about.table, as_table(data.get(key)), here)
+        yield from _quantities(about.table, as_table(data.get(key)), here, judged)
     else:
         for i, item in enumerate(map(as_table, as_list(data.get(key)))):
-            yield from _quantities(about.table, item, f"{here}.{item.get('name', i)}")
+            yield from _quantities(about.table, item, f"{here}.{item.get('name', i)}", judged)
 
 
-def own_keys(cls: type, data: Table) -> Iterable[str]:
-    """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own."""
-    return TWIN if cls is ShaftInputs and is_twin(data) else keys(cls)
+def own_keys(cls: type, data: Table, *, judged: bool = True) -> list[str]:
+    """The keys that a table of inputs may have: of a shaft that mirrors another only those that are its own, of a
+    bearing that is not `judged` its place and size."""
+    known = keys(cls)
+    like = (dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats))
+    if cls is ShaftInputs:
+        return list(TWIN) if is_twin(data) else [key for key in known if key not in like]
+    if cls is BearingRow and not judged:
+        return [key for key, entry in known.items() if entry.attribute in SCREENED]
+    return list(known)
 
 
 # --- what a key is called

@@ -246,7 +246,7 @@ class Design:
 
     def _measured(self) -> Problems:
         for n, row in enumerate(self.measured):
-            if row.step not in STEP_KEYS:
+            if self.step_of(row.value) not in STEP_KEYS:
                 must = Text("must be the id of a value or the key of an input of a step: {steps}", steps=STEP_LIST)
                 yield dotted(Design.measured, n, Measured.value), must
             if row.speed is not None and self.engine is None:

@@ -260,7 +260,3 @@ class Measured:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.unit not in UNITS:
             yield dotted(Measured.unit), Text('"{unit}" is no unit that values are shown in', unit=self.unit)
-
-    @property
-    def step(self) -> str:
-        return self.value.partition(".")[0]

@@ -77,8 +77,9 @@ def with_measured(
     design: Design, outcomes: dict[str, Outcome[object]], predicted: Callable[[], Predicted]
 ) -> dict[str, Outcome[object]]:
     """The outcomes, each with a table of what was measured of it, made when it is looked at."""
-    for key in {row.step for row in design.measured} & outcomes.keys():
-        outcome, rows = outcomes[key], [row for row in design.measured if row.step == key]
+    steps = [design.step_of(row.value) for row in design.measured]
+    for key in outcomes.keys() & steps:
+        outcome, rows = outcomes[key], [row for row, step in zip(design.measured, steps) if step == key]
         if outcome.state == "solved":
             outcomes[key] = replace(outcome, tables=Later(partial(_tables, outcome, rows, predicted)))
     return outcomes

@@ -2,20 +2,27 @@
 """The JSON Schema of a design file, from the descriptions of its inputs: editors complete and check designs by it while
 they are written.
 
-It says what one key alone may be; what several say together only `contralbero check` knows.
+It says what one key alone may be; what several say together only `contralbero check` knows.  That of schema 1 is kept
+as a file.
 """
 
+import json
+from pathlib import Path
 from typing import Any
 
 from ..sheet.quantity import Quantity, keys
-from .model import Design
+from .model import SCHEMA, Design
 
+FORMER = {1: Path(__file__).with_name("schema_1.json")}  # as files
 DIALECT = "https://json-schema.org/draft-07/schema#"  # the one that the editors of TOML know
 
 
-def schema() -> dict[str, Any]:
-    """The whole of it."""
-    return {"$schema": DIALECT, "title": "Contralbero design", **_table(Design)}
+def schema_text(number: int = SCHEMA) -> str:
+    """The whole of it, of this schema or a former one, as a file."""
+    if number in FORMER:
+        return FORMER[number].read_text(encoding="utf-8")
+    known = {"$schema": DIALECT, "title": "Contralbero design", **_table(Design)}
+    return json.dumps(known, ensure_ascii=False, indent=1) + "\n"
 
 
 def _table(cls: type) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeVar
 
+from ..countershaft.inputs import ShaftInputs
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.record import record
@@ -26,7 +27,19 @@ from .addresses import NAME, Table, address, as_list, changed, every, join, unju
 from .disk import read_file
 from .limits import DESIGN_BYTES
 from .model import SCHEMA, Design
-from .upgrade import MANY, Upgraded, current, is_former, own_key, renamed, rewritten, upgraded
+from .upgrade import (
+    MANY,
+    PAIR,
+    POSITIONS,
+    Upgraded,
+    current,
+    is_former,
+    own_key,
+    renamed,
+    rewritten,
+    upgraded,
+    without_shaft,
+)
 
 T = TypeVar("T")
 REMARKS = Text("The design file says: {remarks}.")
@@ -59,7 +72,10 @@ class Document:
         comments, file = remarks(text), tomllib.loads(text)
         if self.former is not None:
             file = self.former.data
-            comments = renamed(comments, file, self.former.was)
+            known, mirrors = renamed(comments, file, self.former.was), dotted(ShaftInputs.mirrors)
+            # beside a list of places it is of each, and beside that there is a pair, of what says so now
+            gathered = {new for new, old in self.former.was.items() if old in (POSITIONS, PAIR)}
+            comments = {new: words for new, words in known.items() if new not in gathered or new.endswith(mirrors)}
         comments = {key: words for key, words in comments.items() if key in self.lines}
         if 0 not in self.lines.values():
             return comments
@@ -81,6 +97,8 @@ class Document:
         key = current(self.data, first)
         former = self.former and self.former.without(key)
         lines = {**self.lines, key: 0}
+        if first == "countershaft" and value is None:
+            return replace(self, data=without_shaft(self.data), lines=lines, former=former)
         if key in MANY:  # of what stands elsewhere now the file says nothing
             return replace(self, data=rewritten(self.data, key, value), lines=lines, former=None)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)

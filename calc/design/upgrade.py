@@ -553,6 +553,14 @@ def rewritten(data: Table, key: str, value: object) -> Table:
     return {**data, "shafts": [new if there is shaft else there for there in shafts] if shaft else [*shafts, new]}
 
 
+def without_shaft(data: Table) -> Table:
+    """A design of schema 2 once [countershaft] of schema 1 is out: the bearings stay where [bearings] judges them."""
+    name, shaft = _own(data, "countershaft")
+    rows = [without(row, "position_mm") for row in elements(shaft, "bearings")] if "bearings" in data else []
+    kept = {"shafts": [{"name": name, "mode": "bearings", "bearings": rows}]} if rows else {}
+    return without(data, "shafts") | kept
+
+
 def _refused(key: str, value: object, reason: Text) -> BadInput:
     return BadInput("--set", [InputError(0, key, "" if value is None else written(value), reason)])
 

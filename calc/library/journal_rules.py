@@ -4,7 +4,7 @@
 from typing import NamedTuple
 
 from ..sheet.formula import formula
-from ..sheet.text import Amount, Text
+from ..sheet.text import EMPTY, Amount, Name, Text
 from ..sheet.units import (
     Celsius,
     Kelvin,
@@ -105,3 +105,19 @@ USUAL_CLEARANCE = Text(
     least=Amount(RELATIVE_CLEARANCE[0] * 1e3),
     most=Amount(RELATIVE_CLEARANCE[1] * 1e3, "‰"),
 )
+
+
+# --- what bearings are called
+
+IN_WORDS = {"front": Text("front"), "middle": Text("middle"), "rear": Text("rear")}
+IN_TITLES = {"front": Text("Front"), "middle": Text("Middle"), "rear": Text("Rear")}
+
+
+def called(row: str) -> Text:
+    """The name of a bearing inside a sentence; those that the program gives speak the reader's language."""
+    return IN_WORDS.get(row, EMPTY) or Name(row)
+
+
+def titled(row: str) -> Text:
+    """The same at the beginning of a sentence."""
+    return IN_TITLES.get(row, EMPTY) or Name(row)

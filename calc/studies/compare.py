@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from ..design.addresses import Table, as_list, as_table
 from ..design.key_results import is_least, judged, key_results
-from ..design.model import STEPS, Design
+from ..design.model import STEPS, Design, step_of
 from ..design.unusual import told, unusual
 from ..sheet.check import ORDER, Check
 from ..sheet.quantity import Published, Quantity, dotted, keys
@@ -57,7 +57,7 @@ class InputDifference:
 
     @property
     def step(self) -> str:
-        return self.key.partition(".")[0]
+        return step_of(self.key, judged=True)
 
 
 def inputs(a: Table, b: Table) -> list[InputDifference]:

@@ -112,7 +112,7 @@ def _ordered(lines: list[Line]) -> Iterator[Line]:
 
 def shortened(inputs: Iterable[str], design: Design) -> list[str]:
     """Keys to be listed: those of one number of all elements of an array of tables as one,
-    `countershaft.masses.*.mass_kg`."""
+    `shafts.shaft.masses.*.mass_kg`."""
     keys = dict.fromkeys(inputs)
     for columns in _columns(design):
         if len(columns) > 1 and all(key in keys for key, _ in columns):
@@ -133,6 +133,8 @@ def _columns(inputs: object, prefix: str = "") -> Iterator[list[tuple[str, str]]
                     (f"{here}.{getattr(element, 'name', i)}.{part.key}", f"{here}.*.{part.key}")
                     for i, element in enumerate(content)
                 ]
+            for i, element in enumerate(content):
+                yield from _columns(element, f"{here}.{getattr(element, 'name', i)}")
 
 
 def _class(inputs: object) -> type:

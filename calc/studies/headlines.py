@@ -216,7 +216,7 @@ def remaining(results: Results) -> Iterator[tuple[str, Text]]:
         before, left = values.get(dotted(Design.imbalance, f"order_{n}", peak)), results.value(field)
         if left is not None and left.shown:
             of_shaft = Text("of order {n} the shaft leaves {value}", n=n, value=_three(left))
-            yield dotted(Design.countershaft), of_shaft
+            yield "countershaft", of_shaft
         elif left is None and before is not None and before.shown:
             yield dotted(Design.imbalance), Text("of order {n} stay {value}", n=n, value=_three(before))
     for field, left_field in _SUPPLIED_ELSEWHERE:

@@ -13,7 +13,7 @@ from typing import TypedDict
 
 from ..bearings.film.table import eccentricity_from, film_at
 from ..design.addresses import Table
-from ..design.toml_file import Document, design, read
+from ..design.toml_file import Document, current_document, design, read
 from ..library.catalogue import Oil
 from ..library.lubricant import Lubricant
 from ..library.table_file import house_table, parsed, text_of_table
@@ -134,7 +134,7 @@ def _known() -> tuple[dict[str, Table], dict[str, list[Case]]]:
 def _document(case: Case, designs: dict[str, Table]) -> Document:
     """`design` is a whole one, or the name of a shipped file or of one of `designs`; `set` changes keys of it."""
     given = designs.get(case["design"], case["design"]) if isinstance(case["design"], str) else case["design"]
-    document = read(DESIGNS / given) if isinstance(given, str) else Document(given, case["source"])
+    document = read(DESIGNS / given) if isinstance(given, str) else current_document(Document(given, case["source"]))
     for key, value in case.get("set", {}).items():
         document = document.with_value(key, value)
     return document

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
+from ..design.model import SCHEMA
 from ..design.toml_file import design, parse
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.table_file import parsed, text_of_table
@@ -92,7 +93,7 @@ def engine_table(name: str) -> "Table":
 
 def _text(name: str, note: str, tables: str) -> str:
     """The text of a whole design."""
-    return f"{_lines({'schema': 1, 'name': name, 'note': note})}\n{tables}"
+    return f"{_lines({'schema': SCHEMA, 'name': name, 'note': note})}\n{tables}"
 
 
 def _engine(row: _Row) -> "Table":

@@ -9,15 +9,13 @@ from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
-from calc.countershaft.inputs import ShaftInputs
-from calc.countershaft.rows import BearingRow
-from calc.design.addresses import as_list, as_table, keys_of, own_keys, own_shafts, step_at, tables_of
+from calc.design.addresses import arrays_of, asked_keys, element_title, step_at, tables_of
 from calc.design.model import Design
 from calc.design.names import choice_word
 from calc.locale import Language
 from calc.sheet.expression import symbol as greek
 from calc.sheet.number import SUPERSCRIPTS
-from calc.sheet.quantity import Key, Quantity, described, dotted, keys
+from calc.sheet.quantity import Key, Quantity, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Text
 from calc.sheet.units import UNITS
@@ -30,7 +28,6 @@ from ..typesetting.typeset import symbol
 from .nomenclature import noted
 from .values import paired_table
 
-SHAFTS, BEARINGS, NAME = dotted(Design.shafts), dotted(Design.bearings), dotted(ShaftInputs.name)
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
 # how a help begins to say, in each language, what the program does then
@@ -103,11 +100,11 @@ def _left_out(key: Key, say: Language) -> str:
     return f"{label} ({explanation})" if explanation else label
 
 
-def _part_name(part: dict[str, Any], i: int) -> str:
+def _part_name(cls: type | None, part: dict[str, Any], i: int, say: Language) -> str:
     """What a part of a list is called: its name, the wheels of a mesh, else its number."""
     if "driver" in part and "driven" in part:
         return f"{part['driver']}–{part['driven']}"
-    return str(part.get("name", i + 1))
+    return say(element_title(cls, str(part.get("name", i + 1))))
 
 
 class _Tables:
@@ -156,9 +153,8 @@ class _Tables:
         self.inside(inner, data, prefix)
 
     def keys(self, cls: type, data: dict[str, Any]) -> list[Key]:
-        """Those of a table that the step asks for; what it is called stands in its title."""
-        known = keys_of(cls, self.context.document.data, self.step)
-        return [key for key in known if key.key in own_keys(cls, data) and (cls is not ShaftInputs or key.key != NAME)]
+        """Those of a table that the step asks for."""
+        return asked_keys(cls, data, self.context.document.data, self.step)
 
     def inside(self, inner: list[Key], data: dict[str, Any], prefix: str, whose: str = "") -> None:
         """Tables in a table: neighbours of one class stand beside each other.  `whose`: the part that they belong
@@ -172,7 +168,7 @@ class _Tables:
             key = inner[n]
             content = data.get(key.key)
             if key.about.kind == "tables":
-                named = [(_part_name(p, i), p) for i, p in enumerate(content or [])]
+                named = [(_part_name(key.about.table, p, i, self.say), p) for i, p in enumerate(content or [])]
                 self.parts(title(key), key.about.table, named, f"{prefix}.{key.key}")
                 n += 1
                 continue
@@ -257,20 +253,15 @@ class _Tables:
 def input_blocks(context: Context, step: Step) -> list[Block]:
     """The inputs of one step, with what the program takes where the file says nothing."""
     data = context.document.data
-    there = list(tables_of(data, step.key))
+    there = list(tables_of(data, step))
     if not there:
         return []
     tables = _Tables(context, step)
     for cls, content, key in there:
-        tables.plain(str(content.get(NAME, "")) if len(there) > 1 else "", cls, content, key)
-    if step.key == BEARINGS:
-        for n, shaft in own_shafts(data).items():
-            rows = [
-                (str(row.get(NAME, i + 1)), row) for i, row in enumerate(map(as_table, as_list(shaft.get(BEARINGS))))
-            ]
-            tables.parts(
-                context.say(described(ShaftInputs.bearings).label), BearingRow, rows, dotted(SHAFTS, n, BEARINGS)
-            )
+        tables.plain(str(content.get("name", "")) if len(there) > 1 else "", cls, content, key)
+    for about, elements, key in arrays_of(data, step):
+        named = [(_part_name(about.table, part, i, context.say), part) for i, part in enumerate(elements)]
+        tables.parts(context.say(about.label), about.table, named, key)
     w = context.words
     if tables.default:
         tables.blocks = noted_below(tables.blocks, w["defaults"], gap=3.0)
@@ -305,13 +296,15 @@ def _called(context: Context, key: str) -> str:
     for part in key.split("."):
         if isinstance(here, list):  # an element in place of its array
             here = here[int(part)]
-            called[-1] = _part_name(here, int(part))
+            called[-1] = _part_name(cls, here, int(part), context.say)
             continue
         known, here = keys(cls).get(part), here.get(part) if isinstance(here, dict) else None
         # a table of free form has keys of its own
         called.append(part if known is None else context.say(known.about.label))
         cls = known.about.table or cls if known is not None else cls
-    return ", ".join(reversed(called[1:] or called))
+    top = context.document.data.get(key.partition(".")[0])
+    several = isinstance(top, list) and len(top) > 1  # shafts, else what it is of goes without saying
+    return ", ".join(reversed(called if several else called[1:] or called))
 
 
 # --- oils and materials
@@ -333,7 +326,7 @@ def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
                     named.setdefault(content, known.about.catalogue)
 
     for _, step, _ in context.steps():
-        there = list(tables_of(context.document.data, step.key))
+        there = list(tables_of(context.document.data, step))
         for cls, data, _ in there:
             look(cls, data)
         if not there:

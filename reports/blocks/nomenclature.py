@@ -10,7 +10,7 @@ from itertools import takewhile
 from math import isclose
 from typing import TYPE_CHECKING
 
-from calc.design.addresses import quantities, quantity_of, value_at
+from calc.design.addresses import quantities, quantity_of, step_at, value_at
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import result, symbol, symbol_of
 from calc.sheet.quantity import Quantity
@@ -204,7 +204,8 @@ def _origin(context: Context, name: str, value: object) -> tuple[str, str] | Non
         about = quantity_of(context.document.data, origins[0])
     except BadInput:
         return None
-    own_key = origins[0].startswith(f"{context.chapter}.") and about.symbol and symbol(about.symbol) == name
+    here = step_at(context.document.data, origins[0]) == context.chapter
+    own_key = here and about.symbol and symbol(about.symbol) == name
     if not own_key and not _same(value, value_at(context.document.data, origins[0]), about):
         return None  # what is made of an input is something else: the tolerance of a diameter
     return (not own_key and _labels(context).get((context.chapter, name))) or context.say(about.label), about.unit
@@ -222,14 +223,12 @@ def _labels(context: Context) -> dict[tuple[str, str], str]:
     """What the values and inputs with a symbol are called, by chapter and symbol; "its place" goes on from another
     name."""
     if not context.labels:
+        data = context.document.data
         named = [(value.id, value.symbol, value.label) for value in context.values.values()]
-        named += [
-            (key, symbol(about.symbol) if about.symbol else "", about.label)
-            for key, about in quantities(context.document.data)
-        ]
+        named += [(key, symbol(about.symbol) if about.symbol else "", about.label) for key, about in quantities(data)]
         for id, name, label in named:
             if name and not label[:1].islower():
-                of, wording = (id.partition(".")[0], name), context.say(label)
+                of, wording = (step_at(data, id), name), context.say(label)
                 context.labels[of] = _in_common(context.labels.get(of, wording), wording, id)
     return context.labels
 

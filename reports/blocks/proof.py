@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from calc.design.addresses import value_at
+from calc.design.addresses import every, value_at
 from calc.sheet.check import Check, CheckRule
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
@@ -455,15 +455,15 @@ def _together(keys: list[str]) -> list[str]:
 
 
 def _given(context: Context, key: str) -> str:
-    """An input as the design file has it."""
-    if "*" in key or " (" in key:
+    """An input as the design file has it; of elements together what stands at each."""
+    if " (" in key:
         return key
+    data = context.document.data
     try:
-        given = value_at(context.document.data, key, whole=True)
+        each = [value_at(data, one, whole=True) for one in every(data, key)]
     except BadInput:
         return key
-    return (
-        key
-        if given is None or (isinstance(given, (dict, list)) and len(str(given)) > 40)
-        else f"{key} = {exact(given)}"
-    )
+    given = each if "*" in key else each[0]
+    if given is None or None in each or (isinstance(given, (dict, list)) and len(str(given)) > 40):
+        return key
+    return f"{key} = {exact(given)}"

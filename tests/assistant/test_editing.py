@@ -8,12 +8,12 @@ from assistant.session.session import EXAMPLE, Session
 
 
 def test_elements_are_added_and_removed(session: Session) -> None:
-    place = ("countershaft", "masses")
+    place = ("shafts", 0, "masses")
     assert session.add(place) == 2
-    assert session.data["countershaft"]["masses"][2]["name"] == "rear-2"
+    assert session.data["shafts"][0]["masses"][2]["name"] == "rear-2"
     assert session.valid
     session.remove(place, 0)
-    assert [m["name"] for m in session.data["countershaft"]["masses"]] == ["rear", "rear-2"]
+    assert [m["name"] for m in session.data["shafts"][0]["masses"]] == ["rear", "rear-2"]
     session.undo()
     session.undo()
     assert not session.dirty
@@ -41,7 +41,7 @@ def test_a_step_that_is_not_asked_can_be_asked(session: Session) -> None:
 
 
 def test_a_step_that_can_not_be_built_says_why_and_changes_nothing(session: Session) -> None:
-    for key in ("friction", "bearings", "gears", "countershaft"):
+    for key in ("friction", "bearings", "gears", "shafts"):
         session.put_table((key,), False)
     before = session.data
     assert "the step Counter-shaft comes first" in session.ask("bearings")

@@ -92,7 +92,7 @@ async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Sess
 async def test_the_help_shows_the_comment_of_the_file_until_the_value_is_another(
     screen: Screen, session: Session
 ) -> None:
-    place = ("countershaft", "half_length_mm")
+    place = ("shafts", 0, "half_length_mm")
     said = "assumed: up to the front journal"
     async with screen(session=session) as pilot:
         await go_to(pilot, "countershaft.half_length_mm")

@@ -12,7 +12,7 @@ from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
 from assistant.widgets.headings import ArrayHeading
-from calc.design.addresses import address, quantities
+from calc.design.addresses import address, asks, quantities, step_at
 from calc.design.model import STEPS
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, message, rows, settled, strike, told, type_in, until, work
@@ -178,7 +178,7 @@ async def test_a_field_may_be_left_to_the_program(screen: Screen, session: Sessi
 @pytest.mark.slow
 async def test_every_form_has_the_fields_of_the_file_once(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
-        for step in (step for step in STEPS if step.key in session.data):
+        for step in (step for step in STEPS if asks(session.data, step.key)):
             await work(pilot).open_step(step)
             form = work(pilot).form
             form.opened |= {0, 1, 2}
@@ -187,7 +187,9 @@ async def test_every_form_has_the_fields_of_the_file_once(screen: Screen, sessio
             shown = [field.place for field in form.query(Field) if field.row.kind == "field" and len(field.place) > 1]
             assert len(set(shown)) == len(shown) > 1
             known = [
-                address(session.data, key) for key, _ in quantities(session.data) if key.partition(".")[0] == step.key
+                address(session.data, key)
+                for key, _ in quantities(session.data)
+                if step_at(session.data, key) == step.key
             ]
             hidden = [place for place in known if place not in shown and not idle(place, session.data)]
             absent = [place for place in hidden if not any(isinstance(part, int) and part > 0 for part in place)]

@@ -93,7 +93,7 @@ async def test_a_recorded_session_replays(
         await until(pilot, lambda: f"Replay: {path}" in told(pilot))
         assert light.recording is None and "rec" not in top(pilot)
     script = replay.load(path)
-    assert [row.get("set", "undo") for row in script.steps] == [ROD, "countershaft.masses.front.mass_kg", "undo"]
+    assert [row.get("set", "undo") for row in script.steps] == [ROD, "shafts.shaft.masses.front.mass_kg", "undo"]
     compared = replay.run(script, solve)
     assert len(compared) >= 6 and all(c.agrees for c in compared), [c.text for c in compared]
 
@@ -171,12 +171,12 @@ async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
 async def test_where_there_is_nothing_to_draw_it_says_what_to_add(
     screen: Screen, light: Session, tmp_path: Path
 ) -> None:
-    light.put_table(("countershaft",), False)
+    light.put_table(("shafts",), False)
     async with screen(size=(80, 24)) as pilot:
         await pilot.press("escape", "E")
         await give(pilot, tmp_path / "out.dxf")
         await until(pilot, lambda: "can not be written" in told(pilot))
-        assert "add [countershaft]" in told(pilot) and not (tmp_path / "out.dxf").exists()
+        assert "add [[shafts]]" in told(pilot) and not (tmp_path / "out.dxf").exists()
         await go_to(pilot, BORE)
         await type_in(pilot, "0")
         await pilot.press("enter", "escape", "E")

@@ -46,8 +46,8 @@ def test_edits_of_all_kinds_play_to_the_same_values(
     session.edit("gears.wheels.shaft.teeth", "x")  # not understood: in no step
     session.edit("gears.wheels.shaft.teeth", str(session.value("gears.wheels.shaft.teeth")))  # as it was
     index = session.add("countershaft.masses")
-    session.edit(("countershaft", "masses", index, "mass_kg"), "0.25")
-    session.put_table(("countershaft", "holes"), False)
+    session.edit(("shafts", 0, "masses", index, "mass_kg"), "0.25")
+    session.put_table(("shafts", 0, "holes"), False)
     session.edit("imbalance.crank_balance_fraction", "0.45")
     session.undo()
     session.apply(["bearings.oil=SAE 50", "bearings.front.clearance_factor=0.64", "bearings.rear.clearance_um="])
@@ -58,14 +58,14 @@ def test_edits_of_all_kinds_play_to_the_same_values(
     script = recorded(session, tmp_path / "r.toml")
     assert script.start.data["engine"]["bore_mm"] == 93.0
     assert script.steps[0] == {"set": ROD, "to": 164.0}
-    assert script.steps[1] == {"set": "bearings.front.length_mm", "to": 34.0}
+    assert script.steps[1] == {"set": "shafts.shaft.bearings.front.length_mm", "to": 34.0}
     kinds = [row.get("set", row.get("unset", "undo")) for row in script.steps]
     assert kinds[2:4] == [
-        "countershaft.masses",
-        f"countershaft.masses.{data['countershaft']['masses'][index]['name']}.mass_kg",
+        "shafts.shaft.masses",
+        f"shafts.shaft.masses.{data['shafts'][0]['masses'][index]['name']}.mass_kg",
     ]
-    assert kinds[4:7] == ["countershaft.holes", "imbalance.crank_balance_fraction", "undo"]
-    assert kinds[7] == {"bearings.oil": "SAE 50", "bearings.front.clearance_factor": 0.64}
+    assert kinds[4:7] == ["shafts.shaft.holes", "imbalance.crank_balance_fraction", "undo"]
+    assert kinds[7] == {"bearings.oil": "SAE 50", "shafts.shaft.bearings.front.clearance_factor": 0.64}
     assert len(kinds) == 8
     assert end(script) == data == session.data
     compared = replay.run(script, solve)
@@ -141,9 +141,9 @@ def test_steps_come_and_go_whole(session: Session, tmp_path: Path) -> None:
 
 
 def test_a_renamed_element_with_other_changes_is_set_in_the_table_of_its_step() -> None:
-    before = {"schema": 1, "name": "x", "countershaft": {"masses": [{"name": "a", "mass_kg": 1.0, "z_mm": 1.0}]}}
-    after = {"schema": 1, "name": "x", "countershaft": {"masses": [{"name": "b", "mass_kg": 2.0, "z_mm": 1.0}]}}
-    assert step(before, after) == {"set": "countershaft", "to": after["countershaft"]}
+    before = {"schema": 2, "name": "x", "shafts": [{"masses": [{"name": "a", "mass_kg": 1.0, "z_mm": 1.0}]}]}
+    after = {"schema": 2, "name": "x", "shafts": [{"masses": [{"name": "b", "mass_kg": 2.0, "z_mm": 1.0}]}]}
+    assert step(before, after) == {"set": "shafts", "to": after["shafts"]}
 
 
 NAMES = st.sampled_from(["a", "b", "0", "1"])
@@ -152,7 +152,12 @@ TABLES = st.fixed_dictionaries(
     {},
     optional={
         "note": NAMES,
-        "countershaft": st.fixed_dictionaries({}, optional={"masses": MASSES, "holes": st.just({}), "material": NAMES}),
+        "shafts": st.lists(
+            st.fixed_dictionaries(
+                {"name": NAMES}, optional={"masses": MASSES, "holes": st.just({}), "material": NAMES}
+            ),
+            max_size=2,
+        ),
         "oil": st.lists(
             st.fixed_dictionaries({"name": st.sampled_from(["our 10W-40", "a.b", ""])}, optional={"source": NAMES}),
             max_size=2,
@@ -165,16 +170,16 @@ TABLES = st.fixed_dictionaries(
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(st.tuples(TABLES, st.booleans()), min_size=1, max_size=6))
 def test_any_way_is_played_to_the_same_tables(way: list[tuple[dict[str, object], bool]]) -> None:
-    recording = Recording({"schema": 1})
+    recording = Recording({"schema": 2})
     for tables, joined in way:
         if not joined:
             recording.close()
-        recording.edited({"schema": 1, **tables})
-    history = [Document({"schema": 1})]
+        recording.edited({"schema": 2, **tables})
+    history = [Document({"schema": 2})]
     for row in recording.steps():
         assert "undo" not in row
         history.append(replay.played(history[-1], row))
-    assert history[-1].data == recording.end == {"schema": 1, **way[-1][0]}
+    assert history[-1].data == recording.end == {"schema": 2, **way[-1][0]}
 
 
 def test_the_file_is_whole_toml_with_every_number(session: Session) -> None:
@@ -183,7 +188,7 @@ def test_the_file_is_whole_toml_with_every_number(session: Session) -> None:
     session.solve()
     assert session.recording is not None and session.results is not None
     found = tomllib.loads(session.recording.text(session.results))
-    assert found["schema"] == 1 and found["step"][0]["to"] == 165.123456789012345
+    assert found["schema"] == 2 and found["step"][0]["to"] == 165.123456789012345
     values = {row["value"]: row for row in found["expect"] if "value" in row}
     stroke = session.values()["engine.stroke"]
     assert values["engine.stroke"] == {
@@ -198,7 +203,7 @@ def test_the_file_is_whole_toml_with_every_number(session: Session) -> None:
 def test_every_step_stands_under_its_own_header(session: Session) -> None:
     session.record()
     session.edit(ROD, "170")
-    session.put_table(("countershaft", "holes"), False)
+    session.put_table(("shafts", 0, "holes"), False)
     session.apply(["bearings.oil=SAE 50", "bearings.front.clearance_factor=0.64"])
     session.remove("gears.meshes", 0)
     session.ask("friction")

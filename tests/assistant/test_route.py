@@ -2,8 +2,6 @@
 """The form that leads: one question first, what decides it, the rest folded; typing that loses and overwrites
 nothing."""
 
-import tomllib
-
 import pytest
 from textual import events
 
@@ -17,6 +15,7 @@ from assistant.widgets.headings import Fold
 from assistant.widgets.radio import Balance, Todo
 from assistant.widgets.rows import Asked, routed
 from calc.design.model import STEPS
+from calc.design.toml_file import read
 from calc.studies.shipped import DESIGNS
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
@@ -29,10 +28,11 @@ def places(pilot: object) -> list[Place]:
 
 
 def test_an_input_lies_where_it_says_and_else_where_its_table_lies() -> None:
-    assert fold_at("engine", ("engine", "bore_mm")) is None and fold_at("engine", ("engine", "rated_power_kW")) == 0
-    assert fold_at("gears", ("gears", "wheels", 0, "teeth")) is None
-    assert fold_at("gears", ("gears", "wheels", 0, "quality")) == 1
-    assert fold_at("gears", ("gears", "+1")) is None, "a fold lies in none"
+    assert fold_at("engine", ("engine", "bore_mm"), {}) is None
+    assert fold_at("engine", ("engine", "rated_power_kW"), {}) == 0
+    assert fold_at("gears", ("gears", "wheels", 0, "teeth"), {}) is None
+    assert fold_at("gears", ("gears", "wheels", 0, "quality"), {}) == 1
+    assert fold_at("gears", ("gears", "+1"), {}) is None, "a fold lies in none"
     assert folds("gears") == ("More", "More of the wheels", "More of the meshes")
 
 
@@ -47,10 +47,11 @@ def test_what_says_nothing_beside_a_choice_is_not_asked_for_unless_it_has_a_valu
 @pytest.mark.parametrize("key", ["engine", "imbalance", "countershaft", "bearings", "friction", "mounting"])
 def test_what_decides_a_step_is_seen_at_one_glance(key: str) -> None:
     """The gears, with their wheels and meshes, need more."""
-    data = tomllib.loads((DESIGNS / "r753ie4_mounting.toml").read_text(encoding="utf-8"))
+    data = read(DESIGNS / "r753ie4_mounting.toml").data
     step = next(step for step in STEPS if step.key == key)
     asked = routed(step, data, Asked({}, side=2), ())
-    names = {row.place[1] for row in asked[1 if key == "engine" else 0 :] if row.kind in ("field", "stroke", "array")}
+    kinds, first = ("field", "stroke", "array"), 2 if key == "countershaft" else 1  # behind the step, or its shaft
+    names = {row.place[first] for row in asked if row.kind in kinds and len(row.place) > first}
     rows_of_tables = {row.place[-1] for row in asked if row.kind == "cells"} if key != "countershaft" else set()
     assert 2 <= len(names | rows_of_tables) <= SIX  # beside the name of the design
 

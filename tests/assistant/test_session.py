@@ -45,7 +45,7 @@ def test_the_same_text_is_no_edit(session: Session) -> None:
 
 def test_keys_of_elements_by_name_and_by_place(session: Session) -> None:
     session.edit("countershaft.masses.rear.mass_kg", "3")
-    assert session.value(("countershaft", "masses", 1, "mass_kg")) == 3.0
+    assert session.value(("shafts", 0, "masses", 1, "mass_kg")) == 3.0
 
 
 def test_an_empty_field_leaves_the_key_out(session: Session) -> None:
@@ -63,11 +63,11 @@ def test_a_single_number_in_a_list_stays_a_number(session: Session) -> None:
 
 
 def test_renaming_an_element_letter_by_letter(session: Session) -> None:
-    place = ("countershaft", "masses", 0, "name")
+    place = ("shafts", 0, "masses", 0, "name")
     for text in ("", "r", "re", "rear", "rear-2"):
         session.edit(place, text)
     assert session.valid
-    assert [m["name"] for m in session.data["countershaft"]["masses"]] == ["rear-2", "rear"]
+    assert [m["name"] for m in session.data["shafts"][0]["masses"]] == ["rear-2", "rear"]
 
 
 # --- undo

@@ -3,9 +3,12 @@
 
 import numpy as np
 
+from calc.locale import language
 from calc.sheet.expression import governing
 from calc.sheet.value import Line
-from reports.context import Origins
+from calc.studies.explain import shortened
+from reports.blocks.proof import _given
+from reports.context import Context, Origins
 from tests.reports.reading import Solved, text_of
 
 
@@ -22,7 +25,7 @@ def test_of_an_array_put_together_only_what_gave_the_element_is_followed(example
     assert set(found) == {"M", "I"} and found["M"][1] == index, (
         "the core's own fibre is an input: no sector's, no journal's"
     )
-    assert inputs == ["countershaft.core_radius_mm"]
+    assert inputs == ["shafts.shaft.core_radius_mm"]
     moment, at = found["I"]
     assert at is not None and np.shape(moment.value) == (6,)
     assert moment.value[at] == stress.arguments["I"][index]  # type: ignore[index]
@@ -48,3 +51,14 @@ def test_what_follows_gives_the_numbers_above_it(example: Solved) -> None:
 def test_numbers_of_a_formula_that_is_derived_with_others_say_so(engineer: bytes) -> None:
     text = " ".join(text_of(engineer).split())
     assert "9.557 µm [4.1]" in text and "9.979 µm [as in 4.1]" in text and "[3.3]" in text
+
+
+def test_keys_of_all_elements_of_an_array_in_an_array_are_one_with_what_stands_at_each(example: Solved) -> None:
+    places = [f"shafts.shaft.bearings.{row}.position_mm" for row in ("front", "rear")]
+    together = "shafts.shaft.bearings.*.position_mm"
+    assert shortened([*places, "bearings.oil"], example.results.design) == [together, "bearings.oil"]
+    assert shortened(places[:1], example.results.design) == places[:1]
+    context = Context(example.document, example.results, "", "engineer", language("en"))
+    assert _given(context, together) == f"{together} = −167.5; 167.5"
+    assert _given(context, places[0]) == f"{places[0]} = −167.5"
+    assert _given(context, "shafts.shaft.extras.*.mass_kg") == "shafts.shaft.extras.*.mass_kg", "there are none"

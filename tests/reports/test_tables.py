@@ -3,12 +3,14 @@
 
 import io
 from functools import partial
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from pypdf import PdfReader
 
+from calc.design.model import STEPS
 from calc.locale import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
@@ -234,6 +236,38 @@ def test_nested_tables_may_be_absent_or_have_one_key() -> None:
     assert "94.0" in laid({"bore_mm": 94.0}) and "Gas force" not in laid({"bore_mm": 94.0})
     words = laid({"bore_mm": 94.0, "throw": {"pin_mass_g": 310.5}})
     assert "310.5" in words and "Throw" in words
+
+
+OLD, NEW = (ROOT / "tests" / "data" / folder for folder in ("designs_0_1", "upgraded"))
+
+
+def inputs_of(name: str, number: int, folder: Path = NEW) -> str:
+    """The words of the inputs of a chapter of the audit report."""
+    made = solved((folder / f"{name}.toml").read_bytes())
+    context = Context(made.document, made.results, made.raw, "audit", language("en"))
+    return " ".join(drawn(input_blocks(context, STEPS[number - 1])))
+
+
+def test_a_shaft_stands_in_chapter_3_with_the_places_of_its_bearings_and_each_bearing_in_chapter_4() -> None:
+    shaft, bearings = inputs_of("r753ie4_gamma", 3), inputs_of("r753ie4_gamma", 4)
+    assert "shafts.shaft.core_radius_mm" in shaft and "Front −167.5" in shaft and "Rear 167.5" in shaft
+    assert "Journal diameter" not in shaft and "mirrors" not in shaft
+    assert "bearings.oil" in bearings and "Front Rear" in bearings and "59.5 81.0" in bearings
+    assert "Slope of the journal" in bearings and "0.15625 0.11501" in bearings and "167.5" not in bearings
+
+
+def test_of_a_pair_the_twin_says_what_it_mirrors_and_screened_bearings_what_they_may_have() -> None:
+    shafts = inputs_of("r754ie4_balance_shafts", 3)
+    assert "Front Middle Rear" in shafts and "24.0 24.0 24.0" in shafts and "21.0 21.0 21.0" in shafts
+    assert shafts.count("shafts.twin.") == 1 and "shafts.twin.mirrors" in shafts
+    assert "roughness" not in shafts.casefold() and "slope of the journal" not in shafts
+
+
+@pytest.mark.parametrize("name", ["r753ie4_gamma", "r754ie4_balance_shafts"])
+def test_what_an_old_file_remarks_is_said_once_of_what_says_it_now(name: str) -> None:
+    said = inputs_of(name, 3, OLD)
+    assert said.count("the middle of the shaft midway") <= 1 and "Bearings;" not in said and "Name" not in said
+    assert ("Position, Front; Position, Rear “assumed" if name == "r753ie4_gamma" else "Mirrors, twin “") in said
 
 
 def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:

@@ -129,6 +129,20 @@ def test_a_report_of_an_older_program_is_compared(
     assert "steps imbalance: pass in the report, computed now" in out
 
 
+def test_a_report_of_an_older_program_with_a_design_of_schema_1_is_compared_with_it_in_schema_2() -> None:
+    """No value differs by that; one that is new since is said to be."""
+    raw = (ROOT / "tests" / "data" / "designs_0_1" / "r754ie4_balance_shafts.toml").read_bytes()
+    design, middle = solved(raw), "countershaft.reaction_middle"
+    made = render(design.document, design.results, raw, depth="summary")
+    kept = json.loads(PdfReader(io.BytesIO(made)).attachments[RESULTS][0])
+    del kept["values"][middle]
+    results = json.dumps(kept).encode()
+    about = f"Contralbero 0.1.0, depth:summary, lang:en, sha256:{hashlib.sha256(raw).hexdigest()}, results:"
+    found = verify(rewritten(made, {RESULTS: results}, keywords=about + hashlib.sha256(results).hexdigest()), "old.pdf")
+    assert found.verdict is Verdict.NOT_AS_WRITTEN and not found.changed and found.compared > 200
+    assert [(one.what, one.was) for one in found.differences] == [(f"values {middle}", NOTHING)]
+
+
 def test_no_reader_of_pdf_is_loaded(made: bytes, tmp_path: Path) -> None:
     """Nor of signatures, of a file that has some: those are read in a process of their own."""
     path = tmp_path / "r.pdf"

@@ -9,7 +9,7 @@ from math import copysign, isclose
 
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
-from ...design.addresses import Table, address, as_list, quantities, quantity_of, value_at
+from ...design.addresses import Table, address, as_list, quantities, quantity_of, value_at, within
 from ...design.model import Design, step_of
 from ...design.names import published
 from ...design.toml_file import Document
@@ -32,15 +32,25 @@ def kind_of(document: Document, key: str) -> tuple[str, ...]:
     return (step_of(key, judged=dotted(Design.bearings) in document.data), *kind) if any(kind) else (key,)
 
 
+ALONG = tuple(dotted(field) for field in (BearingRow.position, BearingRow.slope))  # inputs of all bearings of a shaft
+
+
 def place_of(key: str) -> str:
-    """The table whose keys move together; where its bearings stand is of the shaft."""
-    place = key.rpartition(".")[0]
-    of_shaft = is_position(key) and place.startswith(dotted(Design.shafts))
-    return place.rpartition(".")[0] if of_shaft else place
+    """The table whose keys move together; where its bearings stand, and their slopes, are of the shaft."""
+    place, _, last = key.rpartition(".")
+    return place.rpartition(".")[0] if last in ALONG else place
 
 
 def is_position(key: str) -> bool:
-    return key.endswith(f".{dotted(BearingRow.position)}")
+    return key.rpartition(".")[2] == ALONG[0]
+
+
+def together(keys: Iterable[str]) -> Iterable[list[str]]:
+    """Keys that are moved as one: the places of the bearings of a shaft; any other alone."""
+    groups: dict[str, list[str]] = {}
+    for key in keys:
+        groups.setdefault(place_of(key) if is_position(key) else key, []).append(key)
+    return groups.values()
 
 
 def words_of(document: Document, key: str) -> ChangeWords:
@@ -54,9 +64,14 @@ def words_of(document: Document, key: str) -> ChangeWords:
     )
 
 
-def called(document: Document, key: str, now: object, new: object) -> Text:
-    """The words for one change; of several numbers by how far they reach, else by the first that changes."""
-    words = words_of(document, key)
+def called(document: Document, changes: Changes, key: str, now: object) -> Text:
+    """The words for changes, by one of them and what stands there now; of several numbers, and of the places of
+    bearings, by how far they reach, else by the first that changes."""
+    words, new = words_of(document, key), changes[key]
+    if is_position(key):
+        there = [other for other, _ in quantities(document.data) if is_position(other)]
+        together = {other: value_at(document.data, other) for other in there if place_of(other) == place_of(key)}
+        now, new = list(together.values()), [changes.get(other, z) for other, z in together.items()]
     olds, news = ([x for x in as_list(value) if isinstance(x, (int, float))] for value in (now, new))
     if not olds or len(olds) != len(news):
         return words.other or words.less
@@ -88,14 +103,14 @@ def _is_there(data: Table, key: str) -> bool:
 
 def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[list[str], list[str]]:
     """Keys of numbers of a step that its maker is free to move: those in the same bearing, mesh or wheel as the checks,
-    and all others."""
+    and all others, with the places of bearings, which move together."""
     near = {part for check in checks for part in check.id.split(".")[1].split("_")}
     free = [
         key
         for key, about in quantities(state.document.data)
         if about.repair == "free" and about.kind in NUMBERS and state.design.step_of(key) == step
     ]
-    beside = [key for key in free if near & set(key.split("."))]
+    beside = [key for key in free if not is_position(key) and near & set(within(key))]
     return beside, [key for key in free if key not in beside]
 
 
@@ -154,7 +169,7 @@ def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     numbers = {name: some for name, some in numbers.items() if some}
     if key not in numbers:
         return
-    now, alone = numbers[key][0], not isinstance(given, list)
+    now, alone = numbers[key][0], not isinstance(given, list) and not is_position(key)
     if about is SPAN:
         yield Lever(now, about, lambda x: {key: [whole(round(n + x - now)) for n in numbers[key]]}, ALLOWANCE)
     elif about.kind == "integer" and alone:
@@ -214,12 +229,16 @@ def _clearance(state: RepairState, place: str) -> Iterator[Lever]:
 
 
 def disturbance(document: Document, changes: Changes) -> float:
-    """How much changes change: the sum of the relative changes of their numbers, and a half for a word."""
-    total = 0.0
+    """How much changes change: the sum of the relative changes of their numbers, and a half for a word; what moves
+    along a shaft is one change, the largest."""
+    along: dict[str, float] = {}
     for key, new in changes.items():
         olds, news = as_list(value_at(document.data, key)), as_list(new)
         span = quantity_of(document.data, key) is SPAN
         pairs = [(a, b) for a, b in zip(olds, news) if isinstance(a, (int, float)) and isinstance(b, (int, float))]
         off = [abs(b - a) / (ALLOWANCE if span else abs(a) or 1.0) for a, b in pairs]
-        total += max(off) if off else 0.5 if isinstance(new, str) else 0.05
-    return total
+        much = max(off) if off else 0.5 if isinstance(new, str) else 0.05
+        last = key.rpartition(".")[2]
+        one = dotted(place_of(key), last) if last in ALONG else key
+        along[one] = max(along.get(one, 0.0), much)
+    return sum(along.values())

@@ -365,7 +365,7 @@ def _way(trials: Trials, changes: Changes) -> RepairOption | None:
     now = value_at(state.document.data, key)
     if now is None and (there := published(state.results, key)) is not None:
         now = there.shown
-    kind = called(state.document, key, now, after.changes[key])
+    kind = called(state.document, after.changes, key, now)
     return repair_option(state, after, after.changes, trials.checks, kind)
 
 

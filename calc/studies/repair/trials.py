@@ -18,7 +18,7 @@ from ...sheet.remedy import Changes
 from ...sheet.search import Budget, crossing
 from ...sheet.step import Outcome
 from ...sheet.text import Text
-from .levers import Lever, free_keys, levers, named_keys
+from .levers import Lever, free_keys, levers, named_keys, together
 from .state import ORDER, RepairState, broken, repaired
 
 PROBE = 0.02  # relative change by which a number is moved to see what it does
@@ -177,9 +177,8 @@ def _given(state: RepairState, key: str) -> bool:
 
 
 def _one_by_one(state: RepairState, keys: Iterable[str]) -> Iterator[Lever]:
-    for key in keys:
-        if not locked(state.document.data, key):
-            yield from islice(levers(state, [key]), 1)
+    for one in together(key for key in keys if not locked(state.document.data, key)):
+        yield from islice(levers(state, one), 1)
 
 
 def _need(trials: Trials, lever: Lever) -> float:

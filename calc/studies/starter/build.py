@@ -7,7 +7,8 @@ from dataclasses import replace
 from itertools import product
 
 from ...countershaft.inputs import ShaftInputs
-from ...design.addresses import Table, as_table, asks, own_shafts
+from ...countershaft.rows import BearingRow
+from ...design.addresses import Table, as_list, as_table, asks, own_shafts
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...engine.crank import crank
@@ -102,6 +103,7 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
 
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 TABLES = (dotted(Design.shafts), *SHAFT_STEPS[1:])
+ROWS, NAME = dotted(ShaftInputs.bearings), dotted(BearingRow.name)
 KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
 LEFT = "left to the mounts by the balancing that was chosen"
 TAKEN = "the pair of shafts at crank speed takes it"
@@ -229,9 +231,18 @@ def _balanced(document: Document, balancing: str) -> Document:
     bare = _put(document, dict.fromkeys(TABLES), SHAFT_STEPS)
     bare = _with(bare, shaft.countershaft(bare, which.with_imbalance(bare), ratio, pair))
     if ratio == -1:
-        kept = _put(bare, {step: document.data[step] for step in SHAFT_STEPS[1:] if step in document.data})
+        there = _carried(bare, document) if dotted(Design.bearings) in document.data else bare
+        kept = _put(there, {step: document.data[step] for step in SHAFT_STEPS[1:] if step in document.data})
         return kept if _holds(kept) else bare
     return _accepted(_without(bare, dict.fromkeys(SHAFT_STEPS[1:], APART)), TAKEN if balancing == "pair" else LEFT)
+
+
+def _carried(document: Document, before: Document) -> Document:
+    """With the bearings of the design before, of the same names, where those of this one's shaft stand."""
+    rows = {row.get(NAME): row for row in map(as_table, as_list(own_shaft(before.data).get(ROWS)))}
+    there = map(as_table, as_list(own_shaft(document.data).get(ROWS)))
+    bearings = [{**rows.get(row.get(NAME), {}), **row} for row in there]
+    return document.with_value(dotted(Design.shafts, 0, ShaftInputs.bearings), bearings)
 
 
 def _speed(balancing: str, known: Results) -> tuple[int, bool]:

@@ -199,7 +199,7 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
     }
     rows: list[Section] = [
         (BEARING_ROW, {BearingRow.name: (name, ""), BearingRow.position: (mm(z), why)})
-        for name, z, why in (("front", -of.span / 2, apart), ("rear", of.span / 2, ""))
+        for name, z, why in (("front", -of.span / 2, apart), ("rear", of.span / 2, "assumed: as far from mid-shaft"))
     ]
     mirrored: Rows = {
         ShaftInputs.name: ("twin", ""),

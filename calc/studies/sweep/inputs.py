@@ -14,6 +14,7 @@ import numpy as np
 
 from ...design.addresses import address, every, quantity_of, value_at
 from ...design.toml_file import Document
+from ...design.upgrade import MANY, current
 from ...sheet.arrays import Array
 from ...sheet.errors import BadInput, InputError
 from ...sheet.quantity import Quantity
@@ -25,7 +26,7 @@ MOST_ROWS = 1_000_000
 MOST_LISTED = 100_000  # designs of a file
 FORM = Text("must be KEY=LOW:HIGH:NUMBER or KEY=VALUE,VALUE,…, like engine.rated_speed_rpm=1000:3000:21")
 RANGE = Text("must be KEY=LOW:HIGH or KEY=VALUE,VALUE,…, like engine.rod_length_mm=150:170")
-TOLERANCE = Text("must be KEY=DEVIATION or KEY=LOWER:UPPER, like bearings.front.clearance_um=5 for ±5 µm")
+TOLERANCE = Text("must be KEY=DEVIATION or KEY=LOWER:UPPER, like shafts.shaft.bearings.front.clearance_um=5 for ±5 µm")
 
 
 @record
@@ -91,6 +92,7 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
     inputs = [Varied(key.strip()) for key in lines[0]]
     errors: list[InputError] = []
     kinds = [_about(document, column.key, errors) for column in inputs]
+    inputs = inputs if errors else [Varied(current(document.data, column.key)) for column in inputs]
     if not errors and (twice := same_input(document, inputs)) is not None:
         errors.append(InputError(1, twice, "", Text("stands in two columns; each input has one")))
     rows: list[tuple[Value | None, ...]] = []
@@ -117,11 +119,16 @@ def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
     different."""
     first: dict[tuple[str | int, ...], str] = {}
     for variable in inputs:
-        for where in (address(document.data, key) for key in every(document.data, variable.key)):
+        for where in (_place(document, key) for key in every(document.data, variable.key)):
             if where in first:
                 return first[where]
             first[where] = variable.key
     return None
+
+
+def _place(document: Document, key: str) -> tuple[str | int, ...]:
+    """Where an input stands; of one of schema 1 that has become many its key alone."""
+    return (key,) if key in MANY else address(document.data, key)
 
 
 def _about(document: Document, key: str, errors: list[InputError]) -> Quantity:
@@ -151,9 +158,10 @@ def _read(
             about = quantity_of(document.data, key) if equals and spec else None
             if about is None:
                 raise BadInput(option, [InputError(0, text, "", form)])
+            key = current(document.data, key)
             variable = read_input(key, spec, about)
             single = about.count is not None and about.count[0] == 1  # where one number may stand for the list
-            whole = about.kind in ("series", "integers") and not isinstance(address(document.data, key)[-1], int)
+            whole = about.kind in ("series", "integers") and not isinstance(_place(document, key)[-1], int)
             if whole and not single:
                 raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
             if (twice := same_input(document, [*inputs, variable])) == key:

@@ -10,6 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from calc.design.addresses import every
+from calc.design.toml_file import read
 from calc.design.upgrade import (
     JOURNALS,
     PAIR,
@@ -400,3 +402,19 @@ def test_what_schema_1_did_not_allow_is_told(name: str, key: str, value: object,
 def test_the_data_are_those_of_version_0_1() -> None:
     assert all("schema = 1" in (OLD / name).read_text(encoding="utf-8") for name in SHIPPED)
     assert sorted(path.name for path in NEW.glob("*.toml")) == SHIPPED
+
+
+def test_a_star_stands_for_all_bearings_of_old_too_and_leaves_mirror_images_out() -> None:
+    document = read(NEW / "r753ie4_gamma.toml")
+    document = document.with_value("countershaft.pair", "yes").with_value("bearings.*.length_mm", 30.0)
+    assert [row["length_mm"] for row in document.data["shafts"][0]["bearings"]] == [30.0, 30.0]
+    assert every(document.data, "shafts.*.material") == ["shafts.shaft.material"]
+    assert every(document.data, "shafts.*.name") == ["shafts.shaft.name", "shafts.twin.name"]
+
+
+def test_without_the_counter_shaft_of_old_its_bearings_stay_where_they_are_judged() -> None:
+    judged = read(NEW / "r753ie4_gamma.toml").with_value("countershaft.pair", "yes")
+    (shaft,) = judged.with_value("countershaft", None).data["shafts"]
+    assert shaft["mode"] == "bearings" and all("position_mm" not in row for row in shaft["bearings"])
+    alone = read(NEW / "r754ie4_balance_shafts.toml")
+    assert "shafts" not in alone.with_value("countershaft", None).data

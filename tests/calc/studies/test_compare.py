@@ -19,15 +19,15 @@ from calc.sheet.step import Outcome
 from calc.solve import Results, solve
 from calc.studies.compare import SAME, Comparison, ValueDifference, compare, inputs, relative, turn
 from calc.studies.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
-from tests.conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA, ROOT
 from tests.made_checks import made_check
 
 BETA = DESIGNS / "r753ie4_beta.toml"
 OWN = {  # of what the two files say about one and the same thing
-    "bearings.front.length_mm": (26.0, 27.5),
-    "bearings.rear.diameter_mm": (40.0, 81.0),
-    "bearings.rear.length_mm": (25.5, 26.5),
-    "bearings.rear.clearance_factor": (0.6, 0.61),
+    "shafts.shaft.bearings.front.length_mm": (26.0, 27.5),
+    "shafts.shaft.bearings.rear.diameter_mm": (40.0, 81.0),
+    "shafts.shaft.bearings.rear.length_mm": (25.5, 26.5),
+    "shafts.shaft.bearings.rear.clearance_factor": (0.6, 0.61),
 }
 
 
@@ -56,11 +56,11 @@ def test_the_inputs_of_beta_and_gamma(found: Comparison) -> None:
     }
     assert both == OWN
     assert [d.key for d in found.inputs][-3:] == ["material", "name", "note"]  # what is not calculated with stands last
-    assert by_key["countershaft.bolts"].a is None and by_key["countershaft.bolts"].b["thread"] == "M10x1.5"
-    assert "countershaft.bolts.thread" not in by_key  # a table of one design is one difference
+    assert by_key["shafts.shaft.bolts"].a is None and by_key["shafts.shaft.bolts"].b["thread"] == "M10x1.5"
+    assert "shafts.shaft.bolts.thread" not in by_key  # a table of one design is one difference
     assert len(by_key["gears.meshes.1.stack"].b) == 17
     assert by_key["gears.wheels.shaft.tip_diameter_tolerance_um"].b == [0, -100]  # by its name
-    rear = by_key["bearings.rear.diameter_mm"]
+    rear = by_key["shafts.shaft.bearings.rear.diameter_mm"]
     assert (rear.label, rear.unit, rear.step) == ("Journal diameter", "mm", "bearings")
 
 
@@ -84,8 +84,8 @@ def test_two_spellings_of_one_value_are_no_difference(gamma: Document) -> None:
     one = gamma.with_value("friction.flank_roughness_um", 0.8)
     assert inputs(one.data, gamma.with_value("friction.flank_roughness_um", [0.8]).data) == []
     assert inputs(one.data, gamma.with_value("friction.flank_roughness_um", [0.8, 0.9]).data)[0].b == [0.8, 0.9]
-    bolts = gamma.with_value("countershaft.bolts.property_class", "8.8")
-    assert inputs(bolts.data, gamma.with_value("countershaft.bolts.property_class", 8.8).data) == []
+    bolts = gamma.with_value("shafts.shaft.bolts.property_class", "8.8")
+    assert inputs(bolts.data, gamma.with_value("shafts.shaft.bolts.property_class", 8.8).data) == []
 
 
 def editable() -> list[str]:
@@ -304,5 +304,11 @@ def test_the_tables_have_a_row_for_each_difference(found: Comparison) -> None:
     assert all(len(row) == len(table.columns) for row in table.rows)
     values = value_table("gears", "Gears", [d for d in found.values if d.step == "gears"], names, ids=False)
     assert all(len(row) == len(values.columns) for row in values.rows) and ("β", "") in values.columns
-    bolts = next(d for d in found.inputs if d.key == "countershaft.bolts")
+    bolts = next(d for d in found.inputs if d.key == "shafts.shaft.bolts")
     assert "thread = M10x1.5, torque_Nm = 45" in str(input_table([bolts], names, full=True).rows[0][2])
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in (ROOT / "tests" / "data" / "designs_0_1").glob("*.toml")))
+def test_a_file_and_the_same_upgraded_do_not_differ(name: str) -> None:
+    former, today = (read(ROOT / "tests" / "data" / folder / name) for folder in ("designs_0_1", "upgraded"))
+    assert inputs(former.data, today.data) == []

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import design, read
 from calc.sheet.value import Line
 from calc.solve import solve
 from calc.studies.explain import Chains, chain, needs, origin
@@ -18,23 +18,24 @@ CHAINS = {name: Chains(results) for name, results in RESULTS.items()}
 SIZED, R754 = "r753ie4_sized", "r754ie4_balance_shafts"
 ENGINE = {"engine.piston_mass_g", "engine.rod_length_mm", "engine.cylinder_pitch_mm", "engine.rated_speed_rpm"}
 OUTLINE = {
-    "countershaft.outer_radius_mm",
-    "countershaft.core_radius_mm",
-    "countershaft.half_length_mm",
-    "countershaft.overdesign_percent",
+    "shafts.shaft.outer_radius_mm",
+    "shafts.shaft.core_radius_mm",
+    "shafts.shaft.half_length_mm",
+    "shafts.shaft.overdesign_percent",
     "material.20CrNi4.density_kgm3",
-    "countershaft.bearing_positions_mm",
-    "bearings.front.diameter_mm",
-    "bearings.rear.diameter_mm",
-    "bearings.front.length_mm",
+    "shafts.shaft.bearings.front.position_mm",
+    "shafts.shaft.bearings.rear.position_mm",
+    "shafts.shaft.bearings.front.diameter_mm",
+    "shafts.shaft.bearings.rear.diameter_mm",
+    "shafts.shaft.bearings.front.length_mm",
     "gears.face_width_mm",
     "gears.wheels.shaft.teeth",
 }
 BOLT = {
-    f"countershaft.bolts.{key}" for key in ("thread", "torque_Nm", "friction", "head_diameter_mm", "hole_diameter_mm")
+    f"shafts.shaft.bolts.{key}" for key in ("thread", "torque_Nm", "friction", "head_diameter_mm", "hole_diameter_mm")
 }
 KEYS = ("mass_kg", "radius_mm", "angle_deg", "z_mm")
-MASSES = {f"countershaft.masses.{name}.{key}" for name in ("front", "rear") for key in KEYS}
+MASSES = {f"shafts.shaft.masses.{name}.{key}" for name in ("front", "rear") for key in KEYS}
 
 
 def test_a_session_keeps_the_lines_of_one_version_only():
@@ -100,7 +101,7 @@ def inputs_of(name, value):
         (
             "twin_force_shaft",
             "countershaft.roll_torque",
-            {"countershaft.masses.weight.mass_kg", "countershaft.masses.weight.radius_mm"},
+            {"shafts.shaft.masses.weight.mass_kg", "shafts.shaft.masses.weight.radius_mm"},
         ),
         (
             "r753ie4_gamma",
@@ -123,32 +124,32 @@ def inputs_of(name, value):
             "imbalance.remedy.backward_shaft.backward.unbalance_product",
             {"engine.cylinder_pitch_mm", "engine.rod_cg_to_big_end_mm"},
         ),
-        (SIZED, "countershaft.couple", ENGINE | {"countershaft.outer_radius_mm", "countershaft.overdesign_percent"}),
+        (SIZED, "countershaft.couple", ENGINE | {"shafts.shaft.outer_radius_mm", "shafts.shaft.overdesign_percent"}),
         (
             SIZED,
             "countershaft.sector_mass",
-            ENGINE | {"countershaft.half_length_mm", "countershaft.core_radius_mm", "material.20CrNi4.density_kgm3"},
+            ENGINE | {"shafts.shaft.half_length_mm", "shafts.shaft.core_radius_mm", "material.20CrNi4.density_kgm3"},
         ),
         (SIZED, "countershaft.mass", ENGINE | OUTLINE | {"gears.normal_module_mm"}),
-        (SIZED, "countershaft.slope_front", ENGINE | OUTLINE | {"countershaft.sector_effectiveness"}),
+        (SIZED, "countershaft.slope_front", ENGINE | OUTLINE | {"shafts.shaft.sector_effectiveness"}),
         (SIZED, "countershaft.slope_rear_stiff", ENGINE | OUTLINE | {"material.20CrNi4.E_GPa"}),
-        (SIZED, "countershaft.first_critical_speed", OUTLINE | {"countershaft.sector_effectiveness"}),
+        (SIZED, "countershaft.first_critical_speed", OUTLINE | {"shafts.shaft.sector_effectiveness"}),
         (SIZED, "countershaft.largest_moment_z", ENGINE | OUTLINE),
-        (SIZED, "countershaft.notch_stress", ENGINE | OUTLINE | {"countershaft.fillet_radius_mm"}),
+        (SIZED, "countershaft.notch_stress", ENGINE | OUTLINE | {"shafts.shaft.fillet_radius_mm"}),
         (SIZED, "countershaft.bolt_preload", BOLT),
         (
             SIZED,
             "countershaft.bolt_slip_safety",
             ENGINE
             | BOLT
-            | {"countershaft.bolts.count", "countershaft.bolts.joint_friction", "countershaft.half_length_mm"},
+            | {"shafts.shaft.bolts.count", "shafts.shaft.bolts.joint_friction", "shafts.shaft.half_length_mm"},
         ),
         (
             SIZED,
             "countershaft.hole_couple",
-            ENGINE | {f"countershaft.holes.{key}" for key in ("diameter_mm", "depth_mm")},
+            ENGINE | {f"shafts.shaft.holes.{key}" for key in ("diameter_mm", "depth_mm")},
         ),
-        (SIZED, "countershaft.hole_range", {"countershaft.holes.count", "countershaft.outer_radius_mm"}),
+        (SIZED, "countershaft.hole_range", {"shafts.shaft.holes.count", "shafts.shaft.outer_radius_mm"}),
         (
             SIZED,
             "countershaft.reaction_front_peak",
@@ -159,44 +160,50 @@ def inputs_of(name, value):
             "countershaft.gear_torque",
             {"gears.wheels.shaft.teeth", "bearings.supply_temperature_C", "friction.mist_density_kgm3"},
         ),
-        (SIZED, "countershaft.residual_unbalance_permitted", ENGINE | OUTLINE | {"countershaft.balance_grade"}),
+        (SIZED, "countershaft.residual_unbalance_permitted", ENGINE | OUTLINE | {"shafts.shaft.balance_grade"}),
         (
             SIZED,
             "countershaft.scatter.couple_error",
             ENGINE
-            | {f"countershaft.scatter.{key}" for key in ("mass_g", "radius_mm", "angle_deg", "z_mm", "timing_deg")},
+            | {f"shafts.shaft.scatter.{key}" for key in ("mass_g", "radius_mm", "angle_deg", "z_mm", "timing_deg")},
         ),
-        (SIZED, "countershaft.clamp_nominal", {"countershaft.oil_drain.hose_min_mm"}),
-        (SIZED, "countershaft.union_bore", {"countershaft.oil_drain.thread"}),
+        (SIZED, "countershaft.clamp_nominal", {"shafts.shaft.oil_drain.hose_min_mm"}),
+        (SIZED, "countershaft.union_bore", {"shafts.shaft.oil_drain.thread"}),
         (
             SIZED,
             "countershaft.alternative.ADI.first_year_cost",
-            {"countershaft.cost.pieces_per_year", "countershaft.cost.alternatives.1.tooling_EUR"},
+            {"shafts.shaft.cost.pieces_per_year", "shafts.shaft.cost.alternatives.1.tooling_EUR"},
         ),
         (
             SIZED,
             "countershaft.alternative.ADI.outer_radius",
-            {"material.ADI.density_kgm3", "material.20CrNi4.density_kgm3", "countershaft.outer_radius_mm"},
+            {"material.ADI.density_kgm3", "material.20CrNi4.density_kgm3", "shafts.shaft.outer_radius_mm"},
         ),
         (
             "r753ie4_gamma",
             "countershaft.slope_front",
-            {"countershaft.masses.front.mass_kg", "countershaft.masses.rear.radius_mm", "bearings.rear.length_mm"},
+            {
+                "shafts.shaft.masses.front.mass_kg",
+                "shafts.shaft.masses.rear.radius_mm",
+                "shafts.shaft.bearings.rear.length_mm",
+            },
         ),
         (
             "r753ie4_gamma",
             "countershaft.effectiveness_at_limit",
-            {"countershaft.masses.front.mass_kg", "countershaft.core_radius_mm"},
+            {"shafts.shaft.masses.front.mass_kg", "shafts.shaft.core_radius_mm"},
         ),
         (
             R754,
             "countershaft.support.2.reaction",
-            MASSES | {"countershaft.bearing_positions_mm", "countershaft.speed_ratio"},
+            MASSES
+            | {f"shafts.shaft.bearings.{name}.position_mm" for name in ("front", "middle", "rear")}
+            | {"shafts.shaft.speed_ratio"},
         ),
         (
             R754,
             "countershaft.support.2.specific_load",
-            MASSES | {"countershaft.journals.1.diameter_mm", "countershaft.journals.1.length_mm"},
+            MASSES | {"shafts.shaft.bearings.middle.diameter_mm", "shafts.shaft.bearings.middle.length_mm"},
         ),
         ("r753ie4_gamma", "gears.idler_shaft.contact_stress", {"gears.wheels.idler.teeth", "gears.wheels.shaft.teeth"}),
     ],
@@ -254,7 +261,7 @@ def test_the_last_line_makes_the_value():
 
 def test_a_name_brings_its_number_in():
     steel = "countershaft.alternative.20CrNi4.density"
-    assert origin(RESULTS["r753ie4_gamma"], steel) == "countershaft.material (20CrNi4)"
+    assert origin(RESULTS["r753ie4_gamma"], steel) == "shafts.shaft.material (20CrNi4)"
     assert origin(RESULTS[SIZED], steel) == "material.20CrNi4.density_kgm3"  # given as [[material]]
     assert origin(RESULTS[SIZED], "countershaft.alternative.ADI.density") == "material.ADI.density_kgm3"
     assert "gears.wheels.idler.material (steel)" in inputs_of("r753ie4_gamma", "gears.idler_shaft.contact_stress")
@@ -271,15 +278,15 @@ def test_what_counts_for_another_part_does_not_creep_in():
     assert not {
         key
         for key in inputs_of(SIZED, "countershaft.hole_couple")
-        if key.startswith(("bearings.", "gears.", "countershaft.bolts"))
+        if key.startswith(("bearings.", "gears.", "shafts.shaft.bolts"))
     }
     assert not {
         key
         for key in inputs_of(SIZED, "countershaft.sector_mass")
-        if not key.startswith(("engine.", "countershaft.", "material.20CrNi4.density"))
+        if not key.startswith(("engine.", "shafts.", "material.20CrNi4.density"))
     }
-    assert {key.split(".")[1] for key in inputs_of(SIZED, "countershaft.bolt_preload")} == {"bolts"}
-    assert "countershaft.cost.alternatives.0.development_EUR" not in inputs_of(
+    assert {key.split(".")[2] for key in inputs_of(SIZED, "countershaft.bolt_preload")} == {"bolts"}
+    assert "shafts.shaft.cost.alternatives.0.development_EUR" not in inputs_of(
         SIZED, "countershaft.alternative.ADI.first_year_cost"
     )
 
@@ -287,7 +294,6 @@ def test_what_counts_for_another_part_does_not_creep_in():
 def test_an_array_put_together_from_masses_and_further_elements():
     document = read(DESIGNS / f"{R754}.toml")
     extra = {"name": "stub", "mass_kg": 0.0385, "radius_mm": 14.5, "angle_deg": 77.0, "z_mm": 99.5}
-    shaft = {**document.data["countershaft"], "extras": [extra]}
-    results = solve(design(Document({**document.data, "countershaft": shaft})))
+    results = solve(design(document.with_value("shafts.shaft.extras", [extra])))
     found = {key for link in chain(results, "countershaft.support.2.reaction") for key in link.inputs}
-    assert MASSES | {f"countershaft.extras.stub.{key}" for key in KEYS} <= found
+    assert MASSES | {f"shafts.shaft.extras.stub.{key}" for key in KEYS} <= found

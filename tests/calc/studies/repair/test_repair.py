@@ -18,7 +18,7 @@ from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
 from calc.sheet.text import EMPTY
 from calc.solve import Results, solve
-from calc.studies.repair.levers import Lever, called, kind_of, levers
+from calc.studies.repair.levers import Lever, called, disturbance, kind_of, levers, together
 from calc.studies.repair.nearest import nearest
 from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
 from calc.studies.repair.state import broken, closer_limits, is_mended, state_of
@@ -153,11 +153,7 @@ def test_a_mass_that_stands_at_a_wrong_place_is_moved_back(said, which, away):
     z = row[n].z - away
     moved = P - now[n] * away
     assume(abs(z) > 1e-3)
-    found = [
-        way[f"countershaft.masses.m{n}.z_mm"]
-        for way in _shifted(row, now, U, moved)
-        if f"countershaft.masses.m{n}.z_mm" in way
-    ]
+    found = [way[f"m{n}.z_mm"] for way in _shifted(row, now, U, moved) if f"m{n}.z_mm" in way]
     assert found == [pytest.approx(z * 1e3, abs=0.0501)]  # to a tenth, of which either may be the nearer
     assert not list(_shifted(row, now, U + 0.11 * max(map(abs, now)), moved)), "the force is to be right already"
 
@@ -196,18 +192,19 @@ def lever(gamma: Document, *keys: str) -> Lever:
 
 
 def test_a_number_moves_by_a_share_and_a_whole_one_by_one_at_least(gamma: Document) -> None:
-    length = lever(gamma, "bearings.front.length_mm")
-    assert length.at(length.number(0.02)) == {"bearings.front.length_mm": pytest.approx(28.05)}
+    length = lever(gamma, "shafts.shaft.bearings.front.length_mm")
+    assert length.at(length.number(0.02)) == {"shafts.shaft.bearings.front.length_mm": pytest.approx(28.05)}
     assert length.at(length.number(-1.5)) is None, "not allowed"
     teeth = lever(gamma, "gears.wheels.crank.teeth")
     assert [teeth.number(change) - teeth.now for change in (0.02, -0.02, 0.1)] == [1, -1, round(0.1 * teeth.now)]
-    assert lever(gamma, "countershaft.bearing_positions_mm").write(-150.75) == {
-        "countershaft.bearing_positions_mm": [-150.75, 150.75]
-    }
+    places = [f"shafts.shaft.bearings.{name}.position_mm" for name in ("front", "rear")]
+    assert lever(gamma, *places).write(-150.75) == dict(zip(places, (-150.75, 150.75)))
+    core = "shafts.shaft.core_radius_mm"
+    assert list(together([places[0], core, places[1]])) == [places, [core]]
 
 
 def test_numbers_of_one_kind_in_one_place_move_together(gamma: Document) -> None:
-    surfaces = [f"bearings.front.{part}_roughness_um" for part in ("journal", "housing")]
+    surfaces = [f"shafts.shaft.bearings.front.{part}_roughness_um" for part in ("journal", "housing")]
     assert len({kind_of(gamma, key) for key in surfaces}) == 1
     assert kind_of(gamma, "bearings.oil") != kind_of(gamma, "friction.oil")
     assert lever(gamma, *surfaces).write(0.4) == dict.fromkeys(surfaces, 0.4)
@@ -231,11 +228,20 @@ def test_what_a_design_asks_for_is_no_lever(gamma: Document) -> None:
 
 
 def test_of_several_numbers_the_words_tell_how_far_they_reach(gamma: Document) -> None:
-    key = "countershaft.bearing_positions_mm"
-    assert called(gamma, key, [-167.5, 167.5], [-165.0, 165.0]) == "shorter span"
-    assert called(gamma, key, [-167.5, 167.5], [-170.0, 167.5]) == "longer span"
-    assert called(gamma, "gears.wheels.central.span_allowance_um", [-2, -20], [-5, -23]) == "thinner teeth"
-    assert called(gamma, "bearings.oil", "10W-40", "SAE 50") == "another oil"
+    front, rear = (f"shafts.shaft.bearings.{name}.position_mm" for name in ("front", "rear"))
+    assert called(gamma, {front: -165.0, rear: 165.0}, front, -167.5) == "shorter span"
+    assert called(gamma, {front: -170.0}, front, -167.5) == called(gamma, {rear: 170.0}, rear, 167.5) == "longer span"
+    allowance, oil = "gears.wheels.central.span_allowance_um", "bearings.oil"
+    assert called(gamma, {allowance: [-5, -23]}, allowance, [-2, -20]) == "thinner teeth"
+    assert called(gamma, {oil: "SAE 50"}, oil, "10W-40") == "another oil"
+
+
+def test_what_moves_along_a_shaft_is_one_change(gamma: Document) -> None:
+    """As one list of places was."""
+    ends = {f"shafts.shaft.bearings.{name}": side * 167.5 for name, side in (("front", -1.01), ("rear", 1.01))}
+    both = {f"{place}.position_mm": z for place, z in ends.items()}
+    assert disturbance(gamma, both) == pytest.approx(0.01)
+    assert disturbance(gamma, {f"{place}.length_mm": 27.5 for place in ends}) == pytest.approx(1 / 26.5)
 
 
 @pytest.mark.parametrize(
@@ -263,12 +269,12 @@ def test_a_trial_ends_where_all_that_is_asked_is_known(verdicts, decided):
 def test_a_design_is_tried_once_and_no_more_than_the_budget_allows(gamma: Document, gamma_results: Results) -> None:
     state = state_of(gamma, gamma_results)
     trials = Trials(state, "bearings", state.failing("bearings"), Budget(1), None, EMPTY)
-    longer = {"bearings.front.length_mm": 40.0}
+    longer = {"shafts.shaft.bearings.front.length_mm": 40.0}
     after = trials.tried(longer)
     assert after is not None and trials.tried(longer) is after and trials.budget.left == 0
     whole = trials.tried(longer, whole=True)
     assert whole is not None and whole.results.outcomes.keys() == state.results.outcomes.keys()
-    assert trials.tried({"bearings.front.length_mm": 41.0}) is None
+    assert trials.tried({"shafts.shaft.bearings.front.length_mm": 41.0}) is None
 
 
 def test_a_design_that_is_tried_whole_has_the_checks_of_every_step() -> None:

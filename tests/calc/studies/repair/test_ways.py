@@ -66,7 +66,7 @@ def test_what_is_locked_is_shown_and_not_searched(gamma: Document) -> None:
 
 
 def test_masses_that_leave_a_couple_are_set_each_in_its_way() -> None:
-    _, found = ways_of(damaged("r753ie4_gamma", "countershaft.masses.front.mass_kg=2.0"), "countershaft.residual")
+    _, found = ways_of(damaged("r753ie4_gamma", "shafts.shaft.masses.front.mass_kg=2.0"), "countershaft.residual")
     assert {"heavier mass", "mass further out"} <= {way.kind for way in found if way.passes}
 
 

@@ -13,13 +13,13 @@ from calc.studies.sweep.run import solved
 DESIGNS = Path(__file__).parents[4] / "designs"
 SWEEPS = {
     "r753ie4_gamma": ["engine.rated_speed_rpm=1500:2600", "engine.rod_length_mm=155:170",
-    "bearings.front.length_mm=26:36",
+    "shafts.shaft.bearings.front.length_mm=26:36",
                       "friction.oil_temperature_C=70:110"],
-    "r753ie4_beta": ["bearings.rear.clearance_factor=2.4:2.7", "bearings.hole_diameter_mm=3:5",
-    "countershaft.masses.front.radius_mm=20:22"],
-    "r753ie4_sized": ["countershaft.overdesign_percent=0:10", "bearings.front.diameter_mm=54:58",
+    "r753ie4_beta": ["shafts.shaft.bearings.rear.clearance_factor=2.4:2.7", "bearings.hole_diameter_mm=3:5",
+    "shafts.shaft.masses.front.radius_mm=20:22"],
+    "r753ie4_sized": ["shafts.shaft.overdesign_percent=0:10", "shafts.shaft.bearings.front.diameter_mm=54:58",
     "engine.bench.3.oil_temperature_C=80:90"],
-    "r754ie4_balance_shafts": ["engine.piston_mass_g=700:800", "countershaft.masses.0.radius_mm=20:30"],
+    "r754ie4_balance_shafts": ["engine.piston_mass_g=700:800", "shafts.shaft.masses.0.radius_mm=20:30"],
     "thesis_temperatures": ["gears.wheels.0.profile_shift=0.1:0.2", "friction.oil_temperature_C=40:90"],
     "timing_pair": ["gears.speed_rpm=1000:3000", "gears.wheels.0.face_width_mm=18:22"],
     "twin_mounting": ["engine.rated_speed_rpm=2000:3000", "engine.cylinder_pitch_mm=90:100"],
@@ -59,16 +59,19 @@ def test_each_design_is_what_it_is_alone(name):
     "over",
     [
         {
-            "bearings.front.length_mm": (29.0, 31.0),
-            "bearings.rear.length_mm": (24.0, 24.5, 25.0),
+            "shafts.shaft.bearings.front.length_mm": (29.0, 31.0),
+            "shafts.shaft.bearings.rear.length_mm": (24.0, 24.5, 25.0),
         },  # the front goes apart, and is one in each part
-        {"bearings.front.diameter_mm": (62.0, 64.0), "bearings.rear.length_mm": (24.0, 25.0, 26.0)},
         {
-            "bearings.front.length_mm": (58.9, 59.3, 59.7, 60.1, 60.5)
+            "shafts.shaft.bearings.front.diameter_mm": (62.0, 64.0),
+            "shafts.shaft.bearings.rear.length_mm": (24.0, 25.0, 26.0),
+        },
+        {
+            "shafts.shaft.bearings.front.length_mm": (58.9, 59.3, 59.7, 60.1, 60.5)
         },  # l/d through 1, up to which some of the routes reach
         {"gears.wheels.1.profile_shift": (0.0, 0.1), "friction.oil_temperature_C": (80.0, 90.0)},
         {
-            "bearings.front.length_mm": (4.5, 12.0, 21.0, 23.0, 25.0),
+            "shafts.shaft.bearings.front.length_mm": (4.5, 12.0, 21.0, 23.0, 25.0),
             "bearings.supply_temperature_C": (80.0, 100.0),
         },  # some have no solution
     ],
@@ -100,7 +103,7 @@ def test_a_design_without_a_solution_says_why_and_takes_none_with_it():
 
 
 def test_a_combination_that_is_no_design_is_a_row_among_the_others():
-    document, inputs, _ = drawn("r753ie4_gamma", 2, ["bearings.front.length_mm=20:30"])
+    document, inputs, _ = drawn("r753ie4_gamma", 2, ["shafts.shaft.bearings.front.length_mm=20:30"])
     rows = [(24.0 + n / 2,) for n in range(6)]
     rows[3] = (-1.0,)
     swept = list(solved(document, inputs, rows, None, frozenset(["bearings.front.film"])))

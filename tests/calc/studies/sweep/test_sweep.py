@@ -10,8 +10,10 @@ from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 from calc.studies.sweep import sweep, varied
+from calc.studies.sweep.inputs import listed, toleranced
 
 GAMMA = read(Path(__file__).parents[4] / "designs" / "r753ie4_gamma.toml")
+FILMS = ["bearings.front.film_edge", "bearings.rear.film_edge"]
 
 
 def test_the_grid_runs_over_every_combination_the_last_input_fastest():
@@ -25,9 +27,11 @@ def test_the_grid_runs_over_every_combination_the_last_input_fastest():
 
 
 def test_a_row_is_what_the_design_gives():
-    swept = sweep(GAMMA, varied(GAMMA, ["bearings.front.length_mm=27.5,34"]), "bearings", ["bearings.front.film"])
+    swept = sweep(
+        GAMMA, varied(GAMMA, ["shafts.shaft.bearings.front.length_mm=27.5,34"]), "bearings", ["bearings.front.film"]
+    )
     for length, film, verdict in swept.rows:
-        results = solve(design(GAMMA.with_value("bearings.front.length_mm", length)))
+        results = solve(design(GAMMA.with_value("shafts.shaft.bearings.front.length_mm", length)))
         assert film == results.values()["bearings.front.film"].shown
         assert verdict == results.outcomes["bearings"].verdict
 
@@ -45,7 +49,7 @@ def test_it_is_written_as_csv():
 def test_elements_of_a_list_of_numbers_can_be_varied():
     swept = sweep(
         GAMMA,
-        varied(GAMMA, ["countershaft.bearing_positions_mm.1=160,167.5"]),
+        varied(GAMMA, ["shafts.shaft.bearings.rear.position_mm=160,167.5"]),
         "countershaft",
         ["countershaft.reaction_rear"],
     )
@@ -65,7 +69,7 @@ def test_elements_of_a_list_of_numbers_can_be_varied():
         ("engine.rated_speed_rpm=1000:2000:1", "one value"),
         ("engine.firing_order=1,3,2", "is a list"),
         ("engine.rated_speed_rpm=1000:2000:1e9", "at most"),
-        ("countershaft.bearing_positions_mm.5=1:2:2", "from 0 to 1"),
+        ("gears.wheels.shaft.tip_diameter_tolerance_um.5=1:2:2", "from 0 to 1"),
     ],
 )
 def test_what_can_not_be_varied_is_named(text, reason):
@@ -123,9 +127,46 @@ def test_cells_of_values_that_a_design_does_not_have_are_empty():
 
 def test_other_methods_are_solved_only_where_their_values_are_asked_for():
     """They judge nothing: values and verdicts of everything else are the same without."""
-    inputs = varied(GAMMA, ["engine.rated_speed_rpm=1200:2600:3", "bearings.front.clearance_factor=0.4:0.8:2"])
+    inputs = varied(
+        GAMMA, ["engine.rated_speed_rpm=1200:2600:3", "shafts.shaft.bearings.front.clearance_factor=0.4:0.8:2"]
+    )
     alone = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss"])
     beside = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss", "bearings.rear.falz.film"])
     assert [[*row[:4], *row[5:]] for row in beside.rows] == alone.rows
     assert alone.verdicts == beside.verdicts
     assert all(row[4] > 0 for row in beside.rows)
+
+
+def test_a_star_varies_all_elements_at_once() -> None:
+    both = [f"shafts.shaft.bearings.{name}.length_mm" for name in ("front", "rear")]
+    swept = sweep(GAMMA, varied(GAMMA, ["shafts.shaft.bearings.*.length_mm=27,28.5"]), "bearings", FILMS)
+    for length, *films in (row[:3] for row in swept.rows):
+        alike = GAMMA
+        for key in both:
+            alike = alike.with_value(key, length)
+        values = solve(design(alike)).values()
+        assert films == [values[film].shown for film in FILMS]
+    with pytest.raises(BadInput, match="which stands here too"):
+        varied(GAMMA, ["shafts.shaft.bearings.*.length_mm=27,28.5", f"{both[1]}=27,28"])
+    with pytest.raises(BadInput, match="nothing stands where"):
+        varied(GAMMA, ["shafts.shaft.sections.*.to_mm=27,28.5"])
+
+
+def test_keys_of_schema_1_are_those_of_today(tmp_path: Path) -> None:
+    old = ["bearings.front.length_mm", "countershaft.masses.rear.mass_kg", "countershaft.bearing_positions_mm.1"]
+    new = [f"shafts.shaft.{key}" for key in ("bearings.front.length_mm", "masses.rear.mass_kg")]
+    new.append("shafts.shaft.bearings.rear.position_mm")
+    assert [one.key for one in varied(GAMMA, [f"{key}=30,31" for key in old])] == new
+    assert [one.key for one in toleranced(GAMMA, [f"{key}=0.1" for key in old])] == new
+    file = tmp_path / "designs.csv"
+    file.write_text(",".join(old) + "\n30,2.5,160\n", encoding="utf-8")
+    assert [one.key for one in listed(GAMMA, str(file))[0]] == new
+    with pytest.raises(BadInput, match="stands twice"):
+        varied(GAMMA, [f"{key}=30,31" for key in (old[0], new[0])])
+
+
+def test_slopes_of_schema_1_are_varied_together() -> None:
+    swept = sweep(GAMMA, varied(GAMMA, ["bearings.slope_mrad=0.05,0.125"]), "bearings", FILMS)
+    for slope, *films in (row[:3] for row in swept.rows):
+        values = solve(design(GAMMA.with_value("shafts.shaft.bearings.*.slope_mrad", slope))).values()
+        assert films == [values[film].shown for film in FILMS]

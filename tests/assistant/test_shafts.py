@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The list of shafts and their bearings: what the forms show, what + and − make, what follows a new name; and files of
+schema 1, which have no words for all of it."""
+
+import tomllib
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+from assistant.screens.dialogs import Ask
+from assistant.session.places import Place, followed, further, label_of, less
+from assistant.session.recovery import Edits, Memory
+from assistant.session.saving import NeedsUpgrade
+from assistant.session.session import Session
+from assistant.widgets.field import CellColumns, Field
+from assistant.widgets.headings import ArrayHeading
+from assistant.widgets.rows import Asked, FormRow, routed
+from calc.design.addresses import Table
+from calc.design.model import STEPS
+from calc.design.toml_file import design, parse
+from calc.studies.shipped import DESIGNS
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
+
+SHAFTS: Place = ("shafts",)
+ROWS: Place = ("shafts", 0, "bearings")
+
+
+def tables(name: str) -> Table:
+    return parse((DESIGNS / f"{name}.toml").read_bytes(), name).data
+
+
+def opened(name: str, memory: Memory, tmp_path: Path) -> Session:
+    path = tmp_path / f"{name}.toml"
+    path.write_bytes((DESIGNS / path.name).read_bytes())
+    return Session.open(path, memory=memory)
+
+
+def form_of(key: str, data: Table, side: int = 1, shaft: int = 0, bearing: int = 0) -> list[FormRow]:
+    step = next(step for step in STEPS if step.key == key)
+    return routed(step, data, Asked({SHAFTS: shaft, ROWS: bearing}, side=side), ())
+
+
+# --- forms
+
+
+def test_one_shaft_has_one_line_more_than_its_fields() -> None:
+    kinds = [(row.kind, row.place[-1]) for row in form_of("countershaft", tables("r753ie4_gamma"), side=2)]
+    assert kinds[:8] == [
+        ("array", "shafts"),
+        ("field", "mode"),
+        ("field", "outer_radius_mm"),
+        ("field", "core_radius_mm"),
+        ("field", "half_length_mm"),
+        ("array", "bearings"),
+        ("cells", "name"),
+        ("cells", "position_mm"),
+    ]
+    assert not any(row.place == (*SHAFTS, 0) for row in form_of("countershaft", tables("r753ie4_gamma")))
+
+
+def test_a_mirror_image_shows_its_few_fields_and_whose_all_else_is() -> None:
+    shown = form_of("countershaft", tables("r754ie4_balance_shafts"), shaft=1)
+    assert [(row.kind, row.place[-1]) for row in shown] == [
+        ("array", "shafts"),
+        ("field", "name"),
+        ("field", "mirrors"),
+        ("field", "axis_mm"),
+        ("original", 1),
+    ]
+
+
+@pytest.mark.parametrize("side", [1, 2])
+def test_the_bearings_are_placed_in_step_3_and_judged_in_step_4(side: int) -> None:
+    data = tables("r753ie4_gamma")
+    for step, asked in (("countershaft", ["name", "position_mm"]), ("bearings", ["diameter_mm", "length_mm"])):
+        found = [row.place[-1] for row in form_of(step, data, side) if row.place[: len(ROWS)] == ROWS]
+        keys = [key for key in dict.fromkeys(found) if isinstance(key, str) and key != "bearings"]
+        assert keys[:2] == asked and ("kind" in keys) is False
+    columns = [row for row in form_of("bearings", data, 2) if row.kind == "columns"]
+    assert [str(column.about.label) for column in columns[0].inside] == ["Front bearing", "Rear bearing"]
+
+
+def test_bearings_that_are_only_screened_have_their_sizes_in_step_3_and_nothing_else() -> None:
+    data = tables("r754ie4_balance_shafts")
+    cells = [row.place[-1] for row in form_of("countershaft", data, 3) if row.place[: len(ROWS)] == ROWS]
+    assert cells == ["bearings", "name", "position_mm", "diameter_mm", "length_mm"]
+
+
+def test_what_stands_in_a_table_all_the_same_can_be_seen_and_taken_out(memory: Memory, tmp_path: Path) -> None:
+    session = opened("r754ie4_balance_shafts", memory, tmp_path)
+    session.apply(["shafts.twin.gear_z_mm=3", "shafts.shaft.bearings.front.slope_mrad=0.1"])
+    reasons = session.reasons()
+    wrong = {("shafts", 1, "gear_z_mm"), (*ROWS, 0, "slope_mrad")}
+    assert (
+        wrong <= reasons.keys() and "is that of the shaft that it mirrors, shaft" in reasons["shafts", 1, "gear_z_mm"]
+    )
+    assert ("shafts", 1, "gear_z_mm") in [row.place for row in form_of("countershaft", session.data, shaft=1)]
+    folded = [inner.place for row in form_of("countershaft", session.data) for inner in (row, *row.inside)]
+    assert (*ROWS, 0, "slope_mrad") in folded
+    for place in wrong:
+        session.edit(place, "")
+    assert session.valid
+
+
+def test_one_shaft_needs_no_name_in_a_sentence() -> None:
+    one, two = tables("r753ie4_gamma"), tables("r754ie4_balance_shafts")
+    assert str(label_of(one, "shafts.shaft.core_radius_mm")) == "core radius"
+    assert str(label_of(one, "shafts.shaft.bearings.front.length_mm")) == "length of front"
+    assert str(label_of(two, "shafts.twin.mirrors")) == "mirrors"
+
+
+async def test_shafts_are_leafed_through_added_and_taken_out(screen: Screen, light: Session) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "countershaft.mode")
+        form = work(pilot).form
+        (heading,) = [one for one in form.query(ArrayHeading) if one.row.place == SHAFTS]
+        assert isinstance(pilot.app.focused.parent, Field), "no − by mistake"  # type: ignore[union-attr]
+        heading.focus()
+        await strike(pilot, "plus")
+        await settled(pilot)
+        assert light.data["shafts"][1] == {"name": "twin", "mirrors": "shaft"} and light.valid
+        assert form.here() == (*SHAFTS, 1, "name") and "all else as shaft" in rows(pilot)
+        await type_in(pilot, "left")
+        await settled(pilot)
+        assert light.data["shafts"][1]["name"] == "left" and "2 of 2 left" in rows(pilot)
+        (heading,) = [one for one in form.query(ArrayHeading) if one.row.place == SHAFTS]
+        heading.focus()
+        await strike(pilot, "left")
+        await settled(pilot)
+        assert "1 of 2 shaft" in rows(pilot) and "all else as" not in rows(pilot)
+        await strike(pilot, "right", "minus")
+        await settled(pilot)
+        assert len(light.data["shafts"]) == 1 and light.valid
+        await strike(pilot, *["ctrl+z"] * 3)
+        await settled(pilot)
+        assert not light.dirty
+
+
+async def test_a_bearing_by_another_name_has_that_name_above_its_column(screen: Screen, session: Session) -> None:
+    async with screen(size=(120, 40), session=session) as pilot:
+        await go_to(pilot, "shafts.shaft.bearings.front.name")
+        await type_in(pilot, "gear side")
+        await go_to(pilot, "bearings.oil")
+        columns = work(pilot).form.query_one(CellColumns)
+        assert "Gear side" in columns.render().plain and "Rear" in columns.render().plain
+
+
+# --- elements
+
+
+def test_a_further_shaft_is_the_mirror_image_of_one_that_has_none() -> None:
+    left: Table = {"name": "left", "axis_mm": [10.0, 50.0], "speed_ratio": -1}
+    there, index = further(SHAFTS, [left])
+    assert index == 1 and there == [left, {"name": "twin", "mirrors": "left", "axis_mm": [10.0, -50.0]}]
+    other: Table = {"name": "twin", "speed_ratio": 2}
+    assert further(SHAFTS, [*there, {**other, "name": "low"}])[0][-1] == {"name": "twin-2", "mirrors": "low"}
+
+
+def test_a_further_bearing_stands_in_the_widest_gap_and_takes_the_sizes_of_the_one_before() -> None:
+    front: Table = {"name": "front", "position_mm": -100.0, "diameter_mm": 24.0, "slope_mrad": 0.1, "load_N": 3.0}
+    there, index = further(ROWS, [front, {"name": "rear", "position_mm": 60.0}])
+    assert index == 1 and there[1] == {"name": "middle", "position_mm": -20.0, "diameter_mm": 24.0}
+    assert further(ROWS, there)[0][2]["name"] == "middle-2"
+    unplaced: list[Table] = [{"name": "front"}, {"name": "rear"}]
+    assert further(ROWS, unplaced) == ([*unplaced, {"name": "rear-2"}], 2)
+
+
+def test_a_bearing_that_is_added_to_a_sound_shaft_leaves_it_sound(memory: Memory, tmp_path: Path) -> None:
+    session = opened("r754ie4_balance_shafts", memory, tmp_path)
+    for _ in range(6):
+        session.add(ROWS)
+        assert session.valid, session.reasons()
+    session.add(ROWS)
+    assert "has 10 rows [[shafts.bearings]]; needs 2 to 9" in session.reason(ROWS)
+
+
+def test_a_shaft_takes_its_mirror_image_with_it() -> None:
+    there: list[Table] = [{"name": "a"}, {"name": "b", "mirrors": "a"}, {"name": "c"}]
+    assert less(SHAFTS, there, 0) == [{"name": "c"}] and less(SHAFTS, there, 1) == [{"name": "a"}, {"name": "c"}]
+
+
+def test_what_names_a_shaft_or_locks_something_in_it_follows_its_name_letter_by_letter(session: Session) -> None:
+    session.add(SHAFTS)
+    session.toggle_lock("bearings.front.length_mm")
+    assert session.data["locked"].keys() >= {"shafts.shaft.bearings.front.length_mm"}
+    for text in ("", "t", "tw", "twin", "twin-", "twin-1"):  # by way of the name of its mirror image
+        session.edit((*SHAFTS, 0, "name"), text)
+    assert session.valid and session.data["shafts"][1]["mirrors"] == "twin-1"
+    assert [wheel.get("shaft") for wheel in session.data["gears"]["wheels"]] == [None, None, None, "twin-1"]
+    session.edit((*ROWS, 0, "name"), "fore")
+    assert session.lock_reason("shafts.twin-1.bearings.fore.length_mm")
+    session.undo()
+    session.undo()
+    assert session.data["shafts"][1]["mirrors"] == "shaft" and session.lock_reason("bearings.front.length_mm")
+
+
+def test_a_name_is_followed_only_where_the_elements_are_the_same() -> None:
+    before: Table = {"locked": {"shafts.a.material": ""}, "shafts": [{"name": "a"}, {"name": "b"}]}
+    after: Table = {**before, "shafts": [{"name": "c"}]}
+    assert followed(before, after, (*SHAFTS, 0, "name")) == after
+
+
+def test_without_bearings_a_shaft_keeps_what_is_screened(session: Session) -> None:
+    session.put_table(("bearings",), False)
+    session.put_table(("friction",), False)
+    assert session.valid and session.data["shafts"][0]["bearings"][0].keys() == {
+        "name",
+        "position_mm",
+        "diameter_mm",
+        "length_mm",
+    }
+
+
+# --- files of schema 1
+
+
+def test_a_file_of_schema_1_stays_one_where_it_can_say_what_changed(session: Session) -> None:
+    session.edit("bearings.front.length_mm", "28.5")
+    session.add(SHAFTS)
+    text = session.save().read_text("utf-8")
+    assert "schema = 1" in text and 'pair = "yes"' in text and "length_mm = 28.5" in text
+
+
+def test_where_it_can_not_a_save_asks_for_schema_2_and_keeps_the_comments(session: Session) -> None:
+    before, comments = session.home.read_bytes(), session.home.read_text("utf-8").count("#")
+    session.edit((*SHAFTS, 0, "name"), "left")
+    with pytest.raises(NeedsUpgrade, match="contralbero upgrade"):
+        session.save()
+    assert session.home.read_bytes() == before and session.dirty
+    document, _ = session.draft().solved()  # a report needs no schema
+    assert document.data == session.data and document.former is None
+    path = session.save(upgrade=True)
+    text, data = path.read_text("utf-8"), session.data
+    assert not session.dirty and path.with_name(f"{path.name}.bak").read_bytes() == before
+    assert tomllib.loads(text) == data and data["schema"] == 2 and text.count("#") >= comments
+    assert session.remark((*SHAFTS, 0, "half_length_mm")) == "assumed: up to the front journal"
+
+
+@pytest.mark.parametrize("answer", ["n", "y"])
+async def test_the_question_is_asked_and_no_work_is_lost(screen: Screen, light: Session, answer: str) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "shafts.shaft.name")
+        await type_in(pilot, "left")
+        await solved(pilot)
+        await strike(pilot, "ctrl+s")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Ask))
+        await strike(pilot, answer)
+        await settled(pilot)
+        assert light.value("shafts.0.name") == "left" and light.dirty is (answer == "n")
+        assert ("Saved" in told(pilot)) is (answer == "y")
+    assert tomllib.loads(light.home.read_text("utf-8"))["schema"] == (2 if answer == "y" else 1)
+
+
+def test_edits_that_version_0_1_kept_are_put_back_in_the_fields_of_today(session: Session) -> None:
+    old = tomllib.loads(session.home.read_text("utf-8"))
+    old["bearings"]["front"]["length_mm"] = 31.0
+    typed: dict[Place, str] = {
+        ("bearings", "rear", "length_mm"): "long",
+        ("countershaft", "masses", 0, "mass_kg"): "2.5",
+        ("countershaft", "bearing_positions_mm"): "no field any more",
+    }
+    session.memory.keep(session.home, Edits(old, datetime(2026, 1, 1), session.document.sha256, typed))
+    later = Session.open(session.home, memory=session.memory)
+    assert later.value("bearings.front.length_mm") == 31.0 and later.value("countershaft.masses.0.mass_kg") == 2.5
+    assert later.text("bearings.rear.length_mm") == "long" and list(later.reasons()) == [(*ROWS, 1, "length_mm")]
+    assert design(later.document).rows[0].length == pytest.approx(0.031)
