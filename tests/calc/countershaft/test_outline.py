@@ -19,6 +19,7 @@ from calc.solve import solve
 from tests.calc.countershaft.shafts import (
     FRONT,
     JOURNALS,
+    POSITIONS,
     REAR,
     SEATED,
     UP,
