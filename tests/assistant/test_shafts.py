@@ -173,7 +173,7 @@ def test_a_bearing_that_is_added_to_a_sound_shaft_leaves_it_sound(memory: Memory
         session.add(ROWS)
         assert session.valid, session.reasons()
     session.add(ROWS)
-    assert "has 10 rows [[shafts.bearings]]; needs 2 to 9" in session.reason(ROWS)
+    assert "needs 2 to 9 rows [[shafts.bearings]]; has 10" in session.reason(ROWS)
 
 
 def test_a_shaft_takes_its_mirror_image_with_it() -> None:
