@@ -190,7 +190,7 @@ def parse_assignment(text: str) -> tuple[str, object]:
     key, equals, value = text.partition("=")
     key, value = key.strip(), value.strip()
     if not equals or not key or "\n" in text:
-        raise BadInput("--set", [InputError(0, text, "", Text("must be KEY=VALUE, like bearings.front.length_mm=34"))])
+        raise BadInput("--set", [InputError(0, text, "", Text("must be KEY=VALUE, like engine.bore_mm=94"))])
     if not value:
         return key, None
     try:

@@ -82,7 +82,7 @@ class Document:
         return {key: words for key, words in comments.items() if same_content(file, self.data, key)}
 
     def with_value(self, key: str, value: object) -> "Document":
-        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes
+        """The same document with one key changed (`engine.bore_mm`, `gears.wheels.shaft.teeth`); None takes
         it out.
 
         A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.  Keys
