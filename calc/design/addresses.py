@@ -145,7 +145,7 @@ def value_at(data: Table, key: str, whole: bool = False) -> object:
         value = value_at(data, first, whole)
         return value if all(value_at(data, other, whole) == value for other in others) else None
     here: object = data
-    for part in address(data, key, whole):
+    for part in address(data, first, whole):
         if isinstance(here, list) and isinstance(part, int):
             here = here[part]
         else:

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.design.addresses import every
+from calc.design.addresses import every, value_at
 from calc.design.toml_file import read
 from calc.design.upgrade import (
     JOURNALS,
@@ -409,6 +409,7 @@ def test_a_star_stands_for_all_bearings_of_old_too_and_leaves_mirror_images_out(
     document = document.with_value("countershaft.pair", "yes").with_value("bearings.*.length_mm", 30.0)
     assert [row["length_mm"] for row in document.data["shafts"][0]["bearings"]] == [30.0, 30.0]
     assert every(document.data, "shafts.*.material") == ["shafts.shaft.material"]
+    assert value_at(document.data, "shafts.*.material") == value_at(document.data, "shafts.shaft.material")
     assert every(document.data, "shafts.*.name") == ["shafts.shaft.name", "shafts.twin.name"]
 
 
