@@ -95,17 +95,19 @@ class Document:
                 document = document.with_value(each, value)
             return document
         key = current(self.data, first)
-        former = self.former and self.former.without(key)
         lines = {**self.lines, key: 0}
         if first == "countershaft" and value is None:
+            former = self.former and self.former.without(first)
             return replace(self, data=without_shaft(self.data), lines=lines, former=former)
-        if key in MANY:  # of what stands elsewhere now the file says nothing
-            return replace(self, data=rewritten(self.data, key, value), lines=lines, former=None)
+        if key in MANY:  # of what stands elsewhere now the file says nothing, but what else is wrong in it
+            former = self.former and replace(self.former.without(key), was={})
+            return replace(self, data=rewritten(self.data, key, value), lines=lines, former=former)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
         where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
         data = changed(self.data, where, value)
         if key == dotted(Design.bearings) and value is None:
             data = unjudged(data)
+        former = self.former and self.former.without(".".join(map(str, where)))
         return replace(self, data=data, lines=lines, former=former)
 
 
