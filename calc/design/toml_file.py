@@ -31,6 +31,7 @@ from .upgrade import (
     MANY,
     PAIR,
     POSITIONS,
+    RATIO,
     Upgraded,
     current,
     is_former,
@@ -99,6 +100,8 @@ class Document:
         if first == "countershaft" and value is None:
             former = self.former and self.former.without(first)
             return replace(self, data=without_shaft(self.data), lines=lines, former=former)
+        if first == RATIO and value is None:  # which schema 1 leaves out
+            value = -1
         if key in MANY:  # of what stands elsewhere now the file says nothing, but what else is wrong in it
             former = self.former and replace(self.former.without(key), was={})
             return replace(self, data=rewritten(self.data, key, value), lines=lines, former=former)

@@ -28,7 +28,7 @@ BETWEEN = ("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 # --- schema 1: its keys and what may stand there, as version 0.1 had them
 
 POSITIONS, JOURNALS = "countershaft.bearing_positions_mm", "countershaft.journals"
-PAIR, SLOPES = "countershaft.pair", "bearings.slope_mrad"
+PAIR, SLOPES, RATIO = "countershaft.pair", "bearings.slope_mrad", "countershaft.speed_ratio"
 SHAFT_KEYS = (
     "mode", "material", "speed_ratio", "pair", "bearing_positions_mm", "axis_mm", "masses", "extras", "outer_radius_mm",
     "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm", "sections", "fillet_radius_mm",

@@ -400,6 +400,11 @@ def test_the_data_are_those_of_version_0_1() -> None:
     assert sorted(path.name for path in NEW.glob("*.toml")) == SHIPPED
 
 
+def test_the_ratio_of_old_that_is_left_out_is_minus_one() -> None:
+    document = read(NEW / GAMMA).with_value("countershaft.speed_ratio", None)
+    assert document.data["shafts"][0]["speed_ratio"] == -1 and design(document)
+
+
 def test_a_star_stands_for_all_bearings_of_old_too_and_leaves_mirror_images_out() -> None:
     document = read(NEW / "r753ie4_gamma.toml")
     document = document.with_value("countershaft.pair", "yes").with_value("bearings.*.length_mm", 30.0)
