@@ -17,13 +17,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import BearingRow
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.toml_scan import Beyond, key_lines, remarks
 from ..sheet.value import linked
-from .addresses import NAME, Table, address, as_list, changed, every, join, unjudged, written
+from .addresses import NAME, Table, address, as_list, as_table, changed, every, join, unjudged, value_at, written
 from .disk import read_file
 from .limits import DESIGN_BYTES
 from .model import SCHEMA, Design
@@ -44,6 +45,7 @@ from .upgrade import (
 
 T = TypeVar("T")
 REMARKS = Text("The design file says: {remarks}.")
+ROW_OWN = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.slope))
 SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 
 
@@ -107,6 +109,11 @@ class Document:
             return replace(self, data=rewritten(self.data, key, value), lines=lines, former=former)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
         where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
+        if isinstance(value, dict) and first != key and where[-2:-1] == (dotted(ShaftInputs.bearings),):
+            row = as_table(
+                value_at(self.data, key, whole=True)
+            )  # schema 1 says elsewhere what it is and where it stands
+            value = {own: row[own] for own in ROW_OWN if own in row} | value
         data = changed(self.data, where, value)
         if key == dotted(Design.bearings) and value is None:
             data = unjudged(data)

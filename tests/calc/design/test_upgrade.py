@@ -400,6 +400,12 @@ def test_the_data_are_those_of_version_0_1() -> None:
     assert sorted(path.name for path in NEW.glob("*.toml")) == SHIPPED
 
 
+def test_a_bearing_of_old_that_is_given_whole_stays_where_it_is() -> None:
+    given = {"diameter_mm": 59.5, "length_mm": 30.0, "clearance_um": 75.0}
+    row = read(NEW / GAMMA).with_value("bearings.front", given).data["shafts"][0]["bearings"][0]
+    assert row == {"name": "front", "position_mm": -167.5, "slope_mrad": 0.15625, **given}
+
+
 def test_the_ratio_of_old_that_is_left_out_is_minus_one() -> None:
     document = read(NEW / GAMMA).with_value("countershaft.speed_ratio", None)
     assert document.data["shafts"][0]["speed_ratio"] == -1 and design(document)
