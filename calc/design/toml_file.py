@@ -39,6 +39,7 @@ from .upgrade import (
     own_key,
     renamed,
     rewritten,
+    rows_of,
     upgraded,
     without_shaft,
 )
@@ -104,9 +105,11 @@ class Document:
             return replace(self, data=without_shaft(self.data), lines=lines, former=former)
         if first == RATIO and value is None:  # which schema 1 leaves out
             value = -1
-        if key in MANY:  # of what stands elsewhere now the file says nothing, but what else is wrong in it
-            former = self.former and replace(self.former.without(key), was={})
-            return replace(self, data=rewritten(self.data, key, value), lines=lines, former=former)
+        if key in MANY:
+            data, former = rewritten(self.data, key, value), self.former and self.former.without(key)
+            if former is not None and rows_of(data) != rows_of(self.data):
+                former = replace(former, was={})  # of rows in other places the file says nothing
+            return replace(self, data=data, lines=lines, former=former)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
         where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
         if isinstance(value, dict) and first != key and where[-2:-1] == (dotted(ShaftInputs.bearings),):

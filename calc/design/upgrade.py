@@ -503,6 +503,11 @@ def _row_names(shaft: Table) -> list[str]:
     return [_name(row, i) for i, row in enumerate(elements(shaft, "bearings"))]
 
 
+def rows_of(data: Table) -> list[str]:
+    """The names of the bearings of the one own shaft; raises BadInput where there are several."""
+    return _row_names(_own(data, POSITIONS)[1])
+
+
 # --- the old keys that have become many
 
 

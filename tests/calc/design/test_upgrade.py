@@ -406,6 +406,12 @@ def test_a_bearing_of_old_that_is_given_whole_stays_where_it_is() -> None:
     assert row == {"name": "front", "position_mm": -167.5, "slope_mrad": 0.15625, **given}
 
 
+@pytest.mark.parametrize(("key", "value", "kept"), [(PAIR, "yes", True), (POSITIONS, [-170, 0, 170], False)])
+def test_remarks_stay_where_the_rows_do(key: str, value: object, kept: bool) -> None:
+    remarks = read(OLD / GAMMA).with_value(key, value).remarks
+    assert ("shafts.0.core_radius_mm" in remarks) == kept and "imbalance.crank_balance_fraction" in remarks
+
+
 def test_the_ratio_of_old_that_is_left_out_is_minus_one() -> None:
     document = read(NEW / GAMMA).with_value("countershaft.speed_ratio", None)
     assert document.data["shafts"][0]["speed_ratio"] == -1 and design(document)
