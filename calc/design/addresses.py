@@ -16,7 +16,7 @@ from ..sheet.quantity import Key, Quantity, described, dotted, keys, unknown
 from ..sheet.step import Step
 from ..sheet.text import Name, Small, Text
 from .model import SCREENED, STEPS, Design, step_of
-from .upgrade import MANY, current, formerly
+from .upgrade import MANY, current, formerly, is_twin, place_in
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
 Table = dict[str, object]  # of a TOML document; what stands under a key is narrowed where it is read
@@ -84,7 +84,7 @@ def _element(tables: list[object], part: str, key: str) -> int:
     called = [
         (n, item.get(key)) for key in ("name", "former_name") for n, item in enumerate(tables) if isinstance(item, dict)
     ]
-    index = next((n for n, name in called if name == part), _place(part, len(tables)))
+    index = next((n for n, name in called if name == part), place_in(part, len(tables)))
     if index is None:
         names = ", ".join(str(item.get("name", n)) for n, item in enumerate(tables) if isinstance(item, dict))
         raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))
@@ -93,15 +93,11 @@ def _element(tables: list[object], part: str, key: str) -> int:
 
 def _number(numbers: tuple[object, ...], rest: list[str], key: str) -> int:
     """The index of a number, which is where its key ends."""
-    index = _place(rest[0], len(numbers))
+    index = place_in(rest[0], len(numbers))
     if index is None or len(rest) > 1:
         counts = dict(count=len(numbers), count2=len(numbers) - 1)
         raise _no_such(key, Text("has {count} numbers; name one by its place, from 0 to {count2}", **counts))
     return index
-
-
-def _place(part: str, count: int) -> int | None:
-    return int(part) if part.isascii() and part.isdigit() and int(part[:9]) < count else None
 
 
 def _quantity(cls: type | None, parts: list[str], key: str) -> Quantity:
@@ -210,7 +206,7 @@ def join(prefix: str, key: str) -> str:
 def own_shafts(data: Table) -> dict[int, Table]:
     """The shafts of a document that are no twins, by their places."""
     shafts = enumerate(map(as_table, as_list(data.get(dotted(Design.shafts)))))
-    return {n: shaft for n, shaft in shafts if dotted(ShaftInputs.mirrors) not in shaft}
+    return {n: shaft for n, shaft in shafts if not is_twin(shaft)}
 
 
 def asks(data: Table, step: str) -> bool:

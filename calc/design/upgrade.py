@@ -432,7 +432,8 @@ def _name(item: object, place: int) -> str:
     return name if isinstance(name, str) else str(place)
 
 
-def _index(part: str, count: int) -> int | None:
+def place_in(part: str, count: int) -> int | None:
+    """The index that a part of a key is in a list of so many; None where it is none."""
     return int(part) if part.isascii() and part.isdigit() and int(part[:9]) < count else None
 
 
@@ -461,7 +462,7 @@ def new_keys(key: str, shaft: str, rows: Sequence[str]) -> tuple[str, ...]:
 
 def _chosen(place: str, rows: Sequence[str]) -> Sequence[str]:
     """The rows at a place of a list of old; all where none is named."""
-    i = _index(place, len(rows))
+    i = place_in(place, len(rows))
     return rows if not place else (place,) if i is None else (rows[i],)
 
 
@@ -486,7 +487,7 @@ def current(data: Table, key: str) -> str:
 
 def _own(data: Table, key: str) -> tuple[str, Table]:
     """The name of the shaft that is no twin, and its table, which is empty where there is none."""
-    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data, "shafts")) if not _is_twin(shaft)]
+    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data, "shafts")) if not is_twin(shaft)]
     if len(own) > 1:
         first, *others = [name for name, _ in own]
         there = new_keys(key, first, _row_names(own[0][1]) or row_names(2))[0]
@@ -495,8 +496,9 @@ def _own(data: Table, key: str) -> tuple[str, Table]:
     return own[0] if own else (SHAFT, {})
 
 
-def _is_twin(shaft: Table) -> bool:
-    return "mirrors" in shaft or "repeats" in shaft
+def is_twin(shaft: Table) -> bool:
+    """Whether it is the mirror image of another."""
+    return "mirrors" in shaft
 
 
 def _row_names(shaft: Table) -> list[str]:
