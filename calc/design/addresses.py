@@ -69,11 +69,7 @@ def every(data: Table, key: str) -> list[str]:
         here = here[part] if isinstance(here, list) and isinstance(part, int) else as_table(here).get(str(part))
     items = [as_table(item) for item in here] if isinstance(here, list) else []
     mirrored = before == dotted(Design.shafts) and after.partition(".")[0] not in TWIN
-    names = [
-        str(item.get("name", n))
-        for n, item in enumerate(items)
-        if not (mirrored and dotted(ShaftInputs.mirrors) in item)
-    ]
+    names = [str(item.get("name", n)) for n, item in enumerate(items) if not (mirrored and is_twin(item))]
     if not names:
         raise _no_such(key, Text("nothing stands where the * is"))
     return [each for name in names for each in every(data, f"{before}.{name}.{after}")]
