@@ -543,6 +543,7 @@ def test_explain_says_what_is_not_there_and_what_has_no_solution():
     [
         ("engine.bore_mm", " = 94.0   an input\n", "    Bore, mm. Diameter of the cylinders"),
         ("engine.bank_angle_deg", "   an input, left out\n", "    Bank angle, °. Between the banks"),
+        ("bearings.*.length_mm", "shafts.shaft.bearings.rear.length_mm = 26.5   an input\n", "    Length, mm. Along"),
     ],
 )
 def test_an_input_is_explained_by_its_help(key, head, help):

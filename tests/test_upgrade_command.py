@@ -91,6 +91,11 @@ def test_what_is_no_design_is_bad_input(text: str | None, words: str, tmp_path: 
 def test_a_key_of_schema_1_is_answered_by_that_of_today(folder: Path) -> None:
     said = run("explain", folder / "r753ie4_gamma.toml", "bearings.front.length_mm").stdout
     assert said.startswith("shafts.shaft.bearings.front.length_mm = 27.5 ")
+    both = run("explain", folder / "r753ie4_gamma.toml", "bearings.*.length_mm").stdout.splitlines()
+    assert [line.split("   ")[0] for line in both[:2]] == [
+        "shafts.shaft.bearings.front.length_mm = 27.5",
+        "shafts.shaft.bearings.rear.length_mm = 26.5",
+    ]
     table = run(
         *("sweep", folder / "r753ie4_gamma.toml", "--step", "countershaft", "--values", "countershaft.reaction_front"),
         *("--vary", "countershaft.bearing_positions_mm.0=-167.5,-160", "--vary", "bearings.slope_mrad=0.1,0.2"),

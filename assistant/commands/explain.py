@@ -8,7 +8,7 @@ from textwrap import fill
 from typing import Any
 
 from assistant.commands.published import reference_lines
-from calc.design.addresses import quantity_of, value_at
+from calc.design.addresses import every, quantity_of, value_at
 from calc.design.key_results import outside
 from calc.design.model import Design
 from calc.design.toml_file import Document, load
@@ -57,8 +57,8 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
     values = results.values()
     if asked.value not in values and (known := _input(document.data, asked.value)) is not None:
         about, given = known
-        key = current(document.data, asked.value)
-        print(f"{key} = {given}   an input" if given is not None else f"{key}   an input, left out")
+        for key, content in given.items():
+            print(f"{key} = {content}   an input" if content is not None else f"{key}   an input, left out")
         told = f"{about.label}{f', {about.unit}' if about.unit else ''}. {about.help}"
         print(fill(told, 116, initial_indent="    ", subsequent_indent="    "))
         return 0
@@ -153,9 +153,10 @@ def _provenance(line: Line) -> dict[str, Any]:
     }
 
 
-def _input(data: dict[str, Any], key: str) -> tuple[Quantity, object] | None:
-    """What is known of the input at a key, and what the design file says there (None: left out); None: no input."""
+def _input(data: dict[str, Any], key: str) -> tuple[Quantity, dict[str, object]] | None:
+    """What is known of the input at a key, and by its key of today, or of all that a * in it stands for, what the
+    design file says there (None: left out); None: no input."""
     try:
-        return quantity_of(data, key), value_at(data, key)
+        return quantity_of(data, key), {current(data, each): value_at(data, each) for each in every(data, key)}
     except BadInput:
         return None

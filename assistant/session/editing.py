@@ -45,7 +45,7 @@ def applied(document: Document, changes: Iterable[str]) -> Document:
 
 
 def told(document: Document, changes: Iterable[str]) -> Text:
-    """What each change does: "Length bearings.front.length_mm 27.5 → 34 mm"; those that change nothing are left out."""
+    """What each change does: "Bore (engine.bore_mm) 94 → 95 mm"; those that change nothing are left out."""
     texts = []
     for key, value, there in _different(document, changes):
         if there is None:

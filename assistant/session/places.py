@@ -2,6 +2,7 @@
 """Places in the tables of a design: names of keys and indices of arrays, which hold while an element is being renamed;
 and how an array gets an element more, or less."""
 
+import re
 from itertools import pairwise
 from typing import Any
 
@@ -9,7 +10,7 @@ from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow
 from calc.design.addresses import Table, address, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
-from calc.design.other_tables import OptimiseInputs
+from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, twin, without
 from calc.gears.inputs import GearsInputs
 from calc.gears.wheel_inputs import Wheel
@@ -129,6 +130,7 @@ def label_of(data: Table, key: str) -> Text:
 # --- elements of arrays of tables
 
 NAME, MIRRORS, POSITION = "name", dotted(ShaftInputs.mirrors), dotted(BearingRow.position)
+VALUE = dotted(Measured.value)
 
 
 def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
@@ -181,8 +183,8 @@ def less(where: Place, there: list[Table], index: int) -> list[Table]:
 
 
 def followed(valid: Table, data: Table, where: Place) -> Table:
-    """The tables after an element of an array was given another name: what is locked or varied in it goes by that name,
-    and so does what mirrors a shaft or sits on it.  `valid`: the tables before.
+    """The tables after an element of an array was given another name: what is locked, varied or measured in it goes by
+    that name, and so does what mirrors a shaft or sits on it, or is accepted of a bearing.  `valid`: the tables before.
 
     While the name is none, or that of another one, all that stays as it was."""
     if where[-1:] != (NAME,) or len(where) < 3:
@@ -198,6 +200,20 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
     for table in ((dotted(Design.locked),), (dotted(Design.optimise), dotted(OptimiseInputs.vary))):
         if isinstance(there := content_at(data, table), dict):
             data = changed(data, table, {_renamed(key, was, now): content for key, content in there.items()})
+    row_of = re.compile(
+        rf"(bearings\.|countershaft\.(?:reaction|slope)_){re.escape(old)}(?![^._])"
+    )  # ids of its values
+
+    def called(name: str) -> str:
+        """A key or an id once the element is called otherwise."""
+        of_row = described(where[:-2]).table is BearingRow
+        return row_of.sub(rf"\g<1>{new}", name, count=1) if of_row and row_of.match(name) else _renamed(name, was, now)
+
+    if isinstance(accepted := content_at(data, (dotted(Design.accepted),)), dict):
+        data = changed(data, (dotted(Design.accepted),), {called(id): reason for id, reason in accepted.items()})
+    for i, row in enumerate(content_at(data, (dotted(Design.measured),)) or []):
+        if isinstance(value := row.get(VALUE), str) and called(value) != value:
+            data = changed(data, (dotted(Design.measured), i, VALUE), called(value))
     if where[:-2] == (dotted(Design.shafts),):
         wheels = (dotted(Design.gears), dotted(GearsInputs.wheels))
         for array, key in ((where[:-2], MIRRORS), (wheels, dotted(Wheel.shaft))):

@@ -96,7 +96,10 @@ def saved_text(raw: bytes, data: Table) -> str:
     old, new = downgraded(document.data), downgraded(data)
     if old is None or new is None:
         raise NeedsUpgrade(UPGRADE)
-    return edited_text(text, differences(old, new))
+    made = edited_text(text, differences(old, new))
+    if parse(made.encode("utf-8"), "").data != data:  # one key of the file says what are several now: a lock of a list
+        raise NeedsUpgrade(UPGRADE)
+    return made
 
 
 def upgraded_bytes(raw: bytes) -> tuple[bytes, bool]:

@@ -294,12 +294,12 @@ class Session(Editing):
         if not self.valid:
             where, reason = next(iter(self.reasons().items()))
             key = named_key(self.data, where) or Text("the design")
-            raise SaveError(Text("not saved: {key} {reason}", key=key, reason=reason))
+            raise SaveError(Text("not saved: {key}: {reason}", key=key, reason=reason))
         raw, before = self.bytes(upgrade), self.home
         try:
             document = parse(raw, str(path))
         except BadInput as bad:  # nothing is written that can not be read
-            raise SaveError(Text("not saved: {key} {reason}", key=path.name, reason=bad.errors[0].reason)) from None
+            raise SaveError(Text("not saved: {key}: {reason}", key=path.name, reason=bad.errors[0].reason)) from None
         write_atomic(path, raw, expected=None if force else self._raw, new=new)
         with self._keeping:
             self._drop()

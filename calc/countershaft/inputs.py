@@ -435,7 +435,7 @@ class ShaftInputs:
             yield dotted(ShaftInputs.masses), Text('do not go with mode = "bearings", whose loads are given')
         if not 2 <= len(self.bearings) <= 9:
             count = len(self.bearings)
-            yield dotted(ShaftInputs.bearings), Text("has {count} rows [[shafts.bearings]]; needs 2 to 9", count=count)
+            yield dotted(ShaftInputs.bearings), Text("needs 2 to 9 rows [[shafts.bearings]]; has {count}", count=count)
         if self.mode == "bearings":
             return
         for i, row in enumerate(self.bearings):

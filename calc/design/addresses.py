@@ -16,7 +16,7 @@ from ..sheet.quantity import Key, Quantity, described, dotted, keys, unknown
 from ..sheet.step import Step
 from ..sheet.text import Name, Small, Text
 from .model import SCREENED, STEPS, Design, step_of
-from .upgrade import MANY, current, formerly
+from .upgrade import MANY, current, formerly, is_twin, place_in
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
 Table = dict[str, object]  # of a TOML document; what stands under a key is narrowed where it is read
@@ -69,11 +69,7 @@ def every(data: Table, key: str) -> list[str]:
         here = here[part] if isinstance(here, list) and isinstance(part, int) else as_table(here).get(str(part))
     items = [as_table(item) for item in here] if isinstance(here, list) else []
     mirrored = before == dotted(Design.shafts) and after.partition(".")[0] not in TWIN
-    names = [
-        str(item.get("name", n))
-        for n, item in enumerate(items)
-        if not (mirrored and dotted(ShaftInputs.mirrors) in item)
-    ]
+    names = [str(item.get("name", n)) for n, item in enumerate(items) if not (mirrored and is_twin(item))]
     if not names:
         raise _no_such(key, Text("nothing stands where the * is"))
     return [each for name in names for each in every(data, f"{before}.{name}.{after}")]
@@ -84,7 +80,7 @@ def _element(tables: list[object], part: str, key: str) -> int:
     called = [
         (n, item.get(key)) for key in ("name", "former_name") for n, item in enumerate(tables) if isinstance(item, dict)
     ]
-    index = next((n for n, name in called if name == part), _place(part, len(tables)))
+    index = next((n for n, name in called if name == part), place_in(part, len(tables)))
     if index is None:
         names = ", ".join(str(item.get("name", n)) for n, item in enumerate(tables) if isinstance(item, dict))
         raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))
@@ -93,15 +89,11 @@ def _element(tables: list[object], part: str, key: str) -> int:
 
 def _number(numbers: tuple[object, ...], rest: list[str], key: str) -> int:
     """The index of a number, which is where its key ends."""
-    index = _place(rest[0], len(numbers))
+    index = place_in(rest[0], len(numbers))
     if index is None or len(rest) > 1:
         counts = dict(count=len(numbers), count2=len(numbers) - 1)
         raise _no_such(key, Text("has {count} numbers; name one by its place, from 0 to {count2}", **counts))
     return index
-
-
-def _place(part: str, count: int) -> int | None:
-    return int(part) if part.isascii() and part.isdigit() and int(part[:9]) < count else None
 
 
 def _quantity(cls: type | None, parts: list[str], key: str) -> Quantity:
@@ -145,7 +137,7 @@ def value_at(data: Table, key: str, whole: bool = False) -> object:
         value = value_at(data, first, whole)
         return value if all(value_at(data, other, whole) == value for other in others) else None
     here: object = data
-    for part in address(data, key, whole):
+    for part in address(data, first, whole):
         if isinstance(here, list) and isinstance(part, int):
             here = here[part]
         else:
@@ -190,7 +182,7 @@ def parse_assignment(text: str) -> tuple[str, object]:
     key, equals, value = text.partition("=")
     key, value = key.strip(), value.strip()
     if not equals or not key or "\n" in text:
-        raise BadInput("--set", [InputError(0, text, "", Text("must be KEY=VALUE, like bearings.front.length_mm=34"))])
+        raise BadInput("--set", [InputError(0, text, "", Text("must be KEY=VALUE, like engine.bore_mm=94"))])
     if not value:
         return key, None
     try:
@@ -211,11 +203,6 @@ def own_shafts(data: Table) -> dict[int, Table]:
     """The shafts of a document that are no twins, by their places."""
     shafts = enumerate(map(as_table, as_list(data.get(dotted(Design.shafts)))))
     return {n: shaft for n, shaft in shafts if not is_twin(shaft)}
-
-
-def is_twin(shaft: Table) -> bool:
-    """Whether a shaft of a document is the mirror image of another, or that once more."""
-    return dotted(ShaftInputs.mirrors) in shaft or dotted(ShaftInputs.repeats) in shaft
 
 
 def asks(data: Table, step: str) -> bool:

@@ -17,13 +17,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..countershaft.inputs import ShaftInputs
+from ..countershaft.rows import BearingRow
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.toml_scan import Beyond, key_lines, remarks
 from ..sheet.value import linked
-from .addresses import NAME, Table, address, as_list, changed, every, join, unjudged, written
+from .addresses import NAME, Table, address, as_list, as_table, changed, every, join, unjudged, value_at, written
 from .disk import read_file
 from .limits import DESIGN_BYTES
 from .model import SCHEMA, Design
@@ -31,18 +32,21 @@ from .upgrade import (
     MANY,
     PAIR,
     POSITIONS,
+    RATIO,
     Upgraded,
     current,
     is_former,
     own_key,
     renamed,
     rewritten,
+    rows_of,
     upgraded,
     without_shaft,
 )
 
 T = TypeVar("T")
 REMARKS = Text("The design file says: {remarks}.")
+ROW_OWN = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.slope))
 SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 
 
@@ -82,7 +86,7 @@ class Document:
         return {key: words for key, words in comments.items() if same_content(file, self.data, key)}
 
     def with_value(self, key: str, value: object) -> "Document":
-        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes
+        """The same document with one key changed (`engine.bore_mm`, `gears.wheels.shaft.teeth`); None takes
         it out.
 
         A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.  Keys
@@ -95,17 +99,28 @@ class Document:
                 document = document.with_value(each, value)
             return document
         key = current(self.data, first)
-        former = self.former and self.former.without(key)
         lines = {**self.lines, key: 0}
         if first == "countershaft" and value is None:
+            former = self.former and self.former.without(first)
             return replace(self, data=without_shaft(self.data), lines=lines, former=former)
-        if key in MANY:  # of what stands elsewhere now the file says nothing
-            return replace(self, data=rewritten(self.data, key, value), lines=lines, former=None)
+        if first == RATIO and value is None:  # which schema 1 leaves out
+            value = -1
+        if key in MANY:
+            data, former = rewritten(self.data, key, value), self.former and self.former.without(key)
+            if former is not None and rows_of(data) != rows_of(self.data):
+                former = replace(former, was={})  # of rows in other places the file says nothing
+            return replace(self, data=data, lines=lines, former=former)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
         where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
+        if isinstance(value, dict) and first != key and where[-2:-1] == (dotted(ShaftInputs.bearings),):
+            row = as_table(
+                value_at(self.data, key, whole=True)
+            )  # schema 1 says elsewhere what it is and where it stands
+            value = {own: row[own] for own in ROW_OWN if own in row} | value
         data = changed(self.data, where, value)
         if key == dotted(Design.bearings) and value is None:
             data = unjudged(data)
+        former = self.former and self.former.without(".".join(map(str, where)))
         return replace(self, data=data, lines=lines, former=former)
 
 

@@ -28,7 +28,7 @@ BETWEEN = ("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 # --- schema 1: its keys and what may stand there, as version 0.1 had them
 
 POSITIONS, JOURNALS = "countershaft.bearing_positions_mm", "countershaft.journals"
-PAIR, SLOPES = "countershaft.pair", "bearings.slope_mrad"
+PAIR, SLOPES, RATIO = "countershaft.pair", "bearings.slope_mrad", "countershaft.speed_ratio"
 SHAFT_KEYS = (
     "mode", "material", "speed_ratio", "pair", "bearing_positions_mm", "axis_mm", "masses", "extras", "outer_radius_mm",
     "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm", "sections", "fillet_radius_mm",
@@ -52,8 +52,6 @@ RISE = Text("must rise from front to rear: [z_front, z_rear] with z_front < z_re
 TWO = Text("[bearings] has a front and a rear one: give two, or the sizes as journals")
 THEIRS = Text("are those of [bearings]; leave them out here, or [bearings]")
 STEPS = ("countershaft", "bearings")  # what stands in [locked] for them names the step, and stays
-# ids of a pair's values and checks that are of both its shafts: how they go on behind the step
-SUMS = ("residual", "roll", "bolts", "drain", "cost", "part")
 
 
 def row_names(count: int) -> tuple[str, ...]:
@@ -80,17 +78,20 @@ class Upgraded:
     wrong: frozenset[str]
 
     def without(self, key: str) -> "Upgraded":
-        """The same once a key, by its name in schema 2, is given another value: what was wrong there is so no more."""
-        if not self.errors:
-            return self
+        """The same once a key, elements of arrays by index, or one of the four old keys (MANY) is given another value:
+        what was wrong there, or in it, is so no more.  A list of these four is mended whole: what it had is not
+        known."""
         old = own_key(self.was, key)
-        errors = tuple(error for error in self.errors if not _alike(error.key, old))
-        return replace(self, errors=errors, wrong=frozenset(there for there in self.wrong if not _alike(there, key)))
+        if not self.errors or (old in MANY and key != old):
+            return self
+        errors = tuple(error for error in self.errors if not _lies_in(error.key, old))
+        wrong = frozenset(there for there in self.wrong if not _lies_in(own_key(self.was, there), old))
+        return replace(self, errors=errors, wrong=wrong)
 
 
-def _alike(one: str, other: str) -> bool:
-    """Whether one is the other, or stands in it."""
-    return f"{one}.".startswith(f"{other}.") or f"{other}.".startswith(f"{one}.")
+def _lies_in(key: str, table: str) -> bool:
+    """Whether a key is the other, or stands in it."""
+    return f"{key}.".startswith(f"{table}.")
 
 
 def own_key(was: Mapping[str, str], key: str) -> str:
@@ -346,14 +347,12 @@ class _Upgrade:
             self.was[f"gears.wheels.{i}.shaft"] = f"gears.meshes.{len(meshes) - 1}.driven"
         data["gears"] = {**gears, "wheels": wheels}
 
-    # --- keys and ids as words
+    # --- keys as words
 
     def _references(self, data: Table) -> None:
-        """What names keys and ids: [locked], [accepted], [optimise.vary] and the value of [[measured]]."""
+        """What names keys: [locked], [optimise.vary] and the value of [[measured]].  Ids, as in [accepted], stay."""
         if isinstance(locked := data.get("locked"), dict):
             data["locked"] = self._named("locked", locked, lambda key, _: self._new_keys(key))
-        if isinstance(accepted := data.get("accepted"), dict):
-            data["accepted"] = self._named("accepted", accepted, lambda id, _: (self._new_id(id),))
         if isinstance(optimise := data.get("optimise"), dict) and isinstance(vary := optimise.get("vary"), dict):
             data["optimise"] = {**optimise, "vary": self._named("optimise.vary", vary, self._varied)}
         if measured := elements(data, "measured"):
@@ -361,7 +360,7 @@ class _Upgrade:
             data["measured"] = [{**row, **self._measured(row, given)} for row in measured]
 
     def _named(self, table: str, given: Table, new: Callable[[str, object], tuple[str, ...]]) -> Table:
-        """A table by keys or ids, with those of schema 2."""
+        """A table by keys, with those of schema 2."""
         made: Table = {}
         for key, content in given.items():
             for name in new(key, content):
@@ -380,22 +379,12 @@ class _Upgrade:
         """What is varied together can not be varied key by key: it stays, and is read as the old key."""
         return (key,) if key in MANY and allowed != "fixed" else self._new_keys(key)
 
-    def _new_id(self, id: str) -> str:
-        """The id of a value or check: of more than two supports their names, of one shaft of a pair its own."""
-        step, _, rest = id.partition(".")
-        word, *parts = rest.split(".")
-        if step == "countershaft" and word == "support" and len(parts) == 2 and len(self.rows) > 2:
-            n = _index(parts[0], len(self.rows) + 1)
-            rest = f"{parts[1]}_{self.rows[n - 1]}" if n else rest
-        own = word in (FRONT, REAR) if step == "bearings" else step == "countershaft" and not rest.startswith(SUMS)
-        return ".".join(filter(None, (step, SHAFT if self.pair and own and rest else "", rest)))
-
     def _measured(self, row: Table, given: Collection[str]) -> Table:
-        """The value of a row: the key of an input, where one is given, else the id of a value."""
+        """The value of a row where it is the key of an input that is given; the id of a value stays."""
         value = row.get("value")
-        if not isinstance(value, str) or value in MANY:
+        if not isinstance(value, str) or value in MANY or value not in given:
             return {}
-        return {"value": self._new_keys(value)[0] if value in given else self._new_id(value)}
+        return {"value": self._new_keys(value)[0]}
 
 
 def _last(key: str) -> str:
@@ -443,7 +432,8 @@ def _name(item: object, place: int) -> str:
     return name if isinstance(name, str) else str(place)
 
 
-def _index(part: str, count: int) -> int | None:
+def place_in(part: str, count: int) -> int | None:
+    """The index that a part of a key is in a list of so many; None where it is none."""
     return int(part) if part.isascii() and part.isdigit() and int(part[:9]) < count else None
 
 
@@ -472,7 +462,7 @@ def new_keys(key: str, shaft: str, rows: Sequence[str]) -> tuple[str, ...]:
 
 def _chosen(place: str, rows: Sequence[str]) -> Sequence[str]:
     """The rows at a place of a list of old; all where none is named."""
-    i = _index(place, len(rows))
+    i = place_in(place, len(rows))
     return rows if not place else (place,) if i is None else (rows[i],)
 
 
@@ -497,7 +487,7 @@ def current(data: Table, key: str) -> str:
 
 def _own(data: Table, key: str) -> tuple[str, Table]:
     """The name of the shaft that is no twin, and its table, which is empty where there is none."""
-    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data, "shafts")) if not _is_twin(shaft)]
+    own = [(_name(shaft, i), shaft) for i, shaft in enumerate(elements(data, "shafts")) if not is_twin(shaft)]
     if len(own) > 1:
         first, *others = [name for name, _ in own]
         there = new_keys(key, first, _row_names(own[0][1]) or row_names(2))[0]
@@ -506,12 +496,18 @@ def _own(data: Table, key: str) -> tuple[str, Table]:
     return own[0] if own else (SHAFT, {})
 
 
-def _is_twin(shaft: Table) -> bool:
+def is_twin(shaft: Table) -> bool:
+    """Whether it is the mirror image of another, or that once more."""
     return "mirrors" in shaft or "repeats" in shaft
 
 
 def _row_names(shaft: Table) -> list[str]:
     return [_name(row, i) for i, row in enumerate(elements(shaft, "bearings"))]
+
+
+def rows_of(data: Table) -> list[str]:
+    """The names of the bearings of the one own shaft; raises BadInput where there are several."""
+    return _row_names(_own(data, POSITIONS)[1])
 
 
 # --- the old keys that have become many

@@ -192,7 +192,7 @@ class _Edited:
         self.shafts = elements(new.data, "shafts")
         self.wheels = elements(_table(new.data, "gears"), "wheels")
         self.measured = elements(data, "measured"), elements(new.data, "measured")
-        self.names = {table: self._names(table) for table in ("locked", "accepted", "optimise.vary")}
+        self.names = {table: self._names(table) for table in ("locked", "optimise.vary")}
 
     def _names(self, table: str) -> Mapping[str, list[str]]:
         """The new keys of a table that go by others now, by their old ones."""

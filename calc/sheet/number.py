@@ -59,7 +59,7 @@ def scalar(x: complex, digits: int = DIGITS) -> str:
 
 def rounded(x: float, digits: int) -> float:
     """A number as it reads when it is written with so many digits."""
-    return float(f"{x:.{digits - 1}e}")
+    return float(f"{sure(x):.{digits - 1}e}")
 
 
 def all_rounded(x: object, digits: int) -> object:

@@ -63,7 +63,7 @@ def test_the_states_of_a_design(light: Session) -> None:
     light.undo()
     light.add("countershaft.masses")
     assert [other.title for other in past(light)] == [
-        "before Eccentric masses: rear-2 (countershaft, masses): left out → 5 keys",
+        "before Eccentric masses: rear-2 (shafts, shaft, masses): left out → 5 keys",
         "before Bore (engine): 94 → 95 mm",
     ]
     assert [other.name for other in past(light)] == ["1 edit ago", "2 edits ago"]

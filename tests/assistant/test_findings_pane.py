@@ -21,6 +21,7 @@ from tests.assistant.driving import settled, strike, until, work
 from tests.made_checks import made_check
 
 EDGE = "bearings.front.film_edge"
+LENGTH = "shafts.shaft.bearings.front.length_mm"
 
 
 def rows(checks: Checks) -> dict[str, str]:
@@ -37,7 +38,7 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         groups = open_findings(outcome.checks)
         assert list(shown) == [*(group[0].id for group in groups), "advice", "method", "hold"]
         assert groups[0][0].id == EDGE and f"({len(groups[0])} checks)" in shown[EDGE]
-        assert "7.41 of 9 µm" in shown[EDGE] and "most: length +0.4 µm per mm" in shown[EDGE]
+        assert "7.41 of 9 µm" in shown[EDGE] and "most: length of front +0.4 µm " in shown[EDGE]
         second = groups[1][0]
         await strike(pilot, "down")
         assert checks.key == second.id and len(rows(checks)[second.id]) > len(shown[second.id])
@@ -157,13 +158,9 @@ def test_slopes_are_told_in_labels_and_units(session: Session) -> None:
     found = effects(session.document, results, [check], 5)[EDGE]
     assert (
         str(slopes_of_check(session.data, check, found))
-        == "length +0.4 µm per mm; roughness Ra, journal: limit +7.5 µm per µm"
+        == "length of front +0.4 µm per mm; roughness Ra, journal of front: limit +7.5 µm per µm"
     )
-    moved = str(
-        slopes_of_input(
-            session.data, "bearings.front.length_mm", moved_by(session.document, results, "bearings.front.length_mm")
-        )
-    )
+    moved = str(slopes_of_input(session.data, LENGTH, moved_by(session.document, results, LENGTH)))
     assert moved.startswith("film at the edge over the speeds, thinnest at 2497 rpm, front +0.42 µm per mm; ")
 
 

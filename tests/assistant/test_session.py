@@ -126,7 +126,7 @@ def test_invalid_input_keeps_the_last_valid_results(session: Session, text: str,
     assert not session.valid and session.job() is None
     assert session.results is before
     assert session.design.engine is not None and session.design.engine.bore == 0.094
-    with pytest.raises(SaveError, match="not saved"):
+    with pytest.raises(SaveError, match=r"not saved: engine\.bore_mm: "):
         session.save()
 
 

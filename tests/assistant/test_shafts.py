@@ -16,7 +16,7 @@ from assistant.session.session import Session
 from assistant.widgets.field import CellColumns, Field
 from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.rows import Asked, FormRow, routed
-from calc.design.addresses import Table
+from calc.design.addresses import Table, changed
 from calc.design.model import STEPS
 from calc.design.toml_file import design, parse
 from calc.studies.shipped import DESIGNS
@@ -173,7 +173,7 @@ def test_a_bearing_that_is_added_to_a_sound_shaft_leaves_it_sound(memory: Memory
         session.add(ROWS)
         assert session.valid, session.reasons()
     session.add(ROWS)
-    assert "has 10 rows [[shafts.bearings]]; needs 2 to 9" in session.reason(ROWS)
+    assert "needs 2 to 9 rows [[shafts.bearings]]; has 10" in session.reason(ROWS)
 
 
 def test_a_shaft_takes_its_mirror_image_with_it() -> None:
@@ -194,6 +194,24 @@ def test_what_names_a_shaft_or_locks_something_in_it_follows_its_name_letter_by_
     session.undo()
     session.undo()
     assert session.data["shafts"][1]["mirrors"] == "shaft" and session.lock_reason("bearings.front.length_mm")
+
+
+def test_what_is_accepted_and_measured_of_a_bearing_follows_its_name() -> None:
+    rows = [{"name": "front"}, {"name": "rear"}]
+    ids = ["bearings.front.mckee", "countershaft.slope_front", "bearings.rear.mckee", "countershaft.holes.range"]
+    values = ["countershaft.reaction_front_peak", "shafts.s.bearings.front.length_mm", "countershaft.reaction_rear"]
+    before: Table = {
+        "shafts": [{"name": "s", "bearings": rows}],
+        "accepted": dict.fromkeys(ids, "seen"),
+        "measured": [{"value": value} for value in values],
+    }
+    after = followed(before, changed(before, (*ROWS, 0, "name"), "a-1"), (*ROWS, 0, "name"))
+    assert list(after["accepted"]) == ["bearings.a-1.mckee", "countershaft.slope_a-1", *ids[2:]]
+    assert [row["value"] for row in after["measured"]] == [
+        "countershaft.reaction_a-1_peak",
+        "shafts.s.bearings.a-1.length_mm",
+        "countershaft.reaction_rear",
+    ]
 
 
 def test_a_name_is_followed_only_where_the_elements_are_the_same() -> None:

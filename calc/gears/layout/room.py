@@ -246,7 +246,7 @@ ASSEMBLY = CheckRule(
         "diametral"
     ),
     zero="1 mm",
-    moved_by=("bearings.front.diameter_mm", dotted("gears", GearsInputs.normal_module)),
+    moved_by=("shafts.S.bearings.*.diameter_mm", dotted("gears", GearsInputs.normal_module)),
 )
 SHAFT_ASSEMBLY = replace(ASSEMBLY, id="gears.N.assembly")  # of one of several shafts
 

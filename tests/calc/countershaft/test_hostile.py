@@ -222,7 +222,7 @@ def test_a_journal_ends_within_the_sections():
 
 def test_one_row_is_told_once():
     (only,) = errors((HEAD + ROWS).replace(REAR_ROW, ""))
-    assert "shafts.0.bearings: has 1" in only
+    assert "shafts.0.bearings: needs 2 to 9 rows [[shafts.bearings]]; has 1" in only
 
 
 def test_size_without_envelope_names_all_three_at_once():

@@ -217,3 +217,28 @@ def test_a_design_by_hand_has_the_numbers_of_its_twin_in_schema_1() -> None:
 @pytest.mark.parametrize("name", [GAMMA, R754, TWIN])
 def test_a_shipped_design_has_the_numbers_of_its_twin_in_schema_1(name: str) -> None:
     assert digits(solve(design(read(OLD / name)))) == digits(solve(design(read(NEW / name))))
+
+
+# --- what is locked or varied by the keys of schema 1
+
+PLACE_LOCKED = RAW[GAMMA] + b'\n[locked]\n"countershaft.bearing_positions_mm" = "the casing is there"\n'
+
+
+@pytest.mark.parametrize(
+    ("key", "old"),
+    [
+        ("position_mm", "countershaft.bearing_positions_mm.1"),
+        ("slope_mrad", "bearings.slope_mrad.1"),
+        ("length_mm", "bearings.rear.length_mm"),
+    ],
+)
+def test_what_is_locked_of_a_bearing_is_saved_by_a_key_that_schema_1_has(key: str, old: str) -> None:
+    changed = parse(RAW[GAMMA], "").with_value(f"locked.shafts.shaft.bearings.rear.{key}", "measured")
+    assert tomllib.loads(saved_text(RAW[GAMMA], changed.data))["locked"] == {old: "measured"}
+
+
+def test_of_a_list_that_is_locked_one_number_can_not_be_set_free_in_schema_1() -> None:
+    document = parse(PLACE_LOCKED, "")
+    assert saved_text(PLACE_LOCKED, document.with_value("name", "other").data)
+    with pytest.raises(NeedsUpgrade):
+        saved_text(PLACE_LOCKED, document.with_value("locked.shafts.shaft.bearings.front.position_mm", None).data)

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.design.addresses import every
-from calc.design.toml_file import read
+from calc.design.addresses import every, value_at
+from calc.design.toml_file import design, parse, read
 from calc.design.upgrade import (
     JOURNALS,
     PAIR,
@@ -27,6 +27,7 @@ from calc.design.upgrade import (
 )
 from calc.sheet.errors import BadInput
 from calc.sheet.toml_scan import key_lines, remarks
+from calc.solve import solve
 from tests.conftest import ROOT
 
 OLD, NEW = (ROOT / "tests" / "data" / name for name in ("designs_0_1", "upgraded"))
@@ -163,21 +164,16 @@ def test_keys_that_are_named_go_along() -> None:
     assert own_key(it.was, "locked.shafts.shaft.bearings.front.length_mm") == "locked.bearings.front.length_mm"
 
 
-def test_ids_of_a_pair_gain_the_name_of_its_shaft() -> None:
-    ids = ["countershaft.force", "countershaft.residual_order_2_force", "countershaft.bolts.slip", "engine.stroke"]
-    ids += ["countershaft.support.2.heat_index", "bearings.front.film"]
-    it = from_text(
-        "[countershaft]\npair = 'yes'\nbearing_positions_mm = [-1.0, 0.0, 1.0]\n[accepted]\n"
-        + "".join(f"'{id}' = 'x'\n" for id in ids)
-    )
-    assert list(it.data["accepted"]) == [
-        "countershaft.shaft.force",
-        "countershaft.residual_order_2_force",
-        "countershaft.bolts.slip",
-        "engine.stroke",
-        "countershaft.shaft.heat_index_middle",
-        "bearings.shaft.front.film",
-    ]
+@pytest.mark.parametrize("name, text", [(R754, "[countershaft]\n"), (GAMMA, '[countershaft]\npair = "yes"\n')])
+def test_what_was_accepted_or_measured_of_a_pair_still_is(name: str, text: str) -> None:
+    file = (OLD / name).read_text(encoding="utf-8").replace("[countershaft]\n", text)
+    found = [check.id for check in solve(design(parse(file.encode(), name))).checks() if check.verdict == "warn"]
+    assert any(id.startswith(("countershaft.support.2.", "bearings.front.")) for id in found)
+    measured = '[[measured]]\nvalue = "countershaft.reaction_front"\nis = 1000.0\nunit = "N"\n'
+    file += measured + "[accepted]\n" + "".join(f'"{id}" = "seen on the bench"\n' for id in found)
+    results = solve(design(parse(file.encode(), name)))
+    assert {check.accepted for check in results.checks() if check.id in found} == {"seen on the bench"}
+    assert results.design.measured[-1].value in results.values()
 
 
 # --- what is not well formed: the errors that version 0.1 gave, at the user's own keys
@@ -404,11 +400,29 @@ def test_the_data_are_those_of_version_0_1() -> None:
     assert sorted(path.name for path in NEW.glob("*.toml")) == SHIPPED
 
 
+def test_a_bearing_of_old_that_is_given_whole_stays_where_it_is() -> None:
+    given = {"diameter_mm": 59.5, "length_mm": 30.0, "clearance_um": 75.0}
+    row = read(NEW / GAMMA).with_value("bearings.front", given).data["shafts"][0]["bearings"][0]
+    assert row == {"name": "front", "position_mm": -167.5, "slope_mrad": 0.15625, **given}
+
+
+@pytest.mark.parametrize(("key", "value", "kept"), [(PAIR, "yes", True), (POSITIONS, [-170, 0, 170], False)])
+def test_remarks_stay_where_the_rows_do(key: str, value: object, kept: bool) -> None:
+    remarks = read(OLD / GAMMA).with_value(key, value).remarks
+    assert ("shafts.0.core_radius_mm" in remarks) == kept and "imbalance.crank_balance_fraction" in remarks
+
+
+def test_the_ratio_of_old_that_is_left_out_is_minus_one() -> None:
+    document = read(NEW / GAMMA).with_value("countershaft.speed_ratio", None)
+    assert document.data["shafts"][0]["speed_ratio"] == -1 and design(document)
+
+
 def test_a_star_stands_for_all_bearings_of_old_too_and_leaves_mirror_images_out() -> None:
     document = read(NEW / "r753ie4_gamma.toml")
     document = document.with_value("countershaft.pair", "yes").with_value("bearings.*.length_mm", 30.0)
     assert [row["length_mm"] for row in document.data["shafts"][0]["bearings"]] == [30.0, 30.0]
     assert every(document.data, "shafts.*.material") == ["shafts.shaft.material"]
+    assert value_at(document.data, "shafts.*.material") == value_at(document.data, "shafts.shaft.material")
     assert every(document.data, "shafts.*.name") == ["shafts.shaft.name", "shafts.twin.name"]
 
 
@@ -418,3 +432,48 @@ def test_without_the_counter_shaft_of_old_its_bearings_stay_where_they_are_judge
     assert shaft["mode"] == "bearings" and all("position_mm" not in row for row in shaft["bearings"])
     alone = read(NEW / "r754ie4_balance_shafts.toml")
     assert "shafts" not in alone.with_value("countershaft", None).data
+
+
+# --- what is wrong in a file of schema 1, once a key is typed
+
+TYPING_ERROR, MISSING = (
+    ("fillet_radius_mm =", "filet_radius_mm ="),
+    ("bearing_positions_mm = [", "bearing_positions_m = ["),
+)
+
+
+def errors_after(instead: tuple[str, str], key: str, value: object) -> list[str]:
+    """The keys of what is wrong in gamma with another text in it, once a key has this value."""
+    text = (OLD / GAMMA).read_text(encoding="utf-8").replace(*instead)
+    try:
+        design(parse(text.encode(), GAMMA).with_value(key, value))
+    except BadInput as bad:
+        return [error.key for error in bad.errors]
+    return []
+
+
+@pytest.mark.parametrize(
+    "key, value",
+    [(PAIR, "yes"), (SLOPES, 0.1), (POSITIONS, [-170.0, 170.0]), (JOURNALS, None), ("engine.bore_mm", 95.0)],
+)
+def test_what_is_wrong_elsewhere_is_told_whatever_is_typed(key: str, value: object) -> None:
+    assert errors_after(TYPING_ERROR, key, value) == ["countershaft.filet_radius_mm"]
+
+
+@pytest.mark.parametrize(
+    "instead, key, value, left",
+    [
+        (MISSING, POSITIONS, [-167.5, 167.5], ["countershaft.bearing_positions_m"]),
+        (MISSING, f"{POSITIONS}.0", -167.5, ["countershaft.bearing_positions_m", POSITIONS]),  # the rear one has none
+        (("slope_mrad = [0.15625,", "slope_mrad = [-1,"), SLOPES, [0.1, 0.1], []),
+        (("slope_mrad = [0.15625,", "slope_mrad = [-1,"), f"{SLOPES}.0", 0.1, [SLOPES]),  # that of the rear is not read
+        (
+            TYPING_ERROR,
+            "countershaft",
+            None,
+            ["bearings.journal_material", "bearings.front.load_N", "bearings.rear.load_N"],
+        ),
+    ],
+)
+def test_what_is_typed_is_wrong_no_more(instead: tuple[str, str], key: str, value: object, left: list[str]) -> None:
+    assert sorted(errors_after(instead, key, value)) == sorted(left)

@@ -173,8 +173,8 @@ KEPT = [
         '\n[[shafts.bearings]]\nname = "rear"\nposition_mm = 1\n\n[[shafts]]\nname = "twin"\n# two\nmirrors = "shaft"\naxis_mm = [1.0, -2.0]\n'
         '[locked]\n"shafts.shaft.bearings.front.position_mm" = "x" # both\n"shafts.shaft.bearings.rear.position_mm" = "x" # both\n'
         '"shafts.shaft.speed_ratio" = "y"\ncountershaft = "z"\n[optimise.vary]\n"shafts.shaft.bearings.front.length_mm" = [1]\n'
-        '[accepted]\n"countershaft.shaft.force" = "w"\n'
-        '[[measured]]\nvalue = "shafts.shaft.speed_ratio" # m\n[[measured]]\nvalue = "countershaft.shaft.couple"\n',
+        '[accepted]\n"countershaft.force" = "w"\n'
+        '[[measured]]\nvalue = "shafts.shaft.speed_ratio" # m\n[[measured]]\nvalue = "countershaft.couple"\n',
     ),
 ]  # fmt: skip
 

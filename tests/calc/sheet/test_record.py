@@ -25,7 +25,7 @@ class Film:
     more: dict = group(default=None)
 
 
-GIVEN = {"diameter": 0.06, "length": 0.03, "journal_roughness": 6e-7, "housing_roughness": 6e-7}
+GIVEN = {"name": "front", "diameter": 0.06, "length": 0.03, "journal_roughness": 6e-7, "housing_roughness": 6e-7}
 
 
 @pytest.mark.parametrize("make", [lambda: BearingRow(**GIVEN, lenght=0.03), lambda: Point(1.0, 2.0, lenght=3)])
@@ -56,10 +56,12 @@ def test_repr_shortens_what_is_long():
 def test_inputs_print_labels_values_and_units():
     assert str(BearingRow(**GIVEN)).splitlines() == [
         "BearingRow",
-        "  Journal diameter        60 mm",
-        "  Length                  30 mm",
-        "  Roughness Ra, journal  0.6 µm",
-        "  Roughness Ra, seat     0.6 µm",
+        "  Name                   front",
+        "  Kind                   plain",
+        "  Journal diameter          60 mm",
+        "  Length                    30 mm",
+        "  Roughness Ra, journal    0.6 µm",
+        "  Roughness Ra, seat       0.6 µm",
     ]
 
 

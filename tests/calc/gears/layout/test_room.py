@@ -263,5 +263,6 @@ def test_numbers_of_teeth_without_a_common_factor(factor, verdict):
 def test_the_last_wheel_passes_the_seat(gap, verdict):
     check = insertion_check("shaft", Text("front"), gap * MM)
     assert (check.id, check.verdict, check.kind) == ("gears.train.assembly", verdict, "caution")
+    assert check.moved_by[0] == "shafts.S.bearings.*.diameter_mm"
     assert check.margin == pytest.approx(gap) and "passes through the seat of the journal" in check.source
     assert ("give that journal 0.001 mm more" in check.advice) == ("more" in check.advice) == (gap < 0)
