@@ -5,7 +5,7 @@ next."""
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import hypot
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
@@ -15,9 +15,9 @@ from ..bearings.speeds import highest_speed
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
+from ..countershaft.shafts import of_twin
 from ..countershaft.sums import SystemShaft
 from ..countershaft.supports import Gear, ShaftDrive
-from ..countershaft.shafts import of_twin
 from ..countershaft.twins import Resolved
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
@@ -38,6 +38,9 @@ from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import based_on, recorded
 from .model import STEPS, Design
+
+if TYPE_CHECKING:
+    from ..countershaft.making.system_scatter import MadeShaft
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
@@ -113,6 +116,25 @@ def system_shafts(
         for shaft in turning(design)
         if shaft.name in solved and solved[shaft.name].result is not None
     )
+
+
+def made_shafts(
+    design: Design, solved: Mapping[str, Outcome[CountershaftResult]], shafts: tuple[SystemShaft, ...]
+) -> "tuple[MadeShaft, ...]":
+    """Several shafts as they are made; empty where none of them scatters, or one alone."""
+    inputs = {shaft.name: shaft.inputs for shaft in turning(design)}
+    if len(shafts) < 2 or all(inputs[shaft.name].scatter is None for shaft in shafts):
+        return ()
+    from ..countershaft.making.system_scatter import MadeShaft
+
+    made = []
+    for shaft in shafts:
+        of, result = inputs[shaft.name], solved[shaft.name].solution
+        drilling = None
+        if result.scatter is not None and result.holes is not None:
+            drilling = result.scatter.target, result.holes
+        made.append(MadeShaft(shaft, result.omega, of.scatter, result.masses, of.extras, drilling))
+    return tuple(made)
 
 
 def _tooth(design: Design, name: str) -> float | None:
