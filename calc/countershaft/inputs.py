@@ -208,8 +208,8 @@ class Scatter:
 
 
 NO_ORDER = Text(
-    "must be -1, 1, -2 or 2: half orders are of the gas torque, which no rotating mass takes, and orders of 4 and above "
-    "are lived with; a pump or a cam at 0.5 is a wheel, not a shaft"
+    "must be -1, 1, -2 or 2: half orders are of the gas torque, which no rotating mass takes, and orders of 4 and "
+    "above are lived with; a pump or a cam at 0.5 is a wheel, not a shaft"
 )
 
 
