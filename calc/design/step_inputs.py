@@ -167,7 +167,7 @@ def driven(design: Design) -> tuple[str, ...]:
     if len(names) < 2 or design.gears is None:
         return tuple(names) or (ONLY,)
     on = {wheel.shaft for wheel in design.gears.wheels} | set(design.gears.along)
-    return tuple(name for name in names if name in on) or (names[0],)
+    return tuple(name for name in names if name in on) or tuple(list(design.views)[:1])
 
 
 def shaft_teeth(design: Design, name: str | None) -> int | None:
@@ -217,9 +217,8 @@ def balanced(shafts: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, Bal
 
 
 def ratios(design: Design) -> dict[str, float]:
-    """How fast the shafts in the train must turn, over the crank, by their names."""
-    on = driven(design)
-    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design) if shaft.name in on}
+    """How fast the shafts must turn, over the crank, by their names."""
+    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design)}
 
 
 def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInputs) -> BearingMaterials:
