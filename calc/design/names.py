@@ -138,6 +138,7 @@ def _of_groups(result: type, way: str) -> Iterator[tuple[str, Text]]:
         content, keys = _first(f.type), [here]
         if get_origin(content) is dict:
             content, keys = _first(get_args(content)[1]), [f"{here}.{key}" for key in ("*", *group.key_words)]
+            keys += [here] * group.several
         of_keys = f"{way.partition('.')[0]}.**" if content is Any else here
         yield from ((f"{of_keys}.{key}", words) for key, words in group.key_words.items())
         if isinstance(content, type) and is_dataclass(content):  # no name of a class that is loaded later
@@ -164,7 +165,11 @@ def belongs(id: str) -> list[Text]:
     for part in parts:
         word = known.get(f"{way}.{part}") or known.get(f"{step}.**.{part}")
         way = f"{way}.{part if word else '*'}"
-        if word is None and step in ("imbalance", "countershaft", "mounting") and (numbered := NUMBERED_ID.fullmatch(part)):
+        if (
+            word is None
+            and step in ("imbalance", "countershaft", "mounting")
+            and (numbered := NUMBERED_ID.fullmatch(part))
+        ):
             kind, whole, more = numbered.groups()
             n = float(f"{whole}.{more}") if more else int(whole)
             word = Text("order {n}", n=n) if kind == "order" else Text("mode {n}", n=n)
