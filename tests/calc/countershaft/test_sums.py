@@ -10,7 +10,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft import formulas as f
-from calc.countershaft.result import CountershaftResult
 from calc.countershaft.sums import (
     OrderVectors,
     SystemShaft,
