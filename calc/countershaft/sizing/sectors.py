@@ -8,6 +8,7 @@ beyond, the static moment falls while the mass grows. Vectors: real up, imaginar
 rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel."""
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -72,6 +73,11 @@ class Sized:
     rear: SizedSector = group()
     outer_radius: Metre
     core_radius: Metre
+
+    @property
+    def by_name(self) -> dict[str, SizedSector]:
+        """Its sectors, front to rear."""
+        return {"front": self.front, "rear": self.rear}
 
 
 @record
@@ -292,23 +298,23 @@ def sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, r
         )
 
 
-def eccentric_masses(sized: Sized) -> tuple[EccentricMass, ...]:
-    """The sectors as the eccentric masses of a shaft, "front" and "rear"."""
-    sides = (("front", sized.front), ("rear", sized.rear))
+def eccentric_masses(sectors: Mapping[str, SizedSector]) -> tuple[EccentricMass, ...]:
+    """The sectors, by their names, as the eccentric masses of a shaft."""
     return tuple(
         EccentricMass(name=name, mass=sector.mass, radius=sector.radius, angle=sector.angle, z=sector.z)
-        for name, sector in sides
+        for name, sector in sectors.items()
     )
 
 
-def pieces(sized: Sized) -> list[Piece]:
+def pieces(sectors: Mapping[str, SizedSector], R: Metre, r_0: Metre) -> list[Piece]:
     """The sectors as pieces of the outline; one without mass is left out."""
-    sectors = []
-    for name, side in (("front", sized.front), ("rear", sized.rear)):
-        if side.mass:
-            faces = around(side.z, side.length, Text("{name} sector", name=name))
-            sectors.append(Piece(*faces, sized.outer_radius, sized.core_radius, side.half_angle, side.angle, "sector"))
-    return sectors
+    found = []
+    for name, one in sectors.items():
+        if one.mass:
+            counted = Text("sector {number}", number=name) if name.isdigit() else Text("{name} sector", name=name)
+            faces = around(one.z, one.length, counted)
+            found.append(Piece(*faces, R, r_0, one.half_angle, one.angle, "sector"))
+    return found
 
 
 # --- where it does not fit
