@@ -477,6 +477,11 @@ class ShaftInputs:
         return self.sector_material or self.material
 
     @property
+    def passes_seats(self) -> bool:
+        """Whether all of it goes through its seats, its wheel too; also where nothing is said of that."""
+        return self.assembly in (None, "threaded")
+
+    @property
     def seat(self) -> float | None:
         """The diameter of what the sectors have to pass on the way in: of the largest journal, or of a carrier; None
         where nothing has to be passed, or it is not known."""

@@ -249,7 +249,7 @@ def shafts_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> dict[
     alone = ShaftInTrain(
         axis=shaft_axis(design),
         eccentric=eccentric(design, end),
-        journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
+        journals=(sizes[0][0], sizes[-1][0]) if sizes and design.own is not None and design.own.passes_seats else None,
         gear_end=end,
         couple=shaft.result.couple if shaft.result is not None else None,
     )
