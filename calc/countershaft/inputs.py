@@ -335,7 +335,7 @@ class ShaftInputs:
         within=(0, 1000),
         symbol="g_B",
         help="Mode size: no sector within half of it on either side of the middle of an inner bearing. Left out: the "
-        "length of its journal and two fillets.",
+        "length of its journal, and two fillets on either side.",
         change=("narrower gap", "wider gap"),
         where=(mode, "size"),
     )

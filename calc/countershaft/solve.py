@@ -78,7 +78,7 @@ def solve(
         step = ShaftStep(shaft, todo, materials, journals, f.shaft_speed(i=shaft.speed_ratio, omega=omega))
         masses, sized = shaft.masses, _sized(step, share)
         if sized is not None:
-            masses = eccentric_masses(sized.by_name)
+            masses = eccentric_masses(sized)
         R = shaft.outer_radius
         if R is None and journals and shaft.seat is not None:  # what may be threaded through it
             R = f.widest(d=shaft.seat, c_R=shaft.radial_clearance or 0.0)
@@ -179,10 +179,7 @@ def _outline(
             s.hollowed(outline, step.material.density, shaft.extras)
             return outline
         outer, core = s.known(shaft, R, journals)
-        if sized is None:
-            sectors = s.sectors_of(masses, step.sector_density, outer, core)
-        else:
-            sectors = pieces(sized.by_name, sized.outer_radius, sized.core_radius)
+        sectors = s.sectors_of(masses, step.sector_density, outer, core) if sized is None else pieces(sized)
         on_shaft = (gear.diameter, gear.face_width) if gear else None
         outline = s.assembled(shaft, sectors, journals, on_shaft, step.heavier)
         s.hollowed(outline, step.material.density, shaft.extras)

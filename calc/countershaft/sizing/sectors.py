@@ -8,7 +8,7 @@ beyond, the static moment falls while the mass grows. Vectors: real up, imaginar
 rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel."""
 
 import math
-from collections.abc import Mapping
+from typing import Protocol
 
 import numpy as np
 
@@ -298,23 +298,34 @@ def sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, r
         )
 
 
-def eccentric_masses(sectors: Mapping[str, SizedSector]) -> tuple[EccentricMass, ...]:
-    """The sectors, by their names, as the eccentric masses of a shaft."""
+class Found(Protocol):
+    """Sectors that were found for an envelope."""
+
+    @property
+    def by_name(self) -> dict[str, SizedSector]: ...
+    @property
+    def outer_radius(self) -> Metre: ...
+    @property
+    def core_radius(self) -> Metre: ...
+
+
+def eccentric_masses(found: Found) -> tuple[EccentricMass, ...]:
+    """The sectors as the eccentric masses of a shaft, by their names."""
     return tuple(
         EccentricMass(name=name, mass=sector.mass, radius=sector.radius, angle=sector.angle, z=sector.z)
-        for name, sector in sectors.items()
+        for name, sector in found.by_name.items()
     )
 
 
-def pieces(sectors: Mapping[str, SizedSector], R: Metre, r_0: Metre) -> list[Piece]:
+def pieces(found: Found) -> list[Piece]:
     """The sectors as pieces of the outline; one without mass is left out."""
-    found = []
-    for name, one in sectors.items():
+    sectors = []
+    for name, one in found.by_name.items():
         if one.mass:
             counted = Text("sector {number}", number=name) if name.isdigit() else Text("{name} sector", name=name)
             faces = around(one.z, one.length, counted)
-            found.append(Piece(*faces, R, r_0, one.half_angle, one.angle, "sector"))
-    return found
+            sectors.append(Piece(*faces, found.outer_radius, found.core_radius, one.half_angle, one.angle, "sector"))
+    return sectors
 
 
 # --- where it does not fit

@@ -93,11 +93,13 @@ Gaps = tuple[tuple[Metre, Metre], ...]  # the place of each inner bearing, and t
 
 
 @formula(
-    "g_B", "rule of this program: sectors keep away from an inner bearing by its journal and two fillets", unit="mm"
+    "g_B",
+    "rule of this program: beside an inner journal room for two fillets, one at it and one at the sector",
+    unit="mm",
 )
 def gap_of(l: Metre, r: Metre) -> Metre:
     """l: length of the journal, r: radius of the fillets."""
-    return l + 2 * r
+    return l + 4 * r
 
 
 def inner_gaps(shaft: ShaftInputs) -> Gaps:
