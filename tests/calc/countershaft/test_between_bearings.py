@@ -6,6 +6,7 @@ import copy
 import json
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -72,7 +73,7 @@ def asked_of(case):
     if "stretches_mm" not in case:
         return U, P, case["half_length_mm"], [0.0], case["gap_mm"]
     where = case["stretches_mm"]
-    gaps = [(a, b) for (_, a), (b, _) in zip(where, where[1:])]
+    gaps = [(a, b) for (_, a), (b, _) in pairwise(where)]
     return U, P, where[-1][1], [(a + b) / 2 for a, b in gaps], gaps[0][1] - gaps[0][0]
 
 
