@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-shaft, given or sized: its couple, what it leaves of the imbalance, its supports, bending and making.
+"""A counter-shaft, given or sized: its force and couple, its supports, bending and making.
 
 At the end whether the oil of its bearings drains off."""
 
@@ -46,8 +46,9 @@ from .outline import Journals, NoOutline, Outline, outer_face
 from .result import CountershaftResult, SupportResult
 from .sizing.choices import front_curve, named
 from .sizing.sectors import TooSmall, eccentric_masses, pieces, task
-from .sizing.shares import asked_share, need_mirror_images
+from .sizing.shares import asked_share, need_mirror_images, share_of
 from .sizing.stretches import NOT_THE_LIGHTEST, SizedStretches, inner_gaps, size_between
+from .sums import SystemShaft
 from .supports import Gear, reactions
 
 if TYPE_CHECKING:
@@ -62,21 +63,22 @@ def solve(
     materials: Mapping[str, Material],
     gear: Gear | None,
     fastest: Number = 1.0,
+    beside: tuple[SystemShaft, ...] = (),
     *,
     judged: bool,
-    share: Number = 1.0,
+    alike: int = 1,
 ) -> Outcome[CountershaftResult]:
-    """Check a shaft against what the engine asks for, or size it first.
+    """A shaft by itself; sized first, where that is asked, for what the engine asks for and shafts `beside` it leave.
 
     `omega` is the crank's rated angular speed; `fastest`: the highest speed of the crank over the rated one; `judged`:
-    the films of its bearings are judged by the step that follows, else their loads are screened here; `share`: of a
-    shaft that is sized, what it takes of its task, since others of its ratio are sized too.
+    the films of its bearings are judged by the step that follows, else their loads are screened here; `alike`: how
+    many shafts of its ratio are sized, of which each has its share.
     """
-    todo, journals = task(shaft, imbalance), shaft.journals
+    todo, journals = task(shaft.speed_ratio, imbalance, beside), shaft.journals
     slopes = {row.name: row.slope for row in shaft.bearings if row.slope is not None}
     with trace() as lines:
         step = ShaftStep(shaft, todo, materials, journals, f.shaft_speed(i=shaft.speed_ratio, omega=omega))
-        masses, sized = shaft.masses, _sized(step, share)
+        masses, sized = shaft.masses, _sized(step, alike)
         if sized is not None:
             masses = eccentric_masses(sized)
         R = shaft.outer_radius
@@ -109,13 +111,13 @@ def solve(
         result=result,
         checks=(*checks(shaft, todo, result, journals, gear), *step.checks),
         lines=tuple(lines),
-        curves=Later(partial(curves, todo, result, omega, shaft.bearing_positions)) + step.curves,
+        curves=Later(partial(curves, result, omega, shaft.bearing_positions)) + step.curves,
         tables=step.tables,
         notes=Later(lambda: (*notes(shaft, journals), *further)),
     )
 
 
-def _sized(step: ShaftStep, share: Number) -> "Sized | SizedStretches | None":
+def _sized(step: ShaftStep, alike: int) -> "Sized | SizedStretches | None":
     """The lightest sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold
     them."""
     shaft, todo, omega = step.shaft, step.todo, step.omega
@@ -124,7 +126,7 @@ def _sized(step: ShaftStep, share: Number) -> "Sized | SizedStretches | None":
     left = todo.F, todo.C
     if shaft.paired:
         need_mirror_images(left, (todo.F_against, todo.C_against), shaft.half_length)
-    U, P = asked_share(left, omega, shaft.overdesign, share)
+    U, P = asked_share(left, omega, shaft.overdesign, share_of(shaft, alike))
     gaps = inner_gaps(shaft)
     densities = {name: step.materials[name].density for name in named(shaft, step.materials)}
     envelope = shaft.outer_radius, shaft.core_radius, shaft.half_length
@@ -312,26 +314,18 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
     F_S, C_S = _supplied(step, masses)
     first_row, last_row = shaft.bearings[0], shaft.bearings[-1]
     couple, phase, force = f.couple(C_S=C_S), f.couple_phase(C_S=C_S), f.force(F_S=F_S)
-    C_against, F_against = todo.C_against, todo.F_against
+    C_against = todo.C_against
     if shaft.paired:
         with about(Text("twin shaft")):
             C_against = f.residual_vector(C_like=C_against, C_S=f.mirrored_couple(C_S=C_S))
-            F_against = f.residual_force_vector(F_like=F_against, F_S=f.mirrored_force(F_S=F_S))
-    C_left = f.residual_couple(C_against=C_against, C_res=f.residual_vector(C_like=todo.C, C_S=C_S))
-    F_left = f.residual_force(F_against=F_against, F_res=f.residual_force_vector(F_like=todo.F, F_S=F_S))
     R = tuple(
         f.lever_reaction(C_S=C_S, z_o=other.position, F_S=F_S, z_B=row.position)
         for row, other in ((first_row, last_row), (last_row, first_row))
     )
-    first = todo.order == 1
     return CountershaftResult(
         couple=couple,
         couple_phase=phase,
         mass_moment=_moments(masses, omega),
-        residual_order_1_couple=C_left if first else None,
-        residual_order_1_force=F_left if first else None,
-        residual_order_2_couple=None if first else C_left,
-        residual_order_2_force=None if first else F_left,
         static_unbalance=f.static_unbalance(F_S=force, omega=omega),
         force=force,
         loads={row.name: f.reaction(R=R_B) for row, R_B in zip((first_row, last_row), R)},
@@ -342,9 +336,8 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
         support={},
         couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
-        roll_torque=None
-        if shaft.axis is None or shaft.paired
-        else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
+        roll_torque=None if shaft.axis is None else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
+        masses=masses,
         force_vector=F_S,
         couple_vector=C_S,
         omega=omega,

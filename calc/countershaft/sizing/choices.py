@@ -38,7 +38,7 @@ from ..outline import outer_face
 from . import formulas as f
 from .formulas import first_year, radius_needed
 from .sectors import Sized, TooSmall, remainder, task
-from .shares import asked_share
+from .shares import asked_share, share_of
 from .stretches import Gaps, SizedStretches, inner_gaps, least_masses, size_between
 
 if TYPE_CHECKING:
@@ -365,13 +365,13 @@ def candidates(
 
 
 def asked(
-    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, share: Number = 1.0
+    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, alike: int = 1
 ) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2, RadPerSecond]:
-    """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns; `share`: of
-    its task, where others of its ratio are sized too."""
-    todo = task(shaft, imbalance)
+    """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns; `alike`:
+    how many shafts of its ratio are sized, of which each has its share."""
+    todo = task(shaft.speed_ratio, imbalance)
     omega_S = shaft_speed(i=shaft.speed_ratio, omega=omega)
-    return *asked_share((todo.F, todo.C), omega_S, shaft.overdesign, share), omega_S
+    return *asked_share((todo.F, todo.C), omega_S, shaft.overdesign, share_of(shaft, alike)), omega_S
 
 
 def choices(
@@ -381,7 +381,7 @@ def choices(
     room: Envelope,
     materials: Mapping[str, tuple[Material, Euro | None]],
     progress: Progress | None = None,
-    share: Number = 1.0,
+    alike: int = 1,
 ) -> Choices:
     """Shafts of every material from the smallest radius that serves to that of the envelope, the lightest first.
 
@@ -390,7 +390,7 @@ def choices(
     shafts: list[Choice] = []
     refused: dict[str, NoSolution] = {}
     with untraced():
-        U, P, omega_S = asked(shaft, imbalance, omega, share)
+        U, P, omega_S = asked(shaft, imbalance, omega, alike)
 
         def sized(rho: KilogramPerMetre3, R: Metre) -> Sized | SizedStretches:
             return size_between(U, P, omega_S, rho, R, room.core_radius, room.half_length, room.gaps, shaft.extras)

@@ -4,8 +4,6 @@
 The vectors are those of one order that turn like the shaft, at its own speed: the engine's and those of all given
 shafts of its ratio together."""
 
-from collections.abc import Iterable
-
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.text import Amount, Text
@@ -20,7 +18,6 @@ from ...sheet.units import (
 )
 from ..formulas import asked_product, asked_unbalance
 from ..inputs import ShaftInputs
-from ..twins import Resolved
 from .sectors import Asked
 
 Vectors = tuple[PhasorNewton, PhasorNewtonMetre]  # force F and couple C
@@ -44,14 +41,11 @@ def shared_product(x_o: Number, w: Number, C_like: PhasorNewtonMetre, omega: Rad
     return -(1 + x_o) * w * C_like / omega**2
 
 
-def share_of(shaft: ShaftInputs, shafts: Iterable[Resolved]) -> Number:
-    """What a sized shaft takes of what is left for those of its ratio; `shafts`: all of the design, twins too.
-
-    1 where it is the only one of them."""
+def share_of(shaft: ShaftInputs, alike: int) -> Number:
+    """What a sized shaft takes of what is left for those of its ratio, of which there are so many."""
     if shaft.share is not None:
         return shaft.share
-    k = sum(one.inputs.mode == "size" and one.inputs.speed_ratio == shaft.speed_ratio for one in shafts)
-    return equal_share(k=k) if k > 1 else 1.0
+    return equal_share(k=float(alike)) if alike > 1 else 1.0
 
 
 def asked_share(left: Vectors, omega: RadPerSecond, x_o: Number = 0.0, share: Number = 1.0) -> Asked:

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from calc.countershaft.checks import InPlace, shafts_clear, swept
 from calc.countershaft.sizing.shares import share_of
 from calc.countershaft.solve import solve as solve_shaft
+from calc.design.step_inputs import sized_alike
 from calc.design.toml_file import Document, design
 from calc.sheet.errors import BadInput
 from calc.solve import solve
@@ -194,9 +195,9 @@ def test_each_of_two_sized_shafts_takes_its_share():
     """By default as many as are sized for the ratio, twins counted; the mirror image counts for the other sense."""
     twice = [{"name": "again", "repeats": "left", "axis_mm": [-50.0, 90.0]}, {"name": "right", "mirrors": "left"}]
     made = design(document(axis_mm=[-50.0, -90.0], others=twice))
-    shares = [share_of(one.inputs, made.resolved) for one in made.resolved]
+    shares = [share_of(one.inputs, sized_alike(made, one)) for one in made.resolved]
     assert shares == [0.5, 0.5, 1.0]
-    assert share_of(replace(made.own, share=0.3), made.resolved) == 0.3
+    assert share_of(replace(made.own, share=0.3), 2) == 0.3
 
 
 def test_a_share_scales_force_and_couple_of_what_is_asked():
@@ -209,7 +210,8 @@ def test_a_share_scales_force_and_couple_of_what_is_asked():
         made.materials,
         None,
     )
-    whole, part = (solve_shaft(*arguments, judged=False, share=share).result for share in (1.0, 0.4))
+    whole = solve_shaft(*arguments, judged=False).result
+    part = solve_shaft(replace(made.own, share=0.4), *arguments[1:], judged=False, alike=2).result
     assert part.force_vector == pytest.approx(0.4 * whole.force_vector, rel=1e-9)
     assert part.eccentric_mass < whole.eccentric_mass
 
