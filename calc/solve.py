@@ -246,6 +246,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.overrun(design),
                 h.beside(design, shaft, c),
                 judged=design.bearings is not None,
+                alike=h.sized_alike(design, shaft),
             )
             c |= h.twins(design, shaft, c[shaft.name])
         left = _left_over(part, design, e.result, i.result, c)

@@ -97,6 +97,12 @@ def twins_of(design: Design, original: str) -> dict[str, Resolved]:
     return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
 
 
+def sized_alike(design: Design, shaft: Resolved) -> int:
+    """How many shafts are sized for the ratio of this one, twins counted."""
+    ratio = shaft.inputs.speed_ratio
+    return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == ratio for one in design.resolved)
+
+
 def beside(
     design: Design, shaft: Resolved, solved: Mapping[str, Outcome[CountershaftResult]]
 ) -> tuple[SystemShaft, ...]:
@@ -367,7 +373,7 @@ def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftRes
         shafts[shaft.name] = ShaftInTrain(
             axis=axis_of(inputs) if turns else None,
             eccentric=eccentric(inputs, end) if turns else None,
-            journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
+            journals=(sizes[0][0], sizes[-1][0]) if sizes and inputs.passes_seats else None,
             gear_end=end,
             couple=result.couple if result is not None else None,
         )
