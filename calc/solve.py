@@ -26,6 +26,7 @@ from .design.unusual import with_doubts
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
+from .friction.checks import with_oil_level
 from .friction.result import FrictionResult
 from .gears import solve as gears
 from .gears.curves import curves
@@ -273,6 +274,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
         b = bearings_with_standing(b, c.solution.standing)
+        c = with_oil_level(c, design.countershaft, design.friction)
         c = with_oil(with_films(c, b.result, design.bearings.housing_stiffness if design.bearings else None), b.result)
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)

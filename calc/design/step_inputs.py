@@ -166,7 +166,7 @@ def on_shafts(
     """The journals that the train turns, by the names of their shafts; none where there are no bearings."""
     if journals.result is None:
         return {}
-    return {ONLY: OnShaft(journals.result, shaft.result, design.countershaft, gear)}
+    return {ONLY: OnShaft(journals.result, shaft.result, design.own, gear)}
 
 
 def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult]) -> ShaftDrive | None:
