@@ -29,6 +29,7 @@ from .design.unusual import with_doubts
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
+from .friction.checks import with_oil_level
 from .friction.result import FrictionResult
 from .gears import solve as gears
 from .gears.curves import curves
@@ -357,7 +358,7 @@ def _standing(
         name = shaft.name
         if name in c and c[name].result is not None:
             gear, drive = h.shaft_gear(design, train, name), h.shaft_drive(design, train, f, name)
-            of_shaft = with_standing(c[name], shaft.inputs, gear, drive)
+            of_shaft = with_oil_level(with_standing(c[name], shaft.inputs, gear, drive), shaft.inputs, design.friction)
             if name in b:
                 b = b | {name: bearings_with_standing(b[name], of_shaft.solution.standing)}
             carried = b[name].result if name in b else None

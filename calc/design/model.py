@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
-from ..countershaft.inputs import ShaftInputs
+from ..countershaft.inputs import ShaftInputs, ShaftLoad
 from ..countershaft.rows import SHAFT, BearingRow
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
@@ -284,12 +284,17 @@ class Design:
             for key, about, name in given(there, way) if there is not None else ():
                 if about.catalogue in catalogues and name not in catalogues[about.catalogue]:
                     yield key, _unknown_name(name, catalogues[about.catalogue])
+        wheels = list(self.gears.along) if self.gears is not None else []
         if self.friction is not None and self.gears is not None:
-            wheels = list(self.gears.along)
             for kind in ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses"):
                 for i, entry in enumerate(getattr(self.friction, kind)):
                     if entry.wheel is not None and entry.wheel not in wheels:
                         yield dotted(Design.friction, kind, i, Seal.wheel), _unknown_name(entry.wheel, wheels)
+        for n, shaft in enumerate(self.shafts):
+            for i, load in enumerate(shaft.loads):
+                if load.wheel is not None and load.wheel not in wheels:
+                    key = dotted(Design.shafts, n, ShaftInputs.loads, i, ShaftLoad.wheel)
+                    yield key, _unknown_name(load.wheel, wheels)
 
     def _cranks(self, engine: EngineInputs) -> Problems:
         """Whether crank angles, firing order and crank bodies are those of one crank."""

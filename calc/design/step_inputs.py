@@ -282,8 +282,8 @@ def on_shafts(
         carried, solved = journals.get(shaft.name), shafts.get(shaft.name)
         if carried is not None and carried.result is not None and shaft.name in train.shafts:
             gear = shaft_gear(design, train, shaft.name) if solved is not None else None
-            inputs = shaft.inputs if solved is not None else None
-            on[shaft.name] = OnShaft(carried.result, solved.result if solved is not None else None, inputs, gear)
+            result = solved.result if solved is not None else None
+            on[shaft.name] = OnShaft(carried.result, result, shaft.inputs, gear)
     return on
 
 

@@ -27,7 +27,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import along
 from ..sheet.linked_array import gathered
 from ..sheet.text import Amount, Text
-from ..sheet.units import Newton, Watt
+from ..sheet.units import Newton, RevPerSecond, Watt
 from ..sheet.value import about, untraced
 from .result import JournalResult
 
@@ -39,6 +39,11 @@ class OnShaft(NamedTuple):
     shaft: CountershaftResult | None
     inputs: ShaftInputs | None
     gear: Gear | None
+
+    @property
+    def speed(self) -> RevPerSecond:
+        """Of the shaft, in the bearings step."""
+        return next(iter(self.bearings.bearings.values())).duty.speed
 
     @property
     def turns(self) -> bool:
