@@ -309,9 +309,9 @@ def _mounted(
     late = h.unsolved((e, i, c))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))
-    return part(
-        "mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g)
-    )
+    shafts = {} if c.result is None or design.countershaft is None else {design.countershaft.name: c.result}
+    on_engine = h.shafts_on_engine(design, shafts, g)
+    return part("mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, on_engine)
 
 
 def _placed(

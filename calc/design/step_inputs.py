@@ -2,9 +2,9 @@
 """What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the
 next."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from math import hypot
+from math import hypot, pi
 from typing import Any
 
 from ..bearings.inputs import BearingsInputs
@@ -269,22 +269,32 @@ def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[C
     )
 
 
-def shaft_on_engine(
-    design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]
-) -> "ShaftOnEngine | None":
-    """The counter-shaft as the engine's mounts see it; None where there is none."""
-    countershaft, result = design.countershaft, shaft.result
-    if countershaft is None or result is None:
-        return None
-    return ShaftOnEngine(
-        countershaft.speed_ratio,
-        result.force_vector,
-        result.couple_vector,
-        countershaft.paired,
-        countershaft.axis,
-        shaft_errors(design, result, train.result),
-        shaft_teeth(design),
-    )
+def shafts_on_engine(
+    design: Design, shafts: Mapping[str, CountershaftResult], train: Outcome[TrainResult]
+) -> tuple[ShaftOnEngine, ...]:
+    """All balance shafts as the engine's mounts see them; `shafts`: what is solved, by name: a twin that is not there
+    is made from its original."""
+    found: dict[str, ShaftOnEngine] = {}
+    for one in design.resolved:
+        place, result = one.inputs.axis, shafts.get(one.name)
+        axis = based_on(complex(*place), place) if place is not None else None
+        if result is not None:
+            teeth = shaft_teeth(design)
+            found[one.name] = ShaftOnEngine(
+                one.name,
+                one.inputs.speed_ratio,
+                result.force_vector,
+                result.couple_vector,
+                axis,
+                tooth=based_on(2 * pi / teeth, teeth) if teeth is not None else None,
+                mirrors=one.of if one.how == "mirrors" else None,
+                errors=shaft_errors(design, result, train.result),
+            )
+        elif one.of in found:
+            original = found[one.of]
+            mirrored = one.how == "mirrors"
+            found[one.name] = original.mirror_image(one.name, axis) if mirrored else original.repeated(one.name, axis)
+    return tuple(found.values())
 
 
 def shaft_errors(design: Design, shaft: CountershaftResult, train: TrainResult | None) -> tuple[float, float] | None:
