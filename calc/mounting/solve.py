@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine on its mounts: modes, statics, and what is felt at every operation without shafts, with them, and with some
-of them off."""
+"""The engine on its mounts: modes, statics, and what is felt at every operation without shafts, with them, and with
+some of them off."""
 
 from dataclasses import replace
 from functools import partial
