@@ -23,7 +23,7 @@ from calc.studies.shipped import DESIGNS
 def main() -> None:
     made = design(read(DESIGNS / "r753ie4_mounting.toml"))
     outcomes = solve(made).outcomes
-    own = {made.countershaft.name: outcomes["countershaft"].result}
+    own = {made.countershaft.name: outcomes["countershaft"]}
     shafts = step_inputs.shafts_on_engine(made, own, outcomes["gears"])
     given, engine = made.mounting, made.engine
     assert given is not None and engine is not None

@@ -7,82 +7,21 @@ from dataclasses import replace
 
 from ..gears.inputs import GearsInputs
 from ..gears.layout.room import ASSEMBLY
-from ..imbalance.result import ImbalanceResult
 from ..library import fatigue
 from ..library.catalogue import WEAKEST_TENSILE, Material, proof_of
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, CheckRule, Missing
-from ..sheet.functions import argument, degrees
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Remedy, by_key, down
-from ..sheet.text import SPACE, Amount, Text
+from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
 from .bending.shaft import Bending
 from .inputs import ShaftInputs
 from .outline import Journals
 from .result import CountershaftResult, SupportResult
 from .rows import EACH_ROW, SHAFT, BearingRow, called
-from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
+from .sizing.sectors import LEFT_OVER, ShaftTask
 from .supports import Gear
-
-# --- what is left over
-
-OF_COUPLE = Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none")
-OF_FORCE = Text("rule of this program: 5 % of m·r·ω² of one cylinder")
-MASSES = (dotted(SHAFT, ShaftInputs.masses),)
-
-RESIDUAL = CheckRule(
-    "countershaft.residual",
-    "limit",
-    "The couple is what the shaft is for, and no shaft may make it worse.",
-    sense="<=",
-    unit="N·m",
-    source=OF_COUPLE,
-    role="physics",
-    moved_by=MASSES,
-    short=Text("couple left"),
-    proven=(),
-    proven_where=ImbalanceResult.required_couple,
-)
-RESIDUAL_FORCE = CheckRule(
-    "countershaft.residual_force",
-    "limit",
-    "The force is what the shaft is for, or brings into the engine.",
-    sense="<=",
-    unit="N",
-    source=OF_FORCE,
-    role="physics",
-    cause=RESIDUAL.id,
-    moved_by=MASSES,
-    short=Text("force left"),
-    proven=(),
-    proven_where=ImbalanceResult.required_force,
-)
-RESIDUAL_SHARE = CheckRule(
-    "countershaft.residual_share",
-    "advice",
-    "Shafts at twice crank speed are for comfort and often take a part of the couple only.",
-    sense="<=",
-    unit="N·m",
-    source=OF_COUPLE,
-    moved_by=MASSES,
-    short=Text("couple left"),
-    proven=(),
-    proven_where=ImbalanceResult.required_couple,
-)
-RESIDUAL_FORCE_SHARE = CheckRule(
-    "countershaft.residual_force_share",
-    "advice",
-    "Shafts at twice crank speed are for comfort and often take a part of the force only.",
-    sense="<=",
-    unit="N",
-    source=OF_FORCE,
-    cause=RESIDUAL_SHARE.id,
-    moved_by=MASSES,
-    short=Text("force left"),
-    proven=(),
-    proven_where=ImbalanceResult.required_force,
-)
 
 # --- how it bends
 
@@ -357,7 +296,6 @@ def checks(
     shaft: ShaftInputs, todo: ShaftTask, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
 ) -> Iterator[Check]:
     """All checks of the step but those of its bending and its making."""
-    yield from _residual_checks(shaft, todo, shaft_result)
     for n, (row, slope) in enumerate(shaft_result.slopes.items()):
         if n in (0, len(shaft.bearings) - 1):
             yield JOURNAL_SLOPE(slope, SLOPE, at=row, name=Text("Slope of the {row} journal", row=called(row)))
@@ -365,70 +303,6 @@ def checks(
         yield from _envelope_checks(shaft, shaft_result, journals, gear)
     yield from _support_checks(shaft_result)
     yield from _outline_checks(todo, shaft_result)
-
-
-def _residual_checks(shaft: ShaftInputs, todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
-    """The couple and the force of the shaft's order that are left over."""
-    each = Text("each of both shafts ") if shaft.paired else Text("the shaft ")
-    aim_couple = Text(
-        "Aim at {couple} N·m at {direction}: the couple of {each}grows with mass, radius and arm.",
-        couple=Amount(todo.couple, form=".1f"),
-        direction=_opposite(todo.C),
-        each=each,
-    )
-    aim_force = Text(
-        "Aim at {f} N at {direction}: the force of {each}grows with mass and radius.",
-        f=Amount(abs(todo.F), form=".0f"),
-        direction=_opposite(todo.F),
-        each=each,
-    )
-    alike = Text("Balance the masses against each other (mass times radius), so that only a couple remains.")
-    force = todo.force_may_be_left
-    for word, whole, share, limit, before, advice in (
-        (Text("couple"), RESIDUAL, RESIDUAL_SHARE, todo.may_leave, abs(todo.C) + abs(todo.C_against), aim_couple),
-        (
-            Text("force"),
-            RESIDUAL_FORCE,
-            RESIDUAL_FORCE_SHARE,
-            force,
-            abs(todo.F) + abs(todo.F_against),
-            aim_force if abs(todo.F) > force else alike,
-        ),
-    ):
-        value = f"residual_order_{todo.order}_{word}"
-        left = getattr(shaft_result, value) or 0.0
-        if not shaft.paired and str(word) in todo.out_of_reach:
-            against = abs(todo.C_against if whole is RESIDUAL else todo.F_against)
-            beyond = _beyond(shaft, Amount(against, whole.unit, form=".4g"))
-            advice = advice + SPACE + beyond if left - against > limit else beyond
-        # shafts at twice crank speed are for comfort and often take a part only; they fail where they make it worse
-        rule = whole if todo.order == 1 or left > max(before, limit) else share
-        yield rule(
-            left,
-            limit,
-            name=Text("{words}-order {word} left over", words=WORDS[todo.order], word=word),
-            advice=advice,
-            value_id=dotted("countershaft", getattr(CountershaftResult, value)),
-        )
-
-
-def _beyond(shaft: ShaftInputs, against: Amount) -> Text:
-    """What takes the part that turns against the shaft."""
-    if shaft.speed_ratio == -1:
-        return Text(
-            "{against} turn against the shaft, and no mass on it takes them: that is for the counterweights of the "
-            "crank (see the imbalance).",
-            against=against,
-        )
-    return Text(
-        "{against} turn against the shaft, and no mass on it takes them: a mirrored second shaft does (mirrors).",
-        against=against,
-    )
-
-
-def _opposite(engine: complex) -> Amount:
-    """The direction opposite to the engine's vector, in degrees."""
-    return Amount(degrees(argument(-engine)), "°", form=".1f")
 
 
 def _envelope_checks(

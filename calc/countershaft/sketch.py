@@ -47,12 +47,11 @@ from .checks import (
     JOURNAL_SLOPE,
     NOTCH_STRESS,
     OUTLINE_FORCE,
-    RESIDUAL,
-    RESIDUAL_FORCE,
     SUPPORT_HEAT_INDEX,
     SUPPORT_SPECIFIC_LOAD,
 )
 from .inputs import EccentricMass, Holes, ShaftInputs
+from .left_over import RESIDUAL, RESIDUAL_FORCE
 from .outline import Outline, Piece
 from .result import CountershaftResult
 from .rows import EACH_ROW, SHAFT, BearingRow

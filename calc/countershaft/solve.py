@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-shaft, given or sized: its couple, what it leaves of the imbalance, its supports, bending and making.
+"""A counter-shaft, given or sized: its force and couple, its supports, bending and making.
 
 At the end whether the oil of its bearings drains off."""
 
@@ -46,6 +46,7 @@ from .outline import Journals, NoOutline, Outline
 from .result import CountershaftResult, SupportResult
 from .sizing.choices import front_curve, named
 from .sizing.sectors import TooSmall, eccentric_masses, pieces, size, task
+from .sums import SystemShaft
 from .supports import Gear, reactions
 
 if TYPE_CHECKING:
@@ -60,15 +61,16 @@ def solve(
     materials: Mapping[str, Material],
     gear: Gear | None,
     fastest: Number = 1.0,
+    beside: tuple[SystemShaft, ...] = (),
     *,
     judged: bool,
 ) -> Outcome[CountershaftResult]:
-    """Check a shaft against what the engine asks for, or size it first.
+    """A shaft by itself; sized first, where that is asked, for what the engine asks for and shafts `beside` it leave.
 
     `omega` is the crank's rated angular speed; `fastest`: the highest speed of the crank over the rated one; `judged`:
     the films of its bearings are judged by the step that follows, else their loads are screened here.
     """
-    todo, journals = task(shaft, imbalance), shaft.journals
+    todo, journals = task(shaft.speed_ratio, imbalance, beside), shaft.journals
     slopes = {row.name: row.slope for row in shaft.bearings if row.slope is not None}
     with trace() as lines:
         step = ShaftStep(shaft, todo, materials, journals, f.shaft_speed(i=shaft.speed_ratio, omega=omega))
@@ -105,7 +107,7 @@ def solve(
         result=result,
         checks=(*checks(shaft, todo, result, journals, gear), *step.checks),
         lines=tuple(lines),
-        curves=Later(partial(curves, todo, result, omega, shaft.bearing_positions)) + step.curves,
+        curves=Later(partial(curves, result, omega, shaft.bearing_positions)) + step.curves,
         tables=step.tables,
         notes=Later(lambda: (*notes(shaft, journals), *further)),
     )
@@ -295,26 +297,18 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
     F_S, C_S = _supplied(step, masses)
     first_row, last_row = shaft.bearings[0], shaft.bearings[-1]
     couple, phase, force = f.couple(C_S=C_S), f.couple_phase(C_S=C_S), f.force(F_S=F_S)
-    C_against, F_against = todo.C_against, todo.F_against
+    C_against = todo.C_against
     if shaft.paired:
         with about(Text("twin shaft")):
             C_against = f.residual_vector(C_like=C_against, C_S=f.mirrored_couple(C_S=C_S))
-            F_against = f.residual_force_vector(F_like=F_against, F_S=f.mirrored_force(F_S=F_S))
-    C_left = f.residual_couple(C_against=C_against, C_res=f.residual_vector(C_like=todo.C, C_S=C_S))
-    F_left = f.residual_force(F_against=F_against, F_res=f.residual_force_vector(F_like=todo.F, F_S=F_S))
     R = tuple(
         f.lever_reaction(C_S=C_S, z_o=other.position, F_S=F_S, z_B=row.position)
         for row, other in ((first_row, last_row), (last_row, first_row))
     )
-    first = todo.order == 1
     return CountershaftResult(
         couple=couple,
         couple_phase=phase,
         mass_moment=_moments(masses, omega),
-        residual_order_1_couple=C_left if first else None,
-        residual_order_1_force=F_left if first else None,
-        residual_order_2_couple=None if first else C_left,
-        residual_order_2_force=None if first else F_left,
         static_unbalance=f.static_unbalance(F_S=force, omega=omega),
         force=force,
         loads={row.name: f.reaction(R=R_B) for row, R_B in zip((first_row, last_row), R)},

@@ -47,6 +47,14 @@ class OrderVectors:
     roll: PhasorNewtonMetre | None = None
     roll_of_shafts: PhasorNewtonMetre | None = None
 
+    @property
+    def forces(self) -> tuple[PhasorNewton, PhasorNewton]:
+        return self.force_forward, self.force_backward
+
+    @property
+    def couples(self) -> tuple[PhasorNewtonMetre, PhasorNewtonMetre]:
+        return self.couple_forward, self.couple_backward
+
 
 @record
 class SystemShaft:

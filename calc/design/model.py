@@ -33,7 +33,7 @@ from ..sheet.quantity import (
     text,
     unknown,
 )
-from ..sheet.step import Step
+from ..sheet.step import OF_SHAFTS, Step
 from ..sheet.text import Amount, Small, Text
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
 
@@ -129,6 +129,25 @@ class Design:
     def resolved(self) -> tuple[Resolved, ...]:
         """All shafts, each with its inputs as they are."""
         return resolved(self.shafts)
+
+    @property
+    def views(self) -> "dict[str, Design]":
+        """The design with one of its shafts alone, and the twins of that, by the name of each that is no twin."""
+        own = [shaft.name for shaft in self.shafts if not shaft.is_twin]
+        if len(own) == 1:
+            return {own[0]: self}
+        return {
+            name: replace(self, shafts=tuple(s for s in self.shafts if name in (s.name, s.mirrors, s.repeats)))
+            for name in own
+        }
+
+    def former_id(self, id: str) -> str:
+        """What a value or check of the one shaft that is no twin was called while its name stood in no id, and what one
+        of a wheel was while that had another name; the id itself where nothing of it was otherwise."""
+        step, _, rest = id.partition(".")
+        if len(self.shafts) > 1 == len(self.views) and step in OF_SHAFTS:
+            id = f"{step}.{rest.removeprefix(f'{next(iter(self.views))}.')}"
+        return self.gears.former_id(id) if self.gears is not None else id
 
     @property
     def rows(self) -> tuple[BearingRow, ...]:
@@ -355,9 +374,6 @@ class Design:
         if shaft.mode == "bearings" or None in shaft.bearing_positions:
             return
         places, journals = shaft.bearing_positions, shaft.journals
-        if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
-            must = Text("must be -1 where [bearings] or [gears] carry the shaft")
-            yield dotted(ShaftInputs.speed_ratio), must
         lengths = [length for _, length in journals]
         if shaft.outer_radius is None and journals and not shaft.sections:
             widest = max(diameter for diameter, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
@@ -453,9 +469,9 @@ class Design:
         """Materials, shafts and places of the wheels; speed, irregularity and power of the train, where no other table
         has them."""
         for i, wheel in enumerate(gears.wheels):
-            if wheel.shaft not in (None, ONLY):
-                alone = Text('there is one shaft, and it is called "{shaft}"', shaft=ONLY)
-                yield dotted(GearsInputs.wheels, i, Wheel.shaft), alone
+            names = [shaft.name for shaft in self.shafts] or [ONLY]
+            if wheel.shaft not in (None, *names):
+                yield dotted(GearsInputs.wheels, i, Wheel.shaft), _unknown_name(wheel.shaft or "", names)
             if wheel.gear_material is not None:
                 from ..gears.rating.classes import class_problem  # brings numpy with it
 

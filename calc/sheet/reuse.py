@@ -8,7 +8,7 @@ from typing import Never, ParamSpec, TypeVar, cast
 import numpy as np
 
 from .errors import Cancelled, NoSolution
-from .step import Outcome, joined
+from .step import Outcome, beside, joined
 from .text import EMPTY, Text
 
 P = ParamSpec("P")
@@ -77,7 +77,13 @@ class Parts:
         by_step: dict[str, dict[str, Outcome[object]]] = {}
         for (key, name), outcome in self.last.items():
             by_step.setdefault(key, {})[name] = outcome
-        return {key: joined(key, outcomes, None) for key, outcomes in by_step.items()}
+        done: dict[str, Outcome[object]] = {}
+        for key, outcomes in by_step.items():
+            sums = outcomes.pop("", None) if len(outcomes) > 1 else None
+            done[key] = joined(key, outcomes, None)
+            if sums is not None:
+                done[key] = beside(sums, done[key])
+        return done
 
     def absent(self, key: str, inputs: object, after: tuple[Outcome[object], ...]) -> Outcome[Never]:
         """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after`

@@ -360,7 +360,7 @@ def asked(
     shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond
 ) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2, RadPerSecond]:
     """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns."""
-    todo = task(shaft, imbalance)
+    todo = task(shaft.speed_ratio, imbalance)
     omega_S = shaft_speed(i=shaft.speed_ratio, omega=omega)
     U = asked_unbalance(F_like=todo.F, x_o=shaft.overdesign, omega=omega_S)
     return U, asked_product(C_like=todo.C, x_o=shaft.overdesign, omega=omega_S), omega_S

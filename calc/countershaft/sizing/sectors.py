@@ -8,6 +8,7 @@ beyond, the static moment falls while the mass grows. Vectors: real up, imaginar
 rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -36,8 +37,9 @@ from ...sheet.units import (
 )
 from ...sheet.value import about, based_on, untraced
 from .. import outline as s
-from ..inputs import EccentricMass, Extra, ShaftInputs
+from ..inputs import EccentricMass, Extra
 from ..outline import Piece, around
+from ..sums import OrderVectors, SystemShaft, left
 from . import formulas as f
 from . import lengths
 
@@ -446,10 +448,13 @@ class ShaftTask:
         return based_on(abs(self.C), self.C)
 
 
-def task(shaft: ShaftInputs, imbalance: ImbalanceResult) -> ShaftTask:
-    """The task of a shaft at `speed_ratio` times crank speed."""
-    order = round(abs(shaft.speed_ratio))
-    F_f, F_b, C_f, C_b = imbalance.orders[f"order_{order}"].vectors
-    if shaft.speed_ratio < 0:
+def task(ratio: Number, imbalance: ImbalanceResult, beside: Sequence[SystemShaft] = ()) -> ShaftTask:
+    """The task of a shaft at `ratio` times crank speed: what the shafts `beside` it leave of the engine's vectors."""
+    order = round(abs(ratio))
+    engine = OrderVectors(*imbalance.orders[f"order_{order}"].vectors)
+    if beside := [shaft for shaft in beside if shaft.order == order]:
+        engine = left(engine, beside, Text("shafts that are given"))
+    (F_f, F_b), (C_f, C_b) = engine.forces, engine.couples
+    if ratio < 0:
         return ShaftTask(order, F_b, C_b, F_f, C_f, imbalance.one_force, imbalance.one_couple)
     return ShaftTask(order, F_f, C_f, F_b, C_b, imbalance.one_force, imbalance.one_couple)

@@ -11,8 +11,8 @@ from dataclasses import replace
 
 from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
-from ...countershaft.checks import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.inputs import EccentricMass, ShaftInputs
+from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.rows import BearingRow, called
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
@@ -103,7 +103,7 @@ def balance(state: RepairState, failing: tuple[Check, ...], progress: Progress |
     shaft = state.design.countershaft
     assert shaft is not None
     imbalance = state.results.result(ImbalanceResult)
-    if imbalance is not None and not shaft.paired and _out_of_reach(failing, task(shaft, imbalance)):
+    if imbalance is not None and not shaft.paired and _out_of_reach(failing, task(shaft.speed_ratio, imbalance)):
         raise NoSolution(Text("what turns against the shaft is more than may be left, and no mass on it takes that"))
     if shaft.mode != "given":
         raise NoSolution(

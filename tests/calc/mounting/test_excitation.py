@@ -79,7 +79,7 @@ def test_moments_are_taken_about_the_centre_of_gravity():
     """A twin has free forces, so that its moments depend on the place that they are taken about."""
     made = load(DESIGNS / "twin_mounting.toml")[1]
     outcomes = solve(made).outcomes
-    own = {made.countershaft.name: outcomes["countershaft"].result}
+    own = {made.countershaft.name: outcomes["countershaft"]}
     shafts = step_inputs.shafts_on_engine(made, own, outcomes["gears"])
     at = drive(made.mounting, made.engine, outcomes["engine"].result, outcomes["imbalance"].result, shafts)
     table = {**load(DESIGNS / "twin_mounting.toml")[0].data}

@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.design import step_inputs
 from calc.design.toml_file import Document, design, load, read
 from calc.mounting.solve import solve as on_mounts
 from calc.mounting.wrenches import ShaftOnEngine, drive
@@ -116,14 +115,14 @@ def test_the_design_of_two_shafts_says_which_tooth_is_the_worst(four):
     assert np.all(course.total[3] >= course.total[2] * (1 - 1e-12))
 
 
-def test_the_twin_of_a_pair_comes_from_its_original():
+def test_a_pair_is_two_shafts_on_the_mounts():
     data = dict(read(DESIGNS / "r754ie4_balance_shafts.toml").data)
     data["shafts"] = [dict(data["shafts"][0], axis_mm=[-60.0, -95.0]), *data["shafts"][1:]]
-    made = design(Document(data))
-    outcomes = solve(made).outcomes
-    own = outcomes["countershaft"].result
-    first, twin = step_inputs.shafts_on_engine(made, {made.own.name: own}, outcomes["gears"])
+    other = read(DESIGNS / "r753ie4_mounting.toml").data
+    data["engine"], data["mounting"] = data["engine"] | {"gas": other["engine"]["gas"]}, other["mounting"]
+    made = solve(design(Document(data))).outcomes["mounting"].result
+    first, twin = made.drive.shafts
     assert (twin.ratio, twin.axis, twin.mirrors) == (-first.ratio, first.axis.conjugate(), first.name)
-    assert (twin.force, twin.couple) == (own.force_vector.conjugate(), own.couple_vector.conjugate())
-    both = {first.name: own, twin.name: replace(own, force_vector=1j, couple_vector=2j)}
-    assert step_inputs.shafts_on_engine(made, both, outcomes["gears"])[1].force == 1j
+    assert (twin.force, twin.couple) == (first.force.conjugate(), first.couple.conjugate())
+    assert twin.errors == (pytest.approx(0.006), pytest.approx(math.radians(1.0)))
+    assert not made.drive.off  # no wheels
