@@ -218,7 +218,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
             design.imbalance,
             design.engine,
             e.result,
-            h.takes_first_order(design),
+            h.orders_taken(design),
             h.shaft_teeth(design, h.only(design)),
             h.shaft_axes(design).get(h.only(design) or ""),
         )
@@ -248,7 +248,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
             )
             c |= h.twins(design, shaft, c[shaft.name])
         left = _left_over(part, design, e.result, i.result, c)
-        i = _with_shafts(i, design, c)
+        i = _with_shafts(i, design, left)
     else:
         left = part.absent("countershaft", h.turning(design) or None, (e, i))
 
@@ -321,11 +321,11 @@ def _left_over(
     return part("countershaft", left_over.solve, i, h.system_shafts(design, c), h.rolls(e), e.angular_speed)
 
 
-def _with_shafts(i: Outcome[ImbalanceResult], design: Design, c: Shafts) -> Outcome[ImbalanceResult]:
-    shaft = next((c[name].result for name, view in design.views.items() if name in c), None)
-    if shaft is None or design.imbalance is None or not h.takes_first_order(design):
+def _with_shafts(i: Outcome[ImbalanceResult], design: Design, left: Outcome[SystemResult]) -> Outcome[ImbalanceResult]:
+    if left.result is None or design.imbalance is None:
         return i
-    return imbalance.with_shaft(i, shaft.vectors, design.imbalance)
+    by_order = {n: (*found.forces, *found.couples) for n, found in left.result.vectors.items()}
+    return imbalance.with_shafts(i, by_order, design.imbalance, several=len(h.turning(design)) > 1)
 
 
 def _standing(

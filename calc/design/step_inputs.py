@@ -61,9 +61,9 @@ def rated_power(design: Design) -> float | None:
     return design.engine.rated_power if design.engine is not None and not own_speed else None
 
 
-def takes_first_order(design: Design) -> bool:
-    """Whether a shaft of the design turns at −1 times crank speed."""
-    return any(shaft.inputs.speed_ratio == -1 for shaft in turning(design))
+def orders_taken(design: Design) -> frozenset[int]:
+    """The orders that shafts of the design take, with their sense: at how many times crank speed these turn."""
+    return frozenset(round(shaft.inputs.speed_ratio) for shaft in turning(design))
 
 
 def turning(design: Design) -> tuple[Resolved, ...]:
