@@ -302,6 +302,10 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)
         g = _on_engine(g, design, c)
+        if i.result is not None and e.result is not None:
+            g = part(
+                "gears", left_over.one_tooth_off, g, i.result, h.system_shafts(design, c, teeth=True), h.rolls(e.result)
+            )
     e = replace(e, computes=design.engine is None or design.engine.throw is None)
     i = replace(i, computes=True)
     m = _mounted(part, design, e, i, c, g)
@@ -318,7 +322,16 @@ def _left_over(
     """What all shafts together leave; waits where one of them has no solution."""
     if h.unsolved(tuple(c.values())):
         return Outcome("countershaft", "blocked")
-    return part("countershaft", left_over.solve, i, h.system_shafts(design, c), h.rolls(e), e.angular_speed)
+    shafts = h.system_shafts(design, c)
+    return part(
+        "countershaft",
+        left_over.solve,
+        i,
+        shafts,
+        h.rolls(e),
+        e.angular_speed,
+        h.made_shafts(design, c, shafts),
+    )
 
 
 def _with_shafts(i: Outcome[ImbalanceResult], design: Design, left: Outcome[SystemResult]) -> Outcome[ImbalanceResult]:

@@ -207,6 +207,12 @@ class Scatter:
     )
 
 
+NO_ORDER = Text(
+    "must be -1, 1, -2 or 2: half orders are of the gas torque, which no rotating mass takes, and orders of 4 and "
+    "above are lived with; a pump or a cam at 0.5 is a wheel, not a shaft"
+)
+
+
 @inputs
 class ShaftInputs:
     """A balance shaft: its masses or its envelope, where it is carried, and how it is made and mounted."""
@@ -443,7 +449,7 @@ class ShaftInputs:
                 needs = Text("is missing; needs {allowed}", allowed=described(BearingRow.position).allowed())
                 yield dotted(ShaftInputs.bearings, i, BearingRow.position), needs
         if self.speed_ratio is not None and self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
-            yield dotted(ShaftInputs.speed_ratio), Text("must be -1, 1, -2 or 2")
+            yield dotted(ShaftInputs.speed_ratio), NO_ORDER
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
             R = _mm(self.outer_radius)
             yield (

@@ -5,9 +5,11 @@ figures."""
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..gears.result import TrainResult
 from ..imbalance.curves import DRAWN
 from ..imbalance.result import ImbalanceResult
 from ..sheet.check import Check, CheckRule
@@ -22,7 +24,10 @@ from .curves import speeds
 from .inputs import ShaftInputs
 from .rows import SHAFT
 from .sizing.sectors import WORDS, ShaftTask, task
-from .sums import OrderVectors, SystemResult, SystemShaft, together
+from .sums import OrderVectors, SystemResult, SystemShaft, teeth_off, teeth_table, together
+
+if TYPE_CHECKING:
+    from .making.system_scatter import MadeShaft
 
 
 def solve(
@@ -30,14 +35,19 @@ def solve(
     shafts: tuple[SystemShaft, ...],
     rolls: Mapping[int, PhasorNewtonMetre],
     omega: RadPerSecond,
+    made: "tuple[MadeShaft, ...]" = (),
 ) -> Outcome[SystemResult]:
     """Of an engine with all its shafts.
 
     `rolls`: by order, the torque reaction of its inertia about the crank, as far as it is known; `omega` of the crank
-    at rated speed."""
-    engine = {n: OrderVectors(*imbalance.orders[f"order_{n}"].vectors, rolls.get(n)) for n in {s.order for s in shafts}}
+    at rated speed; `made`: the same shafts as they are made, of several that scatter."""
+    engine = vectors_of(imbalance, shafts, rolls)
     with trace() as lines:
         left = together(engine, shafts)
+        if made:
+            from .making.system_scatter import system_scattered  # which few designs ask for
+
+            left = replace(left, scatter=system_scattered(engine, made))
     tasks = {n: task(next(s.ratio for s in shafts if s.order == n), imbalance) for n in sorted(engine)}
     return Outcome(
         "countershaft",
@@ -46,6 +56,34 @@ def solve(
         lines=tuple(lines),
         curves=Later(partial(_curves, tasks, engine, left, omega)),
     )
+
+
+def vectors_of(
+    imbalance: ImbalanceResult, shafts: Sequence[SystemShaft], rolls: Mapping[int, PhasorNewtonMetre]
+) -> dict[int, OrderVectors]:
+    """The engine alone, of the orders at which a shaft turns."""
+    orders = {shaft.order for shaft in shafts}
+    return {n: OrderVectors(*imbalance.orders[f"order_{n}"].vectors, rolls.get(n)) for n in sorted(orders)}
+
+
+def one_tooth_off(
+    train: Outcome[TrainResult],
+    imbalance: ImbalanceResult,
+    shafts: tuple[SystemShaft, ...],
+    rolls: Mapping[int, PhasorNewtonMetre],
+) -> Outcome[TrainResult]:
+    """A train with what is left where shafts are fitted one tooth of their wheels off."""
+    if train.result is None or not shafts:
+        return train
+    with trace() as lines:
+        off = teeth_off(vectors_of(imbalance, shafts, rolls), shafts)
+    turns = {
+        name: replace(turn, tooth_late=off.shafts.get(name), pair_late=off.pairs.get(name))
+        for name, turn in train.result.shafts.items()
+    }
+    table = Later(lambda: [teeth_table(off)] if off.shafts else [])
+    result = replace(train.result, shafts=turns, all_late=off.all)
+    return replace(train, result=result, lines=(*train.lines, *lines), tables=train.tables + table)
 
 
 # --- what is left over

@@ -20,7 +20,7 @@ from ..sheet.units import (
 )
 from . import formulas as f
 from .bending.shaft import Bending
-from .inputs import ShaftInputs
+from .inputs import EccentricMass, ShaftInputs
 from .making.unbalance import HolesResult, ToleranceResult
 from .outline import Outline
 from .rows import called, sign
@@ -179,6 +179,7 @@ class CountershaftResult:
     part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     reactions: tuple[complex, ...]  # of the supports on the shaft, front to rear, cylinder 1 at TDC
+    masses: tuple[EccentricMass, ...]  # given, or sized
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex
     omega: RadPerSecond  # of the shaft

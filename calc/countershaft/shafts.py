@@ -27,24 +27,29 @@ from ..sheet.value import about, based_on
 from . import formulas as f
 from .result import CountershaftResult, Standing
 from .sums import SystemResult
-from .twins import Resolved
+from .twins import Resolved, turned_over
 
 
 def of_twin(original: CountershaftResult, twin: Resolved) -> CountershaftResult:
     """What a twin gives: of a mirror image the conjugate vectors, with loads, slopes and speeds that are its
     original's."""
     axis = twin.inputs.axis
-    F, C, reactions = original.force_vector, original.couple_vector, original.reactions
+    F, C, reactions, masses = original.force_vector, original.couple_vector, original.reactions, original.masses
+    scatter = original.scatter
     with about(Name(twin.name)):
         if twin.how == "mirrors":
             F, C = f.mirrored_force(F_S=F), f.mirrored_couple(C_S=C)
             reactions = tuple(based_on(R.conjugate(), R) for R in reactions)
+            masses = tuple(map(turned_over, masses))
+            scatter = None if scatter is None else replace(scatter, target=scatter.target.mirrored())
         return replace(
             original,
             couple_phase=f.couple_phase(C_S=C),
             force_vector=F,
             couple_vector=C,
             reactions=reactions,
+            masses=masses,
+            scatter=scatter,
             roll_torque=None if axis is None else roll_torque(p=based_on(complex(*axis), axis), F=F),
         )
 

@@ -319,9 +319,8 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
         support={},
         couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
-        roll_torque=None
-        if shaft.axis is None or shaft.paired
-        else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
+        roll_torque=None if shaft.axis is None else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
+        masses=masses,
         force_vector=F_S,
         couple_vector=C_S,
         omega=omega,

@@ -8,7 +8,7 @@ grow with the square of speed, so that what is left is one share at all speeds."
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -32,6 +32,9 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, based_on
 from . import formulas as f
+
+if TYPE_CHECKING:
+    from .making.system_scatter import SystemScatter
 
 
 @record
@@ -98,7 +101,7 @@ class SystemShaft:
         ratio = based_on(-self.ratio, self.ratio)
         return replace(self, name=name, ratio=ratio, force=force, couple=couple, axis=axis, mirrors=self.name)
 
-    def repeated(self, name: str, axis: PhasorMetre | None) -> Self:
+    def repeated(self, name: str, axis: PhasorMetre) -> Self:
         """The same shaft once more, about an axis of its own."""
         return replace(self, name=name, axis=axis)
 
@@ -179,6 +182,7 @@ class SystemResult:
     roll_torque_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
     roll_left_order_2: NewtonMetre | None = value("Second-order roll left over", "N·m", "T_left", default=None)
     roll_left_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
+    scatter: "SystemScatter | None" = group(default=None, words="scatter")
     vectors: dict[int, OrderVectors]  # what is left, by order
 
 

@@ -533,6 +533,9 @@ def _no_key(key: str) -> Text | None:
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:
-    near = get_close_matches(name, list(known), 1)
-    others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)
+    there = [other for other in known if other]  # one without a name is an error of its own
+    near = get_close_matches(name, there, 1)
+    others = Text("; there are none")
+    if there:
+        others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(there)
     return Text('"{name}" is not known', name=name) + others

@@ -5,7 +5,7 @@ next."""
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import hypot
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
@@ -38,6 +38,9 @@ from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import based_on, recorded
 from .model import STEPS, Design
+
+if TYPE_CHECKING:
+    from ..countershaft.making.system_scatter import MadeShaft
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
@@ -115,6 +118,25 @@ def system_shafts(
     )
 
 
+def made_shafts(
+    design: Design, solved: Mapping[str, Outcome[CountershaftResult]], shafts: tuple[SystemShaft, ...]
+) -> "tuple[MadeShaft, ...]":
+    """Several shafts as they are made; empty where none of them scatters, or one alone."""
+    inputs = {shaft.name: shaft.inputs for shaft in turning(design)}
+    if len(shafts) < 2 or all(inputs[shaft.name].scatter is None for shaft in shafts):
+        return ()
+    from ..countershaft.making.system_scatter import MadeShaft
+
+    made = []
+    for shaft in shafts:
+        of, result = inputs[shaft.name], solved[shaft.name].solution
+        drilling = None
+        if result.scatter is not None and result.holes is not None:
+            drilling = result.scatter.target, result.holes
+        made.append(MadeShaft(shaft, result.omega, of.scatter, result.masses, of.extras, drilling))
+    return tuple(made)
+
+
 def _tooth(design: Design, name: str) -> float | None:
     z = shaft_teeth(design, name)
     return None if z is None else angular_pitch(z=z)
@@ -138,7 +160,7 @@ def driven(design: Design) -> tuple[str, ...]:
     if len(names) < 2 or design.gears is None:
         return tuple(names) or (ONLY,)
     on = {wheel.shaft for wheel in design.gears.wheels} | set(design.gears.along)
-    return tuple(name for name in names if name in on) or (names[0],)
+    return tuple(name for name in names if name in on) or tuple(list(design.views)[:1])
 
 
 def shaft_teeth(design: Design, name: str | None) -> int | None:
@@ -188,9 +210,8 @@ def balanced(shafts: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, Bal
 
 
 def ratios(design: Design) -> dict[str, float]:
-    """How fast the shafts in the train must turn, over the crank, by their names."""
-    on = driven(design)
-    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design) if shaft.name in on}
+    """How fast the shafts must turn, over the crank, by their names."""
+    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design)}
 
 
 def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInputs) -> BearingMaterials:
