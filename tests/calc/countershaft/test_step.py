@@ -56,7 +56,9 @@ def test_a_sized_shaft_given_back_as_masses_is_the_same_shaft():
     for name in ("couple", "eccentric_mass", "mass", "slopes", "first_critical_speed"):
         assert getattr(given, name) == pytest.approx(getattr(sized, name), rel=1e-7), name
     assert list(given.slopes) == ["front", "rear"]
-    assert sized.sums.residual_order_1_couple == pytest.approx(0, abs=1e-6) and sized.force == pytest.approx(0, abs=1e-6)
+    assert sized.sums.residual_order_1_couple == pytest.approx(0, abs=1e-6) and sized.force == pytest.approx(
+        0, abs=1e-6
+    )
 
 
 @pytest.mark.parametrize("overdesign", [-5.0, 0.0, 1.4, 10.0])
@@ -130,7 +132,9 @@ def test_the_pair_of_the_source_takes_four_times_its_force_off_the_second_order(
     """R754IE4: 10617.7 N (10325 with two terms), and 4 · 2134 N taken by two shafts; one alone leaves half of that."""
     engine = result("r754ie4_balance_shafts", twin=False).sums.residual_order_2_force + 4268.13
     assert engine == pytest.approx(10617.73, abs=0.05)
-    assert result("r754ie4_balance_shafts").sums.residual_order_2_force == pytest.approx(engine - 4 * 2134.0647, abs=0.05)
+    assert result("r754ie4_balance_shafts").sums.residual_order_2_force == pytest.approx(
+        engine - 4 * 2134.0647, abs=0.05
+    )
     assert result("r754ie4_balance_shafts", speed_ratio=-2).sums.residual_order_2_force == pytest.approx(
         engine - 4 * 2134.0647, abs=0.05
     )
