@@ -92,7 +92,9 @@ def front_view(
         )
     if beneath:
         marks.append(Words(CONTEXT, (middle, y - APART * largest), Text("place not given"), side="centre"))
-    title = Text("all shafts, largest force {force}", force=Amount(most, "N", digits=4)) if most else Text("all shafts")
+    title = (
+        Text("beside the crank, up to {force}", force=Amount(most, "N", digits=4)) if most else Text("beside the crank")
+    )
     return Sketch(tuple(marks), title=title)
 
 

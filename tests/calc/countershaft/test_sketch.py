@@ -117,7 +117,7 @@ def all_of(*shafts):
     asked = design(document)
     whole = sketch(asked, solve(asked))
     sketches.check(whole, document)
-    return next(one for one in (whole, *whole.beside) if str(one.title).startswith("all shafts")), whole
+    return next(one for one in (whole, *whole.beside) if str(one.title).startswith("beside the crank")), whole
 
 
 def circles(picture, state=""):
@@ -162,7 +162,7 @@ def test_a_twin_s_sectors_are_mirrored(gamma):
     shafts = [own | {"bearings": rows}, {"name": "twin", "mirrors": own["name"]}]
     asked = design(Document(document.data | {"shafts": shafts}))
     whole = sketch(asked, solve(asked))
-    picture = next(one for one in whole.beside if str(one.title).startswith("all shafts"))
+    picture = next(one for one in whole.beside if str(one.title).startswith("beside the crank"))
     outlines = [mark.outlines[0] for mark in picture.primitives if isinstance(mark, Area)]
     half = len(outlines) // 2
     for one, other in zip(outlines[:half], outlines[half:]):
