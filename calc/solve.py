@@ -85,6 +85,12 @@ class Results:
         return self.result(CountershaftResult)
 
     @property
+    def left(self) -> SystemResult | None:
+        """What all shafts together leave."""
+        every = self.result(shafts.ShaftsResult)
+        return every.sums if every is not None else self.shaft.sums if self.shaft is not None else None
+
+    @property
     def train(self) -> TrainResult | None:
         return self.result(TrainResult)
 
