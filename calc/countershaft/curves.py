@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a shaft: what its bearings carry, and how it bends."""
+"""The figures of a shaft: what its bearings carry, and how it bends; of all shafts together what they leave, vector by
+vector and one tooth off."""
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -11,8 +14,10 @@ from ..sheet.units import Metre, Newton, RadPerSecond
 from .bending.shaft import Bending
 from .result import CountershaftResult
 from .rows import called
+from .sums import OrderVectors, SystemShaft, TeethOff
 
 STACK = "bending"
+WITH, AGAINST = Text("with the crank"), Text("against it")
 
 
 def curves(shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
@@ -105,4 +110,61 @@ def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
             short=3,
         ),
         Curve("deflection", deflection, from_middle, axis_label("deflection", "µm"), lines, stack=STACK, short=4),
+    )
+
+
+# --- of all shafts together
+
+
+def phasor_plane(n: int, unit: str, engine: OrderVectors, shafts: Sequence[SystemShaft]) -> Curve:
+    """The vectors of order n with cylinder 1 at TDC, of force or couple (`unit`), chained: the engine's, each shaft's,
+    and what is left from the origin to the end; those that turn with the crank and those that turn against it."""
+    force = unit == "N"
+    series = []
+    for sense, at in ((WITH, 0), (AGAINST, 1)):
+        end = (engine.forces if force else engine.couples)[at]
+        parts = [(Text("engine"), 0j, end)]
+        for shaft in shafts:
+            if shaft.order == n and shaft.forward == (sense is WITH):
+                start, end = end, end + (shaft.force if force else shaft.couple)
+                parts.append((Name(shaft.name), start, end))
+        if any(start != there for _, start, there in parts):
+            parts.append((Text("left"), 0j, end))
+            for words, start, there in parts:
+                series.append(
+                    Series(words, np.array([start.imag, there.imag]), np.array([start.real, there.real]), sense)
+                )
+    title = Text("Forces of order {n}, cylinder 1 at TDC", n=n)
+    return Curve(
+        f"phasors_order_{n}_{'force' if force else 'couple'}",
+        title if force else Text("Couples of order {n}, cylinder 1 at TDC", n=n),
+        Text("horizontal, {unit}", unit=unit),
+        Text("vertical, {unit}", unit=unit),
+        tuple(series),
+        equal=True,
+        variants=tuple(dict.fromkeys(one.variant for one in series)),
+    )
+
+
+def teeth_bars(n: int, unit: str, teeth: TeethOff, designed: float) -> Curve:
+    """What of order n is left with shafts one tooth off, late beside early, of force or couple (`unit`), its peak over
+    a turn; the line: as `designed`."""
+    force = unit == "N"
+    rows = [
+        (words, off.columns[n][0] if force else off.columns[n][1]) for words, off in teeth.rows() if n in off.columns
+    ]
+    place = np.arange(1, len(rows) + 1, dtype=float)
+    title = Text("Force of order {n} left one tooth off", n=n)
+    return Curve(
+        f"teeth_off_order_{n}_{'force' if force else 'couple'}",
+        title if force else Text("Couple of order {n} left one tooth off", n=n),
+        Text("one tooth off"),
+        axis_label("force" if force else "couple", unit),
+        tuple(
+            Series(words, place, np.array([peaks[i] for _, peaks in rows]))
+            for i, words in enumerate((Text("late"), Text("early")))
+        ),
+        limits=((Text("as designed"), designed),),
+        bars=True,
+        names=tuple(words for words, _ in rows),
     )
