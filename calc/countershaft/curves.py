@@ -8,7 +8,7 @@ import numpy as np
 
 from ..draw.shaft_outline import outline_curve
 from ..sheet.arrays import Array
-from ..sheet.step import Curve, DrawnLoad, Series, axis_label
+from ..sheet.step import Curve, DrawnLoad, Series, Turning, axis_label
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, Newton, RadPerSecond
 from .bending.shaft import Bending
@@ -17,7 +17,6 @@ from .rows import called
 from .sums import OrderVectors, SystemShaft, TeethOff
 
 STACK = "bending"
-WITH, AGAINST = Text("with the crank"), Text("against it")
 
 
 def curves(shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
@@ -117,32 +116,30 @@ def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
 
 
 def phasor_plane(n: int, unit: str, engine: OrderVectors, shafts: Sequence[SystemShaft]) -> Curve:
-    """The vectors of order n with cylinder 1 at TDC, of force or couple (`unit`), chained: the engine's, each shaft's,
-    and what is left from the origin to the end; those that turn with the crank and those that turn against it."""
-    force = unit == "N"
-    series = []
-    for sense, at in ((WITH, 0), (AGAINST, 1)):
-        end = (engine.forces if force else engine.couples)[at]
-        parts = [(Text("engine"), 0j, end)]
+    """The vectors of order n, of force or couple (`unit`), tip to tail: the engine's and each shaft's; what is left is
+    where they end, which runs along a circle.  Those that turn with the crank, and those that turn against it."""
+    force, degrees = unit == "N", np.arange(0, 361, 3.0)
+    series, chains = [], []
+    for sense, at, words in ((1, 0, Text("with the crank")), (-1, 1, Text("against it"))):
+        vectors = {Text("engine"): (engine.forces if force else engine.couples)[at]}
         for shaft in shafts:
-            if shaft.order == n and shaft.forward == (sense is WITH):
-                start, end = end, end + (shaft.force if force else shaft.couple)
-                parts.append((Name(shaft.name), start, end))
-        if any(start != there for _, start, there in parts):
-            parts.append((Text("left"), 0j, end))
-            for words, start, there in parts:
-                series.append(
-                    Series(words, np.array([start.imag, there.imag]), np.array([start.real, there.real]), sense)
-                )
-    title = Text("Forces of order {n}, cylinder 1 at TDC", n=n)
+            if shaft.ratio == sense * n:
+                vectors[Name(shaft.name)] = shaft.force if force else shaft.couple
+        if vectors := {name: vector for name, vector in vectors.items() if vector}:
+            turned = abs(sum(vectors.values())) * np.exp(1j * np.radians(degrees))
+            series.append(Series(Text("left"), turned.imag, turned.real, words))
+            chains.append(Turning(tuple(vectors), tuple(vectors.values()), (sense * n,) * len(vectors), words))
+    title = Text("Forces of order {n}, engine and shafts tip to tail", n=n)
     return Curve(
         f"phasors_order_{n}_{'force' if force else 'couple'}",
-        title if force else Text("Couples of order {n}, cylinder 1 at TDC", n=n),
+        title if force else Text("Couples of order {n}, engine and shafts tip to tail", n=n),
         Text("horizontal, {unit}", unit=unit),
         Text("vertical, {unit}", unit=unit),
         tuple(series),
         equal=True,
-        variants=tuple(dict.fromkeys(one.variant for one in series)),
+        variants=tuple(chain.variant for chain in chains),
+        turning=tuple(chains),
+        along=(Text("crank angle, °"), degrees / n),
     )
 
 

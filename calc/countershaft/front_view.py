@@ -41,7 +41,7 @@ SENSE = math.radians(50)  # half of the arrow that says how a shaft turns
 AROUND = 1.15  # sweeps: where that arrow runs
 NAME = 1.5  # sweeps below the axis, where the name stands
 ARROW = 2.0  # largest sweeps: length of the largest force
-APART = 3.0  # largest sweeps from shaft to shaft where no place is given
+APART = 4.0  # largest sweeps from shaft to shaft where no place is given
 CORNERS = 24  # of half a sector
 FEW = 12  # of an arrow
 NO_FORCE = 1e-3  # of the largest: a smaller one has no arrow
@@ -91,7 +91,7 @@ def front_view(
             (middle + (n - (len(beneath) - 1) / 2) * APART * largest, y), _shaft(shaft, scale, NO_FORCE * most)
         )
     if beneath:
-        marks.append(Words(CONTEXT, (middle, y - APART * largest), Text("place not given"), side="centre"))
+        marks.append(Words(CONTEXT, (middle, y - 3 * largest), Text("place not given"), side="centre"))
     title = (
         Text("beside the crank, up to {force}", force=Amount(most, "N", digits=4)) if most else Text("beside the crank")
     )

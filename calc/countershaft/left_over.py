@@ -255,12 +255,10 @@ def _planes(
 ) -> Iterator[Curve]:
     """Of several shafts the vectors of each order."""
     for n, todo in tasks.items() if len(shafts) > 1 else ():
-        for unit, vectors, one_cylinder in (
-            ("N", engine[n].forces, todo.one_force),
-            ("N·m", engine[n].couples, todo.one_couple),
-        ):
-            if max(map(abs, vectors)) > DRAWN * one_cylinder:
-                yield phasor_plane(n, unit, engine[n], shafts)
+        for unit, one_cylinder in (("N", todo.one_force), ("N·m", todo.one_couple)):
+            plane = phasor_plane(n, unit, engine[n], shafts)
+            if max((abs(v) for chain in plane.turning for v in chain.phasors), default=0.0) > DRAWN * one_cylinder:
+                yield plane
 
 
 def _bars(
@@ -271,7 +269,7 @@ def _bars(
     for n in engine if len(list(off.rows())) > 1 else ():
         for word, unit, one_cylinder in (("force", "N", imbalance.one_force), ("couple", "N·m", imbalance.one_couple)):
             bars = teeth_bars(n, unit, off, getattr(designed, f"residual_order_{n}_{word}"))
-            if max(float(series.y.max(initial=0.0)) for series in bars.series) > DRAWN * one_cylinder:
+            if max(float(series.y.max()) for series in bars.series) > DRAWN * one_cylinder:
                 yield bars
 
 

@@ -34,7 +34,9 @@ def honest(result: MountingResult) -> Text:
 
 
 def _takes(result: MountingResult) -> Text:
-    n = Text(", ").join([Text("{n}", n=Amount(n)) for n in result.drive.taken])
+    n = Text(" and ").join([Text("{n}", n=Amount(n)) for n in result.drive.taken])
+    if len(result.drive.taken) > 1:
+        return Text("The shafts take what the masses have of orders {n} and nothing else:", n=n)
     if len(result.drive.shafts) > 1:
         return Text("The shafts take what the masses have of order {n} and nothing else:", n=n)
     if result.felt_order_1 is not None:

@@ -3,7 +3,6 @@
 import cmath
 import math
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -295,20 +294,18 @@ def test_over_speed_all_lines_grow_with_its_square():
 
 
 def test_the_phasor_plane_chains_the_shafts_to_what_is_left():
-    """Of each sense the vectors end where the line of what is left ends, in the plane that has up above."""
+    """Of each sense the vectors end on the circle of what is left, at the place of the sum with cylinder 1 at TDC."""
     bare = OrderVectors(3000 + 40j, 2900 - 70j, 10j, 5 + 0j)
     left_one = SystemShaft("left", 2, -2500 + 100j, 0j)
     known = [left_one, left_one.mirror_image("right"), SystemShaft("first", -1, 7 + 0j, 0j)]
     curve = phasor_plane(2, "N", bare, known)
     assert curve.variants == ("with the crank", "against it") and curve.equal
     found = together({2: bare, 1: bare}, known).vectors[2]
-    for name, shaft, end in zip(curve.variants, ("left", "right"), found.forces):
-        mine = [series for series in curve.series if series.variant == name]
-        assert [str(series.label) for series in mine] == ["engine", shaft, "left"]
-        for series, other in pairwise(mine[:-1]):
-            assert (series.x[1], series.y[1]) == (other.x[0], other.y[0])
-        assert complex(mine[-1].y[1], mine[-1].x[1]) == pytest.approx(end)
-        assert (mine[-2].x[1], mine[-2].y[1]) == (mine[-1].x[1], mine[-1].y[1])
+    for chain, circle, shaft, end, order in zip(curve.turning, curve.series, ("left", "right"), found.forces, (2, -2)):
+        assert chain.names == ("engine", shaft) and chain.orders == (order, order)
+        assert chain.at(0.0)[-1] == pytest.approx(end)
+        assert np.hypot(circle.x, circle.y) == pytest.approx(np.full(circle.x.shape, abs(end)))
+        assert chain.at(0.3)[-1] == pytest.approx(end * cmath.exp(1j * order * 0.3))
     assert phasor_plane(1, "N·m", OrderVectors(0j, 0j, 0j, 5 + 0j), known).variants == ("against it",)
 
 
