@@ -86,6 +86,12 @@ class Results:
         return self.result(CountershaftResult)
 
     @property
+    def left(self) -> SystemResult | None:
+        """What all shafts together leave."""
+        every = self.result(shafts.ShaftsResult)
+        return every.sums if every is not None else self.shaft.sums if self.shaft is not None else None
+
+    @property
     def train(self) -> TrainResult | None:
         return self.result(TrainResult)
 
@@ -220,7 +226,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
             design.imbalance,
             design.engine,
             e.result,
-            h.takes_first_order(design),
+            h.orders_taken(design),
             h.shaft_teeth(design, h.only(design)),
             h.shaft_axes(design).get(h.only(design) or ""),
         )
@@ -251,7 +257,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
             )
             c |= h.twins(design, shaft, c[shaft.name])
         left = _left_over(part, design, e.result, i.result, c)
-        i = _with_shafts(i, design, c)
+        i = _with_shafts(i, design, left)
     else:
         left = part.absent("countershaft", h.turning(design) or None, (e, i))
 
@@ -338,11 +344,11 @@ def _left_over(
     )
 
 
-def _with_shafts(i: Outcome[ImbalanceResult], design: Design, c: Shafts) -> Outcome[ImbalanceResult]:
-    shaft = next((c[name].result for name, view in design.views.items() if name in c), None)
-    if shaft is None or design.imbalance is None or not h.takes_first_order(design):
+def _with_shafts(i: Outcome[ImbalanceResult], design: Design, left: Outcome[SystemResult]) -> Outcome[ImbalanceResult]:
+    if left.result is None or design.imbalance is None:
         return i
-    return imbalance.with_shaft(i, shaft.vectors, design.imbalance)
+    by_order = {n: (*found.forces, *found.couples) for n, found in left.result.vectors.items()}
+    return imbalance.with_shafts(i, by_order, design.imbalance, several=len(h.turning(design)) > 1)
 
 
 def _standing(
@@ -428,9 +434,8 @@ def _mounted(
     late = h.unsolved((e, i, *c.values()))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))
-    return part(
-        "mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g)
-    )
+    on_engine = h.shafts_on_engine(design, c, g)
+    return part("mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, on_engine)
 
 
 def _placed(

@@ -64,9 +64,9 @@ def rated_power(design: Design) -> float | None:
     return design.engine.rated_power if design.engine is not None and not own_speed else None
 
 
-def takes_first_order(design: Design) -> bool:
-    """Whether a shaft of the design turns at −1 times crank speed."""
-    return any(shaft.inputs.speed_ratio == -1 for shaft in turning(design))
+def orders_taken(design: Design) -> frozenset[int]:
+    """The orders that shafts of the design take, with their sense: at how many times crank speed these turn."""
+    return frozenset(round(shaft.inputs.speed_ratio) for shaft in turning(design))
 
 
 def turning(design: Design) -> tuple[Resolved, ...]:
@@ -395,49 +395,43 @@ def around_gears(
     )
 
 
-def shaft_on_engine(
+def shafts_on_engine(
     design: Design, shafts: Mapping[str, Outcome[CountershaftResult]], train: Outcome[TrainResult]
-) -> "ShaftOnEngine | None":
-    """The counter-shaft as the engine's mounts see it; None where there is none."""
-    countershaft, result = design.countershaft, next((shaft.result for shaft in shafts.values()), None)
-    if countershaft is None or result is None:
-        return None
-    return ShaftOnEngine(
-        countershaft.speed_ratio,
-        result.force_vector,
-        result.couple_vector,
-        countershaft.paired,
-        countershaft.axis,
-        shaft_errors(design, result, train.result),
-        shaft_teeth(design, countershaft.name),
+) -> tuple[ShaftOnEngine, ...]:
+    """All balance shafts as the engine's mounts see them."""
+    return tuple(
+        ShaftOnEngine(**vars(shaft), errors=shaft_errors(design, shaft.name, shafts[shaft.name].solution, train.result))
+        for shaft in system_shafts(design, shafts, teeth=True)
     )
 
 
-def shaft_errors(design: Design, shaft: CountershaftResult, train: TrainResult | None) -> tuple[float, float] | None:
+def shaft_errors(
+    design: Design, name: str, shaft: CountershaftResult, train: TrainResult | None
+) -> tuple[float, float] | None:
     """Error of the couple and of the angle of a shaft as it scatters: given, else what 95 % of the shafts stay below;
     None: not known."""
     given, scatter = design.mounting, shaft.scatter
     if given is None:
         return None
-    s, delta = given.scatter_couple, given.late
+    s, delta, turned = given.scatter_couple, given.late, 0.0
     if scatter is not None and shaft.couple:
         of_couple = (scatter.couple_error_by_mass, scatter.couple_error_by_radius, scatter.couple_error_by_position)
         of_angle = (scatter.couple_error_by_angle, scatter.couple_error_by_timing)
         s = based_on(NORMAL_95 * hypot(*of_couple) / shaft.couple, of_couple, shaft.couple) if s is None else s
         turned = based_on(NORMAL_95 * hypot(*of_angle) / shaft.couple, of_angle, shaft.couple)
-    else:
-        turned = 0.0
-    free = _free_turn(train)
+    elif scatter is not None and shaft.force:
+        of_angle = (scatter.force_error_by_angle, scatter.force_error_by_timing)
+        turned = based_on(NORMAL_95 * hypot(*of_angle) / shaft.force, of_angle, shaft.force)
+    free = _free_turn(name, train)
     if delta is None and (free is not None or turned):
         delta = based_on(turned + (free or 0.0), turned, free)
     return (s or 0.0, delta or 0.0) if s is not None or delta is not None else None
 
 
-def _free_turn(train: TrainResult | None) -> float | None:
-    """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case."""
-    if train is None:
+def _free_turn(name: str, train: TrainResult | None) -> float | None:
+    """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case; None: no wheel turns it."""
+    if train is None or name not in train.shafts:
         return None
-    name = next(iter(train.shafts))
     by_chance = train.train_play[name].phase_error_95 if train.train_play is not None else None
     return train.shafts[name].phase_error if by_chance is None else by_chance
 
