@@ -236,6 +236,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             c.result,
             design.engine,
             h.bearing_materials(design, design.bearings),
+            speed_ratio=design.own.speed_ratio if design.own is not None else None,
             compared=compared,
         )
     else:
@@ -271,7 +272,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     f = friction.with_rated_power(f, h.rated_power(design))
 
     if c.result is not None and design.countershaft is not None:
-        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
+        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f), b.result)
         b = bearings_with_standing(b, c.solution.standing)
         c = with_oil(with_films(c, b.result, design.bearings.housing_stiffness if design.bearings else None), b.result)
     if g.result is not None and design.gears is not None:

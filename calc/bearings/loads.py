@@ -27,6 +27,7 @@ from ..sheet.text import Text
 from ..sheet.units import MetrePerSecond, Newton, Watt
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
+from .as_supports import runs_centred
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
 from .result import BearingResult, BearingsResult, StandingResult
@@ -78,8 +79,11 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
     peak = f.load_peak(F=bearing.load, R_0=R_0)
     at_start = f.load_at_start(R_0=R_0, d=bearing.seat.bearing.diameter, l=bearing.seat.bearing.length)
     film_peak = film_orbit = amplitude = equal = None
+    at_peak, seat = replace(bearing.duty, load=peak), bearing.seat
+    if seat.centred and not runs_centred(seat, at_peak):
+        seat = replace(seat, centred=False)
     try:
-        film_peak = balanced(own_warm, bearing.seat, replace(bearing.duty, load=peak)).film
+        film_peak = balanced(own_warm, seat, at_peak).film
     except NoSolution as none:
         words = Text(
             "{place} bearing: no film is found for the largest load of the turn ({none}).",
@@ -87,7 +91,7 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
             none=none.text,
         )
         notes.append(words)
-    if bearing.seat.inputs.load_speed_ratio == 1.0:
+    if bearing.seat.inputs.load_speed_ratio == 1.0 and bearing.load > 0:
         equal = f.speed_of_equal_loads(n=bearing.duty.speed, R_0=R_0, R=bearing.load)
     if R_0 < SMALL * bearing.load:
         path = orbit(bearing.dynamics, R_0, bearing.attitude_angle, bearing.duty, bearing.seat)

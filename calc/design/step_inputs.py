@@ -11,7 +11,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
 from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
-from ..bearings.speeds import highest_speed
+from ..bearings.speeds import highest_speed, of_journals
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
@@ -87,8 +87,10 @@ def shaft_axes(design: Design) -> dict[str, complex]:
 
 def overrun(design: Design) -> float:
     """The highest speed that the engine runs at, over its rated one."""
-    engine = design.engine
-    return highest_speed(engine.rated_speed, engine.bench, design.bearings) / engine.rated_speed if engine else 1.0
+    if design.engine is None:
+        return 1.0
+    rated, bench = of_journals(design.engine, design.own.speed_ratio if design.own is not None else None)
+    return highest_speed(rated, bench, design.bearings) / rated
 
 
 def journals(design: Design) -> tuple[tuple[float, float], ...]:
