@@ -163,11 +163,6 @@ def on_films(shaft: Condensed, films: Shared, names: Sequence[str]) -> Shared:
     return replace(films, carried=replace(on, load=load, x=x))
 
 
-def sense(shaft: CountershaftResult) -> int:
-    """+1: it turns with the crank."""
-    return 1 if shaft.omega > 0 else -1
-
-
 def film_law(seat: BearingCase, c: Metre, mu: PascalSecond, n: RevPerSecond, sense: int) -> Film:
     """The film of a bearing that runs with the clearance c and the viscosity μ."""
     lands = supply.lands(seat.inputs)
@@ -257,13 +252,14 @@ JUDGED = 0.05  # of the largest load of rigid supports: below it a share says no
 
 
 def on_shaft(
-    found: BearingsResult, shaft: CountershaftResult, turning: Condensed | None, films: Shared | None
+    found: BearingsResult, shaft: CountershaftResult, turning: Condensed | None, films: Shared | None, sense: int
 ) -> BearingsResult:
     """The same bearings with the place and the tilt of their journals, and what stands on more than two of them.
 
-    `turning`: the shaft as its films know it, None where that is not known; `films`: those that share its load."""
+    `turning`: the shaft as its films know it, None where that is not known; `films`: those that share its load;
+    `sense`: +1 with the crank, −1 against it."""
     if turning is not None:
-        found = _lying(found, sense(shaft), turning, films)
+        found = _lying(found, sense, turning, films)
     stiffness = np.inf if films is None else films.carried.stiffness
     positions = tuple(r.seat.bearing.position for r in found.bearings.values())
     stands = on_supports(shaft, positions, stiffness)
@@ -312,7 +308,8 @@ def _lying(found: BearingsResult, sense: int, turning: Condensed, films: Shared 
                 standing_stiffness=None if films is None else item(films.carried.stiffness[i]),
             )
         bearings[place] = replace(r, on_shaft=lies)
-    return replace(found, bearings=bearings, cone=half_angle)
+    line = turning.nodes, turning.deflection(np.asarray(x))
+    return replace(found, bearings=bearings, cone=half_angle, line=line)
 
 
 def _out_of_line(place: str, r: BearingResult, R_c: Newton) -> BearingResult:
@@ -356,6 +353,7 @@ SHARE_SETTLED = CheckRule(
     Text("{statics}, with the heat of each film; rule of this program", statics=SHARED_LOAD),
     Text("Other clearances, or a bearing less."),
     role="self",
+    exact=True,
     moved_by=(*CLEARANCE, CORE),
 )
 UNLOADED = CheckRule(

@@ -13,7 +13,7 @@ from typing import Any, Generic
 import numpy as np
 
 from ..countershaft.result import Standing
-from ..countershaft.rows import called, titled
+from ..countershaft.rows import ROW, BearingRow, called, titled
 from ..library import journal_rules as rules
 from ..sheet.arrays import Array, Value
 from ..sheet.check import Check, CheckRule
@@ -30,6 +30,7 @@ from . import formulas as f
 from .as_supports import runs_centred
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
+from .inputs import BearingsInputs
 from .result import BearingResult, BearingsResult, StandingResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
@@ -51,6 +52,18 @@ START_LOAD = CheckRule(
     demand=True,
     value_id=dotted("bearings", "B", StandingResult.load_at_start),
     moved_by=(LENGTH, DIAMETER),
+)
+
+
+STANDING_SHARE = CheckRule(
+    "bearings.B.standing_share",
+    "method",
+    "What stands is added to what turns as a small part of it.",
+    Text("Standing over turning load"),
+    "<=",
+    source=Text("rule of this program: an orbit of first order"),
+    advice=Text("The film under the largest load of the turn, as if it stayed, is the one to look at."),
+    moved_by=(dotted(ROW, BearingRow.offset), dotted("bearings", BearingsInputs.coaxiality)),
 )
 
 
@@ -109,6 +122,9 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
 
 def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield on_bearing(START_LOAD, place, part.load_at_start, rules.TRUMPLER_START_LOAD)
+    shared = bearing.on_shaft is not None and bearing.on_shaft.standing_stiffness is not None
+    if shared and not bearing.seat.centred:
+        yield on_bearing(STANDING_SHARE, place, part.standing_load / bearing.load, SMALL)
     edge = None  # where no film carries the largest load, the check fails
     if part.film_load_peak is not None:
         thinnest = min(h for h in (part.film_load_peak, part.film_orbit) if h is not None)

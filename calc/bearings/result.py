@@ -3,7 +3,7 @@
 
 from ..countershaft.bending.condensed import OnSupports
 from ..countershaft.rows import IN_WORDS
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.quantity import group, result, value
 from ..sheet.text import Name
 from ..sheet.units import (
@@ -182,3 +182,4 @@ class BearingsResult:
     bearings: dict[str, BearingResult] = group(spread=True, key_words=IN_WORDS)
     cone: Radian | None = value("Half-angle of the cone on which the shaft goes round", "mrad", "γ_c", default=None)
     stands: OnSupports | None = None  # what stands on more than two bearings
+    line: tuple[Array, ComplexArray] | None = None  # places along the shaft, and the way of its axis in the films

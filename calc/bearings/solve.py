@@ -30,10 +30,10 @@ from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
-from .as_supports import at_corners, on_films, on_shaft, runs_centred, sense, shared, support_checks
+from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks
 from .checks import SLOPE, checks, oil_check
 from .corners import corner_points, corners, corners_table
-from .curves import charts, curves
+from .curves import charts, curves, in_films
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
@@ -117,8 +117,9 @@ def solve(
         with untraced():
             duty = operating_point(bearings, 0.0, speed)
         turning, films = _condensed(bearings, rows, shaft), None
-        if turning is not None and shaft is not None and len(rows) > 2:
-            films = shared(turning, seats, duty, sense(shaft))
+        sense = -1 if speed_ratio is not None and speed_ratio < 0 else 1
+        if turning is not None and len(rows) > 2:
+            films = shared(turning, seats, duty, sense)
             films = on_films(turning, films, [row.name for row in rows])
             with about(Text("shaft on its films")):
                 loads = [reaction(R=P) for P in elements(films.carried.load)]
@@ -136,7 +137,7 @@ def solve(
                 all_checks += _material_checks(place, results[place])
         result = BearingsResult(bearings=results)
         if shaft is not None:
-            result = on_shaft(result, shaft, turning, films)
+            result = on_shaft(result, shaft, turning, films, sense)
     all_checks += _slope_checks(shaft, results)
     all_checks += support_checks(result, films, shaft)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
@@ -147,7 +148,7 @@ def solve(
         result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
+        curves=Later(lambda: (*(c for place, r in results.items() for c in curves(place, r)), *in_films(result))),
         tables=Later(lambda: _tables(bearings, results, speed)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),

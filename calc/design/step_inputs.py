@@ -325,11 +325,14 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     if design.bearings is None:
         lacks = Text("the design has no [bearings]")
         raise NoSolution(Text("there are no bearings to choose"), lacks, Text("give the table"))
-    done = results if results is not None else solve(design)
-    gear = shaft_gear(design, done.result(TrainResult))
-
     own = design.own
     assert own is not None  # bearings stand in its rows
+    if len(own.bearings) != 2:
+        three = Text("the shaft has {n}, which share its load", n=len(own.bearings))
+        advice = Text("vary one of them: sweep its key, or set it")
+        raise NoSolution(Text("only the bearings of a shaft that has two are searched"), three, advice)
+    done = results if results is not None else solve(design)
+    gear = shaft_gear(design, done.result(TrainResult))
 
     def with_bearings(bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Any:
         enough = (lambda outcome: outcome.key == "bearings") if last else None

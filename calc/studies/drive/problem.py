@@ -522,6 +522,9 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         for table, there in ((Design.shafts, base.countershaft), (Design.bearings, base.bearings))
         if there is None
     ]
+    if len(base.rows) > 2:
+        three = Text("has {n} rows: a drive is searched whole on two bearings alone", n=len(base.rows))
+        errors.append(InputError(0, base.own_key(ShaftInputs.bearings), "", three))
     if errors:
         raise BadInput(document.place, errors)
     began, words = _sized(base)
