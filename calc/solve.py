@@ -273,6 +273,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 c[name].result if name in c else None,
                 design.engine,
                 h.bearing_materials(design, design.bearings, view.shafts[0]),
+                speed_ratio=view.shafts[0].speed_ratio,
                 compared=compared,
             )
             b |= {twin: b[name] for twin in h.twins_of(design, name)}  # a film does not know left from right
@@ -364,10 +365,12 @@ def _standing(
         name = shaft.name
         if name in c and c[name].result is not None:
             gear, drive = h.shaft_gear(design, train, name), h.shaft_drive(design, train, f, name)
-            of_shaft = with_oil_level(with_standing(c[name], shaft.inputs, gear, drive), shaft.inputs, design.friction)
+            carried = b[name].result if name in b else None
+            of_shaft = with_standing(c[name], shaft.inputs, gear, drive, carried)
+            of_shaft = with_oil_level(of_shaft, shaft.inputs, design.friction)
             if name in b:
                 b = b | {name: bearings_with_standing(b[name], of_shaft.solution.standing)}
-            carried = b[name].result if name in b else None
+                carried = b[name].result
             c = c | {name: with_oil(with_films(of_shaft, carried, housing), carried)}
     return c, b
 

@@ -183,6 +183,7 @@ class CountershaftResult:
     couple_vector: complex
     omega: RadPerSecond  # of the shaft
     outline: Outline | None = None
+    wheel: Metre | None = None  # the middle of its wheel from mid-shaft
 
     @property
     def vectors(self) -> tuple[complex, complex]:

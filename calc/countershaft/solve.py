@@ -49,7 +49,7 @@ from .sizing.sectors import TooSmall, eccentric_masses, pieces, task
 from .sizing.shares import asked_share, need_mirror_images, share_of
 from .sizing.stretches import NOT_THE_LIGHTEST, SizedStretches, inner_gaps, size_between
 from .sums import SystemShaft
-from .supports import Gear, reactions
+from .supports import Gear, gear_place, reactions
 
 if TYPE_CHECKING:
     from ..bearings.result import BearingsResult
@@ -95,6 +95,8 @@ def solve(
                 sector=sized.by_name,
             )
         outline = _outline(step, masses, sized, R, gear)
+        with about(Text("standing part of the load")):
+            result = replace(result, wheel=gear_place(shaft, outline, gear))
         if outline is not None:
             certain = sized is not None or not outline.derived
             result = _with_outline(step, masses, result, outline, certain, fastest)
@@ -260,7 +262,7 @@ def _with_supports(
     result = replace(result, reactions=forces, loads=dict(zip(names, loads)))
     if len(positions) > 2 or bent is not None:
         step.notes.append(supports_note(bent is not None))
-    if len(positions) == 2 and (judged or not journals):
+    if judged or (len(positions) == 2 and not journals):
         return result
     support = {}
     n_S = f.revolutions(omega=result.omega)

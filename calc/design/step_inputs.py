@@ -11,7 +11,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
 from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
-from ..bearings.speeds import highest_speed
+from ..bearings.speeds import highest_speed, of_journals
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
@@ -196,8 +196,10 @@ def shaft_axes(design: Design) -> dict[str, complex]:
 
 def overrun(design: Design) -> float:
     """The highest speed that the engine runs at, over its rated one."""
-    engine = design.engine
-    return highest_speed(engine.rated_speed, engine.bench, design.bearings) / engine.rated_speed if engine else 1.0
+    if design.engine is None:
+        return 1.0
+    rated, bench = of_journals(design.engine, design.own.speed_ratio if design.own is not None else None)
+    return highest_speed(rated, bench, design.bearings) / rated
 
 
 def journals(design: Design) -> tuple[tuple[float, float], ...]:
@@ -444,9 +446,13 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     if design.bearings is None:
         lacks = Text("the design has no [bearings]")
         raise NoSolution(Text("there are no bearings to choose"), lacks, Text("give the table"))
-    done = results if results is not None else solve(design)
     own = design.own
     assert own is not None  # bearings stand in its rows
+    if len(own.bearings) != 2:
+        three = Text("the shaft has {n}, which share its load", n=len(own.bearings))
+        advice = Text("vary one of them: sweep its key, or set it")
+        raise NoSolution(Text("only the bearings of a shaft that has two are searched"), three, advice)
+    done = results if results is not None else solve(design)
     gear = shaft_gear(design, done.result(TrainResult), own.name)
 
     def with_bearings(bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Any:
