@@ -339,10 +339,9 @@ class BearingsInputs:
         within=(0, 1000),
         symbol="t",
         step=5,
-        usual=(10, 30),
         source="makers' manuals: 0.02 mm of alignment allowed (Kubota WSM 07-E3B)",
-        help="Diameter of the zone in which the axes of all bores lie; where a shaft has more than two bearings, bores "
-        "out of line load them.",
+        help="Diameter of the zone in which the axes of all bores lie, makers allow 20; on more than two bearings a "
+        "shaft is loaded by bores out of line.",
         fold=MATERIALS,
     )
     roughness_ratio: float = quantity(

@@ -15,6 +15,7 @@ from calc.countershaft.bending.condensed import of_beam
 from calc.countershaft.result import CountershaftResult
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design
+from calc.friction.result import FrictionResult
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
 from calc.studies.drive.problem import problem
@@ -375,3 +376,39 @@ def test_two_bearings_stay_as_they_were(gamma_results):
         lag = row.on_shaft.load_phase - row.on_shaft.displacement_phase
         assert math.remainder(lag + row.attitude_angle, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)
     assert all(row.on_shaft.share is None and row.on_shaft.standing_stiffness is None for row in rows.values())
+
+
+def test_the_power_balance_closes_with_what_stands_on_three_bearings(gamma):
+    """The source's train on a shaft of three bearings: the gear's force that friction closes on is that of the statics,
+    and what stands of it grows with the power alone."""
+
+    def full(start, end):
+        return {"from_mm": start, "to_mm": end, "outer_radius_mm": 29.75}
+
+    def sector(start, end, angle):
+        ends = {"from_mm": start, "to_mm": end, "outer_radius_mm": 38.0, "core_radius_mm": 18.0}
+        return ends | {"half_angle_deg": 62.0, "angle_deg": angle}
+
+    front, rear = ({**row, "diameter_mm": 59.5, "slope_mrad": None} for row in gamma.data["shafts"][0]["bearings"])
+    rows = [front, {**front, "name": "middle", "position_mm": 0.0}, rear]
+    rows = [{key: x for key, x in row.items() if x is not None} for row in rows]
+    sections = [
+        full(-182, -153.7),
+        sector(-153.7, -16, 210.0),
+        full(-16, 16),
+        sector(16, 153.7, 30.0),
+        full(153.7, 182),
+    ]
+    shaft = gamma.data["shafts"][0] | {"sections": sections, "gear_z_mm": -170.0, "bearings": rows}
+    results = solve(design(replace(gamma, data=gamma.data | {"shafts": [shaft]})))
+    assert {results.outcomes[key].state for key in ("countershaft", "bearings", "gears", "friction")} == {"solved"}
+    standing, journals = results.result(CountershaftResult).standing, results.result(FrictionResult).journals
+    assert sum(standing.weights.values()) == pytest.approx(standing.weight, rel=1e-6)
+    for name, journal in journals.items():
+        assert journal.standing_load == pytest.approx(standing.stationary[name], rel=1e-6)
+        assert standing.stationary[name] > abs(standing.weights[name])
+    # beside the front bearing the wheel loads that one alone, but for the couple of its thrust
+    of_wheel = {name: standing.stationary[name] - abs(standing.weights[name]) for name in NAMES}
+    assert of_wheel["front"] == pytest.approx(
+        math.hypot(standing.gear_force_tangential, standing.gear_force_radial), rel=0.2
+    )
