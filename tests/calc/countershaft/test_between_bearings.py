@@ -195,7 +195,7 @@ def test_each_of_two_sized_shafts_takes_its_share():
     """By default as many as are sized for the ratio, twins counted; the mirror image counts for the other sense."""
     twice = [{"name": "again", "repeats": "left", "axis_mm": [-50.0, 90.0]}, {"name": "right", "mirrors": "left"}]
     made = design(document(axis_mm=[-50.0, -90.0], others=twice))
-    shares = [share_of(one.inputs, sized_alike(made, one)) for one in made.resolved]
+    shares = [share_of(one.inputs, sized_alike(made, one.inputs)) for one in made.resolved]
     assert shares == [0.5, 0.5, 1.0]
     assert share_of(replace(made.own, share=0.3), 2) == 0.3
 
