@@ -86,8 +86,15 @@ def twins(
     """What the twins of a shaft have of it, where it is solved."""
     if solved.result is None:
         return {}
-    mine = [shaft for shaft in turning(design) if shaft.of == original.name]
-    return {shaft.name: Outcome("countershaft", result=of_twin(solved.result, shaft)) for shaft in mine}
+    return {
+        name: Outcome("countershaft", result=of_twin(solved.result, twin))
+        for name, twin in twins_of(design, original.name).items()
+    }
+
+
+def twins_of(design: Design, original: str) -> dict[str, Resolved]:
+    """The twins of a shaft by their names."""
+    return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
 
 
 def sized_alike(design: Design, shaft: ShaftInputs) -> int:
