@@ -267,6 +267,29 @@ def test_heavy_sectors_alone_are_heavier():
     assert same.bending.natural_frequency == pytest.approx(heavy.bending.natural_frequency, rel=1e-6)
 
 
+def test_a_shaft_of_heavy_sectors_vibrates_between_a_light_and_a_heavy_one():
+    """The same shape in steel, in a steel of twice the density, and with sectors of it: whole shafts as 1/√ρ, with the
+    rotary inertia of their sections too."""
+    doubled = {**STEEL, "name": "double", "density_kgm3": 2 * 7860.0}
+    shape = [(-110.0, -90.0, 15.0, False), (-90.0, 90.0, 30.0, True), (90.0, 110.0, 15.0, False)]
+    sections = [
+        {"from_mm": a, "to_mm": b, "outer_radius_mm": R}
+        | ({"core_radius_mm": 9.0, "half_angle_deg": 80.0, "angle_deg": 0.0} if eccentric else {})
+        for a, b, R, eccentric in shape
+    ]
+    masses = [{"name": "m", "mass_kg": 1.0, "radius_mm": 16.0, "angle_deg": 0.0, "z_mm": 0.0}]
+    keys = dict(mode="given", half_length_mm=None, outer_radius_mm=None, core_radius_mm=None, sections=sections)
+    keys |= dict(masses=masses, materials=[STEEL, doubled], bearings=rows((-100.0, 100.0)))
+    light = result(**keys).bending
+    mixed = result(**keys, sector_material="double").bending
+    heavy = result(**{**keys, "material": "double"}).bending
+    assert heavy.natural_frequency == pytest.approx(light.natural_frequency / math.sqrt(2), rel=1e-6)
+    for name in ("natural_frequency", "natural_frequency_without_rotary"):
+        assert getattr(heavy, name) < getattr(mixed, name) < getattr(light, name)
+    rotary = [1 - bent.natural_frequency / bent.natural_frequency_without_rotary for bent in (light, mixed, heavy)]
+    assert 0.005 < rotary[0] < 0.05 and rotary == pytest.approx([rotary[0]] * 3, rel=0.15)
+
+
 def test_a_bore_is_drawn():
     hollow = solve(design(document(core_radius_mm=13.0, bore_diameter_mm=20.0, outer_radius_mm=34.0)))
     lines = [mark for mark in drawn(hollow) if mark.layer == "HIDDEN"]
