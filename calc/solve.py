@@ -253,7 +253,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.overrun(design),
                 h.beside(design, shaft, c),
                 judged=design.bearings is not None,
-                alike=h.sized_alike(design, shaft),
+                alike=h.sized_alike(design, shaft.inputs),
             )
             c |= h.twins(design, shaft, c[shaft.name])
         left = _left_over(part, design, e.result, i.result, c)

@@ -379,7 +379,7 @@ class ShaftInputs:
         where=(mode, "size"),
     )
     share: float | None = quantity(
-        "Share of what is asked",
+        "Share of the task",
         "%",
         default=None,
         within=(1, 100),
@@ -400,18 +400,18 @@ class ShaftInputs:
         "with a clearance for threading in, else not asked.",
     )
     bore_diameter: float = quantity(
-        "Bore along its whole length",
+        "Bore through it",
         "mm",
         default=0.0,
         within=(0, 2000),
         symbol="d_b",
         step=0.5,
-        help="Of a hollow shaft; smaller than its core.",
+        help="Of a hollow shaft, along its whole length; smaller than its core.",
         change=("narrower bore", "wider bore"),
         repair="free",
     )
     sector_material: str | None = text(
-        "Material of the sectors",
+        "Sectors' material",
         default=None,
         help="Tungsten segments, welded weights: its density is that of the sectors alone. Left out: the shaft's.",
         change=("other sectors",),

@@ -97,10 +97,9 @@ def twins_of(design: Design, original: str) -> dict[str, Resolved]:
     return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
 
 
-def sized_alike(design: Design, shaft: Resolved) -> int:
+def sized_alike(design: Design, shaft: ShaftInputs) -> int:
     """How many shafts are sized for the ratio of this one, twins counted."""
-    ratio = shaft.inputs.speed_ratio
-    return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == ratio for one in design.resolved)
+    return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == shaft.speed_ratio for one in design.resolved)
 
 
 def beside(
