@@ -11,13 +11,16 @@ swaps each pair."""
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from functools import cache, partial
-from typing import TypeVar
+from typing import TypeVar, cast
 
 from .bearings import solve as bearings
 from .bearings.loads import with_standing as bearings_with_standing
+from .bearings.result import BearingsOfShafts, BearingsResult
+from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
+from .countershaft.sums import SystemResult
 from .countershaft.supports import with_standing
 from .design import step_inputs as h
 from .design.model import IN_SENTENCES, STEPS, TITLES, Design
@@ -42,12 +45,13 @@ from .sheet.number import aligned, short
 from .sheet.quantity import Published, ValueKey
 from .sheet.record import record
 from .sheet.reuse import Enough, Kept, Parts
-from .sheet.step import Outcome, judged
+from .sheet.step import Outcome, joined, judged
 from .sheet.text import Text
 from .sheet.value import recorded, recording
 from .sheet.verdict import Counts, State, colour_state, counts, design_state, verdict_words
 
 R = TypeVar("R")
+Shafts = dict[str, Outcome[CountershaftResult]]  # by their names
 
 
 @record
@@ -56,6 +60,7 @@ class Results:
 
     design: Design
     outcomes: dict[str, Outcome[object]]  # by the key of the step, each with a result of its own class
+    of_shafts: dict[str, dict[str, Outcome[object]]] = field(default_factory=dict, repr=False)  # by name and step
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # arguments and outcomes, for the next solve
     recorded: bool = True  # whether the lines were recorded with the numbers
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
@@ -89,12 +94,20 @@ class Results:
             published = (value for outcome in self.outcomes.values() for value in outcome.values())
             self._values.update((id, value) for value in published for id in value.ids)
             for id, value in list(self._values.items()):
-                self._values.setdefault(self.former_id(id), value)
+                self._values.setdefault(self.design.former_id(id), value)
         return self._values
 
-    def former_id(self, id: str) -> str:
-        """What a value or check was called while wheels had other names; the id itself where none had."""
-        return self.design.gears.former_id(id) if self.design.gears is not None else id
+    @property
+    def views(self) -> "dict[str, Results]":
+        """What the design gives with one of its shafts in view, by the name of each that is no twin: its steps without
+        that name in their ids, and without the sums of all."""
+        if len(self.design.shafts) == 1 or not self.of_shafts:
+            return dict.fromkeys(self.design.views, self)
+        views = self.design.views
+        return {
+            name: replace(self, design=views[name], outcomes=self.outcomes | mine, of_shafts={}, _values={})
+            for name, mine in self.of_shafts.items()
+        }
 
     def values_of(self, field: object) -> list[Published]:
         """The values of one declared field, `results.values_of(BearingResult.film_edge)`: of each part that has one."""
@@ -110,8 +123,8 @@ class Results:
             yield from outcome.checks
 
     def check(self, id: str) -> Check | None:
-        """The check of this id, else the one that had it while wheels had other names."""
-        by_former = {self.former_id(check.id): check for check in self.checks()}
+        """The check of this id, else the one that had it formerly."""
+        by_former = {self.design.former_id(check.id): check for check in self.checks()}
         return {**by_former, **{check.id: check for check in self.checks()}}.get(id)
 
     @property
@@ -165,24 +178,34 @@ def solve(
 
     `before`: the results of an earlier version, of which unchanged parts are taken over.  `compared`: with what other
     methods give beside those that judge; every verdict is the same without.  `stop` is asked between the parts whether
-    nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what it
-    gave decides all that is asked, the outcomes so far are returned."""
+    nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what
+    there is of its step decides all that is asked, the outcomes so far are returned."""
     kept = before.parts if before is not None and before.recorded >= recording.get() else {}
-    part = Parts(TITLES, kept, dict(design.without), stop=stop, enough=enough)
+    several = len(design.shafts) > 1
+    part = Parts(TITLES, kept, dict(design.without), named=several, stop=stop, enough=enough)
     try:
-        outcomes = steps(part, design, compared)
+        solved = steps(part, design, compared)
     except Enough:
-        outcomes = part.outcomes
-    results = Results(design, outcomes, part.kept, recording.get())
+        solved = Solved(part.outcomes, {})
+    outcomes = solved.steps
+    results = Results(design, outcomes, solved.of_shafts, part.kept, recording.get())
     if design.measured:
         bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
         outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
     return results
 
 
-def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
+@record
+class Solved:
+    """The steps of a design by their keys, and those of each of its shafts, by the shaft's name and the key."""
+
+    steps: dict[str, Outcome[object]]
+    of_shafts: dict[str, dict[str, Outcome[object]]]
+
+
+def steps(part: Parts, design: Design, compared: bool) -> Solved:
     """Each outcome has the first letter of its step: `e`ngine, `i`mbalance, `c`ountershaft, `b`earings, `g`ears,
-    `f`riction; `h` is what steps hand each other."""
+    `f`riction, those of counter-shaft and bearings by shaft; `h` is what steps hand each other."""
     materials, oils, first_speed = design.materials, design.oils, h.first_speed(design)
 
     if design.engine is not None:
@@ -198,54 +221,62 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             design.engine,
             e.result,
             h.takes_first_order(design),
-            h.shaft_teeth(design),
-            h.shaft_axis(design),
+            h.shaft_teeth(design, h.only(design)),
+            h.shaft_axes(design).get(h.only(design) or ""),
         )
     else:
         i = part.absent("imbalance", design.imbalance, (e,))
 
     if design.gears is not None and first_speed is not None:
-        g = part("gears", gears.at_rest, design.gears, h.shafts(design))
+        g = part("gears", gears.at_rest, design.gears, h.driven(design))
     else:
         g = part.absent("gears", design.gears, (e,))
-    gear = h.shaft_gear(design, g.result)
 
-    if design.countershaft is not None and e.result is not None and i.result is not None:
-        c = part(
-            "countershaft",
-            countershaft.solve,
-            design.countershaft,
-            i.result,
-            e.result.angular_speed,
-            materials,
-            gear,
-            h.overrun(design),
-            judged=design.bearings is not None,
-        )
+    c = Shafts()
+    if e.result is not None and i.result is not None:
+        for shaft in h.in_order(design):
+            view = design.views[shaft.name]
+            c[shaft.name] = part.of(shaft.name)(
+                "countershaft",
+                countershaft.solve,
+                view.countershaft or shaft.inputs,
+                i.result,
+                e.result.angular_speed,
+                materials,
+                h.shaft_gear(design, g.result, shaft.name),
+                h.overrun(design),
+                h.beside(design, shaft, c),
+                judged=design.bearings is not None,
+                alike=h.sized_alike(design, shaft),
+            )
+            c |= h.twins(design, shaft, c[shaft.name])
+        left = _left_over(part, design, e.result, i.result, c)
+        i = _with_shafts(i, design, c)
     else:
-        c = part.absent("countershaft", design.countershaft, (e, i))
-    if i.result is not None and c.result is not None and design.imbalance is not None and h.takes_first_order(design):
-        i = imbalance.with_shaft(i, c.result.vectors, design.imbalance)
+        left = part.absent("countershaft", h.turning(design) or None, (e, i))
 
-    late = h.unsolved((e, i, c))
+    late = h.unsolved((e, i, *(c.values() if c else (left,))))
+    b = dict[str, Outcome[BearingsResult]]()
     if design.bearings is not None and not late:
-        b = part(
-            "bearings",
-            bearings.solve,
-            design.bearings,
-            design.rows,
-            c.result,
-            design.engine,
-            h.bearing_materials(design, design.bearings),
-            compared=compared,
-        )
-    else:
-        b = part.absent("bearings", design.bearings, late)
+        for name, view in design.views.items():
+            b[name] = part.of(name)(
+                "bearings",
+                bearings.solve,
+                design.bearings,
+                view.rows,
+                c[name].result if name in c else None,
+                design.engine,
+                h.bearing_materials(design, design.bearings, view.shafts[0]),
+                compared=compared,
+            )
+            b |= {twin: b[name] for twin in h.twins_of(design, name)}  # a film does not know left from right
+    no_bearings = None if b else part.absent("bearings", design.bearings, late)
 
     if design.gears is not None and g.result is not None and first_speed is not None:
         g = part("gears", gears.turning, _placed(part, g, design.gears, design, c), design.gears, first_speed)
 
-    oil, late = h.mesh_oil(design), h.unsolved((b,))
+    oil = h.mesh_oil(design)
+    late = h.unsolved(tuple(b.values())) if no_bearings is None else h.unsolved((no_bearings,))
     if (
         design.friction is not None
         and design.gears is not None
@@ -260,7 +291,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
             design.friction,
             design.gears,
             g.result,
-            h.on_shafts(design, c, b, gear),
+            h.on_shafts(design, c, b, g.result),
             first_speed,
             oil,
             materials,
@@ -271,27 +302,119 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
         f = part.absent("friction", design.friction, (g, *late))
     f = friction.with_rated_power(f, h.rated_power(design))
 
-    if c.result is not None and design.countershaft is not None:
-        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
-        b = bearings_with_standing(b, c.solution.standing)
-        c = with_oil_level(c, design.countershaft, design.friction)
-        c = with_oil(with_films(c, b.result, design.bearings.housing_stiffness if design.bearings else None), b.result)
+    c, b = _standing(design, c, b, g.result, f)
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)
         g = _on_engine(g, design, c)
+        if i.result is not None and e.result is not None:
+            g = part(
+                "gears", left_over.one_tooth_off, g, i.result, h.system_shafts(design, c, teeth=True), h.rolls(e.result)
+            )
     e = replace(e, computes=design.engine is None or design.engine.throw is None)
     i = replace(i, computes=True)
-    outcomes = (e, i, c, b, g, f, _mounted(part, design, e, i, c, g))
-    return judged(_in_place(design, with_doubts(design, outcomes)), design.accepted)
+    m = _mounted(part, design, e, i, c, g)
+    return _told(design, (e, i, g, f, m), c, left, b, no_bearings)
 
 
-def _in_place(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:
+def _left_over(
+    part: Parts,
+    design: Design,
+    e: EngineResult,
+    i: ImbalanceResult,
+    c: Shafts,
+) -> Outcome[SystemResult]:
+    """What all shafts together leave; waits where one of them has no solution."""
+    if h.unsolved(tuple(c.values())):
+        return Outcome("countershaft", "blocked")
+    shafts = h.system_shafts(design, c)
+    return part(
+        "countershaft",
+        left_over.solve,
+        i,
+        shafts,
+        h.rolls(e),
+        e.angular_speed,
+        h.made_shafts(design, c, shafts),
+    )
+
+
+def _with_shafts(i: Outcome[ImbalanceResult], design: Design, c: Shafts) -> Outcome[ImbalanceResult]:
+    shaft = next((c[name].result for name, view in design.views.items() if name in c), None)
+    if shaft is None or design.imbalance is None or not h.takes_first_order(design):
+        return i
+    return imbalance.with_shaft(i, shaft.vectors, design.imbalance)
+
+
+def _standing(
+    design: Design,
+    c: Shafts,
+    b: dict[str, Outcome[BearingsResult]],
+    train: TrainResult | None,
+    f: Outcome[FrictionResult],
+) -> tuple[Shafts, dict[str, Outcome[BearingsResult]]]:
+    """Shafts and bearings with what stands still on them, once the balance has the power at each wheel."""
+    housing = design.bearings.housing_stiffness if design.bearings else None
+    for shaft in h.turning(design):
+        name = shaft.name
+        if name in c and c[name].result is not None:
+            gear, drive = h.shaft_gear(design, train, name), h.shaft_drive(design, train, f, name)
+            of_shaft = with_standing(c[name], shaft.inputs, gear, drive)
+            of_shaft = with_oil_level(of_shaft, shaft.inputs, design.friction)
+            if name in b:
+                b = b | {name: bearings_with_standing(b[name], of_shaft.solution.standing)}
+            carried = b[name].result if name in b else None
+            if shaft.of is None:
+                of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+            c = c | {name: of_shaft}
+    return c, b
+
+
+def _told(
+    design: Design,
+    others: tuple[Outcome[object], ...],
+    c: Shafts,
+    left: Outcome[SystemResult],
+    b: dict[str, Outcome[BearingsResult]],
+    no_bearings: Outcome[object] | None,
+) -> Solved:
+    """The steps in the order of the screen, with the cautions on their inputs, by the keys of this design; those of
+    several shafts joined."""
+    e, i, g, f, m = _in_place(design, with_doubts(design, others))
+    of_shafts = dict[str, dict[str, Outcome[object]]]()
+    for name, view in design.views.items():
+        mine: list[Outcome[object]] = [each[name] for each in (c, b) if name in each]
+        of_shafts[name] = {each.key: each for each in _in_place(view, with_doubts(view, mine))}
+    own = {
+        name: cast("Outcome[CountershaftResult]", of_shafts[name]["countershaft"]) for name in of_shafts if name in c
+    }
+    ratios = {shaft.name: shaft.inputs.speed_ratio for shaft in h.turning(design)}
+    twins = dict[str, Outcome[CountershaftResult]]()
+    for shaft in h.turning(design):
+        if shaft.of is not None and shaft.name in c:
+            (twins[shaft.name],) = _in_place(replace(design, shafts=(shaft.inputs,)), (c[shaft.name],))
+    whole = shafts.whole(own, twins, ratios, left, named=len(design.shafts) > 1) if c else left
+    carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()})
+    of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
+    accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
+    every = judged((e, i, whole, carried, g, f, m), accepted)
+    return Solved(every, of_shafts)
+
+
+def _joined(design: Design, bearings: dict[str, Outcome[object]]) -> Outcome[object]:
+    """The bearings of the one shaft, or of all of them by their names."""
+    named = len(design.shafts) > 1
+    solved = {name: each.result for name, each in bearings.items() if isinstance(each.result, BearingsResult)}
+    every = BearingsOfShafts(shafts=solved) if named and len(solved) == len(bearings) else None
+    return joined("bearings", bearings, every, named=named)
+
+
+def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcome[R]]:
     """The outcomes with their checks by the keys of this design."""
     for outcome in outcomes:
         yield replace(outcome, checks=tuple([check.in_place(design.in_place) for check in outcome.checks]))
 
 
-def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftResult]) -> Outcome[TrainResult]:
+def _on_engine(g: Outcome[TrainResult], design: Design, c: Shafts) -> Outcome[TrainResult]:
     """A train that is complete: what its backlash leaves of what the shafts balance, whether they turn as they must,
     and its curves."""
     g = gears.with_residuals(g, h.balanced(c))
@@ -304,11 +427,11 @@ def _mounted(
     design: Design,
     e: Outcome[EngineResult],
     i: Outcome[ImbalanceResult],
-    c: Outcome[CountershaftResult],
+    c: Shafts,
     g: Outcome[TrainResult],
 ) -> Outcome[object]:
     """The engine on its mounts, which most designs do not ask for."""
-    late = h.unsolved((e, i, c))
+    late = h.unsolved((e, i, *c.values()))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))
     return part(
@@ -317,7 +440,7 @@ def _mounted(
 
 
 def _placed(
-    part: Parts, g: Outcome[TrainResult], inputs: GearsInputs, design: Design, c: Outcome[CountershaftResult]
+    part: Parts, g: Outcome[TrainResult], inputs: GearsInputs, design: Design, c: Shafts
 ) -> Outcome[TrainResult]:
     """A train whose geometry is known: its masses, its backlash and its place.  What finds no solution fails, the rest
     stays."""
@@ -334,7 +457,7 @@ def _rated(
     inputs: GearsInputs,
     design: Design,
     e: Outcome[EngineResult],
-    c: Outcome[CountershaftResult],
+    c: Shafts,
     f: Outcome[FrictionResult],
 ) -> Outcome[TrainResult]:
     """Its rating and its forces, once the closed balance has the power of every mesh."""

@@ -158,3 +158,10 @@ class BearingsResult:
     """The bearings of a shaft, front to rear."""
 
     bearings: dict[str, BearingResult] = group(spread=True, key_words=IN_WORDS)
+
+
+@result
+class BearingsOfShafts:
+    """Those of several shafts."""
+
+    shafts: dict[str, BearingsResult] = group(spread=True)

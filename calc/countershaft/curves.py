@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of this step: what is left over a turn and over the speed range, and what the bearings carry."""
+"""The figures of a shaft: what its bearings carry, and how it bends."""
 
 import numpy as np
 
 from ..draw.shaft_outline import outline_curve
-from ..imbalance.curves import DRAWN
 from ..sheet.arrays import Array
 from ..sheet.step import Curve, DrawnLoad, Series, axis_label
 from ..sheet.text import EMPTY, Name, Text
@@ -12,74 +11,25 @@ from ..sheet.units import Metre, Newton, RadPerSecond
 from .bending.shaft import Bending
 from .result import CountershaftResult
 from .rows import called
-from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 
 STACK = "bending"
 
 
-def curves(
-    todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]
-) -> tuple[Curve, ...]:
-    """All figures of the step but those of its making; `omega` of the crank at rated speed, `positions` of the
+def curves(shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
+    """All figures of a shaft but those of its making; `omega` of the crank at rated speed, `positions` of the
     bearings."""
-    parts = (
-        (Text("couple"), "N·m", todo.C, todo.C_against, shaft.couple_vector, todo.one_couple, todo.may_leave),
-        (Text("force"), "N", todo.F, todo.F_against, shaft.force_vector, todo.one_force, LEFT_OVER * todo.one_force),
-    )
-    over_speed, over_a_turn = [], []
-    for word, unit, like, against, supplied, one_cylinder, limit in parts:
-        if max(abs(like), abs(against), abs(supplied)) > DRAWN * one_cylinder:
-            left = getattr(shaft, f"residual_order_{todo.order}_{word}")
-            over_speed.append(_over_speed(todo.order, word, unit, abs(like) + abs(against), left, limit, omega))
-            over_a_turn.append(_over_a_turn(todo.order, word, unit, like, against, supplied))
     outline = (outline_curve(shaft.outline, positions),) if shaft.outline is not None else ()
     bent = _bent(shaft.bending, positions) if shaft.bending is not None else ()
     if shaft.bending is not None and outline:
         bent = (_loaded(outline[0], shaft.bending, positions, _carried(shaft)), *bent)
-    return (*over_speed, *bent, *outline, _reactions(shaft, omega), *over_a_turn)
+    return (*bent, *outline, _reactions(shaft, omega))
 
 
-def _over_a_turn(order: int, word: Text, unit: str, like: complex, against: complex, supplied: complex) -> Curve:
-    """What is left of the shaft's order, as the path over a turn, before and after the shaft."""
-    degrees = np.arange(0, 361, 3.0)
-    same, other = np.exp(-1j * np.radians(degrees)), np.exp(1j * np.radians(degrees))
-    before, after = (against * other + vector * same for vector in (like, like + supplied))
-    title = Text("{words}-order {word} before and after the counter-shaft", words=WORDS[order], word=word)
-    series = Series(Text("before"), before.imag, before.real), Series(Text("after"), after.imag, after.real)
-    return Curve(
-        "residual" if word == "couple" else "residual_force",
-        title,
-        Text("horizontal, {unit}", unit=unit),
-        Text("vertical, {unit}", unit=unit),
-        series,
-        equal=True,
-        along=(Text("crank angle, °"), degrees / order),
-    )
-
-
-def _speeds(omega: RadPerSecond) -> tuple[Array, Array]:
+def speeds(omega: RadPerSecond) -> tuple[Array, Array]:
     """Crank speeds up to a tenth above rated [rpm], and the square of their ratio to it, by which all inertia forces
     grow."""
     share = np.linspace(0.0, 1.1, 45)
     return share * omega * 30 / np.pi, share**2
-
-
-def _over_speed(
-    order: int, word: Text, unit: str, before: float, after: float, limit: float, omega: RadPerSecond
-) -> Curve:
-    """The peak of a turn over the speed range, without the shaft and with it; what may be left is judged at rated
-    speed."""
-    rpm, square = _speeds(omega)
-    title = Text("{words}-order {word} over the speed range, peak of a turn", words=WORDS[order], word=word)
-    series = Series(Text("before"), rpm, before * square), Series(Text("after"), rpm, after * square)
-    return Curve(
-        f"residual_{word}_over_speed",
-        title,
-        axis_label("crank speed", "rpm"),
-        Text("{word}, {unit}", word=word, unit=unit),
-        series,
-        limits=((Text("may be left at rated speed"), limit),),
-    )
 
 
 def _carried(shaft: CountershaftResult) -> list[tuple[Text, Newton]]:
@@ -91,7 +41,7 @@ def _carried(shaft: CountershaftResult) -> list[tuple[Text, Newton]]:
 
 def _reactions(shaft: CountershaftResult, omega: RadPerSecond) -> Curve:
     """What turns with the shaft, on each of its bearings."""
-    rpm, square = _speeds(omega)
+    rpm, square = speeds(omega)
     series = tuple(Series(name, rpm, load * square) for name, load in _carried(shaft))
     title = Text("Reactions of the bearings over the speed range, the turning part")
     return Curve("reactions", title, axis_label("crank speed", "rpm"), axis_label("reaction", "N"), series)

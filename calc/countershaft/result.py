@@ -20,10 +20,11 @@ from ..sheet.units import (
 )
 from . import formulas as f
 from .bending.shaft import Bending
-from .inputs import ShaftInputs
+from .inputs import EccentricMass, ShaftInputs
 from .making.unbalance import HolesResult, ToleranceResult
 from .outline import Outline
 from .rows import called, sign
+from .sums import SystemResult
 
 if TYPE_CHECKING:  # loaded only where they are asked for
     from .making.bolts import BoltsResult
@@ -83,18 +84,7 @@ class CountershaftResult:
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S", short=True, headline=1)
     couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True)
     mass_moment: dict[str, Stated] = group(words="mass moment")
-    residual_order_1_couple: NewtonMetre | None = value(
-        "First-order couple left over", "N·m", "C_left", default=None, short=True, page_one=1
-    )
-    residual_order_1_force: Newton | None = value(
-        "First-order force left over", "N", "F_left", default=None, short=True, page_one=2
-    )
-    residual_order_2_couple: NewtonMetre | None = value(
-        "Second-order couple left over", "N·m", "C_left", default=None, short=True, page_one=3
-    )
-    residual_order_2_force: Newton | None = value(
-        "Second-order force left over", "N", "F_left", default=None, short=True, page_one=4
-    )
+    sums: SystemResult | None = group(spread=True, default=None)  # with a twin both shafts'; of several no shaft's own
     static_unbalance: KilogramMetre = value("Static unbalance of the shaft", "g·mm", "ΣU")
     force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True, headline=3)
     loads: dict[str, Newton] = values(
@@ -189,6 +179,7 @@ class CountershaftResult:
     part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     reactions: tuple[complex, ...]  # of the supports on the shaft, front to rear, cylinder 1 at TDC
+    masses: tuple[EccentricMass, ...]  # given, or sized
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex
     omega: RadPerSecond  # of the shaft

@@ -8,7 +8,7 @@ grow with the square of speed, so that what is left is one share at all speeds."
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -33,6 +33,9 @@ from ..sheet.units import (
 from ..sheet.value import about, based_on
 from . import formulas as f
 
+if TYPE_CHECKING:
+    from .making.system_scatter import SystemScatter
+
 
 @record
 class OrderVectors:
@@ -46,6 +49,14 @@ class OrderVectors:
     couple_backward: PhasorNewtonMetre
     roll: PhasorNewtonMetre | None = None
     roll_of_shafts: PhasorNewtonMetre | None = None
+
+    @property
+    def forces(self) -> tuple[PhasorNewton, PhasorNewton]:
+        return self.force_forward, self.force_backward
+
+    @property
+    def couples(self) -> tuple[PhasorNewtonMetre, PhasorNewtonMetre]:
+        return self.couple_forward, self.couple_backward
 
 
 @record
@@ -171,6 +182,7 @@ class SystemResult:
     roll_torque_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
     roll_left_order_2: NewtonMetre | None = value("Second-order roll left over", "N·m", "T_left", default=None)
     roll_left_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
+    scatter: "SystemScatter | None" = group(default=None, words="scatter")
     vectors: dict[int, OrderVectors]  # what is left, by order
 
 

@@ -57,13 +57,14 @@ def mirrored(original: ShaftInputs, twin: ShaftInputs) -> ShaftInputs:
         speed_ratio=based_on(-original.speed_ratio, original.speed_ratio),
         axis=axis,
         loads=twin.loads,
-        masses=tuple(map(_turned_over, original.masses)),
-        extras=tuple(map(_turned_over, original.extras)),
+        masses=tuple(map(turned_over, original.masses)),
+        extras=tuple(map(turned_over, original.extras)),
         sections=tuple(map(_section_turned_over, original.sections)),
     )
 
 
-def _turned_over(mass: M) -> M:
+def turned_over(mass: M) -> M:
+    """An eccentric mass as its mirror image has it."""
     return replace(mass, angle=based_on(-mass.angle, mass.angle))
 
 

@@ -2,6 +2,7 @@
 """A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call
 in solve.py."""
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
@@ -33,7 +34,7 @@ from ..sheet.quantity import (
     text,
     unknown,
 )
-from ..sheet.step import Step
+from ..sheet.step import OF_SHAFTS, Step
 from ..sheet.text import Amount, Small, Text
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
 
@@ -57,7 +58,8 @@ NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")
 Problems = Iterable[tuple[str, Text]]  # keys, each with what is wrong there
 MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
-SCREENED = ("name", "position", "kind", "diameter", "length")  # of a bearing that [bearings] does not judge
+# of a bearing that [bearings] does not judge
+SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore")
 
 
 @inputs
@@ -129,6 +131,25 @@ class Design:
     def resolved(self) -> tuple[Resolved, ...]:
         """All shafts, each with its inputs as they are."""
         return resolved(self.shafts)
+
+    @property
+    def views(self) -> "dict[str, Design]":
+        """The design with one of its shafts alone, and the twins of that, by the name of each that is no twin."""
+        own = [shaft.name for shaft in self.shafts if not shaft.is_twin]
+        if len(own) == 1:
+            return {own[0]: self}
+        return {
+            name: replace(self, shafts=tuple(s for s in self.shafts if name in (s.name, s.mirrors, s.repeats)))
+            for name in own
+        }
+
+    def former_id(self, id: str) -> str:
+        """What a value or check of the one shaft that is no twin was called while its name stood in no id, and what one
+        of a wheel was while that had another name; the id itself where nothing of it was otherwise."""
+        step, _, rest = id.partition(".")
+        if len(self.shafts) > 1 == len(self.views) and step in OF_SHAFTS:
+            id = f"{step}.{rest.removeprefix(f'{next(iter(self.views))}.')}"
+        return self.gears.former_id(id) if self.gears is not None else id
 
     @property
     def rows(self) -> tuple[BearingRow, ...]:
@@ -218,7 +239,8 @@ class Design:
         yield from self._names()
         if self.engine is not None:
             yield from self._cranks(self.engine)
-        yield from self._twins()
+        twins = list(self._twins())
+        yield from twins or self._shares()
         for n, shaft in enumerate(self.shafts):
             if not shaft.is_twin:
                 way = dotted(Design.shafts, n)
@@ -320,6 +342,24 @@ class Design:
                 yield key, _unknown_name(name, own)
         yield from self._axes()
 
+    def _shares(self) -> Problems:
+        """Of the shafts of one ratio that are sized; a twin takes its original's."""
+        own = {s.name: s for s in self.shafts if not s.is_twin and s.mode == "size" and s.speed_ratio is not None}
+        sized = [
+            (-original.speed_ratio if shaft.mirrors is not None else original.speed_ratio, original)
+            for shaft in self.shafts
+            if (original := own.get(shaft.mirrors or shaft.repeats or shaft.name)) is not None
+        ]
+        alike = Counter(ratio for ratio, _ in sized)
+        for n, shaft in enumerate(self.shafts):
+            shares = [one.share or 1 / alike[one.speed_ratio] for ratio, one in sized if ratio == shaft.speed_ratio]
+            if shaft.share is not None and (together := sum(shares)) > 1 + 1e-9:
+                whole = Text(
+                    "the sized shafts of this ratio, twins counted, take {together} of it, more than all",
+                    together=Amount(together * 100, "%", form=".4g"),
+                )
+                yield dotted(Design.shafts, n, ShaftInputs.share), whole
+
     def _axes(self) -> Problems:
         """Two shafts about one axis; a mirror image that lies on its original is judged, since both may be meant to be
         given their place later."""
@@ -360,12 +400,9 @@ class Design:
         if shaft.mode == "bearings" or None in shaft.bearing_positions:
             return
         places, journals = shaft.bearing_positions, shaft.journals
-        if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
-            must = Text("must be -1 where [bearings] or [gears] carry the shaft")
-            yield dotted(ShaftInputs.speed_ratio), must
         lengths = [length for _, length in journals]
-        if shaft.outer_radius is None and journals and not shaft.sections:
-            widest = max(diameter for diameter, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
+        if shaft.outer_radius is None and shaft.seat is not None and not shaft.sections:
+            widest = shaft.seat / 2 - (shaft.radial_clearance or 0.0)
             if shaft.core_radius is not None and shaft.core_radius >= widest:
                 must = Text(
                     "must be smaller than what the largest journal leaves to the sectors, {R} mm", R=_in_mm(widest)
@@ -458,9 +495,9 @@ class Design:
         """Materials, shafts and places of the wheels; speed, irregularity and power of the train, where no other table
         has them."""
         for i, wheel in enumerate(gears.wheels):
-            if wheel.shaft not in (None, ONLY):
-                alone = Text('there is one shaft, and it is called "{shaft}"', shaft=ONLY)
-                yield dotted(GearsInputs.wheels, i, Wheel.shaft), alone
+            names = [shaft.name for shaft in self.shafts] or [ONLY]
+            if wheel.shaft not in (None, *names):
+                yield dotted(GearsInputs.wheels, i, Wheel.shaft), _unknown_name(wheel.shaft or "", names)
             if wheel.gear_material is not None:
                 from ..gears.rating.classes import class_problem  # brings numpy with it
 
@@ -522,6 +559,9 @@ def _no_key(key: str) -> Text | None:
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:
-    near = get_close_matches(name, list(known), 1)
-    others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)
+    there = [other for other in known if other]  # one without a name is an error of its own
+    near = get_close_matches(name, there, 1)
+    others = Text("; there are none")
+    if there:
+        others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(there)
     return Text('"{name}" is not known', name=name) + others

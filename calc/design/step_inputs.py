@@ -2,10 +2,10 @@
 """What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the
 next."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import hypot
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
@@ -15,13 +15,17 @@ from ..bearings.speeds import highest_speed
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
+from ..countershaft.shafts import of_twin
+from ..countershaft.sums import SystemShaft
 from ..countershaft.supports import Gear, ShaftDrive
+from ..countershaft.twins import Resolved
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..friction.journals import OnShaft
 from ..friction.result import FrictionResult
 from ..friction.solve import MeshOil
 from ..gears.inputs import ONLY, GearsInputs
+from ..gears.layout.formulas import angular_pitch
 from ..gears.layout.solve import ShaftInTrain
 from ..gears.rating.load import Irregularity, Power, ShaftInertia, Surroundings, Swing, firing_order
 from ..gears.result import TrainResult
@@ -29,10 +33,14 @@ from ..gears.solve import NOT_RATED, Balanced
 from ..library.lubricant import Lubricant
 from ..mounting.wrenches import ShaftOnEngine
 from ..sheet.errors import NoSolution
+from ..sheet.linked_array import item
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import based_on, recorded
 from .model import STEPS, Design
+
+if TYPE_CHECKING:
+    from ..countershaft.making.system_scatter import MadeShaft
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
@@ -58,31 +66,132 @@ def rated_power(design: Design) -> float | None:
 
 def takes_first_order(design: Design) -> bool:
     """Whether a shaft of the design turns at −1 times crank speed."""
-    return design.countershaft is not None and design.countershaft.speed_ratio == -1
+    return any(shaft.inputs.speed_ratio == -1 for shaft in turning(design))
 
 
-def shafts(design: Design) -> tuple[str, ...]:
-    """The names of the shafts that the train turns."""
-    return (ONLY,)
+def turning(design: Design) -> tuple[Resolved, ...]:
+    """The shafts, but for those of which only bearings are asked."""
+    return tuple(shaft for shaft in design.resolved if shaft.inputs.mode != "bearings")
 
 
-def shaft_teeth(design: Design) -> int | None:
-    """The teeth by which the train turns the counter-shaft: of its wheel, or of the sprocket beside that."""
-    if design.countershaft is None or design.gears is None:
+def in_order(design: Design) -> tuple[Resolved, ...]:
+    """Those that are no twins: given ones first, since what they leave is for those that are sized."""
+    own = [shaft for shaft in turning(design) if shaft.of is None]
+    return tuple(sorted(own, key=lambda shaft: shaft.inputs.mode == "size"))
+
+
+def twins(
+    design: Design, original: Resolved, solved: Outcome[CountershaftResult]
+) -> dict[str, Outcome[CountershaftResult]]:
+    """What the twins of a shaft have of it, where it is solved."""
+    if solved.result is None:
+        return {}
+    return {
+        name: Outcome("countershaft", result=of_twin(solved.result, twin))
+        for name, twin in twins_of(design, original.name).items()
+    }
+
+
+def twins_of(design: Design, original: str) -> dict[str, Resolved]:
+    """The twins of a shaft by their names."""
+    return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
+
+
+def sized_alike(design: Design, shaft: Resolved) -> int:
+    """How many shafts are sized for the ratio of this one, twins counted."""
+    ratio = shaft.inputs.speed_ratio
+    return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == ratio for one in design.resolved)
+
+
+def beside(
+    design: Design, shaft: Resolved, solved: Mapping[str, Outcome[CountershaftResult]]
+) -> tuple[SystemShaft, ...]:
+    """The given shafts that a sized one has beside it."""
+    if shaft.inputs.mode != "size":
+        return ()
+    given = {s.name for s in turning(design) if s.inputs.mode != "size"}
+    return system_shafts(design, {name: outcome for name, outcome in solved.items() if name in given})
+
+
+def system_shafts(
+    design: Design, solved: Mapping[str, Outcome[CountershaftResult]], teeth: bool = False
+) -> tuple[SystemShaft, ...]:
+    """The shafts that are solved, as what all leave together has them; `teeth`: with those of their wheels."""
+    return tuple(
+        SystemShaft(
+            shaft.name,
+            shaft.inputs.speed_ratio,
+            *solved[shaft.name].solution.vectors,
+            axis=axis_of(shaft.inputs),
+            tooth=_tooth(design, shaft.name) if teeth else None,
+            mirrors=shaft.of if shaft.how == "mirrors" else None,
+        )
+        for shaft in turning(design)
+        if shaft.name in solved and solved[shaft.name].result is not None
+    )
+
+
+def made_shafts(
+    design: Design, solved: Mapping[str, Outcome[CountershaftResult]], shafts: tuple[SystemShaft, ...]
+) -> "tuple[MadeShaft, ...]":
+    """Several shafts as they are made; empty where none of them scatters, or one alone."""
+    inputs = {shaft.name: shaft.inputs for shaft in turning(design)}
+    if len(shafts) < 2 or all(inputs[shaft.name].scatter is None for shaft in shafts):
+        return ()
+    from ..countershaft.making.system_scatter import MadeShaft
+
+    made = []
+    for shaft in shafts:
+        of, result = inputs[shaft.name], solved[shaft.name].solution
+        drilling = None
+        if result.scatter is not None and result.holes is not None:
+            drilling = result.scatter.target, result.holes
+        made.append(MadeShaft(shaft, result.omega, of.scatter, result.masses, of.extras, drilling))
+    return tuple(made)
+
+
+def _tooth(design: Design, name: str) -> float | None:
+    z = shaft_teeth(design, name)
+    return None if z is None else angular_pitch(z=z)
+
+
+def rolls(engine: EngineResult) -> dict[int, complex]:
+    """By order, the torque reaction of its inertia about the crank, where that is known."""
+    torque = engine.torque
+    return {} if torque is None else {n: item(torque.reaction_harmonics[n - 1]) for n in (1, 2)}
+
+
+def only(design: Design) -> str | None:
+    """The name of the one shaft, where there is one."""
+    every = turning(design)
+    return every[0].name if len(every) == 1 else None
+
+
+def driven(design: Design) -> tuple[str, ...]:
+    """The names of the shafts that the train turns: of several those that a wheel carries."""
+    names = [shaft.name for shaft in design.resolved]
+    if len(names) < 2 or design.gears is None:
+        return tuple(names) or (ONLY,)
+    on = {wheel.shaft for wheel in design.gears.wheels} | set(design.gears.along)
+    return tuple(name for name in names if name in on) or tuple(list(design.views)[:1])
+
+
+def shaft_teeth(design: Design, name: str | None) -> int | None:
+    """The teeth by which the train turns a shaft: of its wheel, or of the sprocket beside that."""
+    if design.gears is None or name is None or name not in driven(design):
         return None
-    return design.gears.tree.driving[design.gears.carrier()].z_2
+    return design.gears.tree.driving[design.gears.carrier(name)].z_2
 
 
-def shaft_axis(design: Design) -> complex | None:
-    """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
-    place = design.countershaft.axis if design.countershaft is not None else None
-    return based_on(complex(*place), place) if place is not None else None
+def axis_of(shaft: ShaftInputs) -> complex | None:
+    """Where a shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
+    return based_on(complex(*shaft.axis), shaft.axis) if shaft.axis is not None else None
 
 
 def shaft_axes(design: Design) -> dict[str, complex]:
     """Of the shafts that have a given one, by their names."""
-    axis = shaft_axis(design)
-    return {} if axis is None else {ONLY: axis}
+    axes = {shaft.name: axis_of(shaft.inputs) for shaft in turning(design)}
+    return {name: axis for name, axis in axes.items() if axis is not None}
 
 
 def overrun(design: Design) -> float:
@@ -96,34 +205,35 @@ def journals(design: Design) -> tuple[tuple[float, float], ...]:
     return design.own.journals if design.own is not None else ()
 
 
-def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
-    """The wheel on the counter-shaft; None where a sprocket alone turns it."""
-    if train is None or design.gears is None or design.countershaft is None:
+def shaft_gear(design: Design, train: TrainResult | None, name: str) -> Gear | None:
+    """The wheel on a shaft; None where a sprocket alone turns it."""
+    if train is None or design.gears is None or name not in train.shafts:
         return None
-    wheel = train.wheels.get(design.gears.carrier())
+    wheel = train.wheels.get(train.shafts[name].wheel)
     if wheel is None:
         return None
     return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
 
 
-def balanced(shaft: Outcome[CountershaftResult]) -> dict[str, Balanced]:
+def balanced(shafts: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, Balanced]:
     """What the backlash of the train takes a part of, by shaft."""
-    return {} if shaft.result is None else {ONLY: Balanced(shaft.result.couple)}
+    several = len(shafts) > 1
+    solved = {name: shaft.result for name, shaft in shafts.items() if shaft.result is not None}
+    return {name: Balanced(shaft.couple, shaft.force if several else None) for name, shaft in solved.items()}
 
 
 def ratios(design: Design) -> dict[str, float]:
     """How fast the shafts must turn, over the crank, by their names."""
-    return {} if design.countershaft is None else {ONLY: design.countershaft.speed_ratio}
+    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design)}
 
 
-def bearing_materials(design: Design, bearings: BearingsInputs) -> BearingMaterials:
+def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInputs) -> BearingMaterials:
     """The oil of the bearings, and what journals and housing are made of; journals that are not given are those of the
     shaft."""
-    shaft = design.countershaft.material if design.countershaft is not None else ""
     solids = design.materials
     return BearingMaterials(
         oil=bearings.in_bearings(design.oils[bearings.oil]),
-        journal=solids[bearings.journal_material or shaft],
+        journal=solids[bearings.journal_material or shaft.material],
         housing=solids[bearings.housing_material],
     )
 
@@ -161,19 +271,26 @@ def not_rated(f: Outcome[FrictionResult]) -> Text:
 
 
 def on_shafts(
-    design: Design, shaft: Outcome[CountershaftResult], journals: Outcome[BearingsResult], gear: Gear | None
+    design: Design,
+    shafts: Mapping[str, Outcome[CountershaftResult]],
+    journals: Mapping[str, Outcome[BearingsResult]],
+    train: TrainResult,
 ) -> dict[str, OnShaft]:
     """The journals that the train turns, by the names of their shafts; none where there are no bearings."""
-    if journals.result is None:
-        return {}
-    return {ONLY: OnShaft(journals.result, shaft.result, design.own, gear)}
+    on = {}
+    for shaft in design.resolved:
+        carried, solved = journals.get(shaft.name), shafts.get(shaft.name)
+        if carried is not None and carried.result is not None and shaft.name in train.shafts:
+            gear = shaft_gear(design, train, shaft.name) if solved is not None else None
+            on[shaft.name] = OnShaft(carried.result, solved.result if solved is not None else None, shaft.inputs, gear)
+    return on
 
 
-def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult]) -> ShaftDrive | None:
-    """What drives the shaft's gear: the given power, else what its teeth carry in the closed balance."""
-    if train is None or design.gears is None:
+def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult], name: str) -> ShaftDrive | None:
+    """What drives a shaft's gear: the given power, else what its teeth carry in the closed balance."""
+    if train is None or design.gears is None or name not in train.shafts:
         return None
-    wheel = train.wheels.get(design.gears.carrier())
+    wheel = train.wheels.get(train.shafts[name].wheel)
     if wheel is None:
         return None
     power = design.gears.power
@@ -184,7 +301,7 @@ def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionRe
 
 
 def irregularity(
-    design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]
+    design: Design, engine: Outcome[EngineResult], shafts: Mapping[str, Outcome[CountershaftResult]]
 ) -> Irregularity | None:
     """How unevenly the first driver turns: given, else by the engine's torque on its flywheel; None where neither is
     known."""
@@ -199,10 +316,13 @@ def irregularity(
             return None
     elif order is None:  # without a crank δ_s is 0, which has no order
         order = firing_order(crank.cylinders, crank.strokes) * crank.rated_speed / speed if crank is not None else 1.0
-    outline = shaft.result.outline if shaft.result is not None else None
-    J_S = shaft.result.moment_of_inertia if shaft.result is not None else None
-    with_wheel = outline is not None and (not outline.derived or any(piece.what == "gear" for piece in outline.pieces))
-    return Irregularity(delta_s, order, swing, {} if J_S is None else {ONLY: ShaftInertia(J_S, with_wheel)})
+    inertias = {}
+    for name, shaft in shafts.items():
+        if shaft.result is not None and (J_S := shaft.result.moment_of_inertia) is not None:
+            outline = shaft.result.outline
+            has_gear = outline is not None and any(piece.what == "gear" for piece in outline.pieces)
+            inertias[name] = ShaftInertia(J_S, outline is not None and (not outline.derived or has_gear))
+    return Irregularity(delta_s, order, swing, inertias)
 
 
 def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: float) -> Swing | None:
@@ -217,22 +337,21 @@ def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: flo
     return Swing(highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=ratio)
 
 
-def eccentric(design: Design, end: str | None) -> float | None:
+def eccentric(shaft: ShaftInputs, end: str | None) -> float | None:
     """Direction, with cylinder 1 at TDC, of the shaft's eccentric mass nearest to its gear, whose journal is `end`; of
     two in one plane that of the larger unbalance.  Where the gear's place is not known, the front is taken."""
-    masses = design.countershaft.masses if design.countershaft is not None else ()
+    masses = shaft.masses
     away = -1 if end == "rear" else 1
     return min(masses, key=lambda x: (away * x.z, -x.mass * x.radius, x.angle)).angle if masses else None
 
 
-def gear_end(design: Design, shaft: Outcome[CountershaftResult]) -> str | None:
+def gear_end(given: ShaftInputs, shaft: CountershaftResult | None) -> str | None:
     """At which journal the shaft's gear stands: where it is given, else as its outline is put together; None: not
     known."""
-    given = design.countershaft
-    z = given.gear_z if given is not None else None
-    if z is None and shaft.result is not None and shaft.result.outline is not None:
-        z = next((piece.start for piece in shaft.result.outline.pieces if piece.what == "gear"), None)
-    if given is None or z is None:
+    z = given.gear_z
+    if z is None and shaft is not None and shaft.outline is not None:
+        z = next((piece.start for piece in shaft.outline.pieces if piece.what == "gear"), None)
+    if z is None:
         return None
     return "rear" if z > sum(given.bearing_positions) / len(given.bearing_positions) else "front"
 
@@ -243,26 +362,32 @@ def housing(design: Design) -> str | None:
     return material or (design.bearings.housing_material if design.bearings is not None else None)
 
 
-def shafts_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> dict[str, ShaftInTrain]:
+def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, ShaftInTrain]:
     """What the place of the train has to know of the shafts on its wheels, by their names."""
-    sizes, end = journals(design), gear_end(design, shaft)
-    alone = ShaftInTrain(
-        axis=shaft_axis(design),
-        eccentric=eccentric(design, end),
-        journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
-        gear_end=end,
-        couple=shaft.result.couple if shaft.result is not None else None,
-    )
-    return {ONLY: alone}
+    shafts = {}
+    for shaft in design.resolved:
+        inputs, result = shaft.inputs, solved[shaft.name].result if shaft.name in solved else None
+        turns, sizes = inputs.mode != "bearings", inputs.journals
+        end = gear_end(inputs, result) if turns else None
+        shafts[shaft.name] = ShaftInTrain(
+            axis=axis_of(inputs) if turns else None,
+            eccentric=eccentric(inputs, end) if turns else None,
+            journals=(sizes[0][0], sizes[-1][0]) if sizes and inputs.passes_seats else None,
+            gear_end=end,
+            couple=result.couple if result is not None else None,
+        )
+    return shafts
 
 
-def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]) -> Surroundings:
+def around_gears(
+    design: Design, engine: Outcome[EngineResult], shafts: Mapping[str, Outcome[CountershaftResult]]
+) -> Surroundings:
     """What the rating of the teeth takes from other steps."""
     oil = mesh_oil(design)
     lubricant = Lubricant(oil.oil, oil.viscosity_law) if oil is not None else None
     Ra = design.friction.flank_roughness if design.friction is not None else None
     return Surroundings(
-        uneven=irregularity(design, engine, shaft),
+        uneven=irregularity(design, engine, shafts),
         lubricant=lubricant,
         oil_temperature=oil.temperature if oil is not None else None,
         flank_ra=(Ra[0], Ra[-1]) if Ra else None,
@@ -270,10 +395,10 @@ def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[C
 
 
 def shaft_on_engine(
-    design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]
+    design: Design, shafts: Mapping[str, Outcome[CountershaftResult]], train: Outcome[TrainResult]
 ) -> "ShaftOnEngine | None":
     """The counter-shaft as the engine's mounts see it; None where there is none."""
-    countershaft, result = design.countershaft, shaft.result
+    countershaft, result = design.countershaft, next((shaft.result for shaft in shafts.values()), None)
     if countershaft is None or result is None:
         return None
     return ShaftOnEngine(
@@ -283,7 +408,7 @@ def shaft_on_engine(
         countershaft.paired,
         countershaft.axis,
         shaft_errors(design, result, train.result),
-        shaft_teeth(design),
+        shaft_teeth(design, countershaft.name),
     )
 
 
@@ -311,8 +436,9 @@ def _free_turn(train: TrainResult | None) -> float | None:
     """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case."""
     if train is None:
         return None
-    by_chance = train.train_play[ONLY].phase_error_95 if train.train_play is not None else None
-    return train.shafts[ONLY].phase_error if by_chance is None else by_chance
+    name = next(iter(train.shafts))
+    by_chance = train.train_play[name].phase_error_95 if train.train_play is not None else None
+    return train.shafts[name].phase_error if by_chance is None else by_chance
 
 
 def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None) -> "SelectionCase":
@@ -324,10 +450,9 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
         lacks = Text("the design has no [bearings]")
         raise NoSolution(Text("there are no bearings to choose"), lacks, Text("give the table"))
     done = results if results is not None else solve(design)
-    gear = shaft_gear(design, done.result(TrainResult))
-
     own = design.own
     assert own is not None  # bearings stand in its rows
+    gear = shaft_gear(design, done.result(TrainResult), own.name)
 
     def with_bearings(bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Any:
         enough = (lambda outcome: outcome.key == "bearings") if last else None

@@ -3,6 +3,7 @@
 
 from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
@@ -13,6 +14,9 @@ from .measures.result import MeasuresResult, Seat
 from .rating.result import MeshRating
 from .stages import StageResult
 from .tree import Tree
+
+if TYPE_CHECKING:
+    from ..countershaft.sums import ToothOff
 
 
 @result
@@ -195,6 +199,8 @@ class ShaftTurn:
         "Couple left by the phase error", "N·m", "C_Δφ", default=None, short=True, page_one=7, headline=2
     )
     residual_force: Newton | None = value("Force left by the phase error", "N", "F_Δφ", default=None)
+    tooth_late: "ToothOff | None" = group(default=None, words="one tooth off")
+    pair_late: "ToothOff | None" = group(default=None, words="with its mirror image one tooth off")
     wheel: str  # or sprocket
 
 
@@ -207,6 +213,7 @@ class TrainResult:
     meshes: dict[str, MeshResult] = group(spread=True)
     stages: dict[str, StageResult] = group(spread=True)
     shafts: dict[str, ShaftTurn] = group(spread=True, named="several")
+    all_late: "ToothOff | None" = group(default=None, words="all shafts one tooth off")
     play: dict[str, PlayResult] | None = group(spread=True, default=None)  # by mesh
     train_play: dict[str, TrainPlay] | None = group(spread=True, default=None, named="several")  # by shaft
     layout: LayoutResult | None = group(spread=True, default=None)

@@ -255,13 +255,15 @@ OF_SHAFTS = ("countershaft", "bearings")  # the steps that each shaft has for it
 WORST: tuple[State, ...] = ("not_asked", "solved", "blocked", "no_solution")
 
 
-def joined(key: str, outcomes: Mapping[str, Outcome[object]], result: R | None) -> Outcome[R]:
+def joined(
+    key: str, outcomes: Mapping[str, Outcome[object]], result: R | None, *, named: bool | None = None
+) -> Outcome[R]:
     """The outcomes of one step, by the shafts that they are of, as one: its state is the worst of theirs, its reason
-    that of the first in it; with more than one, each shaft's name stands in ids and before words.
+    that of the first in it; `named`, as where there are several, each shaft's name stands in ids and before words.
 
     `result`: of all of them, where every one is solved; None: the only one has its own."""
     first, *others = outcomes.items()
-    if not others:
+    if not (others or named):
         return cast("Outcome[R]", first[1] if result is None else replace(first[1], result=result))
     worst = max((outcome.state for outcome in outcomes.values()), key=WORST.index)
     reason = next(
@@ -294,6 +296,18 @@ def joined(key: str, outcomes: Mapping[str, Outcome[object]], result: R | None) 
         further=further if any(outcome.further is not None for _, outcome in every) else None,
         key_curves=Later(lambda: (curve.of_one(name) for name, outcome in every for curve in outcome.key_curves)),
         computes=any(outcome.computes for _, outcome in every),
+    )
+
+
+def beside(sums: Outcome[object], shafts: Outcome[R]) -> Outcome[R]:
+    """What stands of a step for each shaft, behind what is of all of them together."""
+    return replace(
+        shafts,
+        checks=sums.checks + shafts.checks,
+        lines=shafts.lines + sums.lines,
+        curves=sums.curves + shafts.curves,
+        tables=sums.tables + shafts.tables,
+        notes=sums.notes + shafts.notes,
     )
 
 

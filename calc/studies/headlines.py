@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from ..bearings.result import BearingResult
 from ..countershaft.result import CountershaftResult
+from ..countershaft.sums import SystemResult
 from ..design.model import Design
 from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
@@ -85,8 +86,8 @@ def _imbalance(results: Results) -> Text | None:
 
 def _balance(results: Results) -> tuple[Text, Text] | None:
     """What the crank asks for, a couple or a force, and what the shaft leaves of it."""
-    couple = ImbalanceResult.required_couple, CountershaftResult.residual_order_1_couple
-    force = ImbalanceResult.required_force, CountershaftResult.residual_order_1_force
+    couple = ImbalanceResult.required_couple, SystemResult.residual_order_1_couple
+    force = ImbalanceResult.required_force, SystemResult.residual_order_1_force
     for kind, word in ((couple, Text("couple for the shaft")), (force, Text("force for the shaft"))):
         before, after = (results.value(field) for field in kind)
         if before is not None and before.shown:
@@ -197,10 +198,10 @@ def closest_limit(results: Results) -> Text:
 
 # what the shaft leaves of an order's couple and force, and what there is before
 _LEFT = (
-    (1, CountershaftResult.residual_order_1_couple, Order.couple_peak),
-    (1, CountershaftResult.residual_order_1_force, Order.force_peak),
-    (2, CountershaftResult.residual_order_2_couple, Order.couple_peak),
-    (2, CountershaftResult.residual_order_2_force, Order.force_peak),
+    (1, SystemResult.residual_order_1_couple, Order.couple_peak),
+    (1, SystemResult.residual_order_1_force, Order.force_peak),
+    (2, SystemResult.residual_order_2_couple, Order.couple_peak),
+    (2, SystemResult.residual_order_2_force, Order.force_peak),
 )
 _SUPPLIED_ELSEWHERE = (
     (WebsResult.missing_forward_couple, WebsResult.unbalances_couple_left),

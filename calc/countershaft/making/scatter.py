@@ -10,6 +10,7 @@ the holes allow.  That may cost a shaft that is too light some of its couple."""
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -173,6 +174,7 @@ class ScatterResult:
     residual: Array  # of every shaft, in rising order
     drilled: Array | None  # the same after drilling
     impossible: int  # shafts with a mass below zero: its standard deviation is too large
+    target: "Target"
 
 
 @record
@@ -190,6 +192,11 @@ class Target:
     z_r: Metre
     permitted_front: KilogramMetre
     permitted_rear: KilogramMetre
+
+    def mirrored(self) -> "Target":
+        """That of a mirror image."""
+        couple, force = (based_on(vector.conjugate(), vector) for vector in (self.couple, self.force))
+        return replace(self, couple=couple, force=force)
 
     def residual(self, couple: ComplexArray, timing: ComplexArray) -> Array:
         """The couple that is left over, largest over a turn: the vector that turns against the shaft stays and comes
@@ -331,7 +338,9 @@ def scattered(
     if drilled is not None:
         parts |= _percentiles("drilled_couple", Text("after drilling"), drilled, ("median", "95"))
     to_drill = based_on(1 - within, within)
-    return ScatterResult(**parts, share_to_drill=to_drill, residual=residual, drilled=drilled, impossible=impossible)
+    return ScatterResult(
+        **parts, share_to_drill=to_drill, residual=residual, drilled=drilled, impossible=impossible, target=target
+    )
 
 
 def joint(influence: ComplexArray, taken: Array) -> ComplexArray:

@@ -8,6 +8,8 @@ beyond, the static moment falls while the mass grows. Vectors: real up, imaginar
 rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel."""
 
 import math
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 
@@ -36,8 +38,9 @@ from ...sheet.units import (
 )
 from ...sheet.value import about, based_on, untraced
 from .. import outline as s
-from ..inputs import EccentricMass, Extra, ShaftInputs
+from ..inputs import EccentricMass, Extra
 from ..outline import Piece, around
+from ..sums import OrderVectors, SystemShaft, left
 from . import formulas as f
 from . import lengths
 
@@ -72,6 +75,11 @@ class Sized:
     rear: SizedSector = group()
     outer_radius: Metre
     core_radius: Metre
+
+    @property
+    def by_name(self) -> dict[str, SizedSector]:
+        """Its sectors, front to rear."""
+        return {"front": self.front, "rear": self.rear}
 
 
 @record
@@ -292,22 +300,33 @@ def sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, r
         )
 
 
-def eccentric_masses(sized: Sized) -> tuple[EccentricMass, ...]:
-    """The sectors as the eccentric masses of a shaft, "front" and "rear"."""
-    sides = (("front", sized.front), ("rear", sized.rear))
+class Found(Protocol):
+    """Sectors that were found for an envelope."""
+
+    @property
+    def by_name(self) -> dict[str, SizedSector]: ...
+    @property
+    def outer_radius(self) -> Metre: ...
+    @property
+    def core_radius(self) -> Metre: ...
+
+
+def eccentric_masses(found: Found) -> tuple[EccentricMass, ...]:
+    """The sectors as the eccentric masses of a shaft, by their names."""
     return tuple(
         EccentricMass(name=name, mass=sector.mass, radius=sector.radius, angle=sector.angle, z=sector.z)
-        for name, sector in sides
+        for name, sector in found.by_name.items()
     )
 
 
-def pieces(sized: Sized) -> list[Piece]:
+def pieces(found: Found) -> list[Piece]:
     """The sectors as pieces of the outline; one without mass is left out."""
     sectors = []
-    for name, side in (("front", sized.front), ("rear", sized.rear)):
-        if side.mass:
-            faces = around(side.z, side.length, Text("{name} sector", name=name))
-            sectors.append(Piece(*faces, sized.outer_radius, sized.core_radius, side.half_angle, side.angle, "sector"))
+    for name, one in found.by_name.items():
+        if one.mass:
+            counted = Text("sector {number}", number=name) if name.isdigit() else Text("{name} sector", name=name)
+            faces = around(one.z, one.length, counted)
+            sectors.append(Piece(*faces, found.outer_radius, found.core_radius, one.half_angle, one.angle, "sector"))
     return sectors
 
 
@@ -446,10 +465,13 @@ class ShaftTask:
         return based_on(abs(self.C), self.C)
 
 
-def task(shaft: ShaftInputs, imbalance: ImbalanceResult) -> ShaftTask:
-    """The task of a shaft at `speed_ratio` times crank speed."""
-    order = round(abs(shaft.speed_ratio))
-    F_f, F_b, C_f, C_b = imbalance.orders[f"order_{order}"].vectors
-    if shaft.speed_ratio < 0:
+def task(ratio: Number, imbalance: ImbalanceResult, beside: Sequence[SystemShaft] = ()) -> ShaftTask:
+    """The task of a shaft at `ratio` times crank speed: what the shafts `beside` it leave of the engine's vectors."""
+    order = round(abs(ratio))
+    engine = OrderVectors(*imbalance.orders[f"order_{order}"].vectors)
+    if beside := [shaft for shaft in beside if shaft.order == order]:
+        engine = left(engine, beside, Text("shafts that are given"))
+    (F_f, F_b), (C_f, C_b) = engine.forces, engine.couples
+    if ratio < 0:
         return ShaftTask(order, F_b, C_b, F_f, C_f, imbalance.one_force, imbalance.one_couple)
     return ShaftTask(order, F_f, C_f, F_b, C_b, imbalance.one_force, imbalance.one_couple)

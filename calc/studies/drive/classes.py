@@ -155,7 +155,7 @@ def drive_of(design: Design, results: Results, filleted: bool = True) -> ShaftSu
     """`filleted`: whether a gap between two shoulders must be none, or hold its fillets."""
     shaft, solved = design.countershaft, results.result(CountershaftResult)
     assert shaft is not None and solved is not None
-    gear = shaft_gear(design, results.result(TrainResult))
+    gear = shaft_gear(design, results.result(TrainResult), shaft.name)
     first, last = shaft.bearings
     clearance = max(first.diameter, last.diameter) / 2 - (shaft.outer_radius or 0.0)
     drive = ShaftSurroundings(
@@ -197,7 +197,7 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
         )
         for place in tasks
     }
-    gear = shaft_gear(design, results.result(TrainResult))
+    gear = shaft_gear(design, results.result(TrainResult), problem.shaft.name)
     if gear is not None and problem.binds(GEAR_SEAT.id):  # it goes through the first seat
         first, _ = keys.places
         by_place[first] = [films for films in by_place[first] if films.task.diameter > gear.tip_diameter + TINY]

@@ -80,7 +80,7 @@ def asked(document: Document, overrides: dict[str, object]) -> tuple[Problem, Re
     """The problem of a design, and the design solved as it is."""
     base = design(document)
     results = solve(base)
-    gear = shaft_gear(base, results.result(TrainResult))
+    gear = shaft_gear(base, results.result(TrainResult), next(iter(base.views), ""))
     return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, overrides), results
 
 

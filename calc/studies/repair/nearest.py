@@ -5,7 +5,8 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from ...countershaft.checks import ENVELOPE, ENVELOPE_LENGTH, RESIDUAL, RESIDUAL_FORCE
+from ...countershaft.checks import ENVELOPE, ENVELOPE_LENGTH
+from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.outline import CROSSING, MASS_SHAPE
 from ...design.model import IN_SENTENCES
 from ...design.names import words

@@ -31,7 +31,7 @@ from ...bearings.checks import (
 from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingResult
 from ...bearings.selection.variants import closer_fits, variants
-from ...countershaft.checks import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
+from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
 from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.result import CountershaftResult
 from ...design.addresses import quantity_of, value_at

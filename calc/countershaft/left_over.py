@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What all shafts together leave over of the orders at which one turns: whether that is little enough, and its
+figures."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..gears.result import TrainResult
+from ..imbalance.curves import DRAWN
+from ..imbalance.result import ImbalanceResult
+from ..sheet.check import Check, CheckRule
+from ..sheet.deferred import Later
+from ..sheet.functions import argument, degrees
+from ..sheet.quantity import dotted
+from ..sheet.step import Curve, Outcome, Series, axis_label
+from ..sheet.text import SPACE, Amount, Text
+from ..sheet.units import Number, PhasorNewtonMetre, RadPerSecond
+from ..sheet.value import trace
+from .curves import speeds
+from .inputs import ShaftInputs
+from .rows import SHAFT
+from .sizing.sectors import WORDS, ShaftTask, task
+from .sums import OrderVectors, SystemResult, SystemShaft, teeth_off, teeth_table, together
+
+if TYPE_CHECKING:
+    from .making.system_scatter import MadeShaft
+
+
+def solve(
+    imbalance: ImbalanceResult,
+    shafts: tuple[SystemShaft, ...],
+    rolls: Mapping[int, PhasorNewtonMetre],
+    omega: RadPerSecond,
+    made: "tuple[MadeShaft, ...]" = (),
+) -> Outcome[SystemResult]:
+    """Of an engine with all its shafts.
+
+    `rolls`: by order, the torque reaction of its inertia about the crank, as far as it is known; `omega` of the crank
+    at rated speed; `made`: the same shafts as they are made, of several that scatter."""
+    engine = vectors_of(imbalance, shafts, rolls)
+    with trace() as lines:
+        left = together(engine, shafts)
+        if made:
+            from .making.system_scatter import system_scattered  # which few designs ask for
+
+            left = replace(left, scatter=system_scattered(engine, made))
+    tasks = {n: task(next(s.ratio for s in shafts if s.order == n), imbalance) for n in sorted(engine)}
+    return Outcome(
+        "countershaft",
+        result=left,
+        checks=tuple(check for n, todo in tasks.items() for check in _checks(todo, shafts, left, min(tasks))),
+        lines=tuple(lines),
+        curves=Later(partial(_curves, tasks, engine, left, omega)),
+    )
+
+
+def vectors_of(
+    imbalance: ImbalanceResult, shafts: Sequence[SystemShaft], rolls: Mapping[int, PhasorNewtonMetre]
+) -> dict[int, OrderVectors]:
+    """The engine alone, of the orders at which a shaft turns."""
+    orders = {shaft.order for shaft in shafts}
+    return {n: OrderVectors(*imbalance.orders[f"order_{n}"].vectors, rolls.get(n)) for n in sorted(orders)}
+
+
+def one_tooth_off(
+    train: Outcome[TrainResult],
+    imbalance: ImbalanceResult,
+    shafts: tuple[SystemShaft, ...],
+    rolls: Mapping[int, PhasorNewtonMetre],
+) -> Outcome[TrainResult]:
+    """A train with what is left where shafts are fitted one tooth of their wheels off."""
+    if train.result is None or not shafts:
+        return train
+    with trace() as lines:
+        off = teeth_off(vectors_of(imbalance, shafts, rolls), shafts)
+    turns = {
+        name: replace(turn, tooth_late=off.shafts.get(name), pair_late=off.pairs.get(name))
+        for name, turn in train.result.shafts.items()
+    }
+    table = Later(lambda: [teeth_table(off)] if off.shafts else [])
+    result = replace(train.result, shafts=turns, all_late=off.all)
+    return replace(train, result=result, lines=(*train.lines, *lines), tables=train.tables + table)
+
+
+# --- what is left over
+
+OF_COUPLE = Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none")
+OF_FORCE = Text("rule of this program: 5 % of m·r·ω² of one cylinder")
+MASSES = (dotted(SHAFT, ShaftInputs.masses),)
+
+RESIDUAL = CheckRule(
+    "countershaft.residual",
+    "limit",
+    "The couple is what the shaft is for, and no shaft may make it worse.",
+    sense="<=",
+    unit="N·m",
+    source=OF_COUPLE,
+    role="physics",
+    moved_by=MASSES,
+    short=Text("couple left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_couple,
+)
+RESIDUAL_FORCE = CheckRule(
+    "countershaft.residual_force",
+    "limit",
+    "The force is what the shaft is for, or brings into the engine.",
+    sense="<=",
+    unit="N",
+    source=OF_FORCE,
+    role="physics",
+    cause=RESIDUAL.id,
+    moved_by=MASSES,
+    short=Text("force left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_force,
+)
+RESIDUAL_SHARE = CheckRule(
+    "countershaft.residual_share",
+    "advice",
+    "Shafts at twice crank speed are for comfort and often take a part of the couple only.",
+    sense="<=",
+    unit="N·m",
+    source=OF_COUPLE,
+    moved_by=MASSES,
+    short=Text("couple left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_couple,
+)
+RESIDUAL_FORCE_SHARE = CheckRule(
+    "countershaft.residual_force_share",
+    "advice",
+    "Shafts at twice crank speed are for comfort and often take a part of the force only.",
+    sense="<=",
+    unit="N",
+    source=OF_FORCE,
+    cause=RESIDUAL_SHARE.id,
+    moved_by=MASSES,
+    short=Text("force left"),
+    proven=(),
+    proven_where=ImbalanceResult.required_force,
+)
+
+
+# where shafts take the first order and the second, of the second
+RESIDUAL_2 = replace(RESIDUAL_SHARE, id="countershaft.residual_2")
+RESIDUAL_FORCE_2 = replace(RESIDUAL_FORCE_SHARE, id="countershaft.residual_force_2", cause=RESIDUAL_2.id)
+WORSE = Text("No shaft may make it worse.")
+RESIDUAL_2_WORSE = replace(RESIDUAL, id="countershaft.residual_2_worse", why=WORSE, cause=RESIDUAL_2.id)
+RESIDUAL_FORCE_2_WORSE = replace(
+    RESIDUAL_FORCE, id="countershaft.residual_force_2_worse", why=WORSE, cause=RESIDUAL_FORCE_2.id
+)
+
+
+def _checks(todo: ShaftTask, shafts: Sequence[SystemShaft], left: SystemResult, lowest: int) -> Iterator[Check]:
+    """The couple and the force of one order that are left over."""
+    mine = [shaft for shaft in shafts if shaft.order == todo.order]
+    ratio, like = mine[0].ratio, sum(shaft.ratio == mine[0].ratio for shaft in mine)
+    each = Text("the shaft ")
+    if len(mine) == 2 and like == 1:
+        each = Text("each of both shafts ")
+    elif like > 1:
+        each = Text("the {like} shafts that turn alike, together, ", like=like)
+    aim_couple = Text(
+        "Aim at {couple} N·m at {direction}: the couple of {each}grows with mass, radius and arm.",
+        couple=Amount(todo.couple, form=".1f"),
+        direction=_opposite(todo.C),
+        each=each,
+    )
+    aim_force = Text(
+        "Aim at {f} N at {direction}: the force of {each}grows with mass and radius.",
+        f=Amount(abs(todo.F), form=".0f"),
+        direction=_opposite(todo.F),
+        each=each,
+    )
+    alike = Text("Balance the masses against each other (mass times radius), so that only a couple remains.")
+    force = todo.force_may_be_left
+    couples = RESIDUAL, RESIDUAL_SHARE, RESIDUAL_2, RESIDUAL_2_WORSE
+    forces = RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_FORCE_2, RESIDUAL_FORCE_2_WORSE
+    for word, rules, limit, before, advice in (
+        (Text("couple"), couples, todo.may_leave, abs(todo.C) + abs(todo.C_against), aim_couple),
+        (Text("force"), forces, force, abs(todo.F) + abs(todo.F_against), aim_force if abs(todo.F) > force else alike),
+    ):
+        whole, share, second, second_worse = rules
+        value = f"residual_order_{todo.order}_{word}"
+        peak = getattr(left, value) or 0.0
+        if like == len(mine) and str(word) in todo.out_of_reach:
+            against = abs(todo.C_against if whole is RESIDUAL else todo.F_against)
+            beyond = _beyond(ratio, Amount(against, whole.unit, form=".4g"))
+            advice = advice + SPACE + beyond if peak - against > limit else beyond
+        made: tuple[tuple[CheckRule, float], ...] = ((second, limit), (second_worse, max(before, limit)))
+        if todo.order == lowest:
+            # shafts at twice crank speed are for comfort and often take a part only; they fail where they make it worse
+            made = ((whole if todo.order == 1 or peak > max(before, limit) else share, limit),)
+        for rule, most in made:
+            yield rule(
+                peak,
+                most,
+                name=Text("{words}-order {word} left over", words=WORDS[todo.order], word=word),
+                advice=advice,
+                value_id=dotted("countershaft", getattr(SystemResult, value)),
+            )
+
+
+def _beyond(ratio: Number, against: Amount) -> Text:
+    """What takes the part that turns against the shaft."""
+    if ratio == -1:
+        return Text(
+            "{against} turn against the shaft, and no mass on it takes them: that is for the counterweights of the "
+            "crank (see the imbalance).",
+            against=against,
+        )
+    return Text(
+        "{against} turn against the shaft, and no mass on it takes them: a mirrored second shaft does (mirrors).",
+        against=against,
+    )
+
+
+def _opposite(engine: complex) -> Amount:
+    """The direction opposite to the engine's vector, in degrees."""
+    return Amount(degrees(argument(-engine)), "°", form=".1f")
+
+
+def _curves(
+    tasks: Mapping[int, ShaftTask], engine: Mapping[int, OrderVectors], left: SystemResult, omega: RadPerSecond
+) -> tuple[Curve, ...]:
+    """Of each order: over the speed range, and over a turn; what is next to nothing is not drawn."""
+    over_speed, over_a_turn = [], []
+    for n, todo in tasks.items():
+        before, after = engine[n], left.vectors[n]
+        behind = "" if n == min(tasks) else f"_{n}"  # the ids of the first of them
+        for word, unit, (f_0, b_0), (f_1, b_1), one_cylinder, limit in (
+            (Text("couple"), "N·m", before.couples, after.couples, todo.one_couple, todo.may_leave),
+            (Text("force"), "N", before.forces, after.forces, todo.one_force, todo.force_may_be_left),
+        ):
+            if max(map(abs, (f_0, b_0, f_1 - f_0, b_1 - b_0))) > DRAWN * one_cylinder:
+                peaks = abs(f_0) + abs(b_0), getattr(left, f"residual_order_{n}_{word}")
+                over_speed.append(
+                    _over_speed(f"residual_{word}_over_speed{behind}", n, word, unit, peaks, limit, omega)
+                )
+                id = f"residual{behind}" if word == "couple" else f"residual_force{behind}"
+                over_a_turn.append(_over_a_turn(id, n, word, unit, ((f_0, b_0), (f_1, b_1))))
+    return (*over_speed, *over_a_turn)
+
+
+def _over_a_turn(id: str, n: int, word: Text, unit: str, pairs: Sequence[tuple[complex, complex]]) -> Curve:
+    """What is left of an order, as the path over a turn, before and after the shafts: what turns with the crank and
+    what turns against it."""
+    turned = np.arange(0, 361, 3.0)
+    along = np.exp(1j * np.radians(turned))
+    before, after = (forward * along + backward * along.conj() for forward, backward in pairs)
+    title = Text("{words}-order {word} before and after the counter-shaft", words=WORDS[n], word=word)
+    return Curve(
+        id,
+        title,
+        Text("horizontal, {unit}", unit=unit),
+        Text("vertical, {unit}", unit=unit),
+        (Series(Text("before"), before.imag, before.real), Series(Text("after"), after.imag, after.real)),
+        equal=True,
+        along=(Text("crank angle, °"), turned / n),
+    )
+
+
+def _over_speed(
+    id: str, n: int, word: Text, unit: str, peaks: tuple[float, float], limit: float, omega: RadPerSecond
+) -> Curve:
+    """The peak of a turn over the speed range, without the shafts and with them; what may be left is judged at rated
+    speed."""
+    rpm, square = speeds(omega)
+    title = Text("{words}-order {word} over the speed range, peak of a turn", words=WORDS[n], word=word)
+    return Curve(
+        id,
+        title,
+        axis_label("crank speed", "rpm"),
+        Text("{word}, {unit}", word=word, unit=unit),
+        tuple(Series(name, rpm, peak * square) for name, peak in zip((Text("before"), Text("after")), peaks)),
+        limits=((Text("may be left at rated speed"), limit),),
+    )
