@@ -371,7 +371,9 @@ def _standing(
             if name in b:
                 b = b | {name: bearings_with_standing(b[name], of_shaft.solution.standing)}
                 carried = b[name].result
-            c = c | {name: with_oil(with_films(of_shaft, carried, housing), carried)}
+            if shaft.of is None:
+                of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+            c = c | {name: of_shaft}
     return c, b
 
 
@@ -394,7 +396,10 @@ def _told(
         name: cast("Outcome[CountershaftResult]", of_shafts[name]["countershaft"]) for name in of_shafts if name in c
     }
     ratios = {shaft.name: shaft.inputs.speed_ratio for shaft in h.turning(design)}
-    twins = {name: outcome for name, outcome in c.items() if name not in of_shafts}
+    twins = dict[str, Outcome[CountershaftResult]]()
+    for shaft in h.turning(design):
+        if shaft.of is not None and shaft.name in c:
+            (twins[shaft.name],) = _in_place(replace(design, shafts=(shaft.inputs,)), (c[shaft.name],))
     whole = shafts.whole(own, twins, ratios, left, named=len(design.shafts) > 1) if c else left
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()})
     of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
@@ -411,7 +416,7 @@ def _joined(design: Design, bearings: dict[str, Outcome[object]]) -> Outcome[obj
     return joined("bearings", bearings, every, named=named)
 
 
-def _in_place(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:
+def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcome[R]]:
     """The outcomes with their checks by the keys of this design."""
     for outcome in outcomes:
         yield replace(outcome, checks=tuple([check.in_place(design.in_place) for check in outcome.checks]))

@@ -125,7 +125,6 @@ OIL_LEVEL = CheckRule(
     moved_by=(
         dotted("friction", FrictionInputs.oil_level),
         dotted(SHAFT, ShaftInputs.axis),
-        dotted(SHAFT, ShaftInputs.covered),
     ),
 )
 VISCOSITY_RANGE = CheckRule(

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.design.step_inputs import on_shafts, shaft_gear
+from calc.design.step_inputs import on_shafts
 from calc.design.toml_file import Document
 from calc.friction.journals import journals_at
 from calc.friction.losses.turning_masses import Sectors
@@ -176,8 +176,8 @@ def test_a_pump_follows_the_speed(exponent, gamma_results):
 
 
 def on_shaft(made, results):
-    o = results.outcomes
-    return on_shafts(made, o["countershaft"], o["bearings"], shaft_gear(made, o["gears"].result))["shaft"]
+    c, b, g = (results.outcomes[step] for step in ("countershaft", "bearings", "gears"))
+    return on_shafts(made, {"shaft": c}, {"shaft": b}, g.result)["shaft"]
 
 
 # --- several shafts
@@ -207,6 +207,30 @@ def test_each_shaft_has_its_own_and_the_train_their_sum():
     )
     quick = losses_of(drive(friction(mass_loss="bracket"), pair(), lubricant(), 90.0, 50.0, ends))
     assert quick.total == pytest.approx(r.total_loss, rel=1e-8) and quick.masses == pytest.approx(r.mass_loss)
+
+
+def test_a_shaft_and_the_same_once_more_lower_down():
+    """A design with two shafts at crank speed: each has its bracket, its pump, and its own height over the oil."""
+    data = document(
+        {"axis_mm": [-100.0, 90.0], **pump()}, friction={"mass_loss": "bracket", "oil_level_mm": -145.0}
+    ).data
+    lower = {"name": "lower", "repeats": "shaft", "axis_mm": [-150.0, -90.0]}
+    data["shafts"].append(lower | {"loads": [{"name": "other", "power_kW": 0.5}]})
+    wheels, meshes = data["gears"]["wheels"], data["gears"]["meshes"]
+    wheels[-1]["shaft"] = "shaft"
+    wheels.append({**wheels[-1], "name": "second", "shaft": "lower"})
+    meshes.append({**meshes[-1], "driven": "second"})
+    results = solve(design(Document(data)))
+    shown_ = {id: value.shown for id, value in results.values().items()}
+    for end in ("mass_loss_low", "mass_loss_high", "mass_loss"):
+        assert shown_[f"friction.shaft.{end}"] == shown_[f"friction.lower.{end}"] > 0
+        assert shown_[f"friction.{end}"] == pytest.approx(2 * shown_[f"friction.shaft.{end}"], rel=1e-12)
+    assert shown_["friction.carried_power"] == 2500.0
+    assert shown_["friction.crank_power"] == pytest.approx(shown_["friction.total_loss"] + 2500.0, rel=1e-9)
+    upper, lower = (results.check(f"countershaft.{name}.oil_level") for name in ("shaft", "lower"))
+    assert (upper.verdict, lower.verdict) == ("pass", "warn")
+    assert "shafts.lower.axis_mm" in lower.moved_by and "shafts.shaft.axis_mm" in upper.moved_by
+    assert shown_["friction.lower.dip_loss_most"] > shown_["friction.shaft.dip_loss_most"] == 0
 
 
 # --- what may be said
