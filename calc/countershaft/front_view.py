@@ -78,7 +78,7 @@ def front_view(
     largest, most = max(shaft.sweep for shaft in shafts), max(abs(shaft.force) for shaft in shafts)
     scale = ARROW * largest / most if most else 0.0
     placed = [(shaft, _point(shaft.axis)) for shaft in shafts if shaft.axis is not None]
-    marks: list[Mark] = [*_crank(engine, banks), *_wheels(wheels)]
+    marks: list[Mark] = [*_crank(engine, banks), *_wheels(wheels)] if placed else []
     for shaft, at in placed:
         marks += _at(at, _shaft(shaft, scale, NO_FORCE * most))
     for (one, here), (other, there) in combinations(placed, 2):
@@ -92,9 +92,9 @@ def front_view(
         )
     if beneath:
         marks.append(Words(CONTEXT, (middle, y - 3 * largest), Text("place not given"), side="centre"))
-    title = (
-        Text("beside the crank, up to {force}", force=Amount(most, "N", digits=4)) if most else Text("beside the crank")
-    )
+    title = Text("beside the crank") if placed else Text("all shafts")
+    if most:
+        title += Text(", up to {force}", force=Amount(most, "N", digits=4))
     return Sketch(tuple(marks), title=title)
 
 

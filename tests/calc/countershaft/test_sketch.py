@@ -191,3 +191,11 @@ def test_shafts_without_a_place_stand_beneath():
     said = {str(mark.text): mark.at for mark in picture.primitives if isinstance(mark, Words)}
     assert said["first ×1"][1] < min(said["left ×2"][1], said["right ×2"][1])
     assert said["place not given"][1] < said["first ×1"][1]
+
+
+def test_without_any_place_the_shafts_stand_alone():
+    bare = {key: part for key, part in LEFT.items() if key != "axis_mm"}
+    asked = design(Document(FOUR | {"shafts": [bare, RIGHT]}))
+    picture = sketch(asked, solve(asked)).beside[0]
+    assert str(picture.title).startswith("all shafts, up to ")
+    assert not [mark for mark in picture.primitives if mark.key.startswith("engine")] and len(circles(picture)) == 2
