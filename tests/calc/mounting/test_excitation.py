@@ -79,7 +79,7 @@ def test_moments_are_taken_about_the_centre_of_gravity():
     """A twin has free forces, so that its moments depend on the place that they are taken about."""
     made = load(DESIGNS / "twin_mounting.toml")[1]
     outcomes = solve(made).outcomes
-    shaft = step_inputs.shaft_on_engine(made, outcomes["countershaft"], outcomes["gears"])
+    shaft = step_inputs.shaft_on_engine(made, {"shaft": outcomes["countershaft"]}, outcomes["gears"])
     at = drive(made.mounting, made.engine, outcomes["engine"].result, outcomes["imbalance"].result, shaft)
     table = {**load(DESIGNS / "twin_mounting.toml")[0].data}
     table["mounting"] = {**table["mounting"], "centre_of_gravity_mm": [0.0, 0.0, 0.0]}
