@@ -61,10 +61,10 @@ def step(id, shaft=None, todo=None, journals=((59 * mm, 24 * mm), (65 * mm, 26 *
 def envelope(room, clearance=0.2 * mm, **outline):
     """The larger of two seats, the rear one, around the wider of two sectors; a journal is none of them."""
     pieces = (*OPPOSED, Piece(0.16, 0.18, 40 * mm, 0.0, None, 0.0, "full"))
-    shaft = {"bearings": bearing_rows((-0.17, 0.17)), "radial_clearance": clearance, "outer_radius": R}
+    seats = ((59 * mm, 24 * mm), (2 * (R + room), 26 * mm))
+    shaft = {"bearings": bearing_rows((-0.17, 0.17), seats), "radial_clearance": clearance, "outer_radius": R}
     wide = replace(pieces[0], outer_radius=R - 1 * mm)
     shape = SimpleNamespace(pieces=(wide, *pieces[1:]))
-    seats = ((59 * mm, 24 * mm), (2 * (R + room), 26 * mm))
     return step("envelope", shaft, journals=seats, outline=shape)
 
 
@@ -77,6 +77,21 @@ def envelope_length(room):
     """The front journal is nearer: 0.17 − 24/2 = 158 mm, the rear one 0.18 − 26/2 = 167 mm."""
     shaft = {"mode": "size", "half_length": 0.158 - room, "bearings": bearing_rows((-0.17, 0.18))}
     return step("envelope_length", shaft)
+
+
+def between(room, fillet=1.5 * mm, gap=None):
+    """Of two sectors that end 10 mm beside the middle of the shaft the nearer one, beside a journal a little rearward;
+    the outer journals count elsewhere."""
+    seats = ((59 * mm, 24 * mm), (30 * mm, 17 * mm - 2 * room), (65 * mm, 26 * mm))
+    bearings = bearing_rows((-0.17, 1.5 * mm, 0.17), seats)
+    shaft = {"bearings": bearings, "fillet_radius": fillet, "gap": gap}
+    return step("between", shaft, journals=seats, outline=SimpleNamespace(pieces=OPPOSED))
+
+
+def shafts_clear(distance):
+    """Of shafts of 30 and 20 mm, or of the first and counterweights of 50 mm: the nearer to its limit."""
+    places = {"left": of_shaft.InPlace(0.1j, 30 * mm), "right": of_shaft.InPlace(0.1j + distance, 20 * mm)}
+    return only(of_shaft.shafts_clear(places, 50 * mm), "shafts.clear")
 
 
 def support(what, number):
@@ -260,6 +275,17 @@ CASES = [
     # whether it fits
     ("envelope", "fail", 0.2, "Finotti 2013, 4.1", lambda: envelope(0.2 * mm), lambda: envelope(0.199 * mm)),
     ("envelope", "fail", 0.0, "Finotti 2013, 4.1", lambda: envelope(0.0, 0.0), lambda: envelope(-0.001 * mm, 0.0)),
+    ("between", "fail", 1.5, "half of gap_mm", lambda: between(1.5 * mm), lambda: between(1.499 * mm)),
+    ("between", "fail", 0.0, "one fillet", lambda: between(0.0, None), lambda: between(-0.001 * mm, None)),
+    (
+        "between",
+        "fail",
+        None,
+        "half of gap_mm",
+        lambda: between(4 * mm, gap=17 * mm),
+        lambda: between(4 * mm, gap=17.002 * mm),
+    ),
+    ("shafts.clear", "fail", 52.0, "2 mm between", lambda: shafts_clear(55 * mm), lambda: shafts_clear(51.9 * mm)),
     ("gear_seat", "warn", 0.0, "Finotti 2013, 4.1", lambda: gear_seat(0.001 * mm), lambda: gear_seat(0.0)),
     (
         "envelope_length",
@@ -607,6 +633,7 @@ def test_every_check_of_the_step_has_its_case():
     [
         (lambda: envelope(0.0, 0.0), 32.0),  # outer radius
         (lambda: envelope_length(0.0), 24.0),  # the nearest journal
+        (lambda: between(0.0, None), 17.0),  # the inner journal
         (lambda: gear_seat(0.5 * mm), 1.0),
         (lambda: crossing(2e-6), 24.0),  # the shorter piece
         (lambda: hose("drain.clamp", 24.0), 24.0),  # the larger end of the hose
@@ -675,7 +702,8 @@ def judged(shaft=None, todo=None, journals=((59 * mm, 24 * mm), (65 * mm, 26 * m
     return {check.id.removeprefix("countershaft."): check for check in checks}
 
 
-SIZED = {"mode": "size", "half_length": 0.1, "bearings": bearing_rows((-0.17, 0.17)), "outer_radius": R}
+SEATED = bearing_rows((-0.17, 0.17), ((59 * mm, 24 * mm), (65 * mm, 26 * mm)))
+SIZED = {"mode": "size", "half_length": 0.1, "bearings": SEATED, "outer_radius": R}
 FIT = ("envelope", "gear_seat", "envelope_length")
 
 
