@@ -224,9 +224,8 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
 
 def _as_one(seats: Sequence[BearingCase]) -> BearingCase[Any]:
     """All bearings of a shaft as one whose sizes are arrays."""
-    sizes = {key: np.array([getattr(seat.bearing, key) for seat in seats]) for key in ("diameter", "length")}
-    clearance = np.array([float(seat.clearance) for seat in seats])
-    return replace(resized(seats[0], **sizes), clearance=clearance)
+    d, l, c = np.array([(seat.bearing.diameter, seat.bearing.length, seat.clearance) for seat in seats]).T
+    return replace(resized(seats[0], diameter=d, length=l), clearance=c)
 
 
 def at_corners(shaft: Condensed, films: Sequence[Film], i: int, duty: OperatingPoint, seat: BearingCase[Any]) -> Array:

@@ -402,7 +402,7 @@ def test_the_power_balance_closes_with_what_stands_on_three_bearings(gamma):
     shaft = gamma.data["shafts"][0] | {"sections": sections, "gear_z_mm": -170.0, "bearings": rows}
     results = solve(design(replace(gamma, data=gamma.data | {"shafts": [shaft]})))
     assert {results.outcomes[key].state for key in ("countershaft", "bearings", "gears", "friction")} == {"solved"}
-    standing, journals = results.result(CountershaftResult).standing, results.result(FrictionResult).journals
+    standing, journals = results.result(CountershaftResult).standing, results.result(FrictionResult).journals["shaft"]
     assert sum(standing.weights.values()) == pytest.approx(standing.weight, rel=1e-6)
     for name, journal in journals.items():
         assert journal.standing_load == pytest.approx(standing.stationary[name], rel=1e-6)
