@@ -18,6 +18,7 @@ from .bearings.loads import with_standing as bearings_with_standing
 from .bearings.result import BearingsOfShafts, BearingsResult
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
+from .countershaft.checks import shafts_clear
 from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
@@ -254,6 +255,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.beside(design, shaft, c),
                 judged=design.bearings is not None,
                 alike=h.sized_alike(design, shaft.inputs),
+                shared=h.shares(design, shaft.inputs),
             )
             c |= h.twins(design, shaft, c[shaft.name])
         left = _left_over(part, design, e.result, i.result, c)
@@ -334,7 +336,7 @@ def _left_over(
     if h.unsolved(tuple(c.values())):
         return Outcome("countershaft", "blocked")
     shafts = h.system_shafts(design, c)
-    return part(
+    left = part(
         "countershaft",
         left_over.solve,
         i,
@@ -343,6 +345,8 @@ def _left_over(
         e.angular_speed,
         h.made_shafts(design, c, shafts),
     )
+    counterweights = design.imbalance.counterweight_radius if design.imbalance is not None else None
+    return replace(left, checks=(*left.checks, *shafts_clear(h.in_place(design, c), counterweights)))
 
 
 def _with_shafts(i: Outcome[ImbalanceResult], design: Design, left: Outcome[SystemResult]) -> Outcome[ImbalanceResult]:

@@ -8,12 +8,13 @@ grow with the square of speed, so that what is left is one share at all speeds."
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
 
 import numpy as np
 
 from ..imbalance import formulas as v
 from ..imbalance.shaft_pair import roll_amplitude, roll_backward, roll_forward, roll_phase, roll_together, rolls_joined
+from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.functions import conj, largest
 from ..sheet.quantity import group, result, value
@@ -32,9 +33,6 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, based_on
 from . import formulas as f
-
-if TYPE_CHECKING:
-    from .making.system_scatter import SystemScatter
 
 
 @record
@@ -157,6 +155,33 @@ class OrderLeft:
 
 
 @result
+class OrderScatter:
+    """The errors of what turns with and against the crank, root mean squares to first order."""
+
+    force_forward: Newton = value("Error of the force that turns with the crank", "N", "σ_F⁺")
+    force_backward: Newton = value("Error of the force that turns against it", "N", "σ_F⁻")
+    couple_forward: NewtonMetre = value("Error of the couple that turns with the crank", "N·m", "σ_C⁺")
+    couple_backward: NewtonMetre = value("Error of the couple that turns against it", "N·m", "σ_C⁻")
+
+
+@result
+class SystemScatter:
+    """What 95 % of the engines stay below, by their peak over a turn; and the errors behind it, order by order."""
+
+    order_1_force_95: Newton | None = value("First-order force that 95 % of the engines stay below", "N", default=None)
+    order_1_couple_95: NewtonMetre | None = value(
+        "First-order couple that 95 % of the engines stay below", "N·m", default=None
+    )
+    order_2_force_95: Newton | None = value("Second-order force that 95 % of the engines stay below", "N", default=None)
+    order_2_couple_95: NewtonMetre | None = value(
+        "Second-order couple that 95 % of the engines stay below", "N·m", default=None
+    )
+    errors: dict[str, OrderScatter] = group(spread=True)
+    forces: dict[int, Array]  # of every engine what is left of each order, in rising order
+    couples: dict[int, Array]
+
+
+@result
 class SystemResult:
     """What all shafts leave, order by order (those at which a shaft turns), at its peak over a turn; and the roll about
     the crank's axis, of the shafts alone and beside the torque reaction of the engine's inertia."""
@@ -182,7 +207,7 @@ class SystemResult:
     roll_torque_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
     roll_left_order_2: NewtonMetre | None = value("Second-order roll left over", "N·m", "T_left", default=None)
     roll_left_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
-    scatter: "SystemScatter | None" = group(default=None, words="scatter")
+    scatter: SystemScatter | None = group(default=None, words="scatter")
     vectors: dict[int, OrderVectors]  # what is left, by order
 
 

@@ -12,6 +12,7 @@ from ..bearings.result import BearingsResult
 from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
 from ..bearings.speeds import highest_speed, of_journals
+from ..countershaft.checks import InPlace, swept
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
@@ -100,6 +101,19 @@ def twins_of(design: Design, original: str) -> dict[str, Resolved]:
 def sized_alike(design: Design, shaft: ShaftInputs) -> int:
     """How many shafts are sized for the ratio of this one, twins counted."""
     return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == shaft.speed_ratio for one in design.resolved)
+
+
+def shares(design: Design, shaft: ShaftInputs) -> bool:
+    """Whether another shaft turns like this one."""
+    return sum(one.inputs.speed_ratio == shaft.speed_ratio for one in turning(design)) > 1
+
+
+def in_place(design: Design, solved: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, InPlace]:
+    """Where every shaft turns, and what it sweeps."""
+    return {
+        shaft.name: InPlace(axis_of(shaft.inputs), swept(shaft.inputs, solved[shaft.name].solution.outline))
+        for shaft in turning(design)
+    }
 
 
 def beside(
