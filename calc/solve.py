@@ -180,11 +180,12 @@ def solve(
     nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what it
     gave decides all that is asked, the outcomes so far are returned."""
     kept = before.parts if before is not None and before.recorded >= recording.get() else {}
-    part = Parts(TITLES, kept, dict(design.without), stop=stop, enough=enough)
+    named = len(design.shafts) > 1
+    part = Parts(TITLES, kept, dict(design.without), stop=stop, enough=enough, named=named)
     try:
         solved = steps(part, design, compared)
     except Enough:
-        solved = Solved(part.outcomes, {})
+        solved = Solved(part.outcomes, part.of_shafts)
     outcomes = solved.steps
     results = Results(design, outcomes, solved.of_shafts, part.kept, recording.get())
     if design.measured:
@@ -373,6 +374,7 @@ def _told(
     """The steps in the order of the screen, with the cautions on their inputs, by the keys of this design; those of
     several shafts joined."""
     e, i, g, f, m = _in_place(design, with_doubts(design, others))
+    (sums,) = _in_place(design, (left,))
     of_shafts = dict[str, dict[str, Outcome[object]]]()
     for name, view in design.views.items():
         mine: list[Outcome[object]] = [each[name] for each in (c, b) if name in each]
@@ -382,7 +384,7 @@ def _told(
     }
     ratios = {shaft.name: shaft.inputs.speed_ratio for shaft in h.turning(design)}
     twins = {name: outcome for name, outcome in c.items() if name not in of_shafts}
-    whole = shafts.whole(own, twins, ratios, left) if c else left
+    whole = shafts.whole(own, twins, ratios, cast("Outcome[SystemResult]", sums)) if c else sums
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()})
     of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
     accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)

@@ -26,7 +26,8 @@ class Parts:
 
     `titles`: of the steps by key, in their order; `before`: what an earlier solve kept; `left_out`: the steps that the
     design does without, each with its reason; `stop` is asked before each part whether nobody waits for the results any
-    more, then Cancelled is raised; `enough` after each part whether its outcome decides all that is asked."""
+    more, then Cancelled is raised; `enough` after each part whether its outcome decides all that is asked; `named`:
+    whether the names of shafts stand in the ids of their checks."""
 
     def __init__(
         self,
@@ -36,9 +37,10 @@ class Parts:
         *,
         stop: Callable[[], bool],
         enough: Callable[[Outcome[object]], bool] | None,
+        named: bool = False,
     ) -> None:
         self.titles, self.before, self.left_out, self.stop, self.enough = titles, before, left_out, stop, enough
-        self.name = ""  # of the shaft whose parts are called
+        self.named, self.name = named, ""  # of the shaft whose parts are called
         self.kept: dict[str, Kept] = {}
         self.last: dict[tuple[str, str], Outcome[object]] = {}  # by step and shaft
 
@@ -67,9 +69,12 @@ class Parts:
                 reason = Text("the arithmetic breaks down ({error}); look for an extreme number", error=error)
                 outcome = Outcome(key, "no_solution", reason=reason)
         self.kept[name], self.last[key, self.name] = (arguments, outcome), outcome
-        if self.enough is not None and self.enough(outcome):
+        if self.enough is not None and self.enough(self._joined(key, {self.name: outcome})):
             raise Enough
         return outcome
+
+    def _joined(self, key: str, outcomes: Mapping[str, Outcome[object]]) -> Outcome[object]:
+        return joined(key, outcomes, None, named=self.named and "" not in outcomes)
 
     @property
     def outcomes(self) -> dict[str, Outcome[object]]:
@@ -80,9 +85,18 @@ class Parts:
         done: dict[str, Outcome[object]] = {}
         for key, outcomes in by_step.items():
             sums = outcomes.pop("", None) if len(outcomes) > 1 else None
-            done[key] = joined(key, outcomes, None)
+            done[key] = self._joined(key, outcomes)
             if sums is not None:
                 done[key] = beside(sums, done[key])
+        return done
+
+    @property
+    def of_shafts(self) -> dict[str, dict[str, Outcome[object]]]:
+        """The last outcomes of each shaft so far, by its name and the step."""
+        done: dict[str, dict[str, Outcome[object]]] = {}
+        for (key, name), outcome in self.last.items():
+            if name:
+                done.setdefault(name, {})[key] = outcome
         return done
 
     def absent(self, key: str, inputs: object, after: tuple[Outcome[object], ...]) -> Outcome[Never]:

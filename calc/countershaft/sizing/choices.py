@@ -3,7 +3,7 @@
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,6 +34,7 @@ from ...sheet.value import about, untraced
 from ..formulas import asked_product, asked_unbalance, shaft_speed
 from ..inputs import THREADED, Extra, ShaftInputs
 from ..making.inputs import Alternative, Cost
+from ..sums import SystemShaft
 from . import formulas as f
 from .formulas import first_year, radius_needed
 from .sectors import Sized, TooSmall, masses, remainder, size, task
@@ -357,10 +358,11 @@ def candidates(
 
 
 def asked(
-    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond
+    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, beside: Sequence[SystemShaft] = ()
 ) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2, RadPerSecond]:
-    """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns."""
-    todo = task(shaft.speed_ratio, imbalance)
+    """Unbalance and unbalance times position that the whole shaft needs, with given shafts `beside` it, and the speed
+    at which it turns."""
+    todo = task(shaft.speed_ratio, imbalance, beside)
     omega_S = shaft_speed(i=shaft.speed_ratio, omega=omega)
     U = asked_unbalance(F_like=todo.F, x_o=shaft.overdesign, omega=omega_S)
     return U, asked_product(C_like=todo.C, x_o=shaft.overdesign, omega=omega_S), omega_S
@@ -373,6 +375,7 @@ def choices(
     room: Envelope,
     materials: Mapping[str, tuple[Material, Euro | None]],
     progress: Progress | None = None,
+    beside: Sequence[SystemShaft] = (),
 ) -> Choices:
     """Shafts of every material from the smallest radius that serves to that of the envelope, the lightest first.
 
@@ -381,7 +384,7 @@ def choices(
     shafts: list[Choice] = []
     refused: dict[str, NoSolution] = {}
     with untraced():
-        U, P, omega_S = asked(shaft, imbalance, omega)
+        U, P, omega_S = asked(shaft, imbalance, omega, beside)
         for n, (name, (material, cost)) in enumerate(materials.items()):
             tell(progress, n / len(materials), Name(name))
             try:
