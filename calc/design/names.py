@@ -100,6 +100,7 @@ def written(value: object, unit: str = "") -> Text | Amount:
 # scenario) is a Name.
 
 NUMBERED_ID = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the order 1.5
+NUMBERED_STEPS = ("imbalance", "countershaft", "mounting")
 CHECKED = {  # parts that only checks have, and tables of inputs
     "engine.crank": Text("crank"),
     "engine.firing": Text("firing"),
@@ -173,7 +174,7 @@ def belongs(id: str) -> list[Text]:
         if step in OF_SHAFTS:  # behind the name of a shaft
             word = word or known.get(f"{step}.{part}")
         way = f"{way}.{part if word else '*'}"
-        if word is None and step in ("imbalance", "countershaft", "mounting") and (numbered := NUMBERED_ID.fullmatch(part)):
+        if word is None and step in NUMBERED_STEPS and (numbered := NUMBERED_ID.fullmatch(part)):
             kind, whole, more = numbered.groups()
             n = float(f"{whole}.{more}") if more else int(whole)
             word = Text("order {n}", n=n) if kind == "order" else Text("mode {n}", n=n)
