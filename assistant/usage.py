@@ -126,6 +126,9 @@ def choose(it: argparse.ArgumentParser) -> None:
         "gears: profile shifts and tip cuts by which the flanks slide least"
     )
     it.add_argument("step", metavar="STEP", help=steps)
+    it.add_argument(
+        "--shaft", metavar="NAME", help="countershaft, bearings: of which of several shafts (default: the worst)"
+    )
     it.add_argument("--json", action="store_true", help="print one JSON object")
     it.add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")
     it.add_argument("--apply", type=int, metavar="N", help="write row N into the design file")

@@ -206,6 +206,10 @@ class Design:
     def applications(self) -> tuple[str, ...]:
         return tuple(applications())
 
+    def title(self, step: str) -> Text:
+        """What a step is called in this design."""
+        return Text("Balance shafts") if step == "countershaft" and len(self.shafts) > 1 else TITLES[step]
+
     def asked(self) -> tuple[Step, ...]:
         return tuple(s for s in STEPS if getattr(self, s.key) is not None)
 
