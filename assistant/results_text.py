@@ -268,7 +268,7 @@ def _print_step(results: Results, outcome: Outcome[object], everything: bool) ->
     _print_values(blocks.pop(""), everything)
     for shaft, values in zip(shafts, blocks.values()):
         if values:
-            print(f"\n {_shaft_words(shaft)}")
+            print(f"\n {shaft_words(shaft)}")
             _print_values(values, everything)
     for table in outcome.tables:
         print()
@@ -290,7 +290,8 @@ def _print_step(results: Results, outcome: Outcome[object], everything: bool) ->
     print()
 
 
-def _shaft_words(shaft: Resolved) -> Text:
+def shaft_words(shaft: Resolved) -> Text:
+    """Its name, and what it is: turning so fast, or a twin of another."""
     if shaft.how == "mirrors":
         return Text("{name}, mirrors {other}", name=Name(shaft.name), other=Name(shaft.of or ""))
     if shaft.how == "repeats":

@@ -154,6 +154,15 @@ class Design:
         named = step == dotted(Design.shafts) or (len(self.shafts) > 1 and step in OF_SHAFTS)
         return name if named and name in self.views else ""
 
+    def of_original(self, id: str) -> str:
+        """The key or the id that a twin has of its original; the same where it is of no twin."""
+        step, _, rest = id.partition(".")
+        name, dot, rest = rest.partition(".")
+        twin = next((shaft for shaft in self.shafts if shaft.name == name and shaft.is_twin), None)
+        if twin is None or step not in (dotted(Design.shafts), *OF_SHAFTS):
+            return id
+        return f"{step}.{twin.mirrors or twin.repeats}{dot}{rest}"
+
     def ids_of(self, step: str, shaft: str) -> str:
         """How the ids of a step of one of its shafts begin."""
         return f"{step}.{shaft}" if len(self.shafts) > 1 else step
