@@ -143,6 +143,7 @@ def design(it: argparse.ArgumentParser) -> None:
     it.add_argument(
         "--out", metavar="FOLDER", help="where the drives are put, and what is known of them; the same again goes on"
     )
+    it.add_argument("--shaft", metavar="NAME", help="which of several shafts; its twins follow, others stay")
     it.add_argument(
         "--vary", action="extend", nargs="+", metavar="KEY=LO:HI:STEP", help="also KEY=VALUE,VALUE,… and KEY=fixed"
     )
