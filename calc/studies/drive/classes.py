@@ -279,12 +279,8 @@ def _line(problem: Problem, choices: dict[str, Any], rows: DriveRows) -> tuple[f
     for n in dict.fromkeys([int(rows.power.argmin()), int(rows.power.argmax())]):
         drive, results = whole(problem, sized(problem, choices, rows, n))
         if results is not None and drive.objectives:
-            points.append(
-                (
-                    float(rows.power[n]) if problem.cycle else journals_power(problem.seen(results)),
-                    drive.objectives["power"],
-                )
-            )
+            own = float(rows.power[n]) if problem.cycle else journals_power(problem.seen(results))
+            points.append((own, drive.objectives["power"]))
     if len(points) == 2 and points[1][0] > points[0][0]:
         slope = (points[1][1] - points[0][1]) / (points[1][0] - points[0][0])
         return points[0][1] - slope * points[0][0], slope
