@@ -67,14 +67,15 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         told = f"{about.label}{f', {about.unit}' if about.unit else ''}. {about.help}"
         print(fill(told, 116, initial_indent="    ", subsequent_indent="    "))
         return 0
+    of_shaft = asked.value.startswith(dotted(Design.shafts))
     if asked.value not in values and (own := design.of_original(asked.value)) != asked.value:
         name, original = asked.value.split(".")[1], own.split(".")[1]
         mirrored = any(shaft.name == name and shaft.mirrors for shaft in design.shafts)
         if not asked.json:
-            said = f"{asked.value}: that of {original}" + (", which it mirrors: angles turn over" if mirrored else "")
+            said = f"{asked.value}: that of {original}" + (", which it mirrors" if mirrored else "")
+            said += ": angles turn over" if mirrored and of_shaft else ""
             print(f"{said}\n")
         return _explain(Namespace(**{**vars(asked), "value": own}), document, design)
-    of_shaft = asked.value.startswith(dotted(Design.shafts))
     if asked.value not in values and of_shaft and (inner := _inside(document.data, asked.value)):
         for key, content in inner.items():
             print(f"{key} = {content}   an input" if content is not None else f"{key}   an input, left out")
