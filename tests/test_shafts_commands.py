@@ -187,7 +187,7 @@ def test_shafts_of_other_names_are_compared(two, tmp_path):
     found = json.loads(run("compare", two, tmp_path / "other.toml", "--json").stdout)
     values = {row["id"] for row in found["values"] if None not in (row["a"], row["b"])}
     assert "countershaft.left.force" in values
-    assert not any(".port." in row["id"] for row in found["values"])
+    assert not any(".port." in row["id"] for row in found["values"] if row["id"].startswith(("countershaft", "gears")))
 
 
 @pytest.mark.slow

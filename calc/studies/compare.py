@@ -168,9 +168,11 @@ def _ids(a: "Results", b: "Results", names: dict[str, str]) -> tuple[Callable[[s
     def named(design: Design, known: dict[str, str], id: str) -> str:
         step, _, rest = id.partition(".")
         name, _, rest = rest.partition(".")
-        if len(design.shafts) < 2 or step not in OF_SHAFTS or name not in known:
+        if len(design.shafts) < 2 or name not in known:
             return id
-        return f"{step}.{rest}" if alone else f"{step}.{known[name]}.{rest}"
+        if step in OF_SHAFTS and alone:
+            return f"{step}.{rest}"
+        return f"{step}.{known[name]}.{rest}" if step in (*OF_SHAFTS, dotted(Design.gears)) and not alone else id
 
     own = {name: name for name in names.values()}
     return partial(named, a.design, own), partial(named, b.design, names)
