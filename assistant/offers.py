@@ -2,14 +2,15 @@
 """What can be chosen for a step: a ranked table of rows that pass.  Used by `contralbero choose` and by the session."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from calc.bearings.selection import search as bearing_search
 from calc.bearings.selection import tables as bearing_tables
 from calc.bearings.selection.variants import SUPPLY
 from calc.countershaft.sizing import choices as sizing
+from calc.countershaft.sums import SystemShaft
 from calc.design.model import Design
-from calc.design.step_inputs import bearings_case, shaft_axes, sized_alike
+from calc.design.step_inputs import bearings_case, given_beside, shaft_axes, sized_alike
 from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.gears.selection import idler
@@ -23,9 +24,10 @@ from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress, part
 from calc.sheet.quantity import dotted
 from calc.sheet.remedy import Changes, assignments
-from calc.sheet.step import Table
-from calc.sheet.text import EMPTY, Amount, Text
-from calc.solve import solve
+from calc.sheet.step import OF_SHAFTS, Table
+from calc.sheet.text import EMPTY, Amount, Name, Text
+from calc.sheet.verdict import severity
+from calc.solve import Results, solve
 
 
 @dataclass(frozen=True)
@@ -77,15 +79,17 @@ def _engine(design: Design, file: str, progress: Progress | None = None) -> Offe
     )
 
 
-def _countershaft(design: Design, file: str, progress: Progress | None = None) -> Offer:
-    """Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
-    assert design.engine is not None and design.imbalance is not None and design.countershaft is not None
-    shaft = design.countershaft
+def _countershaft(design: Design, file: str, progress: Progress | None = None, name: str = "") -> Offer:
+    """Counter-shafts to choose from, for one shaft of the design and its twins: radii and materials in its envelope,
+    the lightest first."""
+    shaft = design.views[name].countershaft
+    assert design.engine is not None and design.imbalance is not None and shaft is not None
     room = sizing.envelope(shaft, file)
     materials = sizing.candidates(shaft, design.materials, file)
     e = engine.values(design.engine)
     i, alike = imbalance.values(design.imbalance, design.engine, e), sized_alike(design, shaft)
-    selection = sizing.choices(shaft, i, e.angular_speed, room, materials, progress, alike)
+    beside = _beside(design, name)
+    selection = sizing.choices(shaft, i, e.angular_speed, room, materials, progress, alike, beside)
 
     def said(number: int) -> Text:
         candidate = selection.shafts[number - 1]
@@ -107,11 +111,20 @@ def _countershaft(design: Design, file: str, progress: Progress | None = None) -
     )
 
 
-def _bearings(design: Design, file: str, progress: Progress | None = None) -> Offer:
-    """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the
-    worst corner."""
+def _beside(design: Design, name: str) -> tuple[SystemShaft, ...]:
+    """The given shafts beside one that is to be sized."""
+    if len(design.views) == 1:
+        return ()
+    return given_beside(
+        design, name, {other: view.outcomes["countershaft"] for other, view in solve(design).views.items()}
+    )
+
+
+def _bearings(design: Design, file: str, progress: Progress | None = None, name: str = "") -> Offer:
+    """Bearings to choose from, for one shaft of the design and its twins: lengths, clearances, oils and supplies that
+    fit the shaft and keep every rule at the worst corner."""
     assert design.bearings is not None
-    case = bearings_case(design, solve)
+    case = bearings_case(design, solve, shaft=name)
     selection = bearing_search.search(case, progress=progress)
 
     def taken(number: int) -> Changes:
@@ -236,7 +249,7 @@ def _mounting(design: Design, file: str, progress: Progress | None = None) -> Of
     )
 
 
-Search = Callable[[Design, str, Progress | None], Offer]
+Search = Callable[..., Offer]
 OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which tables it needs, why, and the search
     "engine": (("engine", "imbalance"), Text("firing orders are ranked by what they leave of the imbalance"), _engine),
     "countershaft": (
@@ -254,11 +267,51 @@ OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which ta
 }
 
 
-def offer(step: str, design: Design, file: str, progress: Progress | None = None) -> Offer:
-    """Search.  Raises BadInput where the design lacks what the search needs, NoSolution where there is nothing to
-    offer; `progress` may raise `Cancelled`."""
+def offer(step: str, design: Design, file: str, progress: Progress | None = None, shaft: str | None = None) -> Offer:
+    """Search; `shaft`: of which of several shafts, else of that whose limits are the worst.  Raises BadInput where the
+    design lacks what the search needs, NoSolution where there is nothing to offer; `progress` may raise `Cancelled`."""
     needed, why, search = OFFERS[step]
     missing = next((key for key in needed if getattr(design, key) is None), None)
     if missing is not None:
         raise BadInput(file, [InputError(0, missing, "", Text("needed: {why}", why=why))])
-    return search(design, file, progress)
+    if shaft is not None:
+        _known(step, design, shaft)
+    if step not in OF_SHAFTS:
+        return search(design, file, progress)
+    found = search(design, file, progress, name := shaft or _worst(step, design))
+    if len(design.views) == 1:
+        return found
+    twins = [Name(twin.name) for twin in design.shafts if name in (twin.mirrors, twin.repeats)]
+    names = Text(" and ").join([Name(name), *twins])
+    said = Text("Of the shaft {names}.", names=names)
+    if shaft is None:
+        said = Text("Of the shaft {names}, whose limits are the worst; --shaft NAME takes another.", names=names)
+    return replace(found, summary=(said, *found.summary))
+
+
+def _worst(step: str, design: Design) -> str:
+    """The shaft whose step has no solution, else the worst limit."""
+    first, *others = design.views
+    if not others:
+        return first
+
+    def worst(results: Results) -> tuple[bool, object]:
+        outcome = results.outcomes[step]
+        return outcome.state == "solved", min(map(severity, outcome.checks), default=())
+
+    views = solve(design).views
+    return min(views, key=lambda name: worst(views[name]))
+
+
+def _known(step: str, design: Design, shaft: str) -> None:
+    """Raises BadInput where there is no such shaft, or the step is of none."""
+    twin = next((each for each in design.shafts if each.name == shaft and each.is_twin), None)
+    if step not in OF_SHAFTS:
+        why = Text("is for countershaft and bearings alone")
+    elif twin is not None:
+        why = Text("is as {name}: choose for that", name=Name(twin.mirrors or twin.repeats or ""))
+    elif shaft not in design.views:
+        why = Text("is no shaft of this design; there are {names}", names=", ".join(design.views))
+    else:
+        return
+    raise BadInput("contralbero choose", [InputError(0, "--shaft", shaft, why)])

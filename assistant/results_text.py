@@ -5,27 +5,30 @@ import math
 import os
 import sys
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
 from difflib import get_close_matches
 from itertools import takewhile
 from typing import Any
 
+from calc.countershaft.twins import Resolved
 from calc.design.key_results import judged, outside
-from calc.design.model import OPTIONAL, STEPS, TITLES
+from calc.design.model import OPTIONAL
 from calc.design.predicted import measured_table
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
 from calc.library.publications import as_printed
 from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
-from calc.sheet.step import Outcome, Table, ignored
+from calc.sheet.quantity import Published
+from calc.sheet.step import OF_SHAFTS, Outcome, Table, ignored
 from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of, named, open_findings, severity, with_it
 from calc.sheet.version import VERSION
 from calc.solve import Results
 from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
+from calc.studies.headlines import heads
 from calc.studies.ready import limits_hold
 
 # --- findings, as plain text that fits a screen
@@ -223,7 +226,6 @@ def _width() -> int:
 
 DIGITS = 6
 HELD = ("pass", "warn", "not_judged")  # of which it is said what was judged, and what was not used
-HEADS = {step.key: step for step in STEPS}
 WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
 LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
@@ -244,7 +246,7 @@ def print_results(
     print(state_words(results, step))
     for key, outcome in results.outcomes.items():
         if outcome.state != "not_asked" and (findings if step is None else step == key):
-            _print_step(outcome.whole, everything)
+            _print_step(results, outcome.whole, everything)
     print_findings(results, step, findings)
     if results.design.measured and step is None and not findings:
         print("", *table_lines(measured_table(list(results.design.measured), results.predicted)), sep="\n")
@@ -255,17 +257,19 @@ def state_words(results: Results, step: str | None = None) -> Text:
     return results.words() if step is None else results.outcomes[step].words()
 
 
-def _print_step(outcome: Outcome[object], everything: bool) -> None:
-    print(f"{TITLES[outcome.key]}   {sign(outcome.verdict)}" + (f": {outcome.reason}" if outcome.reason else ""))
-    left_out, length = 0, 1.0
+def _print_step(results: Results, outcome: Outcome[object], everything: bool) -> None:
+    """Of several shafts first what is of all of them, then each under its name."""
+    title, reason = results.design.title(outcome.key), outcome.reason
+    print(f"{title}   {sign(outcome.verdict)}" + (f": {reason}" if reason else ""))
+    shafts = results.design.resolved if len(results.design.shafts) > 1 and outcome.key in OF_SHAFTS else ()
+    blocks: dict[str, list[Published]] = {"": [], **{f"{outcome.key}.{shaft.name}.": [] for shaft in shafts}}
     for value in outcome.values():
-        length = length if value.id.endswith("_phase") else value.shown
-        if not everything and length == 0 and value.unit in VECTORS:
-            left_out += 1
-            continue
-        print(f"  {value.id:<58} {short(value.shown, DIGITS):>14} {value.unit:<9} {value.label}")
-    if left_out:
-        print(f"  {left_out} forces, couples and phases that are zero are left out")
+        blocks[next((way for way in blocks if way and value.id.startswith(way)), "")].append(value)
+    _print_values(blocks.pop(""), everything)
+    for shaft, values in zip(shafts, blocks.values()):
+        if values:
+            print(f"\n {shaft_words(shaft)}")
+            _print_values(values, everything)
     for table in outcome.tables:
         print()
         for line in table_lines(table):
@@ -284,6 +288,27 @@ def _print_step(outcome: Outcome[object], everything: bool) -> None:
         if lack := check.lack_text():
             print(f"{INDENT}{lack}")
     print()
+
+
+def shaft_words(shaft: Resolved) -> Text:
+    """Its name, and what it is: turning so fast, or a twin of another."""
+    if shaft.how == "mirrors":
+        return Text("{name}, mirrors {other}", name=Name(shaft.name), other=Name(shaft.of or ""))
+    if shaft.how == "repeats":
+        return Text("{name}, repeats {other}", name=Name(shaft.name), other=Name(shaft.of or ""))
+    return Text("{name}, {ratio} × crank speed", name=Name(shaft.name), ratio=Amount(shaft.inputs.speed_ratio))
+
+
+def _print_values(values: Iterable[Published], everything: bool) -> None:
+    left_out, length = 0, 1.0
+    for value in values:
+        length = length if value.id.endswith("_phase") else value.shown
+        if not everything and length == 0 and value.unit in VECTORS:
+            left_out += 1
+            continue
+        print(f"  {value.id:<58} {short(value.shown, DIGITS):>14} {value.unit:<9} {value.label}")
+    if left_out:
+        print(f"  {left_out} forces, couples and phases that are zero are left out")
 
 
 def table_lines(table: Table) -> list[str]:
@@ -359,14 +384,12 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
     for key, outcome in shown.items():
         if key in OPTIONAL and outcome.state == "not_asked":
             continue
-        values = {value.id: value for value in outcome.values()}
-        heads = HEADS[key].heads(values)[:2]
         words = str(outcome.reason) or " · ".join(
-            f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads
+            f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads(results, key)[:2]
         )
         first, *rest = _wrapped(words, LINE - 30) or [""]
         print(
-            f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {first}".rstrip(),
+            f"{results.design.title(key):<14} {sign(outcome.verdict):<14} {first}".rstrip(),
             *(" " * 30 + line for line in rest),
             sep="\n",
         )

@@ -126,6 +126,9 @@ def choose(it: argparse.ArgumentParser) -> None:
         "gears: profile shifts and tip cuts by which the flanks slide least"
     )
     it.add_argument("step", metavar="STEP", help=steps)
+    it.add_argument(
+        "--shaft", metavar="NAME", help="countershaft, bearings: of which of several shafts (default: the worst)"
+    )
     it.add_argument("--json", action="store_true", help="print one JSON object")
     it.add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")
     it.add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
@@ -140,6 +143,7 @@ def design(it: argparse.ArgumentParser) -> None:
     it.add_argument(
         "--out", metavar="FOLDER", help="where the drives are put, and what is known of them; the same again goes on"
     )
+    it.add_argument("--shaft", metavar="NAME", help="which of several shafts; its twins follow, others stay")
     it.add_argument(
         "--vary", action="extend", nargs="+", metavar="KEY=LO:HI:STEP", help="also KEY=VALUE,VALUE,… and KEY=fixed"
     )

@@ -193,7 +193,7 @@ def solve(
     try:
         solved = steps(part, design, compared)
     except Enough:
-        solved = Solved(part.outcomes, {})
+        solved = Solved(part.outcomes, part.of_shafts)
     outcomes = solved.steps
     results = Results(design, outcomes, solved.of_shafts, part.kept, recording.get())
     if design.measured:
@@ -392,6 +392,7 @@ def _told(
     """The steps in the order of the screen, with the cautions on their inputs, by the keys of this design; those of
     several shafts joined."""
     e, i, g, f, m = _in_place(design, with_doubts(design, others))
+    (sums,) = _in_place(design, (left,))
     of_shafts = dict[str, dict[str, Outcome[object]]]()
     for name, view in design.views.items():
         mine: list[Outcome[object]] = [each[name] for each in (c, b) if name in each]
@@ -404,7 +405,7 @@ def _told(
     for shaft in h.turning(design):
         if shaft.of is not None and shaft.name in c:
             (twins[shaft.name],) = _in_place(replace(design, shafts=(shaft.inputs,)), (c[shaft.name],))
-    whole = shafts.whole(own, twins, ratios, left, named=len(design.shafts) > 1) if c else left
+    whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()})
     of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
     accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)

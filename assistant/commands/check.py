@@ -129,10 +129,14 @@ def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Desig
             continue
         with suppress(BadInput):  # of an element that has another name now
             asked[".".join(map(str, address(document.data, key, whole=True)))] = key
+
+    def as_asked(error: InputError) -> InputError:
+        return replace(error, key=asked[error.key], called="") if error.key in asked else error
+
     try:
         changed_design = design(document)
     except BadInput as bad:
-        raise BadInput(document.place, errors + [replace(e, key=asked.get(e.key, e.key)) for e in bad.errors]) from None
+        raise BadInput(document.place, errors + [as_asked(e) for e in bad.errors]) from None
     if errors:
         raise BadInput(document.place, errors)
     return document, changed_design

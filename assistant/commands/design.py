@@ -61,6 +61,8 @@ def own_keys(given: Namespace) -> dict[str, object]:
         keys["objectives"] = [objective.strip() for objective in given.objectives.split(",")]
     if given.limit:
         keys["limits"] = list(given.limit)
+    if given.shaft is not None:
+        keys["shaft"] = given.shaft
     if given.rows is not None:
         keys["rows"] = given.rows
     if given.seed is not None:

@@ -2,13 +2,17 @@
 """`contralbero explain`: the chain of formulas that leads to one value, back to the inputs."""
 
 import json
+import re
 from argparse import Namespace
+from collections.abc import Iterator
 from difflib import get_close_matches
 from textwrap import fill
 from typing import Any
 
 from assistant.commands.published import reference_lines
-from calc.design.addresses import every, quantity_of, value_at
+from assistant.results_text import shaft_words
+from calc.countershaft.result import CountershaftResult
+from calc.design.addresses import every, quantities, quantity_of, value_at
 from calc.design.key_results import outside
 from calc.design.model import Design
 from calc.design.toml_file import Document, load
@@ -20,13 +24,14 @@ from calc.library.publications import resolved
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.expression import line_json, line_text
 from calc.sheet.number import short
-from calc.sheet.quantity import Quantity, dotted
+from calc.sheet.quantity import Published, Quantity, dotted
 from calc.sheet.text import Text
 from calc.sheet.value import Line
 from calc.sheet.verdict import named
 from calc.solve import Results, solve
 from calc.studies.explain import Chains, Link, chain, origin, shortened
 
+ORDER = re.compile(r"order_(\d)")
 SCENARIOS = dotted(Design.friction, FrictionInputs.scenarios)
 
 
@@ -62,6 +67,19 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         told = f"{about.label}{f', {about.unit}' if about.unit else ''}. {about.help}"
         print(fill(told, 116, initial_indent="    ", subsequent_indent="    "))
         return 0
+    of_shaft = asked.value.startswith(dotted(Design.shafts))
+    if asked.value not in values and (own := design.of_original(asked.value)) != asked.value:
+        name, original = asked.value.split(".")[1], own.split(".")[1]
+        mirrored = any(shaft.name == name and shaft.mirrors for shaft in design.shafts)
+        if not asked.json:
+            said = f"{asked.value}: that of {original}" + (", which it mirrors" if mirrored else "")
+            said += ": angles turn over" if mirrored and of_shaft else ""
+            print(f"{said}\n")
+        return _explain(Namespace(**{**vars(asked), "value": own}), document, design)
+    if asked.value not in values and of_shaft and (inner := _inside(document.data, asked.value)):
+        for key, content in inner.items():
+            print(f"{key} = {content}   an input" if content is not None else f"{key}   an input, left out")
+        return 0
     if asked.value not in values:
         if (check := results.check(asked.value)) is not None:
             chains = Chains(results)
@@ -96,7 +114,21 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         return _scenario(asked, document, design)
     value = values[asked.value]
     head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}{_beyond(results, value.id)}"
+    head += "".join(f"\n  {part}" for part in _summed(results, value))
     return _print_chain(asked, design, head, chain(results, asked.value), origin(results, asked.value))
+
+
+def _summed(results: Results, value: Published) -> Iterator[str]:
+    """Of what all shafts give together those that are in it, each with its force and its couple."""
+    design, found = results.design, ORDER.search(value.id)
+    if len(design.shafts) < 2 or found is None or not value.id.startswith("countershaft."):
+        return
+    for shaft in design.resolved:
+        if abs(shaft.inputs.speed_ratio) == int(found[1]):
+            ids = [dotted("countershaft", shaft.name, x) for x in (CountershaftResult.force, CountershaftResult.couple)]
+            there = [results.values()[id] for id in ids if id in results.values()]
+            numbers = ", ".join(f"{v.id} {short(v.shown)} {v.unit}" for v in there)
+            yield f"{shaft_words(shaft)}: {numbers}"
 
 
 def _beyond(results: Results, id: str) -> str:
@@ -151,6 +183,11 @@ def _provenance(line: Line) -> dict[str, Any]:
             for c in origin.citations
         ],
     }
+
+
+def _inside(data: dict[str, Any], key: str) -> dict[str, object]:
+    """What the design file says at the keys of a table."""
+    return {inner: value_at(data, inner) for inner, _ in quantities(data) if inner.startswith(f"{key}.")}
 
 
 def _input(data: dict[str, Any], key: str) -> tuple[Quantity, dict[str, object]] | None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from assistant.results_text import results_json
 from assistant.session.saving import Draft, write_asked
 from calc.countershaft.result import CountershaftResult
+from calc.design.model import Design
 from calc.design.toml_file import Document
 from calc.gears.profile.drawing import LAYERS, train_drawing, wheel_drawing
 from calc.gears.profile.outline import CHORD_ERROR
@@ -20,6 +21,7 @@ from calc.mounting.operations import rows as transfer_rows
 from calc.mounting.result import MountingResult
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.progress import Progress
+from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
 from calc.solve import Results
 from calc.studies.drawings import sheets
@@ -43,22 +45,33 @@ def write_draft(
 
         write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
     else:
-        write_asked(
-            path, exported(path.suffix.lower().removeprefix("."), document, results, gears), inputs=[document.place]
-        )
+        for target, text in exported(path, document, results, gears).items():
+            write_asked(target, text, inputs=[document.place])
 
 
-def exported(kind: str, document: Document, results: Results, gears: bool = False) -> str:
-    """The text of a file of this kind.  A drawing is that of the shaft; of the train where `gears` says so, or where
-    there is no shaft.
+def exported(path: Path, document: Document, results: Results, gears: bool = False) -> dict[Path, str]:
+    """The text of the file that its ending says.  A drawing is that of the shaft, of several one each that is no twin;
+    of the train where `gears` says so, or where there is no shaft.
 
     Raises BadInput where there is nothing to draw, with what to add.
     """
+    kind = path.suffix.lower().removeprefix(".")
     if kind == "json":
-        return results_text(document, results)
+        return {path: results_text(document, results)}
     if kind == "csv":
-        return values_text(document, results)
-    return gears_text(document, results) if gears or draws_gears(results) else drawing_text(document, results)
+        return {path: values_text(document, results)}
+    if gears or draws_gears(results):
+        return {path: gears_text(document, results)}
+    return drawings(path, document, results)
+
+
+def drawings(path: Path, document: Document, results: Results) -> dict[Path, str]:
+    """The shaft as a DXF file; of several each that is no twin by itself, `-left` behind the name of the file.  Raises
+    BadInput where there is none to draw."""
+    views = results.views
+    if len(views) < 2:
+        return {path: drawing_text(document, next(iter(views.values()), results))}
+    return {path.with_stem(f"{path.stem}-{name}"): drawing_text(document, view, name) for name, view in views.items()}
 
 
 def draws_gears(results: Results) -> bool:
@@ -95,16 +108,18 @@ def transfer_text(document: Document, results: Results) -> str:
     return file.getvalue()
 
 
-def drawing_text(document: Document, results: Results) -> str:
-    """The shaft as a DXF file.  Raises BadInput where its outline is not known, with what to add."""
+def drawing_text(document: Document, results: Results, name: str = "") -> str:
+    """The shaft in view as a DXF file; `name`: of one of several.  Raises BadInput where its outline is not known, with
+    what to add."""
     shaft, outcome = results.design.countershaft, results.outcomes["countershaft"]
+    key = dotted(Design.shafts, name) if name else "countershaft"
     if shaft is None:
         raise BadInput(
             document.place,
             [
                 InputError(
                     0,
-                    "countershaft",
+                    key,
                     "",
                     Text("needed for a drawing: add [[shafts]], and {how}; or [gears]", how=HOW),
                 )
@@ -113,7 +128,7 @@ def drawing_text(document: Document, results: Results) -> str:
     if outcome.state != "solved":
         raise BadInput(
             document.place,
-            [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))],
+            [InputError(0, key, "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))],
         )
     solved = results.result(CountershaftResult)
     outline = solved.outline if solved is not None else None
@@ -123,7 +138,7 @@ def drawing_text(document: Document, results: Results) -> str:
             [
                 InputError(
                     0,
-                    "countershaft",
+                    key,
                     "",
                     Text(
                         "the shaft's outline is not known: {how}; `contralbero check {file} --step countershaft` "

@@ -75,6 +75,25 @@ def every(data: Table, key: str) -> list[str]:
     return [each for name in names for each in every(data, f"{before}.{name}.{after}")]
 
 
+def by_names(data: Table, key: str) -> str:
+    """A key with elements of arrays by index as one in which they go by their names, where they have one of their
+    own."""
+    parts: list[str] = []
+    here: object = data
+    for part in key.split("."):
+        items = here
+        if isinstance(items, list):
+            here = items[int(part)] if part.isdigit() and int(part) < len(items) else None
+            names = [as_table(item).get("name") for item in items]
+            name = as_table(here).get("name")
+            own = isinstance(name, str) and NAME.match(name) is not None and names.count(name) == 1
+            parts.append(str(name) if own else part)
+        else:
+            here = as_table(here).get(part)
+            parts.append(part)
+    return ".".join(parts)
+
+
 def _element(tables: list[object], part: str, key: str) -> int:
     """The index of the table that has this name, or this place."""
     called = [

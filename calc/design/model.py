@@ -128,6 +128,11 @@ class Design:
         return replace(own, paired=True)
 
     @property
+    def own_name(self) -> str:
+        """The name of the shaft that is no twin; empty where there is none."""
+        return self.own.name if self.own is not None else ""
+
+    @property
     def resolved(self) -> tuple[Resolved, ...]:
         """All shafts, each with its inputs as they are."""
         return resolved(self.shafts)
@@ -142,6 +147,27 @@ class Design:
             name: replace(self, shafts=tuple(s for s in self.shafts if name in (s.name, s.mirrors, s.repeats)))
             for name in own
         }
+
+    def shaft_of(self, id: str) -> str:
+        """The name of the shaft, no twin, that a key or the id of a value or a check is of; empty where it is of none,
+        or of all."""
+        step, _, rest = id.partition(".")
+        name = rest.partition(".")[0]
+        named = step == dotted(Design.shafts) or (len(self.shafts) > 1 and step in OF_SHAFTS)
+        return name if named and name in self.views else ""
+
+    def of_original(self, id: str) -> str:
+        """The key or the id that a twin has of its original; the same where it is of no twin."""
+        step, _, rest = id.partition(".")
+        name, dot, rest = rest.partition(".")
+        twin = next((shaft for shaft in self.shafts if shaft.name == name and shaft.is_twin), None)
+        if twin is None or step not in (dotted(Design.shafts), *OF_SHAFTS):
+            return id
+        return f"{step}.{twin.mirrors or twin.repeats}{dot}{rest}"
+
+    def ids_of(self, step: str, shaft: str) -> str:
+        """How the ids of a step of one of its shafts begin."""
+        return f"{step}.{shaft}" if len(self.shafts) > 1 else step
 
     def former_id(self, id: str) -> str:
         """What a value or check of the one shaft that is no twin was called while its name stood in no id, and what one
@@ -191,6 +217,10 @@ class Design:
     def applications(self) -> tuple[str, ...]:
         return tuple(applications())
 
+    def title(self, step: str) -> Text:
+        """What a step is called in this design."""
+        return Text("Balance shafts") if step == "countershaft" and len(self.shafts) > 1 else TITLES[step]
+
     def asked(self) -> tuple[Step, ...]:
         return tuple(s for s in STEPS if getattr(self, s.key) is not None)
 
@@ -209,10 +239,12 @@ class Design:
         return f"{SHAFT}.{key.removeprefix(own)}" if key.startswith(own) else key
 
     def in_place(self, key: str) -> tuple[str, ...]:
-        """The keys of this design that the key of a rule stands for: shafts.S is its own shaft, bearings.* each of that
-        shaft's bearings."""
+        """The keys of this design that the key of a rule stands for: shafts.S is each shaft that is no twin, bearings.*
+        each of that shaft's bearings."""
         if not key.startswith(SHAFT) or self.own is None:
             return (key,)
+        if len(views := self.views) > 1:
+            return tuple(each for view in views.values() for each in view.in_place(key))
         key = f"{self.own_key()}{key.removeprefix(SHAFT)}"
         each = f"{self.own_key(ShaftInputs.bearings)}.*"
         if not key.startswith(each):

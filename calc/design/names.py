@@ -16,7 +16,7 @@ from ..sheet.quantity import Published, dotted
 from ..sheet.remedy import Changes
 from ..sheet.step import OF_SHAFTS
 from ..sheet.text import COMMA, Amount, Name, Small, Text
-from .addresses import ARRAYS, called, in_array, place_words, quantity_of, value_at, within
+from .addresses import ARRAYS, called, in_array, own_shafts, place_words, quantity_of, value_at, within
 from .model import STEP_KEYS, Design
 from .toml_file import Document
 
@@ -29,13 +29,25 @@ DIGITS = 6
 
 def words(document: Document, results: "Results", changes: Changes) -> Text:
     """`document` and `results` are those before the changes.  A key that only makes room for another is not named."""
-    places = {key: place_words(key) for key in changes}
+    places = {key: (_shaft(document, key), place_words(key)) for key in changes}
     kept = [
         key
         for key, new in changes.items()
         if new is not None or not any(o != key and places[o] == places[key] for o in changes)
     ]
-    return COMMA.join(filter(None, (_change(document, results, key, changes[key]) for key in kept)))
+    told = [(key, _change(document, results, key, changes[key])) for key in kept]
+    return COMMA.join(_with_shaft(document, key, change) for key, change in told if change is not None)
+
+
+def _shaft(document: Document, key: str) -> str:
+    """The name of the shaft that a key is of, where there are several that are no twins; else empty."""
+    first, *parts = key.split(".")
+    return parts[0] if parts and first == dotted(Design.shafts) and len(own_shafts(document.data)) > 1 else ""
+
+
+def _with_shaft(document: Document, key: str, words: Text) -> Text:
+    name = _shaft(document, key)
+    return Text("{name}: {reason}", name=Name(name), reason=words) if name else words
 
 
 def _change(document: Document, results: "Results", key: str, new: object) -> Text | None:
@@ -58,7 +70,7 @@ def _change(document: Document, results: "Results", key: str, new: object) -> Te
 
 def named(document: Document, key: str) -> Text:
     """A key as the user knows it: the label of its field, and where it stands."""
-    return called(key, quantity_of(document.data, key))
+    return _with_shaft(document, key, called(key, quantity_of(document.data, key)))
 
 
 def published(results: "Results", key: str) -> Published | None:
@@ -66,7 +78,8 @@ def published(results: "Results", key: str) -> Published | None:
     `bearings.front.clearance`."""
     step = results.design.step_of(key)
     id = ".".join([step, *(part for part in within(key) if part not in ARRAYS)])
-    outcome = results.outcomes.get(step)
+    seen = results.views.get(results.design.shaft_of(key), results)
+    outcome = seen.outcomes.get(step)
     known = {value.id: value for value in outcome.values()} if outcome is not None else {}
     return known.get(id) or known.get(id.rpartition("_")[0])
 
@@ -87,7 +100,7 @@ def written(value: object, unit: str = "") -> Text | Amount:
 # scenario) is a Name.
 
 NUMBERED_ID = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the order 1.5
-WITH_ORDERS = ("imbalance", "countershaft", "mounting")
+NUMBERED_STEPS = ("imbalance", "countershaft", "mounting")
 CHECKED = {  # parts that only checks have, and tables of inputs
     "engine.crank": Text("crank"),
     "engine.firing": Text("firing"),
@@ -165,8 +178,10 @@ def belongs(id: str) -> list[Text]:
     way, known, words = step, _words(), []
     for part in parts:
         word = known.get(f"{way}.{part}") or known.get(f"{step}.**.{part}")
+        if step in OF_SHAFTS:  # behind the name of a shaft
+            word = word or known.get(f"{step}.{part}")
         way = f"{way}.{part if word else '*'}"
-        if word is None and step in WITH_ORDERS and (numbered := NUMBERED_ID.fullmatch(part)):
+        if word is None and step in NUMBERED_STEPS and (numbered := NUMBERED_ID.fullmatch(part)):
             kind, whole, more = numbered.groups()
             n = float(f"{whole}.{more}") if more else int(whole)
             word = Text("order {n}", n=n) if kind == "order" else Text("mode {n}", n=n)

@@ -161,6 +161,11 @@ class OptimiseInputs:
     objectives: list[str] | None = open_(
         "Objectives", default=None, help="Any of power, mass, seat, price, margin. Left out: all that are known."
     )
+    shaft: str | None = text(
+        "Shaft that is searched",
+        default=None,
+        help="The name of one that is no twin; its twins follow, others stay as they are. Left out: the only one.",
+    )
     rows: int = integer("Drives that are solved whole and saved", default=60, within=(1, 2000))
     seed: int = integer(
         "Seed", default=1, within=(0, 2**31), help="Of the search without proof; the other has no chance in it."

@@ -169,9 +169,11 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
     changed = replace(design, engine=engine, measured=())
     if bearings is None:
         return changed
-    if (shaft := design.own) is not None:
-        clearances = [values.get(dotted(Design.bearings, row.name, BearingResult.clearance)) for row in shaft.bearings]
-        changed = changed.with_shaft(replace(shaft, bearings=tuple(map(_as_made, shaft.bearings, clearances))))
+    for name, view in design.views.items():
+        ids = design.ids_of(dotted(Design.bearings), name)
+        clearances = [values.get(dotted(ids, row.name, BearingResult.clearance)) for row in view.rows]
+        if view.own is not None:
+            changed = changed.with_shaft(replace(view.own, bearings=tuple(map(_as_made, view.rows, clearances))))
     if design.engine.bench:
         run = sorted(design.engine.bench, key=lambda row: row.speed)
         if run[0].speed <= speed <= run[-1].speed:

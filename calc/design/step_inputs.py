@@ -126,6 +126,17 @@ def beside(
     return system_shafts(design, {name: outcome for name, outcome in solved.items() if name in given})
 
 
+def given_beside(design: Design, name: str, solved: Mapping[str, Outcome[Any]]) -> tuple[SystemShaft, ...]:
+    """What a shaft would have beside it if it were sized, of shafts that are solved, by the names of those that are no
+    twins."""
+    every = dict(solved)
+    for shaft in in_order(design):
+        if shaft.name in solved:
+            every |= twins(design, shaft, solved[shaft.name])
+    mine = [shaft.name for shaft in turning(design) if name in (shaft.name, shaft.of) or shaft.inputs.mode == "size"]
+    return system_shafts(design, {other: outcome for other, outcome in every.items() if other not in mine})
+
+
 def system_shafts(
     design: Design, solved: Mapping[str, Outcome[CountershaftResult]], teeth: bool = False
 ) -> tuple[SystemShaft, ...]:
@@ -451,15 +462,18 @@ def _free_turn(name: str, train: TrainResult | None) -> float | None:
     return train.shafts[name].phase_error if by_chance is None else by_chance
 
 
-def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None) -> "SelectionCase":
-    """A design put as the question that the search for bearings answers.
+def bearings_case(
+    design: Design, solve: Callable[..., Any], results: Any = None, shaft: str | None = None
+) -> "SelectionCase":
+    """A design put as the question that the search for bearings answers, of those of one shaft.
 
     `solve`: that of the program, which stands above this room.  `results`: of the design, where it is solved already.
-    Raises NoSolution where it has no bearings."""
+    `shaft`: one that is no twin, else the first.  Raises NoSolution where there are no bearings."""
     if design.bearings is None:
         lacks = Text("the design has no [bearings]")
         raise NoSolution(Text("there are no bearings to choose"), lacks, Text("give the table"))
-    own = design.own
+    view = design.views[shaft] if shaft is not None else next(iter(design.views.values()))
+    own = view.own
     assert own is not None  # bearings stand in its rows
     if len(own.bearings) != 2:
         three = Text("the shaft has {n}, which share its load", n=len(own.bearings))
@@ -469,16 +483,19 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     gear = shaft_gear(design, done.result(TrainResult), own.name)
 
     def with_bearings(bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Any:
-        enough = (lambda outcome: outcome.key == "bearings") if last else None
+        solved = iter(design.views)  # one by one, in this order
+        enough = (lambda outcome: outcome.key == "bearings" and next(solved) == own.name) if last else None
         changed = replace(design, bearings=bearings).with_shaft(replace(own, bearings=rows))
         with recorded(False):
             return solve(changed, done, enough=enough)
 
     return SelectionCase(
         design.bearings,
+        own.name,
+        f"{design.ids_of('bearings', own.name)}.",
         own.bearings,
-        design.own_key(ShaftInputs.bearings),
-        design.countershaft,
+        view.own_key(ShaftInputs.bearings),
+        view.countershaft,
         design.oils,
         tuple(oil.name for oil in design.oil),
         gear.tip_diameter if gear else None,

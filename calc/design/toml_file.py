@@ -24,7 +24,20 @@ from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.toml_scan import Beyond, key_lines, remarks
 from ..sheet.value import linked
-from .addresses import NAME, Table, address, as_list, as_table, changed, every, join, unjudged, value_at, written
+from .addresses import (
+    NAME,
+    Table,
+    address,
+    as_list,
+    as_table,
+    by_names,
+    changed,
+    every,
+    join,
+    unjudged,
+    value_at,
+    written,
+)
 from .disk import read_file
 from .limits import DESIGN_BYTES
 from .model import SCHEMA, Design
@@ -253,8 +266,10 @@ class _Reader:
     def error(self, key: str, value: object, reason: Text, kind: str = "text") -> object:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
         if not _lies_within(key, self.told):
-            named = own_key(self.was, key)
-            self.errors.append(InputError(self.line(key), named, "" if value is None else written(value), reason))
+            own, words = own_key(self.was, key), "" if value is None else written(value)
+            of_shaft = own == key and key.startswith(f"{dotted(Design.shafts)}.")
+            called = by_names(self.document.data, key) if of_shaft else ""
+            self.errors.append(InputError(self.line(key), own, words, reason, called))
         self.wrong.add(key)
         return PLACEHOLDER[kind]
 

@@ -22,7 +22,7 @@ from ..sheet.quantity import Quantity, described, dotted, given
 from ..sheet.record import record
 from ..sheet.remedy import Change, Remedy, remedy, whole
 from ..sheet.step import Outcome
-from ..sheet.text import EMPTY, SEMICOLON, Amount, Text, alternatives, plural
+from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text, alternatives, plural
 from .addresses import called, within
 from .model import STEP_KEYS, Design
 
@@ -61,13 +61,15 @@ class Unusual:
     beyond: float
     far: bool
     content: Any
+    shaft: str = ""  # the name of that of several that it is of
 
     @property
     def words(self) -> Text:
         low, high = self.usual
+        input = called(self.key, self.about)
         return Text(
             "{input} {value} (usual {low} to {high})",
-            input=called(self.key, self.about),
+            input=Text("{name}: {words}", name=Name(self.shaft), words=input) if self.shaft else input,
             value=Amount(self.number, self.about.unit),
             low=Amount(low),
             high=Amount(high),
@@ -78,8 +80,10 @@ def unusual(design: Design, steps: Iterable[str] = STEP_KEYS, checks: Iterable[C
     """The furthest outside first, without what one of the `checks` says already.  Ranges are those that the form shows
     beside a field."""
     known = {check.id for check in checks if check.rule.of_input}
-    outliers = {x.key: x for step in steps for x in _of_step(design, step) if _id(step, x) not in known}
-    return sorted(outliers.values(), key=lambda outlier: -outlier.beyond)
+    several = len(design.views) > 1
+    outliers = {x.key: x for step in steps for x in _of_step(design, step) if _id(design, step, x) not in known}
+    found = [replace(x, shaft=design.shaft_of(x.key)) if several else x for x in outliers.values()]
+    return sorted(found, key=lambda outlier: -outlier.beyond)
 
 
 def _of_step(design: Design, step: str) -> Iterator[Unusual]:
@@ -141,8 +145,9 @@ FAR_OUTSIDE = {
 }
 
 
-def _id(step: str, outlier: Unusual) -> str:
-    return FAR_OUTSIDE[step].of(_at(outlier.key))
+def _id(design: Design, step: str, outlier: Unusual) -> str:
+    id, shaft = FAR_OUTSIDE[step].of(_at(outlier.key)), design.shaft_of(outlier.key)
+    return design.ids_of(step, shaft) + id.removeprefix(step) if shaft else id
 
 
 def _at(key: str) -> str:

@@ -10,16 +10,19 @@ SHOWN_ERRORS = 50  # of one reading
 
 @record
 class InputError:
-    """One mistake in the input: its line (0: none), its key, the value found, and the reason with what is allowed."""
+    """One mistake in the input: its line (0: none), its key, the value found, and the reason with what is allowed.
+
+    `called`: the key as it is told, where elements of arrays stand by their names and not by index; empty: as it is."""
 
     line: int
     key: str
     value: str
     reason: Text
+    called: str = ""
 
     def text(self, place: str) -> Text:
         where = f"{place}:{self.line}" if self.line else place
-        prefix = ": ".join(visible(part) for part in (where, self.key, self.value) if part)
+        prefix = ": ".join(visible(part) for part in (where, self.called or self.key, self.value) if part)
         return Text("{where}: {reason}", where=prefix, reason=self.reason)
 
 

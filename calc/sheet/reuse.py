@@ -74,6 +74,9 @@ class Parts:
             raise Enough
         return outcome
 
+    def _joined(self, key: str, outcomes: Mapping[str, Outcome[object]]) -> Outcome[object]:
+        return joined(key, outcomes, None, named=self.named and "" not in outcomes)
+
     @property
     def outcomes(self) -> dict[str, Outcome[object]]:
         """The last outcome of each step so far; of several shafts joined."""
@@ -86,6 +89,15 @@ class Parts:
             return sums
         shafts: Outcome[object] = joined(key, of_shafts, None, named=self.named)
         return shafts if sums is None else beside(sums, shafts)
+
+    @property
+    def of_shafts(self) -> dict[str, dict[str, Outcome[object]]]:
+        """The last outcomes of each shaft so far, by its name and the step."""
+        done: dict[str, dict[str, Outcome[object]]] = {}
+        for (key, name), outcome in self.last.items():
+            if name:
+                done.setdefault(name, {})[key] = outcome
+        return done
 
     def absent(self, key: str, inputs: object, after: tuple[Outcome[object], ...]) -> Outcome[Never]:
         """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after`

@@ -5,16 +5,19 @@ Nothing is solved here.  A and B change places without changing what is found: e
 symmetric."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
+from ..countershaft.inputs import ShaftInputs
 from ..design.addresses import Table, as_list, as_table
 from ..design.key_results import is_least, judged, key_results
 from ..design.model import STEPS, Design, step_of
 from ..design.unusual import told, unusual
 from ..sheet.check import ORDER, Check
-from ..sheet.quantity import Published, Quantity, dotted, keys
+from ..sheet.quantity import Published, Quantity, described, dotted, keys
+from ..sheet.step import OF_SHAFTS
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.verdict import Counts, design_state, step_state
 
@@ -74,7 +77,8 @@ def _keys(cls: type, a: Table, b: Table, prefix: str, within: str = "") -> Itera
             continue
         here = f"{prefix}{key}"
         if about.kind == "tables":
-            yield from _elements(about, as_list(mine), as_list(theirs), here, within)
+            theirs = _renamed(as_list(mine), as_list(theirs)) if about is SHAFTS else as_list(theirs)
+            yield from _elements(about, as_list(mine), theirs, here, within)
         elif about.kind == "reasons":
             first, other = as_table(mine), as_table(theirs)
             for id in first | other:
@@ -116,6 +120,62 @@ def _elements(about: Quantity, a: list[object], b: list[object], here: str, with
 
 def _named(items: list[object]) -> dict[str, Table]:
     return {str(item.get("name", n)): item for n, item in enumerate(map(as_table, items))}
+
+
+# --- shafts that have other names in the other design
+
+SHAFTS = described(Design.shafts)
+
+
+def matched(a: list[object], b: list[object]) -> dict[str, str]:
+    """The shafts of B by what those of A are called: of the same name, else of the same ratio on the same side."""
+    mine, theirs = _placed(a), _placed(b)
+    names = {name: name for name in theirs if name in mine}
+    for name, place in theirs.items():
+        free = [other for other, there in mine.items() if there == place and other not in names.values()]
+        if name not in names and free:
+            names[name] = free[0]
+    return names
+
+
+def _placed(shafts: list[object]) -> dict[str, tuple[float, float]]:
+    """How fast each shaft turns, and on which side of the crank, 0: it is not known."""
+    places: dict[str, tuple[float, float]] = {}
+    for name, shaft in _named(shafts).items():
+        original = places.get(str(shaft.get(dotted(ShaftInputs.mirrors), shaft.get(dotted(ShaftInputs.repeats), ""))))
+        ratio, side = shaft.get(dotted(ShaftInputs.speed_ratio), -1.0), 0.0
+        if original is not None:
+            turned = -1.0 if dotted(ShaftInputs.mirrors) in shaft else 1.0
+            ratio, side = turned * original[0], turned * original[1]
+        axis = as_list(shaft.get(dotted(ShaftInputs.axis)))
+        if len(axis) == 2 and isinstance(axis[1], (int, float)):
+            side = float(axis[1] > 0) - float(axis[1] < 0)
+        places[name] = float(ratio) if isinstance(ratio, (int, float)) else 0.0, side
+    return places
+
+
+def _renamed(a: list[object], b: list[object]) -> list[object]:
+    """The shafts of B under the names of those of A."""
+    names = matched(a, b)
+    return [{**as_table(shaft), dotted(ShaftInputs.name): names.get(name, name)} for name, shaft in _named(b).items()]
+
+
+def _ids(a: "Results", b: "Results", names: dict[str, str]) -> tuple[Callable[[str], str], Callable[[str], str]]:
+    """What the ids of A and of B are called where they are compared: by the names that the shafts have in A, of which
+    none stands in an id where one of the designs has one shaft."""
+    alone = min(len(a.design.shafts), len(b.design.shafts)) == 1
+
+    def named(design: Design, known: dict[str, str], id: str) -> str:
+        step, _, rest = id.partition(".")
+        name, _, rest = rest.partition(".")
+        if len(design.shafts) < 2 or name not in known:
+            return id
+        if step in OF_SHAFTS and alone:
+            return f"{step}.{rest}"
+        return f"{step}.{known[name]}.{rest}" if step in (*OF_SHAFTS, dotted(Design.gears)) and not alone else id
+
+    own = {name: name for name in names.values()}
+    return partial(named, a.design, own), partial(named, b.design, names)
 
 
 def _called(item: Table) -> str:
@@ -316,11 +376,13 @@ class Comparison:
 
 def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
     """Compare two designs: the tables of their files, and what they gave."""
+    key = dotted(Design.shafts)
+    ids = _ids(results_a, results_b, matched(as_list(a.get(key)), as_list(b.get(key))))
     return Comparison(
         tuple(inputs(a, b)),
         tuple(StepVerdicts(s.key, s.title, _judged(results_a, s.key), _judged(results_b, s.key)) for s in STEPS),
-        tuple(_checks(results_a, results_b, same)),
-        tuple(_values(results_a, results_b, same)),
+        tuple(_checks(results_a, results_b, same, ids)),
+        tuple(_values(results_a, results_b, same, ids)),
         tuple(_key_results(results_a, results_b)),
         (_unusual(results_a), _unusual(results_b)),
         (results_a.verdict, results_b.verdict),
@@ -351,10 +413,13 @@ def _judged(results: "Results", step: str) -> Judged:
     return Judged(outcome.verdict, outcome.counts, outcome.reason, unaccepted)
 
 
-def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
+Named = tuple[Callable[[str], str], Callable[[str], str]]  # what the ids of both designs are called
+
+
+def _checks(a: "Results", b: "Results", same: float, ids: Named) -> list[CheckDifference]:
     differences: list[CheckDifference] = []
     for step in STEPS:
-        mine, theirs = ({c.id: c for c in results.outcomes[step.key].checks} for results in (a, b))
+        mine, theirs = ({name(c.id): c for c in r.outcomes[step.key].checks} for r, name in zip((a, b), ids))
         either = (*mine.values(), *theirs.values())
         floors = size_of_nothing((c.unit, x) for c in either for x in (c.value, *_limits(c)))
         differ = []
@@ -379,10 +444,10 @@ def _limits(check: Check) -> tuple[float, ...]:
     return check.limit if isinstance(check.limit, tuple) else (check.limit,)
 
 
-def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
+def _values(a: "Results", b: "Results", same: float, ids: Named) -> list[ValueDifference]:
     differences: list[ValueDifference] = []
     for step in STEPS:
-        mine, theirs = ({v.id: v for v in results.outcomes[step.key].values()} for results in (a, b))
+        mine, theirs = ({name(v.id): v for v in r.outcomes[step.key].values()} for r, name in zip((a, b), ids))
         floors = size_of_nothing((v.unit, v.shown) for v in (*mine.values(), *theirs.values()))
         differ = []
         for id in united(mine, theirs):
@@ -398,8 +463,16 @@ def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
             if size > same or (first is not None and first.unit != either.unit):
                 a_shown, b_shown = (v.shown if v is not None else None for v in (first, other))
                 differ.append(ValueDifference(id, either.label, either.unit, a_shown, b_shown, size))
-        differences += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))
+        sums = {d.id for d in differ if not any(map(partial(_of_shaft, d.id), (a.design, b.design)))}
+        differences += sorted(differ, key=lambda d: (d.id not in sums, not d.both, -d.relative if d.both else 0.0))
     return differences
+
+
+def _of_shaft(id: str, design: Design) -> bool:
+    """Whether a value is of one of several shafts, and not of what all of them give together."""
+    step, _, rest = id.partition(".")
+    several = len(design.shafts) > 1 and step in OF_SHAFTS
+    return several and rest.partition(".")[0] in [shaft.name for shaft in design.shafts]
 
 
 def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:

@@ -10,7 +10,7 @@ from ..design.model import TITLES, Design
 from ..engine.formulas import stroke
 from ..sheet.quantity import dotted
 from ..sheet.record import record
-from ..sheet.text import COMMA, Amount, Name, Text, plural
+from ..sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
 
 LAYOUTS = {"inline": Text("inline"), "vee": Text("vee"), "boxer": Text("boxer")}
 DASH = Text(" – ")
@@ -32,29 +32,12 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
                 stroke=_mm(stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)),
             ),
         )
-    if (shaft := design.countershaft) is not None:
-        front, rear = shaft.bearing_positions[0], shaft.bearing_positions[-1]
-        yield (
-            TITLES["countershaft"],
-            Text(
-                "{material}, {ratio} × crank speed, bearings {span} apart, outer radius {radius}"
-                if shaft.outer_radius is not None
-                else "{material}, {ratio} × crank speed, bearings {span} apart",
-                material=Name(shaft.material),
-                ratio=Amount(shaft.speed_ratio),
-                span=_mm(rear - front),
-                radius=_mm(shaft.outer_radius or 0.0),
-            ),
-        )
+    views = [view for view in design.views.values() if view.countershaft is not None]
+    if shafts := SEMICOLON.join(_of_shaft(design, view.own_name, _shaft(view)) for view in views):
+        yield design.title("countershaft"), shafts
     if (bearings := design.bearings) is not None:
-        yield (
-            TITLES["bearings"],
-            Text(
-                "{sizes}; oil {oil}",
-                sizes=COMMA.join(Text("{row} {size}", row=called(row.name), size=_size(row)) for row in design.rows),
-                oil=Name(bearings.oil),
-            ),
-        )
+        rows = SEMICOLON.join(_of_shaft(design, name, _rows(view)) for name, view in design.views.items())
+        yield TITLES["bearings"], Text("{sizes}; oil {oil}", sizes=rows, oil=Name(bearings.oil))
     if (gears := design.gears) is not None:
         teeth = DASH.join(Text("{name} {teeth}", name=Name(wheel.name), teeth=wheel.teeth) for wheel in gears.wheels)
         yield (
@@ -70,6 +53,33 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
         )
     if load := COMMA.join(_load_case(design)):
         yield Text("Load case"), load
+
+
+def _of_shaft(design: Design, name: str, words: Text) -> Text:
+    """With the name of the shaft before it, where there are several, and those of its twins."""
+    if len(design.shafts) < 2:
+        return words
+    twins = [Name(shaft.name) for shaft in design.shafts if name in (shaft.mirrors, shaft.repeats)]
+    names = Text(" and ").join([Name(name), *twins])
+    return Text("{name}: {reason}", name=names, reason=words)
+
+
+def _shaft(view: Design) -> Text:
+    shaft = view.countershaft
+    assert shaft is not None
+    return Text(
+        "{material}, {ratio} × crank speed, bearings {span} apart, outer radius {radius}"
+        if shaft.outer_radius is not None
+        else "{material}, {ratio} × crank speed, bearings {span} apart",
+        material=Name(shaft.material),
+        ratio=Amount(shaft.speed_ratio),
+        span=_mm(shaft.bearing_positions[-1] - shaft.bearing_positions[0]),
+        radius=_mm(shaft.outer_radius or 0.0),
+    )
+
+
+def _rows(view: Design) -> Text:
+    return COMMA.join(Text("{row} {size}", row=called(row.name), size=_size(row)) for row in view.rows)
 
 
 def _load_case(design: Design) -> Iterator[Text]:

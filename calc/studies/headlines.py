@@ -6,8 +6,10 @@ from collections.abc import Callable, Iterator, Mapping
 
 from ..bearings.result import BearingResult
 from ..countershaft.result import CountershaftResult
+from ..countershaft.rows import called
+from ..countershaft.shafts import ShaftsResult
 from ..countershaft.sums import SystemResult
-from ..design.model import Design
+from ..design.model import STEPS, Design
 from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
 from ..gears.rating.result import MeshStrength
@@ -19,9 +21,17 @@ from ..mounting.result import PointLevel
 from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
-from ..sheet.text import Amount, Name, Text
+from ..sheet.text import SPACE, Amount, Name, Text
 from ..sheet.verdict import closest
 from ..solve import Results
+
+# what the shaft leaves of an order's couple and force, and what there is before
+LEFT = (
+    (1, SystemResult.residual_order_1_couple, Order.couple_peak),
+    (1, SystemResult.residual_order_1_force, Order.force_peak),
+    (2, SystemResult.residual_order_2_couple, Order.couple_peak),
+    (2, SystemResult.residual_order_2_force, Order.force_peak),
+)
 
 
 @record
@@ -43,16 +53,32 @@ def headline(results: Results, key: str) -> Headline | None:
         return None
     first = next((group[0] for group in outcome.causes), None)
     if first is not None and first.kind == "limit" and first.verdict in ("fail", "not_verified"):
-        return of_check(first)
+        return of_check(first, results.design)
     if key in GIVES and (text := GIVES[key](results)) is not None:
         return Headline(text, text)
     deciding = [check for check in outcome.checks if check.rule.decides]
-    return of_check(min(deciding, key=lambda c: c.margin)) if deciding else None
+    return of_check(min(deciding, key=lambda c: c.margin), results.design) if deciding else None
 
 
-def of_check(check: Check) -> Headline:
-    """`film 7.41 of 9 µm`; `fatigue not verified` of a check that has no value."""
+def heads(results: Results, key: str) -> list[Published]:
+    """The values that stand for a step, those that say most first: of several shafts what all leave, and the thinnest
+    films."""
+    if len(results.design.shafts) > 1 and key == "countershaft":
+        left = [(n, results.value(field)) for n, field, _ in LEFT]
+        return sorted((v for _, v in left if v is not None and v.shown), key=lambda v: v.unit != "N")
+    if len(results.design.shafts) > 1 and key == "bearings":
+        return sorted(results.values_of(BearingResult.film_edge), key=lambda v: v.shown)
+    own = {value.id: value for value in results.outcomes[key].values()}
+    return next(step for step in STEPS if step.key == key).heads(own)
+
+
+def of_check(check: Check, design: Design | None = None) -> Headline:
+    """`film 7.41 of 9 µm`, of one of several shafts `left front film 7.41 of 9 µm`; `fatigue not verified` of a check
+    that has no value."""
     word, limit = check.rule.short or check.name, check.nearest[1]
+    if design is not None and (name := design.shaft_of(check.id)) and len(design.shafts) > 1 and check.rule.short:
+        where = check.id.removeprefix(f"{check.id.partition('.')[0]}.{name}.").split(".")[:-1]
+        word = SPACE.join([Name(name), *map(called, where), word])
     if math.isnan(check.value):
         words = Text("{word} not verified", word=word)
         return Headline(words, words, None, check)
@@ -81,11 +107,24 @@ def _engine(results: Results) -> Text | None:
 
 def _imbalance(results: Results) -> Text | None:
     balance = _balance(results)
-    return Text("shaft {size}", size=balance[1]) if balance is not None else None
+    if balance is None or len(results.design.shafts) > 1:  # which say it themselves
+        return None
+    return Text("shaft {size}", size=balance[1])
+
+
+def _countershaft(results: Results) -> Text | None:
+    """Of several shafts what they leave: `force 10618 → 2081 N`."""
+    balance = _balance(results)
+    if balance is None or len(results.design.shafts) < 2:
+        return None
+    return Text("{word} {size}", word=balance[0], size=balance[1])
 
 
 def _balance(results: Results) -> tuple[Text, Text] | None:
-    """What the crank asks for, a couple or a force, and what the shaft leaves of it."""
+    """What the crank asks for, a couple or a force, and what the shaft leaves of it; of several shafts what most is
+    taken of."""
+    if len(results.design.shafts) > 1:
+        return _balance_of_shafts(results)
     couple = ImbalanceResult.required_couple, SystemResult.residual_order_1_couple
     force = ImbalanceResult.required_force, SystemResult.residual_order_1_force
     for kind, word in ((couple, Text("couple for the shaft")), (force, Text("force for the shaft"))):
@@ -96,6 +135,21 @@ def _balance(results: Results) -> tuple[Text, Text] | None:
             left = Amount(after.shown, before.unit, form=".0f" if before.shown >= 10 * after.shown else ".3g")
             return word, Text("{before} → {after}", before=Amount(before.shown, digits=3), after=left)
     return None
+
+
+def _balance_of_shafts(results: Results) -> tuple[Text, Text] | None:
+    taken = []
+    for n, field, peak in LEFT:
+        before, after = results.values().get(dotted(Design.imbalance, f"order_{n}", peak)), results.value(field)
+        if before is not None and after is not None and before.shown:
+            size = Text(
+                "{before} → {after}",
+                before=Amount(before.shown, form=".0f"),
+                after=Amount(after.shown, after.unit, form=".0f"),
+            )
+            word = Text("force") if after.unit == "N" else Text("couple")
+            taken.append((after.unit != "N", after.shown - before.shown, word, size))
+    return min(taken, key=lambda way: way[:2])[2:] if taken else None
 
 
 def _backlash(results: Results) -> Text | None:
@@ -137,6 +191,7 @@ def _mounting(results: Results) -> Text | None:
 GIVES: Mapping[str, Callable[[Results], Text | None]] = {
     "engine": _engine,
     "imbalance": _imbalance,
+    "countershaft": _countershaft,
     "gears": _gears,
     "friction": _friction,
     "mounting": _mounting,
@@ -159,10 +214,13 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
     numbers: list[tuple[Text, Text | Amount | None]] = []
     if (balance := _balance(results)) is not None:
         numbers.append(balance)
-    if (mass := shown(CountershaftResult.mass)) is not None and design.countershaft is not None:
-        outer = design.countershaft.outer_radius
+    alone = design.countershaft if len(design.shafts) == 1 else None
+    if alone is not None and (mass := shown(CountershaftResult.mass)) is not None:
+        outer = alone.outer_radius
         size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass
         numbers.append((Text("shaft"), size))
+    elif (mass := shown(ShaftsResult.shaft_mass)) is not None:
+        numbers.append((Text("all shafts"), mass))
     slopes = results.values_of(CountershaftResult.slopes)
     numbers += [
         (Text("slope"), extreme(max, slopes)),
@@ -172,6 +230,8 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
     if len(edges) == 2:
         front, rear = Amount(edges[0].shown, digits=3), Amount(edges[1].shown, edges[1].unit, digits=3)
         numbers.append((Text("films at the edge"), Text("{front} / {rear}", front=front, rear=rear)))
+    elif edges:
+        numbers.append((Text("least film at the edge"), extreme(min, edges)))
     roots = {f"safety_bending_{wheel.name}" for wheel in design.gears.wheels} if design.gears is not None else ()
     bending = [v for id, v in results.values().items() if id.rpartition(".")[2] in roots]
     numbers += [
@@ -196,13 +256,6 @@ def closest_limit(results: Results) -> Text:
     return Text("{name}, {margin}", name=check.name, margin=check.margin_text()) if check is not None else Name("–")
 
 
-# what the shaft leaves of an order's couple and force, and what there is before
-_LEFT = (
-    (1, SystemResult.residual_order_1_couple, Order.couple_peak),
-    (1, SystemResult.residual_order_1_force, Order.force_peak),
-    (2, SystemResult.residual_order_2_couple, Order.couple_peak),
-    (2, SystemResult.residual_order_2_force, Order.force_peak),
-)
 _SUPPLIED_ELSEWHERE = (
     (WebsResult.missing_forward_couple, WebsResult.unbalances_couple_left),
     (WebsResult.missing_forward_force, None),
@@ -213,11 +266,13 @@ def remaining(results: Results) -> Iterator[tuple[str, Text]]:
     """What the design leaves to shake, in numbers, each with the step that has it: of order 1 and 2, and what pulley
     and flywheel must supply."""
     values = results.values()
-    for n, field, peak in _LEFT:
+    for n, field, peak in LEFT:
         before, left = values.get(dotted(Design.imbalance, f"order_{n}", peak)), results.value(field)
         if left is not None and left.shown:
+            alone = len(results.design.shafts) == 1
             of_shaft = Text("of order {n} the shaft leaves {value}", n=n, value=_three(left))
-            yield "countershaft", of_shaft
+            of_shafts = Text("of order {n} the shafts leave {value}", n=n, value=_three(left))
+            yield "countershaft", of_shaft if alone else of_shafts
         elif left is None and before is not None and before.shown:
             yield dotted(Design.imbalance), Text("of order {n} stay {value}", n=n, value=_three(before))
     for field, left_field in _SUPPLIED_ELSEWHERE:

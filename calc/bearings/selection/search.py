@@ -53,19 +53,20 @@ class Settled:
 
 def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian]) -> Settled:
     """A row through the whole solution, as it stands."""
-    before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING.id}
+    before = {c.id for c in case.results.checks() if c.verdict == "fail" and c.rule is not CROSSING}
     results = case.solve(*with_row(case, row))
-    there = results.outcomes["bearings"]
+    seen = case.seen(results)
+    there = seen.outcomes["bearings"]
     again = slopes_of(case, results, slopes)
     picked = tuple(pick.with_slope(again[pick.task.place]) for pick in row.picks)
     failing = [c for c in there.checks if c.verdict == "fail"]
     if row.corners:
         failing += [c for c in there.checks if c.rule in AT_CORNERS and c.verdict != "fail" and not c.margin >= 0]
     failing += [pick.governing for pick in picked if pick.margin < 0]
-    elsewhere = chain.from_iterable(o.checks for key, o in results.outcomes.items() if key != "bearings")
-    others = [c for c in elsewhere if c.verdict == "fail" and c.id not in before]
+    elsewhere = (c for c in results.checks() if c.verdict == "fail" and not c.id.startswith(case.ids))
+    others = [c for c in elsewhere if c.id not in before]
     if not any(row.too_long):
-        failing += [c for c in others if c.rule is CROSSING]
+        failing += crossings(seen)
     if there.state != "solved" or failing:
         why = against(failing[0]) if failing else there.reason
         return Settled(None, again, (), Text("{row}: {why}", row=row.variant.name, why=why), results)
@@ -91,7 +92,7 @@ def settle(case: SelectionCase, row: CandidateRow, fields: Fields, slopes: dict[
 def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
     """As given, else of the shaft's bending; where its outline is not known any more, as before; taken where it never
     was."""
-    shaft = (results or drawn(case)).result(CountershaftResult)
+    shaft = case.seen(results or drawn(case)).result(CountershaftResult)
     bent = shaft.slopes if shaft is not None else {}
     known = before or dict.fromkeys((row.name for row in case.rows), SLOPE_TAKEN)
     return {row.name: row.slope if row.slope is not None else bent.get(row.name, known[row.name]) for row in case.rows}
@@ -224,7 +225,7 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
         _refused([(variant, fields) for variant, fields in every if id(variant) not in shown], slopes, too_thin),
         tuple(dropped),
         {number: settled.broken for number, settled in enumerate(rows, 1) if settled.broken},
-        tuple(crossings(case.results)),
+        tuple(crossings(case.seen(case.results))),
         placed(case.bearings) is not None,
         verified,
     )

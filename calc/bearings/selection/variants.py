@@ -37,18 +37,23 @@ class Solution(Protocol):
 
     @property
     def outcomes(self) -> Mapping[str, Outcome[object]]: ...
+    @property
+    def views(self) -> "Mapping[str, Solution]": ...
     def checks(self) -> Iterable[Check]: ...
     def result(self, kind: type[R]) -> R | None: ...
 
 
 @record
 class SelectionCase:
-    """`results` are those of the design as it is.  `solve`: the same with other bearings.
+    """`results` are those of the design as it is, with all its shafts.  `solve`: the same with other bearings.
 
-    `rows`: of the shaft, front to rear; `place`: the key that they stand under; `own_oils`: names that the design has
-    given itself; `gear_tip`: tip diameter of the gear on the shaft, None where it is not known."""
+    `name`: of the shaft whose bearings they are; `ids`: how those of their checks begin; `rows`: front to rear;
+    `place`: the key that they stand under; `own_oils`: names that the design has given itself; `gear_tip`: tip diameter
+    of the gear on the shaft, None where it is not known."""
 
     bearings: BearingsInputs
+    name: str
+    ids: str
     rows: tuple[BearingRow, ...]
     place: str
     shaft: ShaftInputs | None
@@ -57,6 +62,10 @@ class SelectionCase:
     gear_tip: Metre | None
     results: Solution
     solve: "Solve"
+
+    def seen(self, results: Solution) -> Solution:
+        """Results with its shaft in view."""
+        return results.views[self.name]
 
 
 class Solve(Protocol):
@@ -135,7 +144,7 @@ def tied(case: SelectionCase, row: BearingRow) -> Text:
         return EMPTY
     if shaft.sections:
         return Text("the sections of the shaft have it")
-    drawing = drawn(case).result(CountershaftResult)
+    drawing = case.seen(drawn(case)).result(CountershaftResult)
     outline = drawing.outline if drawing is not None else None
     radii = [p.outer_radius for p in outline.pieces if p.what == "sector"] if outline is not None else []
     R = max(radii, default=shaft.outer_radius)
@@ -150,18 +159,19 @@ def tied(case: SelectionCase, row: BearingRow) -> Text:
 
 
 def _solved(case: SelectionCase, rows: tuple[BearingRow, ...]) -> Solution:
-    """Results in which the bearings have an answer: those of the design, else of one with other lengths and clearances.
+    """Results, with the shaft in view, in which its bearings have an answer: those of the design, else of one with
+    other lengths and clearances.
 
     Only loads, speeds and limits are taken from them, which do not depend on either.
     """
-    results = case.results if rows is case.rows else case.solve(case.bearings, rows, last=True)
+    results = case.seen(case.results if rows is case.rows else case.solve(case.bearings, rows, last=True))
     outcome = results.outcomes["bearings"]
     if outcome.state == "solved":
         return results
     if outcome.state == "blocked":
         raise NoSolution(Text("the bearings are not solved yet"), outcome.reason, Text("solve the steps before"))
     for ratio, psi in PROBES:
-        probed = case.solve(case.bearings, tuple(_probe(ratio, psi, row) for row in rows), last=True)
+        probed = case.seen(case.solve(case.bearings, tuple(_probe(ratio, psi, row) for row in rows), last=True))
         if probed.outcomes["bearings"].state == "solved":
             return probed
     what, advice = (
@@ -182,7 +192,7 @@ def _task(case: SelectionCase, bearing: BearingRow, solved: Solution, at_own: Be
     assert there is not None  # what `_solved` gave
     place, bearings = bearing.name, case.bearings
     result = there.bearings[place]
-    space = room(case.shaft, drawn(case).result(CountershaftResult), place, bearing.diameter)
+    space = room(case.shaft, case.seen(drawn(case)).result(CountershaftResult), place, bearing.diameter)
     # a clearance that is searched for is not that of the fits: they are taken as widths about it
     widths = placed(bearings)
     about = replace(bearings, journal_fit=widths[0], seat_fit=widths[1]) if widths else bearings
@@ -208,7 +218,8 @@ def drawn(case: SelectionCase) -> Solution:
     """Results with an outline of the shaft: those of the design, else with journals so short that they cross nothing,
     where that helps."""
     results = case.results
-    if case.shaft is None or results.result(CountershaftResult) is None or not crossings(results):
+    seen = case.seen(results)
+    if case.shaft is None or seen.result(CountershaftResult) is None or not crossings(seen):
         return results
     return _with_short_journals(case)
 
@@ -217,11 +228,11 @@ def drawn(case: SelectionCase) -> Solution:
 def _with_short_journals(case: SelectionCase) -> Solution:
     short = tuple(replace(row, length=SHORT * row.diameter) for row in case.rows)
     shortened = case.solve(case.bearings, short, last=True)
-    return case.results if crossings(shortened) else shortened
+    return case.results if crossings(case.seen(shortened)) else shortened
 
 
 def crossings(results: Solution) -> list[Check]:
-    """Pieces of the shaft that overlap."""
+    """Pieces of the shaft in view that overlap."""
     checks = results.outcomes["countershaft"].checks
     return [c for c in checks if c.rule is CROSSING and c.verdict == "fail"]
 

@@ -3,7 +3,7 @@
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,6 +35,7 @@ from ..formulas import shaft_speed
 from ..inputs import THREADED, Extra, ShaftInputs
 from ..making.inputs import Alternative, Cost
 from ..outline import outer_face
+from ..sums import SystemShaft
 from . import formulas as f
 from .formulas import first_year, radius_needed
 from .sectors import Sized, TooSmall, remainder, task
@@ -365,11 +366,15 @@ def candidates(
 
 
 def asked(
-    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, alike: int = 1
+    shaft: ShaftInputs,
+    imbalance: ImbalanceResult,
+    omega: RadPerSecond,
+    alike: int = 1,
+    beside: Sequence[SystemShaft] = (),
 ) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2, RadPerSecond]:
     """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns; `alike`:
-    how many shafts of its ratio are sized, of which each has its share."""
-    todo = task(shaft.speed_ratio, imbalance)
+    how many shafts of its ratio are sized, of which each has its share of what given ones `beside` them leave."""
+    todo = task(shaft.speed_ratio, imbalance, beside)
     omega_S = shaft_speed(i=shaft.speed_ratio, omega=omega)
     return *asked_share((todo.F, todo.C), omega_S, shaft.overdesign, share_of(shaft, alike)), omega_S
 
@@ -382,6 +387,7 @@ def choices(
     materials: Mapping[str, tuple[Material, Euro | None]],
     progress: Progress | None = None,
     alike: int = 1,
+    beside: Sequence[SystemShaft] = (),
 ) -> Choices:
     """Shafts of every material from the smallest radius that serves to that of the envelope, the lightest first.
 
@@ -390,7 +396,7 @@ def choices(
     shafts: list[Choice] = []
     refused: dict[str, NoSolution] = {}
     with untraced():
-        U, P, omega_S = asked(shaft, imbalance, omega, alike)
+        U, P, omega_S = asked(shaft, imbalance, omega, alike, beside)
 
         def sized(rho: KilogramPerMetre3, R: Metre) -> Sized | SizedStretches:
             return size_between(U, P, omega_S, rho, R, room.core_radius, room.half_length, room.gaps, shaft.extras)

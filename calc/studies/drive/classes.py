@@ -121,6 +121,7 @@ def _put(problem: Problem, design: Design, results: Results) -> tuple[ShaftSurro
 
 
 def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]:
+    """With the shaft in view that is searched."""
     try:
         class_design = design(based(problem, choices))
     except BadInput as bad:
@@ -129,11 +130,12 @@ def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]
         ) from None
     with recorded(False):
         results = solve(class_design)
+    results = problem.seen(results)
     if (shaft := results.outcomes["countershaft"]).state != "solved":
         raise NoSolution(Text("even the largest envelope of the ranges does not hold the couple"), shaft.reason)
-    if why := not_closed(class_design, results):
+    if why := not_closed(results.design, results):
         raise NotClosed(why)
-    return class_design, results
+    return results.design, results
 
 
 def without_proof(problem: Problem) -> Text | None:
@@ -277,9 +279,8 @@ def _line(problem: Problem, choices: dict[str, Any], rows: DriveRows) -> tuple[f
     for n in dict.fromkeys([int(rows.power.argmin()), int(rows.power.argmax())]):
         drive, results = whole(problem, sized(problem, choices, rows, n))
         if results is not None and drive.objectives:
-            points.append(
-                (float(rows.power[n]) if problem.cycle else journals_power(results), drive.objectives["power"])
-            )
+            own = float(rows.power[n]) if problem.cycle else journals_power(problem.seen(results))
+            points.append((own, drive.objectives["power"]))
     if len(points) == 2 and points[1][0] > points[0][0]:
         slope = (points[1][1] - points[0][1]) / (points[1][0] - points[0][0])
         return points[0][1] - slope * points[0][0], slope

@@ -47,7 +47,8 @@ from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import Changes
 from ...sheet.search import multiples
-from ...sheet.text import Name, Text
+from ...sheet.text import COMMA, EMPTY, Name, Text
+from ...solve import Results
 
 CORE_SHARE = (0.25, 0.55)  # of the outer radius, and a tenth of it about the design's own; rule of this program
 SEAT_REACH = 6.0  # mm beyond the design's; rule of this program
@@ -398,7 +399,8 @@ UNITS = {"power": ("W", 10.0), "mass": ("kg", 0.5), "seat": ("mm", 1.0), "price"
 @record
 class Problem:
     """`start`: the document with a shaft that is sized, by the changes `began` of the one that is asked about.
-    `sizes`: the values of every size by its key, mm, None: by the rule of lengths.
+    `base`: its design, with the shaft in view that is searched.  `sizes`: the values of every size by its key, mm,
+    None: by the rule of lengths.
 
     `choices`: the values of everything else; `surfaces`: pairs of Ra, journal and seat, µm; None: as designed.  `seat`:
     the bearing of the largest journal, by its name.  `most`: hard ends by objective, in its unit; margin is a least.
@@ -455,6 +457,10 @@ class Problem:
         """mm; 0: none is asked."""
         return (self.shaft.fillet_radius or 0.0) * 1e3
 
+    def seen(self, results: Results) -> Results:
+        """Results with the shaft in view that is searched."""
+        return results.views[self.base.own_name]
+
     def binds(self, id: str) -> bool:
         """Whether a finding is a limit here."""
         return any(fnmatchcase(id, pattern) for pattern in self.limits) and not any(
@@ -503,10 +509,39 @@ def _optimise(design: Design) -> OptimiseInputs:
 # --- reading
 
 
-def problem(document: Document, tip: float | None, overrides: Mapping[str, object] = {}) -> Problem:
+def searched(document: Document, design: Design, overrides: Mapping[str, object] = {}) -> str:
+    """The name of the shaft that is searched; empty where there is none.  Raises BadInput where it is not known which,
+    or where it has other than two bearings."""
+    views, key = design.views, dotted(Design.optimise, OptimiseInputs.shaft)
+    name = overrides.get("shaft", _optimise(design).shaft)
+    twin = next((shaft for shaft in design.shafts if shaft.name == name and shaft.is_twin), None)
+    names = ", ".join(views)
+    why = EMPTY
+    if twin is not None:
+        why = Text("is as {name}: search that", name=Name(twin.mirrors or twin.repeats or ""))
+    elif name is not None and name not in views:
+        why = Text("is no shaft of this design; there are {names}", names=names)
+    elif name is None and len(views) > 1:
+        why = Text("there are several shafts: name one of {names} (--shaft)", names=names)
+    own = str(name or next(iter(views), ""))
+    rows = views[own].rows if own in views else ()
+    if not why and len(rows) > 2:
+        asked = f"choose FILE bearings --shaft {own}" if len(views) > 1 else "choose FILE bearings"
+        why = Text("{n} bearings: not searched whole yet; `{command}` is", n=len(rows), command=asked)
+    if why:
+        raise BadInput(document.place, [InputError(document.lines.get(key, 0), key, str(name or ""), why)])
+    return own
+
+
+def problem(
+    document: Document, tip: float | None, overrides: Mapping[str, object] = {}, shaft: str | None = None
+) -> Problem:
     """`tip`: diameter of the gear on the shaft in mm, None where there is none; `overrides`: the command line's keys of
-    [optimise], which go before the file's.  Raises BadInput with everything that is wrong."""
-    base = design(document)
+    [optimise], which go before the file's; `shaft`: which is searched, as `searched` gives it.  Raises BadInput with
+    everything that is wrong."""
+    whole = design(document)
+    name = searched(document, whole, overrides) if shaft is None else shaft
+    base = whole.views.get(name, whole)
     file = _optimise(base)
     merged: dict[str, Any] = {
         key: {**(getattr(file, key) or {}), **override} if isinstance(override, dict) else override
@@ -522,14 +557,14 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         for table, there in ((Design.shafts, base.countershaft), (Design.bearings, base.bearings))
         if there is None
     ]
-    if (shaft := base.countershaft) is not None:
-        searched = (
-            (ShaftInputs.bore_diameter, not shaft.bore_diameter),
-            (ShaftInputs.sector_material, shaft.sector_material is None),
-            (ShaftInputs.assembly, shaft.passes_seats),
+    if (own := base.countershaft) is not None:
+        as_searched = (
+            (ShaftInputs.bore_diameter, not own.bore_diameter),
+            (ShaftInputs.sector_material, own.sector_material is None),
+            (ShaftInputs.assembly, own.passes_seats),
         )
         alone = Text("is not searched: its shafts are solid, of one material, and threaded through the largest seat")
-        errors += [InputError(0, base.own_key(field), "", alone) for field, holds in searched if not holds]
+        errors += [InputError(0, base.own_key(field), "", alone) for field, holds in as_searched if not holds]
     if len(base.rows) > 2:
         three = Text("has {n} rows: a drive is searched whole on two bearings alone", n=len(base.rows))
         errors.append(InputError(0, base.own_key(ShaftInputs.bearings), "", three))
@@ -539,8 +574,10 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
     start = document
     for key, value in began.items():
         start = start.with_value(key, value)
-    base = design(start)
+    base = design(start).views[name]
     assert base.countershaft is not None and base.bearings is not None
+    if len(base.shafts) > 1 or len(whole.views) > 1:
+        words.append(_of_shaft(whole, base))
     variables = Variables(start, base, inputs, tip)
     sizes, choices, surfaces = variables.sizes(), variables.choices(), variables.surfaces()
     if variables.errors:
@@ -576,6 +613,19 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         seed=inputs.seed,
         said=(*words, *variables.notes),
     )
+
+
+def _of_shaft(design: Design, base: Design) -> Text:
+    """Which of several shafts is searched."""
+    twins = [Name(shaft.name) for shaft in base.shafts if shaft.is_twin]
+    searched = {shaft.name for shaft in base.shafts}
+    others = [Name(shaft.name) for shaft in design.shafts if shaft.name not in searched]
+    said = Text("The shaft {name} is searched", name=Name(base.own_name))
+    if twins:
+        said += Text("; its twins follow: {names}", names=COMMA.join(twins))
+    if others:
+        said += Text("; the others stay as they are: {names}", names=COMMA.join(others))
+    return said + Text(".")
 
 
 def _without_price(document: Document, objectives: tuple[str, ...], most: Mapping[str, float]) -> tuple[str, ...]:

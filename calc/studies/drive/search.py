@@ -30,7 +30,7 @@ from ..processes import spread
 from .classes import ClassFront, NotClosed, class_of, sized
 from .combinations import DriveRows, joined, no_rows
 from .front import front, representatives
-from .problem import FITS, Problem
+from .problem import FITS, Problem, searched
 from .problem import problem as problem_of
 from .solved_drive import Sized, Whole, whole
 
@@ -79,9 +79,10 @@ class FrontFound:
 def asked(document: Document, overrides: dict[str, object]) -> tuple[Problem, Results]:
     """The problem of a design, and the design solved as it is."""
     base = design(document)
+    name = searched(document, base, overrides)
     results = solve(base)
-    gear = shaft_gear(base, results.result(TrainResult), next(iter(base.views), ""))
-    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, overrides), results
+    gear = shaft_gear(base, results.result(TrainResult), name)
+    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, overrides, name), results
 
 
 # --- the classes

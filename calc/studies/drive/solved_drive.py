@@ -140,7 +140,7 @@ def measured(
     watts = mean_power(problem, document, results) if problem.cycle else power(results)
     objectives = {
         "power": watts,
-        "mass": mass(results),
+        "mass": mass(problem.seen(results)),
         "seat": max(sized.diameter.values()),
         "margin": problem.margin(checks),
     }
@@ -161,10 +161,10 @@ def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
 
 
 def mass(results: Results) -> Kilogram:
-    """Of the shaft with its gear, and of all other wheels."""
+    """Of the shaft in view with its gear, and of its twins, and of all other wheels."""
     shaft = results.result(CountershaftResult)
     assert shaft is not None and shaft.mass is not None
-    return float(shaft.mass) + other_wheels(results)
+    return len(results.design.shafts) * float(shaft.mass) + other_wheels(results)
 
 
 def other_wheels(results: Results) -> Kilogram:
@@ -177,12 +177,15 @@ def other_wheels(results: Results) -> Kilogram:
 
 
 def power(results: Results) -> Watt:
-    """What the drive takes from the crank; without a train what both journals rub."""
+    """What the drive takes from the crank; without a train what the journals of all shafts rub."""
     published = results.value(FrictionResult.crank_power)
-    return float(published.inside) if published is not None else journals_power(results)
+    if published is not None:
+        return float(published.inside)
+    return sum(len(view.design.shafts) * journals_power(view) for view in results.views.values())
 
 
 def journals_power(results: Results) -> Watt:
+    """Of both journals of the shaft in view."""
     bearings = results.result(BearingsResult)
     assert bearings is not None
     return float(sum(bearing.friction_power for bearing in bearings.bearings.values()))

@@ -104,11 +104,16 @@ def _is_there(data: Table, key: str) -> bool:
 def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[list[str], list[str]]:
     """Keys of numbers of a step that its maker is free to move: those in the same bearing, mesh or wheel as the checks,
     and all others, with the places of bearings, which move together."""
-    near = {part for check in checks for part in check.id.split(".")[1].split("_")}
+    shafts = {state.design.shaft_of(check.id) for check in checks}
+    at = [1 + bool(state.design.shaft_of(check.id)) for check in checks]
+    near = {word for check, n in zip(checks, at) for word in check.id.split(".")[n].split("_")}
     free = [
         key
         for key, about in quantities(state.document.data)
-        if about.repair == "free" and about.kind in NUMBERS and state.design.step_of(key) == step
+        if about.repair == "free"
+        and about.kind in NUMBERS
+        and state.design.step_of(key) == step
+        and ("" in shafts or state.design.shaft_of(key) in shafts | {""})
     ]
     beside = [key for key in free if not is_position(key) and near & set(within(key))]
     return beside, [key for key in free if key not in beside]
@@ -190,7 +195,7 @@ def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, ab
         scaled = {name: [digits(n * x / now, 6) for n in some] for name, some in numbers.items()}
         return {name: some if name in lists else some[0] for name, some in scaled.items()}
 
-    if about is described(ShaftInputs.core_radius) and (slopes := given_slopes(state.design)):
+    if about is described(ShaftInputs.core_radius) and (slopes := given_slopes(state.view(key))):
         yield Lever(now, about, lambda x: write(x) | dict.fromkeys(slopes), abs(now))
         return
     yield Lever(now, about, write, abs(now))
@@ -207,13 +212,14 @@ def given_slopes(design: Design) -> list[str]:
 def outwards(state: RepairState, key: str, now: float) -> Callable[[float], Changes] | None:
     """Where a bearing at the end of the shaft stands when its inner end stays and its length becomes another."""
     data, place = state.document.data, key.rpartition(".")[0]
-    if state.design.countershaft is None or len(state.design.rows) != 2:
+    view = state.view(key)
+    if view.countershaft is None or len(view.rows) != 2:
         return None
     there = dotted(place, BearingRow.position)
     z = value_at(data, there)
     if not isinstance(z, (int, float)):
         return None
-    side = -1.0 if place.endswith(f".{state.design.rows[0].name}") else 1.0
+    side = -1.0 if place.endswith(f".{view.rows[0].name}") else 1.0
     return lambda x: {there: digits(z + side * (x - now) / 2, 6)}
 
 

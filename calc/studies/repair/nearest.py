@@ -2,7 +2,7 @@
 """The nearest passing design: of one step that fails, or of the whole design, step by step in the order of solving."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from ...countershaft.checks import ENVELOPE, ENVELOPE_LENGTH
@@ -212,6 +212,14 @@ def _still(check: Check, ids: Sequence[str]) -> bool:
     return check.verdict == "fail" if not ids else check.id in ids and not is_mended(check)
 
 
+def _by_shaft(state: RepairState, checks: Iterable[Check]) -> list[tuple[Check, ...]]:
+    """The checks of each shaft, and those that are of none."""
+    groups: dict[str, list[Check]] = {}
+    for check in checks:
+        groups.setdefault(state.design.shaft_of(check.id), []).append(check)
+    return [tuple(group) for group in groups.values()]
+
+
 class _Step:
     """The repair of one step.  `why`: for each check what was tried in vain."""
 
@@ -270,7 +278,8 @@ class _Step:
             # not those that were tried in vain
             failing = tuple(c for c in self._failing(state, rules) if c.id not in self.why)
             here = part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first))
-            state = self._by(state, failing, way, here)
+            for mine in _by_shaft(state, failing):
+                state = self._by(state, mine, way, here)
         every = state.failing(self.step)
         sets = [every] * (len(every) > 1) + [(check,) for check in every]
         for n, checks in enumerate(sets):
@@ -278,7 +287,8 @@ class _Step:
             here = part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets))
             state = self._by(state, failing, self._one_number, here)
         for rules, way in last:
-            state = self._by(state, self._failing(state, rules), way, part(progress, 0.9, 1.0))
+            for mine in _by_shaft(state, self._failing(state, rules)):
+                state = self._by(state, mine, way, part(progress, 0.9, 1.0))
         return state
 
     def _failing(self, state: RepairState, rules: tuple[CheckRule, ...]) -> tuple[Check, ...]:

@@ -34,6 +34,7 @@ from ...bearings.selection.variants import closer_fits, variants
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
 from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.result import CountershaftResult
+from ...countershaft.shafts import ShaftsResult
 from ...design.addresses import quantity_of, value_at
 from ...design.locks import USUAL, locked
 from ...design.model import Design
@@ -159,7 +160,7 @@ def repair_option(
         closer,
         tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
         _pair(before, then, FrictionResult.total_loss),
-        _pair(before, then, CountershaftResult.mass),
+        _pair(before, then, ShaftsResult.shaft_mass) or _pair(before, then, CountershaftResult.mass),
         gaps.get(part),
     )
 
@@ -267,12 +268,12 @@ def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     """What is made for some checks: stronger teeth, masses that are set to what the engine asks for."""
     weak = tuple(c for c in group if c.rule in WEAK)
     sets = list(sizing.stronger(state, sizing.wheels(state, weak))) if weak else []
-    shaft = state.design.countershaft
-    if shaft is not None and shaft.mode == "given" and any(c.rule in UNBALANCED for c in group):
-        try:
-            sets += sizing.balanced(state, shaft)
-        except NoSolution:
-            pass
+    for view in state.design.views.values() if any(c.rule in UNBALANCED for c in group) else ():
+        if view.countershaft is not None and view.countershaft.mode == "given":
+            try:
+                sets += sizing.balanced(state, view.countershaft)
+            except NoSolution:
+                pass
     return [changes for changes in sets if changes]
 
 

@@ -8,18 +8,20 @@ import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 
 from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...countershaft.inputs import EccentricMass, ShaftInputs
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.rows import BearingRow, called
+from ...countershaft.shafts import ShaftsResult
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.names import named
-from ...design.step_inputs import bearings_case, sized_alike
+from ...design.step_inputs import bearings_case, given_beside, sized_alike
 from ...engine.result import EngineResult
 from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.rating.classes import DEFAULT, class_names, strength_class
@@ -44,16 +46,20 @@ TRIES = 100  # designs with longer journals
 
 
 def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
-    """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits.  Raises
-    NoSolution."""
-    case = bearings_case(state.design, solve, state.results)
-    if locked(state.document.data, dotted(Design.bearings, BearingsInputs.oil)):
-        case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
-    settled = nearest_row(case, progress)
-    written = bearing_changes(settled.row, case) if settled.row is not None else {}
-    if not written:
-        raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
-    return state.with_changes(written, settled.results if isinstance(settled.results, Results) else None)
+    """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits; of the shaft whose
+    checks fail, or of each whose bearings have no solution.  Raises NoSolution."""
+    lost = [name for name, view in state.results.views.items() if view.outcomes["bearings"].state == "no_solution"]
+    names = dict.fromkeys(state.view(check.id).own_name for check in failing) or lost
+    for name in names:
+        case = bearings_case(state.design, solve, state.results, name)
+        if locked(state.document.data, dotted(Design.bearings, BearingsInputs.oil)):
+            case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
+        settled = nearest_row(case, progress)
+        written = bearing_changes(settled.row, case) if settled.row is not None else {}
+        if not written:
+            raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
+        state = state.with_changes(written, settled.results if isinstance(settled.results, Results) else None)
+    return state
 
 
 def bearings_or_longer_journals(
@@ -72,10 +78,11 @@ def bearings_or_longer_journals(
 
 def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Journals as much longer as their films ask for, outwards where the masses leave no room.  Raises NoSolution."""
-    rows = state.design.rows
-    for n, row in enumerate(rows):
-        key = state.design.own_key(ShaftInputs.bearings, row.name, BearingRow.length)
-        group = tuple(c for c in failing if c.id.rpartition(".")[0] == dotted(Design.bearings, row.name))
+    view = state.view(failing[0].id) if failing else state.design
+    for n, row in enumerate(rows := view.rows):
+        key = view.own_key(ShaftInputs.bearings, row.name, BearingRow.length)
+        mine = f"{state.design.ids_of('bearings', view.own_name)}.{row.name}"
+        group = tuple(c for c in failing if c.id.rpartition(".")[0] == mine)
         if not group:
             continue
         here = part(progress, n / len(rows), (n + 1) / len(rows))
@@ -98,18 +105,20 @@ UNKNOWN = Text("what the engine asks for is not known")
 
 
 def balance(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
-    """Of the masses as few as will do, each by its mass, its angle or its radius alone where that is enough.  Raises
-    NoSolution."""
-    shaft = state.design.countershaft
-    assert shaft is not None
+    """Of the masses of one shaft as few as will do, each by its mass, its angle or its radius alone where that is
+    enough.  Raises NoSolution."""
+    shafts = [view.countershaft for view in state.design.views.values() if view.countershaft is not None]
     imbalance = state.results.result(ImbalanceResult)
-    if imbalance is not None and not shaft.paired and _out_of_reach(failing, task(shaft.speed_ratio, imbalance)):
+    alone = len(state.design.shafts) == 1
+    if imbalance is not None and alone and _out_of_reach(failing, task(shafts[0].speed_ratio, imbalance)):
         raise NoSolution(Text("what turns against the shaft is more than may be left, and no mass on it takes that"))
-    if shaft.mode != "given":
+    given = [shaft for shaft in shafts if shaft.mode == "given"]
+    if not given:
         raise NoSolution(
             Text("the sized pair gives what is asked of it; look at overdesign_percent and the further elements")
         )
-    return first_repaired(state, "countershaft", [c.id for c in failing], balanced(state, shaft), progress, whole=True)
+    ways = chain.from_iterable(balanced(state, shaft) for shaft in given)
+    return first_repaired(state, "countershaft", [c.id for c in failing], ways, progress, whole=True)
 
 
 def _out_of_reach(failing: tuple[Check, ...], todo: ShaftTask) -> bool:
@@ -118,18 +127,35 @@ def _out_of_reach(failing: tuple[Check, ...], todo: ShaftTask) -> bool:
 
 
 def balanced(state: RepairState, shaft: ShaftInputs) -> Iterator[Changes]:
-    """Masses that give what the engine asks for, the fewest changes first.  Raises NoSolution where that is not
-    known."""
+    """Masses of a shaft that give what the engine asks for, the fewest changes first; beside others what all of them
+    leave.  Raises NoSolution where that is not known."""
     imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
     if imbalance is None or engine is None:
         raise NoSolution(UNKNOWN)
-    with untraced():
-        U, P, _ = asked(shaft, imbalance, engine.angular_speed)
-        U, P = remainder(U, P, shaft.extras)
     now = [m.mass * m.radius * cmath.exp(1j * m.angle) for m in shaft.masses]
+    if len(state.design.shafts) > 1:
+        U, P = _beside_others(state, shaft, now, engine.angular_speed)
+    else:
+        with untraced():
+            U, P, _ = asked(shaft, imbalance, engine.angular_speed)
+            U, P = remainder(U, P, shaft.extras)
     for share in SHARES:
         for way in _ways(shaft.masses, now, share * U, share * P):
-            yield {state.design.own_key(ShaftInputs.masses, key): x for key, x in way.items()}
+            yield {dotted(Design.shafts, shaft.name, ShaftInputs.masses, key): x for key, x in way.items()}
+
+
+def _beside_others(state: RepairState, shaft: ShaftInputs, now: list[complex], omega: float) -> tuple[complex, complex]:
+    """What its masses must give to take what all shafts leave of what turns like it; those that repeat it take as
+    much."""
+    every = state.results.result(ShaftsResult)
+    if every is None:
+        raise NoSolution(UNKNOWN)
+    left, order = every.sums.vectors, round(abs(shaft.speed_ratio))
+    turns = 0 if shaft.speed_ratio > 0 else 1
+    alike = 1 + sum(other.repeats == shaft.name for other in state.design.shafts)
+    each = alike * (shaft.speed_ratio * omega) ** 2
+    U, P = sum(now), sum(u * mass.z for u, mass in zip(now, shaft.masses))
+    return U - complex(left[order].forces[turns]) / each, P - complex(left[order].couples[turns]) / each
 
 
 def _ways(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P: complex) -> Iterator[Changes]:
@@ -203,7 +229,10 @@ def shorter_journals(state: RepairState, failing: tuple[Check, ...], progress: P
 
 def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """A shaft of the sizing search, the nearest in radius and of the same material first.  Raises NoSolution."""
-    shaft, design = state.design.countershaft, state.design
+    design, outcomes = state.design, {name: view.outcomes["countershaft"] for name, view in state.results.views.items()}
+    lost = [name for name, outcome in outcomes.items() if outcome.state == "no_solution"]
+    view = state.view(failing[0].id) if failing or not lost else design.views[lost[0]]
+    shaft = view.countershaft
     imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
     if shaft is None or imbalance is None or engine is None:
         raise NoSolution(UNKNOWN)
@@ -213,21 +242,22 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
     except BadInput as bad:
         raise NoSolution(Text("{key} {reason}", key=bad.errors[0].key, reason=bad.errors[0].reason)) from None
     ids, alike = [c.id for c in failing], sized_alike(design, shaft)
+    beside = given_beside(design, shaft.name, outcomes)
     try:
         own = {shaft.of_sectors: materials[shaft.of_sectors]}
-        choices(shaft, imbalance, engine.angular_speed, room, own, alike=alike)
+        choices(shaft, imbalance, engine.angular_speed, room, own, alike=alike, beside=beside)
     except TooSmall as small:
         larger = (
             (ShaftInputs.outer_radius, small.outer_radius),
             (ShaftInputs.half_length, small.half_length),
         )
-        sizes = ({design.own_key(size): math.ceil(x / TENTH) / 10} for size, x in larger if x is not None)
+        sizes = ({view.own_key(size): math.ceil(x / TENTH) / 10} for size, x in larger if x is not None)
         try:
             return first_repaired(state, "countershaft", ids, sizes, part(progress, 0.0, 0.2))
         except NoSolution:
             pass
     searched = part(progress, 0.2, 0.3)
-    shafts = choices(shaft, imbalance, engine.angular_speed, room, materials, searched, alike).shafts
+    shafts = choices(shaft, imbalance, engine.angular_speed, room, materials, searched, alike, beside).shafts
     R = shaft.outer_radius or room.outer_radius
     near = sorted(shafts, key=lambda choice: (choice.material != shaft.of_sectors, abs(choice.sized.outer_radius - R)))
     ways = (changes(choice, room) for choice in near)

@@ -51,8 +51,8 @@ position_mm = -167.5
 )
 # what is told where it stands, not where something was added
 ELSEWHERE = {
-    "bearings.0.position_mm": "position_mm = -167.5",
-    "bearings.1.position_mm": "position_mm = 167.5",
+    "bearings.front.position_mm": "position_mm = -167.5",
+    "bearings.rear.position_mm": "position_mm = 167.5",
     "material": 'material = "20CrNi4"',
 }
 FIRST = HEAD.count("\n") + 1  # line of what is added
@@ -97,8 +97,8 @@ SCATTER = "[shafts.scatter]\nmass_g = %s\nradius_mm = 0.05\nangle_deg = 0.1\nz_m
             "smaller",
         ),
         (SECTION % (-200, 200, 15, ", core_radius_mm = 5.0"), "sections.0.core_radius_mm", "belongs to a sector"),
-        (SECTION % (-160, 200, 15, ""), "bearings.0.position_mm", "outside the shaft's sections"),
-        (SECTION % (-200, 100, 15, ""), "bearings.1.position_mm", "outside the shaft's sections"),
+        (SECTION % (-160, 200, 15, ""), "bearings.front.position_mm", "outside the shaft's sections"),
+        (SECTION % (-200, 100, 15, ""), "bearings.rear.position_mm", "outside the shaft's sections"),
         (
             "sections = [{ from_mm = -200.0, to_mm = 10.0, outer_radius_mm = 15.0 }, { from_mm = 0.0, to_mm = 200.0, "
             "outer_radius_mm = 15.0 }]\n",
@@ -114,7 +114,7 @@ SCATTER = "[shafts.scatter]\nmass_g = %s\nradius_mm = 0.05\nangle_deg = 0.1\nz_m
         (
             SECTION % (-180, 180, 15, "")
             + 'extras = [{ name = "x", mass_kg = 0.1, radius_mm = 1.0, angle_deg = 0.0, z_mm = 300.0 }]\n',
-            "extras.0.z_mm",
+            "extras.x.z_mm",
             "outside the shaft's sections",
         ),
         ("outer_radius_mm = 40.0\ncore_radius_mm = 40.0\n", "core_radius_mm", "smaller than outer_radius_mm"),
@@ -172,7 +172,7 @@ SCATTER = "[shafts.scatter]\nmass_g = %s\nradius_mm = 0.05\nangle_deg = 0.1\nz_m
 )
 def test_it_is_refused_by_its_key_and_line(added, key, words):
     text = HEAD + added + ROWS
-    found = [line for line in errors(text) if f"shafts.0.{key}:" in line]
+    found = [line for line in errors(text) if f"shafts.shaft.{key}:" in line]
     assert found and words in found[0], errors(text)
     named = int(found[0].split(":")[1])
     if key in ELSEWHERE:
@@ -184,17 +184,17 @@ def test_it_is_refused_by_its_key_and_line(added, key, words):
 @pytest.mark.parametrize(
     "old, new, key, words",
     [
-        ("mass_kg = 2.6", "mass_kg = -2.6", "masses.0.mass_kg", "from 0"),
-        ("mass_kg = 2.6", "mass_kg = nan", "masses.0.mass_kg", "finite"),
-        ("z_mm = -76.5", "z_mm = -376.5", "masses.0.z_mm", "outside the span of the bearings"),
-        ("z_mm = -76.5", "z_mm = 1e308", "masses.0.z_mm", "from −5000 to 5000"),
-        ("position_mm = 167.5", "position_mm = -168.5", "bearings.1.position_mm", "rise"),
+        ("mass_kg = 2.6", "mass_kg = -2.6", "masses.front.mass_kg", "from 0"),
+        ("mass_kg = 2.6", "mass_kg = nan", "masses.front.mass_kg", "finite"),
+        ("z_mm = -76.5", "z_mm = -376.5", "masses.front.z_mm", "outside the span of the bearings"),
+        ("z_mm = -76.5", "z_mm = 1e308", "masses.front.z_mm", "from −5000 to 5000"),
+        ("position_mm = 167.5", "position_mm = -168.5", "bearings.rear.position_mm", "rise"),
         (REAR_ROW, "", "bearings", "needs 2 to 9"),
-        ("position_mm = 167.5", "position_mm = inf", "bearings.1.position_mm", "finite"),
+        ("position_mm = 167.5", "position_mm = inf", "bearings.rear.position_mm", "finite"),
         (
             REAR_ROW,
             REAR_ROW + "diameter_mm = 40.0\nlength_mm = 20.0\n",
-            "bearings.1.diameter_mm",
+            "bearings.rear.diameter_mm",
             "of all bearings, or of none",
         ),
         ("speed_ratio = -1", "speed_ratio = -1.5", "speed_ratio", "-1, 1, -2 or 2"),
@@ -206,7 +206,7 @@ def test_it_is_refused_by_its_key_and_line(added, key, words):
 )
 def test_what_the_head_says_wrongly(old, new, key, words):
     assert (HEAD + ROWS).count(old) == 1
-    found = [line for line in errors((HEAD + ROWS).replace(old, new)) if f"shafts.0.{key}:" in line]
+    found = [line for line in errors((HEAD + ROWS).replace(old, new)) if f"shafts.shaft.{key}:" in line]
     assert found and words in found[0]
 
 
@@ -214,21 +214,21 @@ def test_a_journal_ends_within_the_sections():
     seated = re.sub(r"(position_mm = -?167.5\n)", r"\1diameter_mm = 40.0\nlength_mm = 20.0\n", ROWS)
     text = HEAD + SECTION % (-170, 170, 15, "") + seated
     front, rear = errors(text)
-    for i, line in enumerate((front, rear)):
-        key = f"bearings.{i}.position_mm"
-        assert f"shafts.0.{key}:" in line and "reaches beyond" in line
+    for row, line in (("front", front), ("rear", rear)):
+        key = f"bearings.{row}.position_mm"
+        assert f"shafts.shaft.{key}:" in line and "reaches beyond" in line
         assert text.splitlines()[int(line.split(":")[1]) - 1] == ELSEWHERE[key]
 
 
 def test_one_row_is_told_once():
     (only,) = errors((HEAD + ROWS).replace(REAR_ROW, ""))
-    assert "shafts.0.bearings: needs 2 to 9 rows [[shafts.bearings]]; has 1" in only
+    assert "shafts.shaft.bearings: needs 2 to 9 rows [[shafts.bearings]]; has 1" in only
 
 
 def test_size_without_envelope_names_all_three_at_once():
     found = errors((HEAD + ROWS).replace('mode = "given"', 'mode = "size"'))
     assert [line.split(": ")[1] for line in found] == [
-        f"shafts.0.{name}_mm" for name in ("outer_radius", "core_radius", "half_length")
+        f"shafts.shaft.{name}_mm" for name in ("outer_radius", "core_radius", "half_length")
     ]
 
 
@@ -237,8 +237,8 @@ def test_all_errors_come_at_once_each_with_its_line():
     text += BOLTS % ("M", 45, 15, 11, 0) + DRAIN % (24.0, 22.5, "x") + ROWS
     found = {line.split(": ")[1]: int(line.split(":")[1]) for line in errors(text)}
     lines = text.splitlines()
-    assert {key.removeprefix("shafts.0.") for key in found} == {
-        "masses.0.mass_kg",
+    assert {key.removeprefix("shafts.shaft.") for key in found} == {
+        "masses.front.mass_kg",
         "outer_radius_mm",
         "balance_grade",
         "bolts.thread",
