@@ -27,6 +27,7 @@ from calc.sheet.text import Text
 
 from ..actions import ACTIONS
 from ..base_app import BaseApp
+from ..session.guide import OF_SHAFT, title_of
 from ..session.session import Session
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
@@ -57,7 +58,7 @@ class WorkbenchPanes(Screen[None]):
     app: BaseApp
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide"), (HUGE, "-huge")]  # noqa: RUF012
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding
+        Binding(a.binding, a.does, a.title, show=False, id=a.id, priority=a.first) for a in ACTIONS if a.binding
     ]
     AUTO_FOCUS = ""
     # a change of the focus is drawn by the two widgets; the whole screen need not be
@@ -142,7 +143,13 @@ class WorkbenchPanes(Screen[None]):
         return STEPS.index(self.step) + 1
 
     def form_title(self) -> str:
-        return f"{self.number} {self.app.say(self.step.title)}"
+        title = f"{self.number} {self.app.say(title_of(self.step, self.session.data))}"
+        return f"{title}: {self.session.shafts[self.session.shaft]}" if self.leafs else title
+
+    @property
+    def leafs(self) -> bool:
+        """Whether the step shows one of several shafts at a time."""
+        return self.step.key in OF_SHAFT and len(self.session.shafts) > 1
 
     def refresh_top_line(self) -> None:
         for line in self.query(TopLine):  # none while another design is being entered

@@ -16,9 +16,12 @@ from calc.gears.inputs import GearsInputs
 from calc.gears.wheel_inputs import Wheel
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity, dotted, keys
-from calc.sheet.text import Name, Small, Text
+from calc.sheet.text import EMPTY, Name, Small, Text
 
 Place = tuple[str | int, ...]
+
+SHAFTS: Place = (dotted(Design.shafts),)
+NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
 
 
 def content_at(data: Table, where: Place) -> Any:
@@ -127,9 +130,24 @@ def label_of(data: Table, key: str) -> Text:
     return Text("{label} of {place}", label=words, place=str(name or int(where[numbered]) + 1))
 
 
+# --- several shafts
+
+
+def original_of(shaft: Table) -> str:
+    """The name of the shaft that a twin is of; of any other its own."""
+    return str(shaft.get(MIRRORS) or shaft.get(REPEATS) or shaft.get(NAME, ""))
+
+
+def twin_words(shaft: Table) -> Text:
+    """`mirrors left`, `repeats left`; empty of a shaft of its own."""
+    if MIRRORS in shaft:
+        return Text("mirrors {name}", name=Name(original_of(shaft)))
+    return Text("repeats {name}", name=Name(original_of(shaft))) if REPEATS in shaft else EMPTY
+
+
 # --- elements of arrays of tables
 
-NAME, MIRRORS, POSITION = "name", dotted(ShaftInputs.mirrors), dotted(BearingRow.position)
+POSITION = dotted(BearingRow.position)
 VALUE = dotted(Measured.value)
 
 
