@@ -99,7 +99,7 @@ class Workbench(WorkbenchEdits):
     @on(ArrayHeading.Added)
     def element_added(self, event: ArrayHeading.Added) -> None:
         event.stop()
-        self.add_element(event.heading.row.place)
+        self.add_element(event.heading.row.place, event.heading.region)
 
     @on(ArrayHeading.Removed)
     def element_removed(self, event: ArrayHeading.Removed) -> None:

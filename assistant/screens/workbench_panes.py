@@ -27,7 +27,8 @@ from calc.sheet.text import Text
 
 from ..actions import ACTIONS
 from ..base_app import BaseApp
-from ..session.guide import OF_SHAFT, title_of
+from ..session.guide import title_of
+from ..session.places import OF_SHAFT
 from ..session.session import Session
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks

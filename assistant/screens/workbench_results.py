@@ -437,6 +437,7 @@ class WorkbenchResults(WorkbenchPanes):
     def show_state(self) -> None:
         """Everything but the results: mistakes, verdicts of the steps, the message line."""
         complete = self._show_mistakes()
+        self.pane_named("inputs").set_title(self.form_title())
         self.refresh_top_line()
         if complete:
             self.show_remedy()

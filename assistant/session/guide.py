@@ -24,7 +24,6 @@ STROKE = "stroke_mm"  # twice the crank radius, which the design file has
 NAME: Place = ("name",)  # of the design itself: asked with its engine, which comes first
 NOTE, DOCUMENT = ("note",), ("document",)  # in a fold behind those of its first step
 FIRST = "engine"
-OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that show one shaft of several at a time
 
 
 @cache
@@ -212,7 +211,8 @@ def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Itera
     """The inputs and values of earlier steps that it uses, by key or id."""
     for owner in STEP_KEYS[: STEP_KEYS.index(step)]:
         yield from (key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == owner)
-        yield from (id for id, v in values.items() if step in v.about.taken_by and id.startswith(f"{owner}."))
+        mine = (id for id, v in values.items() if step in v.about.taken_by and id == v.id)  # not by a former name
+        yield from (id for id in mine if id.startswith(f"{owner}."))
 
 
 # what can be chosen from a table, by step (`offers.py` searches for it)

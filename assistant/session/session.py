@@ -256,6 +256,12 @@ class Session(Editing):
         views = self._views[1]
         return views.get(self.original) or next(iter(views.values()), self.results)
 
+    def ids_of_shaft(self) -> set[str]:
+        of_shafts = self.results.of_shafts.values() if self.results is not None else ()
+        outcomes = [outcome for steps in of_shafts for outcome in steps.values()]
+        values = {value.id for outcome in outcomes for value in outcome.values()}
+        return values | {check.id for outcome in outcomes for check in outcome.checks}
+
     def shaft_of(self, id: str) -> int | None:
         """The place of the shaft that a value or a check is of; None where it is of all of them."""
         name = id.partition(".")[2].partition(".")[0]

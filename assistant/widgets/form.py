@@ -90,10 +90,15 @@ class Taken(ItemList):
         items = []
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
+        several, original = len(self.session.shafts) > 1, self.session.original
+        others = {name for name in self.session.shafts if name != original}
         for id in taken_over(self.step, self.session.data, values):
+            if others.intersection(id.split(".")[1:2]):
+                continue
             owner = step_at(self.session.data, id)
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear
+                part = part[1:] if several and part[:1] == [original] else part
                 label = say(COMMA.join((known.label, *part)))
                 text, unit = say.number(short(known.shown)), known.unit
             else:

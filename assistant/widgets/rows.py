@@ -36,7 +36,7 @@ from ..session.guide import (
     layout_of,
     of_twin,
 )
-from ..session.places import SHAFTS, Place, content_at, described
+from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
@@ -148,7 +148,9 @@ class _Rows:
     def keys(self, cls: type, content: object, place: Place) -> dict[str, Quantity]:
         """What the step asks for of a table; what stands in it all the same, or is wrong, can be seen and taken out."""
         there = as_table(content)
-        own = own_keys(cls, there, judged=dotted(Design.bearings) in self.data)
+        own = set(own_keys(cls, there, judged=dotted(Design.bearings) in self.data))
+        if cls is ShaftInputs and of_twin(place, self.data):
+            own -= {MIRRORS, REPEATS}  # the one that it is stands in it
         shown = {*own, *there, *(held[-1] for held in self.asked.held if held[:-1] == place)}
         return {key.key: key.about for key in keys_of(cls, self.data, self.step) if key.key in shown}
 
