@@ -9,7 +9,7 @@ from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, changed, declared, own_shafts, quantity_of
+from calc.design.addresses import Table, address, as_table, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, twin, without
@@ -127,9 +127,11 @@ def label_of(data: Table, key: str) -> Text:
     numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
     if numbered is None or (where[:numbered] == (dotted(Design.shafts),) and len(own_shafts(data)) == 1):
         return words
-    element = content_at(data, where[: numbered + 1])
-    name = element.get("name") if isinstance(element, dict) else None
-    return Text("{label} of {place}", label=words, place=str(name or int(where[numbered]) + 1))
+    several = where[:1] == SHAFTS and numbered > 1 and len(own_shafts(data)) > 1
+    ways = [where[:2], where[: numbered + 1]] if several else [where[: numbered + 1]]
+    elements = [content_at(data, way) for way in ways]
+    names = [str(as_table(element).get(NAME) or int(way[-1]) + 1) for way, element in zip(ways, elements)]
+    return Text("{label} of {place}", label=words, place=" ".join(names))
 
 
 # --- several shafts

@@ -22,7 +22,7 @@ from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Name, Text
-from ..sheet.verdict import closest
+from ..sheet.verdict import closest, severity
 from ..solve import Results
 
 
@@ -43,7 +43,10 @@ def headline(results: Results, key: str) -> Headline | None:
     outcome = results.outcomes[key]
     if outcome.state != "solved":
         return None
-    first = next((group[0] for group in outcome.causes), None)
+    worst = [group[0] for group in outcome.causes]
+    first = next(iter(worst), None)
+    if first is not None and len(results.design.shafts) > 1:  # the worst of all shafts, by the same rule
+        first = min((check for check in worst if check.rule == first.rule), key=severity)
     if first is not None and first.kind == "limit" and first.verdict in ("fail", "not_verified"):
         return of_check(first, results.design)
     if key in GIVES and (text := GIVES[key](results)) is not None:
