@@ -177,10 +177,11 @@ def solve(
 
     `before`: the results of an earlier version, of which unchanged parts are taken over.  `compared`: with what other
     methods give beside those that judge; every verdict is the same without.  `stop` is asked between the parts whether
-    nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what it
-    gave decides all that is asked, the outcomes so far are returned."""
+    nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what
+    there is of its step decides all that is asked, the outcomes so far are returned."""
     kept = before.parts if before is not None and before.recorded >= recording.get() else {}
-    part = Parts(TITLES, kept, dict(design.without), stop=stop, enough=enough)
+    several = len(design.shafts) > 1
+    part = Parts(TITLES, kept, dict(design.without), named=several, stop=stop, enough=enough)
     try:
         solved = steps(part, design, compared)
     except Enough:
@@ -245,6 +246,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.overrun(design),
                 h.beside(design, shaft, c),
                 judged=design.bearings is not None,
+                alike=h.sized_alike(design, shaft),
             )
             c |= h.twins(design, shaft, c[shaft.name])
         left = _left_over(part, design, e.result, i.result, c)
@@ -266,6 +268,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.bearing_materials(design, design.bearings, view.shafts[0]),
                 compared=compared,
             )
+            b |= {twin: b[name] for twin in h.twins_of(design, name)}  # a film does not know left from right
     no_bearings = None if b else part.absent("bearings", design.bearings, late)
 
     if design.gears is not None and g.result is not None and first_speed is not None:
@@ -382,7 +385,7 @@ def _told(
     }
     ratios = {shaft.name: shaft.inputs.speed_ratio for shaft in h.turning(design)}
     twins = {name: outcome for name, outcome in c.items() if name not in of_shafts}
-    whole = shafts.whole(own, twins, ratios, left) if c else left
+    whole = shafts.whole(own, twins, ratios, left, named=len(design.shafts) > 1) if c else left
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()})
     of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
     accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)

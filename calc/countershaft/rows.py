@@ -150,6 +150,19 @@ class BearingRow:
         repair="asked",
     )
 
+    carrier_bore: float | None = quantity(
+        "Bore for its carrier",
+        "mm",
+        default=None,
+        up_to=2000,
+        symbol="D_c",
+        step=0.5,
+        help='With assembly = "cartridge": the bore of the block that the carrier of an outer bearing fills; through '
+        "it the shaft comes in.",
+        change=("smaller carrier", "larger carrier"),
+        repair="free",
+    )
+
     @property
     def in_words(self) -> Text:
         """Its name inside a sentence."""
@@ -167,3 +180,5 @@ class BearingRow:
             yield dotted(BearingRow.clearance), Text("give either clearance_um or clearance_factor, one of the two")
         if self.clearance is not None and self.diameter is not None and self.clearance >= 0.1 * self.diameter:
             yield dotted(BearingRow.clearance), Text("must stay below a tenth of the diameter")
+        if self.carrier_bore is not None and self.diameter is not None and self.carrier_bore <= self.diameter:
+            yield dotted(BearingRow.carrier_bore), Text("must be larger than the diameter: the carrier holds its seat")

@@ -31,7 +31,7 @@ from ..draw.drawing import (
     rectangle,
     round_outline,
 )
-from ..draw.shaft_outline import drawn, reach, silhouette, upwards
+from ..draw.shaft_outline import bore, drawn, reach, silhouette, upwards
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
 from ..sheet.record import record
@@ -69,6 +69,7 @@ LENGTH = dotted(SHAFT, ShaftInputs.half_length)
 POSITIONS = dotted(EACH_ROW, BearingRow.position)
 HOLES = dotted(SHAFT, ShaftInputs.holes)
 GEAR = dotted(SHAFT, ShaftInputs.gear_z)
+BORE = dotted(SHAFT, ShaftInputs.bore_diameter)
 SECTIONS = dotted(SHAFT, ShaftInputs.sections)
 JOURNALS = f"{dotted(EACH_ROW, BearingRow.diameter)} {dotted(EACH_ROW, BearingRow.length)}"
 OF_MASSES = (RESIDUAL, RESIDUAL_FORCE, ENVELOPE, ENVELOPE_LENGTH, OUTLINE_FORCE)
@@ -189,6 +190,7 @@ def _side(view: View, outline: Outline | None) -> Iterator[Mark]:
             yield Polyline(OUTLINE, box, True, key, state)
     if outline is not None:
         yield Polyline(OUTLINE, silhouette(outline), True)
+        yield from (Polyline(HIDDEN, edge, key=BORE) for edge in bore(outline))
     else:
         yield Polyline(OUTLINE, ((view.start, 0.0), (view.end, 0.0)))
         for mass in view.shaft.masses:
@@ -304,6 +306,8 @@ def _end_view(view: View) -> Iterator[Mark]:
         yield Area(OUTLINE, (edge,), SHADES["sector"], _mass_keys(view, piece), view.state)
         yield Polyline(OUTLINE, edge, True, _mass_keys(view, piece), view.state)
         yield from _angle(view, piece.angle, _mass_keys(view, piece))
+    if view.shaft.bore_diameter:
+        yield Arc(OUTLINE, (0.0, 0.0), view.shaft.bore_diameter / 2, key=BORE)
     if sectors:
         yield Arc(OUTLINE, (0.0, 0.0), sectors[0].core_radius, key=CORE)
     else:

@@ -2,6 +2,7 @@
 """A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call
 in solve.py."""
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
@@ -57,7 +58,8 @@ NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")
 Problems = Iterable[tuple[str, Text]]  # keys, each with what is wrong there
 MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
-SCREENED = ("name", "position", "kind", "diameter", "length")  # of a bearing that [bearings] does not judge
+# of a bearing that [bearings] does not judge
+SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore")
 
 
 @inputs
@@ -237,7 +239,8 @@ class Design:
         yield from self._names()
         if self.engine is not None:
             yield from self._cranks(self.engine)
-        yield from self._twins()
+        twins = list(self._twins())
+        yield from twins or self._shares()
         for n, shaft in enumerate(self.shafts):
             if not shaft.is_twin:
                 way = dotted(Design.shafts, n)
@@ -334,6 +337,24 @@ class Design:
                 yield key, _unknown_name(name, own)
         yield from self._axes()
 
+    def _shares(self) -> Problems:
+        """Of the shafts of one ratio that are sized; a twin takes its original's."""
+        own = {s.name: s for s in self.shafts if not s.is_twin and s.mode == "size" and s.speed_ratio is not None}
+        sized = [
+            (-original.speed_ratio if shaft.mirrors is not None else original.speed_ratio, original)
+            for shaft in self.shafts
+            if (original := own.get(shaft.mirrors or shaft.repeats or shaft.name)) is not None
+        ]
+        alike = Counter(ratio for ratio, _ in sized)
+        for n, shaft in enumerate(self.shafts):
+            shares = [one.share or 1 / alike[one.speed_ratio] for ratio, one in sized if ratio == shaft.speed_ratio]
+            if shaft.share is not None and (together := sum(shares)) > 1 + 1e-9:
+                whole = Text(
+                    "the sized shafts of this ratio, twins counted, take {together} of it, more than all",
+                    together=Amount(together * 100, "%", form=".4g"),
+                )
+                yield dotted(Design.shafts, n, ShaftInputs.share), whole
+
     def _axes(self) -> Problems:
         """Two shafts about one axis; a mirror image that lies on its original is judged, since both may be meant to be
         given their place later."""
@@ -375,8 +396,8 @@ class Design:
             return
         places, journals = shaft.bearing_positions, shaft.journals
         lengths = [length for _, length in journals]
-        if shaft.outer_radius is None and journals and not shaft.sections:
-            widest = max(diameter for diameter, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
+        if shaft.outer_radius is None and shaft.seat is not None and not shaft.sections:
+            widest = shaft.seat / 2 - (shaft.radial_clearance or 0.0)
             if shaft.core_radius is not None and shaft.core_radius >= widest:
                 must = Text(
                     "must be smaller than what the largest journal leaves to the sectors, {R} mm", R=_in_mm(widest)
@@ -533,6 +554,9 @@ def _no_key(key: str) -> Text | None:
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:
-    near = get_close_matches(name, list(known), 1)
-    others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)
+    there = [other for other in known if other]  # one without a name is an error of its own
+    near = get_close_matches(name, there, 1)
+    others = Text("; there are none")
+    if there:
+        others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(there)
     return Text('"{name}" is not known', name=name) + others

@@ -86,8 +86,21 @@ def twins(
     """What the twins of a shaft have of it, where it is solved."""
     if solved.result is None:
         return {}
-    mine = [shaft for shaft in turning(design) if shaft.of == original.name]
-    return {shaft.name: Outcome("countershaft", result=of_twin(solved.result, shaft)) for shaft in mine}
+    return {
+        name: Outcome("countershaft", result=of_twin(solved.result, twin))
+        for name, twin in twins_of(design, original.name).items()
+    }
+
+
+def twins_of(design: Design, original: str) -> dict[str, Resolved]:
+    """The twins of a shaft by their names."""
+    return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
+
+
+def sized_alike(design: Design, shaft: Resolved) -> int:
+    """How many shafts are sized for the ratio of this one, twins counted."""
+    ratio = shaft.inputs.speed_ratio
+    return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == ratio for one in design.resolved)
 
 
 def beside(
@@ -160,7 +173,7 @@ def driven(design: Design) -> tuple[str, ...]:
     if len(names) < 2 or design.gears is None:
         return tuple(names) or (ONLY,)
     on = {wheel.shaft for wheel in design.gears.wheels} | set(design.gears.along)
-    return tuple(name for name in names if name in on) or (names[0],)
+    return tuple(name for name in names if name in on) or tuple(list(design.views)[:1])
 
 
 def shaft_teeth(design: Design, name: str | None) -> int | None:
@@ -210,9 +223,8 @@ def balanced(shafts: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, Bal
 
 
 def ratios(design: Design) -> dict[str, float]:
-    """How fast the shafts in the train must turn, over the crank, by their names."""
-    on = driven(design)
-    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design) if shaft.name in on}
+    """How fast the shafts must turn, over the crank, by their names."""
+    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design)}
 
 
 def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInputs) -> BearingMaterials:
@@ -361,7 +373,7 @@ def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftRes
         shafts[shaft.name] = ShaftInTrain(
             axis=axis_of(inputs) if turns else None,
             eccentric=eccentric(inputs, end) if turns else None,
-            journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
+            journals=(sizes[0][0], sizes[-1][0]) if sizes and inputs.passes_seats else None,
             gear_end=end,
             couple=result.couple if result is not None else None,
         )

@@ -139,6 +139,17 @@ def rotary_inertia(rho: KilogramPerMetre3, I: Metre4) -> KilogramMetre:
     return rho * I
 
 
+@formula(
+    "J_l",
+    "dynamics: rotary inertia per length, the part of the sectors by their own density; rule of this program: about "
+    "the centre of the section",
+    names={"nu": "ν_ρ"},
+)
+def heavier_rotary_inertia(rho: KilogramPerMetre3, I: Metres4, I_0: Metres4, nu: Number) -> KilogramMetres:
+    """ν: density of the sectors over that of the core, whose second moment is I_0."""
+    return rho * (I_0 + nu * (I - I_0))
+
+
 @formula("q", "dynamics: centrifugal load per length of what is eccentric", names={"omega": "ω_S"})
 def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
     return omega**2 * rho * S

@@ -435,7 +435,10 @@ def _frequencies(
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = shared_stiffness(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             inertia = weaker
-    j = f.rotary_inertia(rho=material.density, I=inertia)
+    if outline.heavier == 1:
+        j = f.rotary_inertia(rho=material.density, I=inertia)
+    else:
+        j = f.heavier_rotary_inertia(rho=material.density, I=inertia, I_0=core, nu=outline.heavier)
     shared, whole = stiffnesses
     x = shaft.given
     S_s, mu, m, z, z_B = x["S_s"], x["mu"], x["m"], x["z"], x["z_B"]

@@ -214,7 +214,7 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
         raise NoSolution(Text("{key} {reason}", key=bad.errors[0].key, reason=bad.errors[0].reason)) from None
     ids = [c.id for c in failing]
     try:
-        choices(shaft, imbalance, engine.angular_speed, room, {shaft.material: materials[shaft.material]})
+        choices(shaft, imbalance, engine.angular_speed, room, {shaft.of_sectors: materials[shaft.of_sectors]})
     except TooSmall as small:
         larger = (
             (ShaftInputs.outer_radius, small.outer_radius),
@@ -227,7 +227,7 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
             pass
     shafts = choices(shaft, imbalance, engine.angular_speed, room, materials, part(progress, 0.2, 0.3)).shafts
     R = shaft.outer_radius or room.outer_radius
-    near = sorted(shafts, key=lambda choice: (choice.material != shaft.material, abs(choice.sized.outer_radius - R)))
+    near = sorted(shafts, key=lambda choice: (choice.material != shaft.of_sectors, abs(choice.sized.outer_radius - R)))
     ways = (changes(choice, room) for choice in near)
     return first_repaired(state, "countershaft", ids, ways, part(progress, 0.3, 1.0), most=TRIED)
 

@@ -121,7 +121,7 @@ SCATTER = "[shafts.scatter]\nmass_g = %s\nradius_mm = 0.05\nangle_deg = 0.1\nz_m
         ("sector_effectiveness = 0.0\n", "sector_effectiveness", "from 0.1 to 1"),
         ('balance_grade = "G5"\n', "balance_grade", '"G6.3"'),
         ('pair = "yes"\n', "pair", "is not known"),
-        ('mirrors = "other"\n', "material", "is that of the shaft that it mirrors, other: leave it out here"),
+        ('mirrors = "other"\n', "material", "is that of its original, other: leave it out here"),
         ("outer_radius_mm = " + "9" * 400 + "\n", "outer_radius_mm", "up to 1000"),
         ("radial_clearance_mm = -0.1\n", "radial_clearance_mm", "from 0 to 50"),
         ("fillet_radius_mm = 0\n", "fillet_radius_mm", "above 0"),

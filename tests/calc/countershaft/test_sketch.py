@@ -66,7 +66,8 @@ def test_a_slope_beyond_its_target_marks_its_support(gamma):
 @pytest.mark.parametrize("name", ["twin_force_shaft", "r754ie4_balance_shafts", "r753ie4_sized"])
 def test_shafts_of_every_kind(name):
     document, asked = load(DESIGNS / f"{name}.toml")
-    shaft = sketch(asked, solve(asked))
+    (seen,) = solve(asked).views.values()
+    shaft = sketch(seen.design, seen)
     sketches.check(shaft, document)
     points = any("points" in str(note) for note in shaft.notes)
     assert points == (name != "r753ie4_sized")
