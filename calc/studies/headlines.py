@@ -6,8 +6,6 @@ from collections.abc import Callable, Iterator, Mapping
 
 from ..bearings.result import BearingResult
 from ..countershaft.result import CountershaftResult
-from ..countershaft.rows import called
-from ..countershaft.shafts import ShaftsResult
 from ..countershaft.sums import SystemResult
 from ..design.model import Design
 from ..engine.result import EngineResult
@@ -22,7 +20,7 @@ from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Name, Text
-from ..sheet.verdict import closest, severity
+from ..sheet.verdict import closest
 from ..solve import Results
 
 
@@ -43,52 +41,32 @@ def headline(results: Results, key: str) -> Headline | None:
     outcome = results.outcomes[key]
     if outcome.state != "solved":
         return None
-    worst = [group[0] for group in outcome.causes]
-    first = next(iter(worst), None)
-    if first is not None and len(results.design.shafts) > 1:  # the worst of all shafts, by the same rule
-        first = min((check for check in worst if check.rule == first.rule), key=severity)
+    first = next((group[0] for group in outcome.causes), None)
     if first is not None and first.kind == "limit" and first.verdict in ("fail", "not_verified"):
-        return of_check(first, results.design)
+        return of_check(first)
     if key in GIVES and (text := GIVES[key](results)) is not None:
         return Headline(text, text)
     deciding = [check for check in outcome.checks if check.rule.decides]
-    return of_check(min(deciding, key=lambda c: c.margin), results.design) if deciding else None
+    return of_check(min(deciding, key=lambda c: c.margin)) if deciding else None
 
 
-def of_check(check: Check, design: Design) -> Headline:
-    """`film 7.41 of 9 µm`; `fatigue not verified` of a check that has no value; `left middle film 3.4 of 4.5 µm` where
-    there are several shafts."""
-    word, brief_word = _words(check, design)
-    limit = check.nearest[1]
+def of_check(check: Check) -> Headline:
+    """`film 7.41 of 9 µm`; `fatigue not verified` of a check that has no value."""
+    word, limit = check.rule.short or check.name, check.nearest[1]
     if math.isnan(check.value):
         words = Text("{word} not verified", word=word)
-        return Headline(words, Text("{word} not verified", word=brief_word), None, check)
+        return Headline(words, words, None, check)
     if not limit:
         long, brief = (
-            Text("{word} {value}", word=name, value=Amount(check.value, check.unit, digits=n))
-            for name, n in ((word, 3), (brief_word, 2))
+            Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=n)) for n in (3, 2)
         )
         return Headline(long, brief, None, check)
     three, two = (
-        dict(word=name, value=Amount(check.value, digits=n), limit=Amount(limit, check.unit, digits=n))
-        for name, n in ((word, 3), (brief_word, 2))
+        dict(word=word, value=Amount(check.value, digits=n), limit=Amount(limit, check.unit, digits=n)) for n in (3, 2)
     )
     return Headline(
         Text("{word} {value} of {limit}", **three), Text("{word} {value}/{limit}", **two), check.share, check
     )
-
-
-def _words(check: Check, design: Design) -> tuple[Text, Text]:
-    """What is judged; where there are several shafts, of which bearing of which, in brief of which."""
-    word = check.rule.short or check.name
-    name, _, rest = check.id.partition(".")[2].partition(".")
-    shaft = design.views.get(name)
-    if not check.rule.short or len(design.shafts) < 2 or shaft is None:
-        return word, word  # the name of a check has its shaft's in it
-    of_shaft = Text("{shaft} {word}", shaft=Name(name), word=word)
-    row = next((row.name for row in shaft.rows if rest.startswith(f"{row.name}.")), "")
-    of_row = Text("{shaft} {bearing} {word}", shaft=Name(name), bearing=called(row), word=word)
-    return (of_row if row else of_shaft), of_shaft
 
 
 # --- what a step gives
@@ -104,25 +82,6 @@ def _engine(results: Results) -> Text | None:
 def _imbalance(results: Results) -> Text | None:
     balance = _balance(results)
     return Text("shaft {size}", size=balance[1]) if balance is not None else None
-
-
-def _shafts(results: Results) -> Text | None:
-    """What several shafts leave of what they are for."""
-    left = _left_of_shafts(results) if len(results.design.shafts) > 1 else None
-    return Text("{what} {change}", what=left[0], change=left[1]) if left is not None else None
-
-
-def _left_of_shafts(results: Results) -> tuple[Text, Text] | None:
-    """Of the lowest order at which a shaft turns, of its couple or else its force: what the engine has, and what the
-    shafts leave."""
-    values = results.values()
-    for n, field, peak in _LEFT:
-        before, left = values.get(dotted(Design.imbalance, f"order_{n}", peak)), results.value(field)
-        if before is not None and left is not None and before.shown:
-            word = Text("couple") if peak is Order.couple_peak else Text("force")
-            amounts = dict(before=Amount(before.shown, form=".0f"), after=Amount(left.shown, left.unit, form=".0f"))
-            return word, Text("{before} → {after}", **amounts)
-    return None
 
 
 def _balance(results: Results) -> tuple[Text, Text] | None:
@@ -178,7 +137,6 @@ def _mounting(results: Results) -> Text | None:
 GIVES: Mapping[str, Callable[[Results], Text | None]] = {
     "engine": _engine,
     "imbalance": _imbalance,
-    "countershaft": _shafts,
     "gears": _gears,
     "friction": _friction,
     "mounting": _mounting,
@@ -199,11 +157,9 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
         return Amount(which([value.shown for value in matching]), matching[0].unit, digits=3) if matching else None
 
     numbers: list[tuple[Text, Text | Amount | None]] = []
-    if (balance := _balance(results) or _left_of_shafts(results)) is not None:
+    if (balance := _balance(results)) is not None:
         numbers.append(balance)
-    if (all_of_them := shown(ShaftsResult.shaft_mass)) is not None:
-        numbers.append((Text("shafts"), all_of_them))
-    elif (mass := shown(CountershaftResult.mass)) is not None and design.countershaft is not None:
+    if (mass := shown(CountershaftResult.mass)) is not None and design.countershaft is not None:
         outer = design.countershaft.outer_radius
         size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass
         numbers.append((Text("shaft"), size))
@@ -216,8 +172,6 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
     if len(edges) == 2:
         front, rear = Amount(edges[0].shown, digits=3), Amount(edges[1].shown, edges[1].unit, digits=3)
         numbers.append((Text("films at the edge"), Text("{front} / {rear}", front=front, rear=rear)))
-    elif edges:
-        numbers.append((Text("least film at the edge"), extreme(min, edges)))
     roots = {f"safety_bending_{wheel.name}" for wheel in design.gears.wheels} if design.gears is not None else ()
     bending = [v for id, v in results.values().items() if id.rpartition(".")[2] in roots]
     numbers += [
@@ -262,10 +216,8 @@ def remaining(results: Results) -> Iterator[tuple[str, Text]]:
     for n, field, peak in _LEFT:
         before, left = values.get(dotted(Design.imbalance, f"order_{n}", peak)), results.value(field)
         if left is not None and left.shown:
-            leaves = Text("of order {n} the shaft leaves {value}", n=n, value=_three(left))
-            if len(results.design.shafts) > 1:
-                leaves = Text("of order {n} the shafts leave {value}", n=n, value=_three(left))
-            yield "countershaft", leaves
+            of_shaft = Text("of order {n} the shaft leaves {value}", n=n, value=_three(left))
+            yield "countershaft", of_shaft
         elif left is None and before is not None and before.shown:
             yield dotted(Design.imbalance), Text("of order {n} stay {value}", n=n, value=_three(before))
     for field, left_field in _SUPPLIED_ELSEWHERE:
