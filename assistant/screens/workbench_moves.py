@@ -7,7 +7,7 @@ from typing import Any
 
 from textual.app import SuspendNotSupported
 
-from calc.design.addresses import asks
+from calc.design.addresses import asks, step_at
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
@@ -126,11 +126,13 @@ class WorkbenchMoves(WorkbenchResults):
 
     async def to_value(self, id: str) -> None:
         """The field of an input, or the step of a result."""
-        step = next((s for s in STEPS if s.key == id.partition(".")[0]), self.step)
+        step = next((s for s in STEPS if s.key == step_at(self.session.data, id)), self.step)
         try:
             place: Place | None = self.session.place(id)
         except BadInput:
             place = None
+            if (shaft := self.session.shaft_of(id)) is not None:
+                self.look_at(shaft)
         self.at_pane("inputs")
         await self.open_step(step, place)
 

@@ -22,7 +22,7 @@ from textual.widget import Widget
 from calc.design.addresses import asks
 from calc.design.model import STEPS
 from calc.locale import Language
-from calc.sheet.step import Step
+from calc.sheet.step import OF_SHAFTS, Step
 from calc.sheet.text import Text
 
 from ..actions import ACTIONS
@@ -145,7 +145,8 @@ class WorkbenchPanes(Screen[None]):
 
     def form_title(self) -> str:
         title = f"{self.number} {self.app.say(title_of(self.step, self.session.data))}"
-        return f"{title}: {self.session.shafts[self.session.shaft]}" if self.leafs else title
+        of_shaft = self.leafs and self.step.key in OF_SHAFTS
+        return f"{title}: {self.session.shafts[self.session.shaft]}" if of_shaft else title
 
     @property
     def leafs(self) -> bool:

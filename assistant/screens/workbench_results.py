@@ -25,7 +25,7 @@ from calc.sheet.verdict import findings_of, open_findings
 from ..base_app import TYPING
 from ..session.calculation import VALUES, CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
 from ..session.guide import CHOICES
-from ..session.places import SHAFTS, Place, named_key
+from ..session.places import SHAFTS, SITS_ON, WHEELS, Place, content_at, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
@@ -519,7 +519,8 @@ class WorkbenchResults(WorkbenchPanes):
         return self._leaves[-1]
 
     def look_at(self, shaft: int) -> None:
-        """Put another shaft in view; where a field of the one before has the focus, the same of this one gets it."""
+        """Put another shaft in view, with its wheel; where a field of the one before has the focus, the same of this
+        one gets it."""
         session, form = self.session, self.form
         if shaft == session.shaft:
             return
@@ -528,7 +529,10 @@ class WorkbenchResults(WorkbenchPanes):
         for step, id in chosen.items():
             if id.startswith(f"{before}."):
                 chosen[step] = f"{session.original}.{id.removeprefix(f'{before}.')}"
-        here = form.here()
+        wheels = content_at(session.data, WHEELS) or []
+        name, here = session.shafts[shaft], form.here()
+        for n in (n for n, wheel in enumerate(wheels) if wheel.get(SITS_ON) == name):
+            form.chosen[WHEELS] = n  # in step 5: the wheel that drives it
         if here is not None and len(here) > 1 and here[:1] == SHAFTS:
             form.rebuild((*SHAFTS, session.shaft, *here[2:]))
         else:
@@ -540,7 +544,8 @@ class WorkbenchResults(WorkbenchPanes):
         """The picture of the step, with what the edited field changes lit."""
         field, results = self._field, self._pictured()
         lit = named_key(self.session.data, field.place) if field is not None else ""
-        self.pane_named("picture").set_title(right=self.session.original if self.leafs else "")
+        of_shaft = self.leafs and self.step.key in OF_SHAFTS
+        self.pane_named("picture").set_title(right=self.session.original if of_shaft else "")
         self.query_one(Picture).show(self.step.key, results.design if results is not None else None, results, lit)
 
     def _pictured(self) -> "Results | None":
