@@ -283,6 +283,16 @@ def stationary(G_B: Newton, R_G: Newton) -> Newton:
     return abs(G_B) + R_G
 
 
+@formula(
+    "R_0",
+    "statics: weight and bores by their directions; tooth force and tolerances, whose directions are open, in line",
+    names={"G_B": "G_u"},
+)
+def stationary_shared(G_B: Newton, R_o: PhasorNewton, R_G: Newton, R_c: Newton) -> Newton:
+    """On one of more than two bearings; G_B up, R_o up and 90° further in the sense of the crank."""
+    return modulus(G_B + R_o) + R_G + R_c
+
+
 @formula("R_max", "statics: the turning and the standing part in line, once a turn", names={"R": "F"})
 def reaction_peak(R: Newton, R_0: Newton) -> Newton:
     return R + R_0

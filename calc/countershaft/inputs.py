@@ -24,6 +24,7 @@ NO_NAMES = (
 )  # fmt: skip
 
 # the folds of the form
+AROUND = Text("Cover, and what hangs on the shaft")
 SUPPORT = Text("Support, drain, cost")
 LAID_IN = ("split", "caps", "module")  # ways of assembly in which nothing has to pass a seat
 
@@ -215,6 +216,38 @@ NO_ORDER = Text(
 
 
 @inputs
+class ShaftLoad:
+    """What hangs on the shaft, a pump: it takes a power that the train carries and does not lose."""
+
+    name: str = text("Name")
+    power: float = quantity(
+        "Power",
+        "kW",
+        within=(0, 1e4),
+        symbol="P_C",
+        help="What it takes at the speed of the design, which is the rated one unless another is given.",
+        change=("less of it", "more of it"),
+        repair="asked",
+    )
+    speed_exponent: float = quantity(
+        "Exponent of the speed",
+        default=3.0,
+        within=(0, 5),
+        symbol="m_C",
+        step=0.5,
+        usual=(1, 3),
+        source="similarity: a pump of given pressure 1, one whose pressure grows with the square of the speed 3",
+        help="Its power goes with this power of the speed.",
+    )
+    wheel: str | None = text(
+        "Wheel that drives it",
+        default=None,
+        help="A wheel of the train; where the wheel of the shaft drives that, its teeth push the shaft. Left out: it "
+        "turns with the shaft, and no force of it is known.",
+    )
+
+
+@inputs
 class ShaftInputs:
     """A balance shaft: its masses or its envelope, where it is carried, and how it is made and mounted."""
 
@@ -346,7 +379,7 @@ class ShaftInputs:
         where=(mode, "size"),
     )
     share: float | None = quantity(
-        "Share of what is asked",
+        "Share of the task",
         "%",
         default=None,
         within=(1, 100),
@@ -367,18 +400,18 @@ class ShaftInputs:
         "with a clearance for threading in, else not asked.",
     )
     bore_diameter: float = quantity(
-        "Bore along its whole length",
+        "Bore through it",
         "mm",
         default=0.0,
         within=(0, 2000),
         symbol="d_b",
         step=0.5,
-        help="Of a hollow shaft; smaller than its core.",
+        help="Of a hollow shaft, along its whole length; smaller than its core.",
         change=("narrower bore", "wider bore"),
         repair="free",
     )
     sector_material: str | None = text(
-        "Material of the sectors",
+        "Sectors' material",
         default=None,
         help="Tungsten segments, welded weights: its density is that of the sectors alone. Left out: the shaft's.",
         change=("other sectors",),
@@ -440,6 +473,29 @@ class ShaftInputs:
         help="ISO 21940-11, which lists no balance shafts: machinery in general G6.3, crank drives that are inherently "
         "balanced G16 (rigidly mounted) and G40, inherently unbalanced ones G250 and G630.",
         fold=SUPPORT,
+    )
+    covered: str = choice(
+        "Cover",
+        "open",
+        "shell",
+        default="open",
+        help="shell: close around the sectors, and dry inside: the mist turns along, and no oil at rest reaches them.",
+        fold=AROUND,
+    )
+    shell_gap: float | None = quantity(
+        "Gap between sectors and shell",
+        "mm",
+        default=None,
+        up_to=500,
+        symbol="t_S",
+        rule_of_thumb=(1, 5),
+        help="Radial, between their outer radius and the shell.",
+        change=("closer shell", "wider shell"),
+        repair="free",
+        where=(covered, "shell"),
+    )
+    loads: tuple[ShaftLoad, ...] = tables(
+        "What hangs on the shaft", ShaftLoad, default=(), help="Pumps that the shaft or its train drives.", fold=AROUND
     )
     holes: Holes | None = table("Calibration holes", Holes, default=None, fold=SUPPORT)
     scatter: Scatter | None = table("Production scatter", Scatter, default=None, fold=SUPPORT)
@@ -522,6 +578,10 @@ class ShaftInputs:
         if not 2 <= len(self.bearings) <= 9:
             count = len(self.bearings)
             yield dotted(ShaftInputs.bearings), Text("needs 2 to 9 rows [[shafts.bearings]]; has {count}", count=count)
+        if self.covered == "shell" and self.shell_gap is None:
+            yield dotted(ShaftInputs.shell_gap), Text('needed with covered = "shell"')
+        if self.covered != "shell" and self.shell_gap is not None:
+            yield dotted(ShaftInputs.shell_gap), Text('leave it out, or say covered = "shell"')
         if self.mode == "bearings":
             return
         for i, row in enumerate(self.bearings):
@@ -652,4 +712,5 @@ def _mm(length: float) -> Amount:
 
 
 # what a mirror image has of its own
-TWIN = tuple(dotted(key) for key in (ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.repeats, ShaftInputs.axis))
+OWN = ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.repeats, ShaftInputs.axis, ShaftInputs.loads
+TWIN = tuple(map(dotted, OWN))

@@ -9,7 +9,7 @@ from ..library import journal_rules as rules
 from ..library.journal_rules import IN_WORDS as IN_WORDS
 from ..library.journal_rules import called as called
 from ..library.journal_rules import titled as titled
-from ..sheet.quantity import choice, dotted, inputs, quantity, text
+from ..sheet.quantity import choice, dotted, inputs, quantity, series, text
 from ..sheet.text import Text
 
 # keys of a shaft's inputs, of those of one of its bearings and of all of them, the names left open
@@ -112,6 +112,16 @@ class BearingRow:
         step=50,
         help="Radial load on the journal. Left out: the reaction of the shaft.",
         repair="asked",
+    )
+    offset: tuple[float, ...] | None = series(
+        "Bore off the line",
+        "µm",
+        default=None,
+        count=(2, 2),
+        within=(-1000, 1000),
+        symbol="g_B",
+        help="Up, and 90° further in the sense of the crank: the bore of an inner bearing off the line of the outer "
+        "two.",
     )
     journal_roughness: float = quantity(
         "Roughness Ra, journal",

@@ -124,4 +124,4 @@ def whole(
             if len(inertias) == len(every)
             else None,
         )
-    return beside(sums, joined("countershaft", shafts, together, named=True))
+    return beside(sums, joined("countershaft", {**shafts, **twins}, together, named=True))

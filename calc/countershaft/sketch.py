@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-shaft as a sketch: from the side with its supports and its bending line, and its masses from the front.
+"""Each shaft as a sketch: from the side with its supports and its bending line, and its masses from the front; and all
+of them beside the crank.
 
 From the side the first mass is up, as on the drawing; from the front cylinder 1 stands at TDC and the crank turns
 clockwise."""
 
+import cmath
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,10 +35,12 @@ from ..draw.drawing import (
     round_outline,
 )
 from ..draw.shaft_outline import bore, drawn, reach, silhouette, upwards
+from ..engine.result import EngineResult
+from ..gears.inputs import GearsInputs
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
 from ..sheet.record import record
-from ..sheet.text import Amount, Text
+from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Number, Radian
 from .bending.shaft import Bending
 from .checks import (
@@ -50,12 +55,15 @@ from .checks import (
     SUPPORT_HEAT_INDEX,
     SUPPORT_SPECIFIC_LOAD,
 )
+from .front_view import CORNERS, ShaftInFront, Wheel, from_up, front_view, sector_outline
 from .inputs import EccentricMass, Holes, ShaftInputs
 from .left_over import RESIDUAL, RESIDUAL_FORCE
 from .outline import Outline, Piece
 from .result import CountershaftResult
 from .rows import EACH_ROW, SHAFT, BearingRow
+from .shafts import of_twin
 from .sizing.sectors import SizedSector
+from .twins import Resolved
 
 if TYPE_CHECKING:
     from ..design.model import Design
@@ -79,7 +87,6 @@ SEEN = 0.05, 1.2  # of the largest radius: within this the bending line is to st
 SUPPORT = 0.035  # of the shaft's length: height of a support's triangle
 POINT = 0.3  # of the largest radius of the masses: radius of the heaviest of them, where only their places are known
 FEW = 4  # masses whose places are told
-CORNERS = 24  # of half a sector
 
 
 @record
@@ -100,8 +107,36 @@ class View:
         return self.end - self.start
 
 
-def sketch(design: "Design", results: "Results") -> Sketch:
-    """The shaft of a design, as far as it is known."""
+def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int = 0) -> Sketch:
+    """The shafts of a design, as far as they are known: one of its own from the side and from the front; all of them
+    beside the crank, where there are several or a place is given.  Of several that are no twins the picture `view`
+    comes first."""
+    each = [_of_one(one, results.views[name]) for name, one in design.views.items()]
+    together = _together(design, results)
+    if len(each) > 1:
+        each = [_named(one, of, n == 0) for n, (one, of) in enumerate(zip(each, design.views.values()))]
+        pictures = [one for one in (together, *each) if one is not None and one.primitives]
+        first, *others = pictures[view:] + pictures[:view] or [awaited(results.outcomes[STEP])]
+        return replace(first, beside=tuple(others), views=max(1, len(pictures)))
+    alone = each[0] if each else awaited(results.outcomes[STEP])
+    if together is None or not alone.primitives:
+        return alone
+    beside = (together, *alone.beside) if len(design.shafts) > 1 else (*alone.beside, together)
+    return replace(alone, beside=beside)
+
+
+def _named(picture: Sketch, of: "Design", first: bool) -> Sketch:
+    """The picture of one of several shafts under its name, with keys that say which of them it is; those of the first
+    are the rules' own."""
+    marks = picture.primitives
+    if not first:
+        keys = (" ".join(one for words in mark.key.split() for one in of.in_place(words)) for mark in marks)
+        marks = tuple(replace(mark, key=key) for mark, key in zip(marks, keys))
+    return replace(picture, primitives=marks, title=Name(of.shafts[0].name), beside=())
+
+
+def _of_one(design: "Design", results: "Results") -> Sketch:
+    """A shaft that is no twin by itself."""
     outcome = results.outcomes[STEP]
     shaft: ShaftInputs | None = design.countershaft
     result = outcome.result
@@ -174,6 +209,53 @@ def _mass_keys(view: View, piece: Piece) -> str:
         return SECTIONS
     here = [mass for mass in view.shaft.masses if piece.start <= mass.z <= piece.end]
     return " ".join((*(f"{MASSES}.{mass.name}" for mass in here), OUTER, LENGTH))
+
+
+# --- all of them
+
+
+def _together(design: "Design", results: "Results") -> Sketch | None:
+    """All shafts beside the crank; None where that shows no more than the one shaft by itself, or where one of them is
+    not solved."""
+    every = [one for one in design.resolved if one.inputs.mode != "bearings"]
+    engine = results.result(EngineResult)
+    if design.engine is None or engine is None or (len(every) < 2 and every[0].inputs.axis is None):
+        return None
+    own = design.own.name if design.own is not None else ""
+    shafts: list[ShaftInFront] = []
+    for one in every:
+        original = results.of_shafts.get(one.of or one.name, results.outcomes)[STEP].result
+        if not isinstance(original, CountershaftResult):
+            return None
+        key = SHAFT if one.name == own else dotted(SHAFT.partition(".")[0], one.name)
+        shafts.append(_in_front(one, original, key))
+    train = results.train
+    laid = train.layout.wheels if train is not None and train.layout is not None else {}
+    wheels = [
+        Wheel(at, train.wheels[name].pitch_diameter / 2, dotted("gears", GearsInputs.wheels, name))
+        for name, wheel in laid.items()
+        if train is not None and (at := wheel.position) is not None
+    ]
+    return front_view(design.engine, sorted({round(float(psi), 9) for psi in engine.crank.psi}), shafts, wheels)
+
+
+def _in_front(one: Resolved, original: CountershaftResult, key: str) -> ShaftInFront:
+    """A shaft with what it sweeps; the mirror image of a sector stands at −γ."""
+    result = original if one.of is None else of_twin(original, one)
+    mirrored, axis = one.how == "mirrors", one.inputs.axis
+    pieces = original.outline.pieces if original.outline is not None else ()
+    sectors = [piece for piece in pieces if piece.half_angle is not None]
+    radii = [piece.outer_radius for piece in pieces] or [mass.radius for mass in one.inputs.masses]
+    return ShaftInFront(
+        one.name,
+        one.inputs.speed_ratio,
+        complex(*axis) if axis is not None else None,
+        max((*radii, one.inputs.outer_radius or 0.0)) or 1e-3,
+        tuple(replace(piece, angle=-piece.angle) for piece in sectors) if mirrored else tuple(sectors),
+        () if sectors else tuple(cmath.rect(mass.radius, mass.angle) for mass in one.inputs.masses),
+        result.force_vector,
+        key,
+    )
 
 
 # --- from the side
@@ -320,7 +402,7 @@ def _points_around(view: View) -> Iterator[Mark]:
     yield Arc(CONTEXT, (0.0, 0.0), max(mass.radius for mass in view.shaft.masses))
     places: set[Point] = set()
     for mass in view.shaft.masses:
-        at = _from_up(mass.radius, mass.angle)
+        at = from_up(mass.radius, mass.angle)
         if (place := (round(at[0], 5), round(at[1], 5))) not in places:
             places.add(place)
             yield from _point(view, (0.0, 0.0), at, mass)
@@ -329,21 +411,9 @@ def _points_around(view: View) -> Iterator[Mark]:
 
 def _angle(view: View, angle: Radian, key: str) -> Iterator[Mark]:
     """The direction of a mass, from up."""
-    at = _from_up(1.25 * view.radius, angle)
-    yield Polyline(AXIS, ((0.0, 0.0), _from_up(1.1 * view.radius, angle)))
+    at = from_up(1.25 * view.radius, angle)
+    yield Polyline(AXIS, ((0.0, 0.0), from_up(1.1 * view.radius, angle)))
     yield Words(WORDS, at, Text("{angle}", angle=Amount(math.degrees(angle) % 360, "°")), key=key, side="centre")
-
-
-def sector_outline(piece: Piece) -> tuple[Point, ...]:
-    """The section of a sector, around its outside and back along its core; angles from up, clockwise."""
-    assert piece.half_angle is not None
-    turns = [piece.angle + piece.half_angle * n / CORNERS for n in range(-CORNERS, CORNERS + 1)]
-    outside = [_from_up(piece.outer_radius, turn) for turn in turns]
-    return (*outside, *(_from_up(piece.core_radius, turn) for turn in reversed(turns)))
-
-
-def _from_up(radius: Metre, angle: Radian) -> Point:
-    return radius * math.sin(angle), radius * math.cos(angle)
 
 
 def _mm(length: Metre) -> Text:

@@ -49,7 +49,7 @@ from .sizing.sectors import TooSmall, eccentric_masses, pieces, task
 from .sizing.shares import asked_share, need_mirror_images, share_of
 from .sizing.stretches import NOT_THE_LIGHTEST, SizedStretches, inner_gaps, size_between
 from .sums import SystemShaft
-from .supports import Gear, reactions
+from .supports import Gear, gear_place, reactions
 
 if TYPE_CHECKING:
     from ..bearings.result import BearingsResult
@@ -67,12 +67,14 @@ def solve(
     *,
     judged: bool,
     alike: int = 1,
+    shared: bool = False,
 ) -> Outcome[CountershaftResult]:
     """A shaft by itself; sized first, where that is asked, for what the engine asks for and shafts `beside` it leave.
 
     `omega` is the crank's rated angular speed; `fastest`: the highest speed of the crank over the rated one; `judged`:
     the films of its bearings are judged by the step that follows, else their loads are screened here; `alike`: how
-    many shafts of its ratio are sized, of which each has its share.
+    many shafts of its ratio are sized, of which each has its share; `shared`: others turn like it, so that it is made
+    for no more than it gives as designed.
     """
     todo, journals = task(shaft.speed_ratio, imbalance, beside), shaft.journals
     slopes = {row.name: row.slope for row in shaft.bearings if row.slope is not None}
@@ -85,6 +87,9 @@ def solve(
         if R is None and journals and shaft.seat is not None:  # what may be threaded through it
             R = f.widest(d=shaft.seat, c_R=shaft.radial_clearance or 0.0)
         result = _balance(step, masses)
+        if shared:
+            C_S, F_S = result.couple_vector, result.force_vector
+            step.todo = replace(todo, C=based_on(-C_S, C_S), F=based_on(-F_S, F_S))
         if sized is not None:
             result = replace(
                 result,
@@ -95,6 +100,8 @@ def solve(
                 sector=sized.by_name,
             )
         outline = _outline(step, masses, sized, R, gear)
+        with about(Text("standing part of the load")):
+            result = replace(result, wheel=gear_place(shaft, outline, gear))
         if outline is not None:
             certain = sized is not None or not outline.derived
             result = _with_outline(step, masses, result, outline, certain, fastest)
@@ -260,7 +267,7 @@ def _with_supports(
     result = replace(result, reactions=forces, loads=dict(zip(names, loads)))
     if len(positions) > 2 or bent is not None:
         step.notes.append(supports_note(bent is not None))
-    if len(positions) == 2 and (judged or not journals):
+    if judged or (len(positions) == 2 and not journals):
         return result
     support = {}
     n_S = f.revolutions(omega=result.omega)

@@ -8,12 +8,13 @@ grow with the square of speed, so that what is left is one share at all speeds."
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any, Self
 
 import numpy as np
 
 from ..imbalance import formulas as v
 from ..imbalance.shaft_pair import roll_amplitude, roll_backward, roll_forward, roll_phase, roll_together, rolls_joined
+from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.functions import conj, largest
 from ..sheet.quantity import group, result, value
@@ -32,9 +33,6 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, based_on
 from . import formulas as f
-
-if TYPE_CHECKING:
-    from .making.system_scatter import SystemScatter
 
 
 @record
@@ -84,13 +82,13 @@ class SystemShaft:
     def forward(self) -> bool:
         return self.ratio > 0
 
-    def late_by(self, delta: Radian, s: Number = 0.0) -> "SystemShaft":
+    def late_by(self, delta: Radian, s: Number = 0.0) -> Self:
         """The same shaft late by an angle of its own (below zero: early), its couple too large by the share s."""
         sense = 1.0 if self.forward else -1.0
         force = f.late_force(F_S=self.force, sigma=sense, delta=delta)
         return replace(self, force=force, couple=f.late_couple(C_S=self.couple, s=s, sigma=sense, delta=delta))
 
-    def mirror_image(self, name: str, axis: PhasorMetre | None = None) -> "SystemShaft":
+    def mirror_image(self, name: str, axis: PhasorMetre | None = None) -> Self:
         """Its mirror image in the vertical plane through the crank: it turns the other way, and its unbalances stand at
         −γ (not at γ + 180°), each at the same place along the engine.  `axis`: where it does not stand at that of the
         mirror image, as at another height."""
@@ -101,7 +99,7 @@ class SystemShaft:
         ratio = based_on(-self.ratio, self.ratio)
         return replace(self, name=name, ratio=ratio, force=force, couple=couple, axis=axis, mirrors=self.name)
 
-    def repeated(self, name: str, axis: PhasorMetre) -> "SystemShaft":
+    def repeated(self, name: str, axis: PhasorMetre) -> Self:
         """The same shaft once more, about an axis of its own."""
         return replace(self, name=name, axis=axis)
 
@@ -157,6 +155,33 @@ class OrderLeft:
 
 
 @result
+class OrderScatter:
+    """The errors of what turns with and against the crank, root mean squares to first order."""
+
+    force_forward: Newton = value("Error of the force that turns with the crank", "N", "σ_F⁺")
+    force_backward: Newton = value("Error of the force that turns against it", "N", "σ_F⁻")
+    couple_forward: NewtonMetre = value("Error of the couple that turns with the crank", "N·m", "σ_C⁺")
+    couple_backward: NewtonMetre = value("Error of the couple that turns against it", "N·m", "σ_C⁻")
+
+
+@result
+class SystemScatter:
+    """What 95 % of the engines stay below, by their peak over a turn; and the errors behind it, order by order."""
+
+    order_1_force_95: Newton | None = value("First-order force that 95 % of the engines stay below", "N", default=None)
+    order_1_couple_95: NewtonMetre | None = value(
+        "First-order couple that 95 % of the engines stay below", "N·m", default=None
+    )
+    order_2_force_95: Newton | None = value("Second-order force that 95 % of the engines stay below", "N", default=None)
+    order_2_couple_95: NewtonMetre | None = value(
+        "Second-order couple that 95 % of the engines stay below", "N·m", default=None
+    )
+    errors: dict[str, OrderScatter] = group(spread=True)
+    forces: dict[int, Array]  # of every engine what is left of each order, in rising order
+    couples: dict[int, Array]
+
+
+@result
 class SystemResult:
     """What all shafts leave, order by order (those at which a shaft turns), at its peak over a turn; and the roll about
     the crank's axis, of the shafts alone and beside the torque reaction of the engine's inertia."""
@@ -182,7 +207,7 @@ class SystemResult:
     roll_torque_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
     roll_left_order_2: NewtonMetre | None = value("Second-order roll left over", "N·m", "T_left", default=None)
     roll_left_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
-    scatter: "SystemScatter | None" = group(default=None, words="scatter")
+    scatter: SystemScatter | None = group(default=None, words="scatter")
     vectors: dict[int, OrderVectors]  # what is left, by order
 
 
@@ -285,24 +310,28 @@ class TeethOff:
             yield Text("all shafts"), self.all
 
 
-def teeth_off(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]) -> TeethOff:
-    """What is left with shafts one tooth off, at the orders at which they turn.
-
-    A mirrored pair that is off together stays a pair of mirror images: its force stays vertical, and each sense of it
-    lacks 2·sin(τ/2)."""
+def pairs_of(shafts: Sequence[SystemShaft]) -> dict[str, list[SystemShaft]]:
+    """Each shaft that has mirror images together with them, by its name."""
     pairs: dict[str, list[SystemShaft]] = {}
     for shaft in shafts:
         if shaft.mirrors is not None:
             original = next(one for one in shafts if one.name == shaft.mirrors)
             pairs.setdefault(shaft.mirrors, [original]).append(shaft)
+    return pairs
 
+
+def teeth_off(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]) -> TeethOff:
+    """What is left with shafts one tooth off, at the orders at which they turn.
+
+    A mirrored pair that is off together stays a pair of mirror images: its force stays vertical, and each sense of it
+    lacks 2·sin(τ/2)."""
     alone = {
         shaft.name: _off(engine, shafts, [shaft], Text("{name} one tooth off", name=Name(shaft.name)))
         for shaft in shafts
     }
     both = {
         name: _off(engine, shafts, pair, Text("{name} and its mirror image one tooth off", name=Name(name)))
-        for name, pair in pairs.items()
+        for name, pair in pairs_of(shafts).items()
     }
     return TeethOff(
         shafts={name: one for name, one in alone.items() if one is not None},

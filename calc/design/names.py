@@ -196,7 +196,8 @@ CHOICE_WORDS: dict[str, str] = {
     "two_term": Text("two terms"),
     "equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares"), "given": Text("given"),
     "size": Text("sized"),
-    "bearings": Text("its bearings alone"), "plain": Text("plain"), "yes": Text("yes"),
+    "bearings": Text("its bearings alone"), "plain": Text("plain"), "open": Text("open"),
+    "shell": Text("in a shell"), "bracket": Text("counted, between its bounds"), "yes": Text("yes"),
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),
     # oil and bearings
     "mineral": Text("mineral"), "ester": Text("ester"), "forced": Text("forced"),

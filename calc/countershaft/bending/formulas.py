@@ -370,7 +370,8 @@ def shared_load(K_c: NewtonsPerMetre, f_c: PhasorNewtons, x: PhasorMetres, P: Ph
 @formula("x", "geometry: the journal lags its load by the attitude angle", shows="e·e^{−i·φ}·P/|P|")
 def displaced(P: PhasorNewtons, e: Metres, phi: Radians) -> PhasorMetres:
     """Of journals whose loads are known; e of each, φ below zero where the shaft turns against the crank."""
-    x: ComplexArray = e * np.exp(-1j * phi) * P / np.abs(P)
+    size = np.abs(P)
+    x: ComplexArray = e * np.exp(-1j * phi) * P / np.where(size > 0, size, 1.0)
     return x
 
 

@@ -228,6 +228,10 @@ class Bending:
     shear: Array
     loads: tuple[tuple[Metre, Newton], ...]  # place and size of the resultants
     vibrating: "_Vibrating"  # of the first natural frequency
+    model: Beam  # that bends
+    material: Material
+    points: tuple[EccentricMass, ...]  # what the outline does not hold
+    effectiveness: Number
     step_over_fillet: Number | None = None  # of the shoulder that governs
     fillet: Metre | None = None
     fillet_room: Metre | None = None  # length of the shortest piece that carries fillets, for each of them
@@ -343,6 +347,10 @@ def bending(
         shear_z=bent.shear_z,
         shear=(bent.shear * back).real,
         vibrating=vibrating,
+        model=model,
+        material=material,
+        points=extras,
+        effectiveness=effectiveness,
         loads=resultants(given["z"], given["q"], (shaft.places, given["F"]), back),
     )
 

@@ -14,13 +14,12 @@ from ...sheet.arrays import Array, ComplexArray
 from ...sheet.formula import formula
 from ...sheet.functions import rss
 from ...sheet.linked_array import column, gathered
-from ...sheet.quantity import group, result, value
 from ...sheet.record import record
 from ...sheet.text import Name, Text
 from ...sheet.units import Newton, NewtonMetre, NewtonMetres, Newtons, Number, RadPerSecond
 from ...sheet.value import about, based_on, untraced
 from ..inputs import EccentricMass, Extra, Scatter
-from ..sums import OrderVectors, SystemShaft
+from ..sums import OrderScatter, OrderVectors, SystemScatter, SystemShaft
 from .scatter import BLOCK, PERCENTILES, PROPAGATION, Target, calibrated, errors, joint, percentile, ranked, sample
 from .unbalance import HolesResult
 
@@ -60,33 +59,6 @@ class MadeShaft:
     masses: tuple[EccentricMass, ...]
     extras: tuple[Extra, ...] = ()
     drilling: tuple[Target, HolesResult] | None = None
-
-
-@result
-class OrderScatter:
-    """The errors of what turns with and against the crank, root mean squares to first order."""
-
-    force_forward: Newton = value("Error of the force that turns with the crank", "N", "σ_F⁺")
-    force_backward: Newton = value("Error of the force that turns against it", "N", "σ_F⁻")
-    couple_forward: NewtonMetre = value("Error of the couple that turns with the crank", "N·m", "σ_C⁺")
-    couple_backward: NewtonMetre = value("Error of the couple that turns against it", "N·m", "σ_C⁻")
-
-
-@result
-class SystemScatter:
-    """What 95 % of the engines stay below, by their peak over a turn; and the errors behind it, order by order."""
-
-    order_1_force_95: Newton | None = value("First-order force that 95 % of the engines stay below", "N", default=None)
-    order_1_couple_95: NewtonMetre | None = value(
-        "First-order couple that 95 % of the engines stay below", "N·m", default=None
-    )
-    order_2_force_95: Newton | None = value("Second-order force that 95 % of the engines stay below", "N", default=None)
-    order_2_couple_95: NewtonMetre | None = value(
-        "Second-order couple that 95 % of the engines stay below", "N·m", default=None
-    )
-    errors: dict[str, OrderScatter] = group(spread=True)
-    forces: dict[int, Array]  # of every engine what is left of each order, in rising order
-    couples: dict[int, Array]
 
 
 def system_scattered(engine: Mapping[int, OrderVectors], shafts: Sequence[MadeShaft]) -> SystemScatter | None:

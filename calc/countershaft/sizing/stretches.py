@@ -153,12 +153,20 @@ def stretches_utilisation(alpha: Number, product: Number, faces: Numbers) -> Num
     return utilisation(float(alpha), float(product), _pairs(faces))
 
 
-@formula("λ_F", LIGHTEST, shows="λ_F, with λ_C, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ")
+@formula(
+    "λ_F",
+    Text("{lightest}: of the force", lightest=LIGHTEST),
+    shows="λ_F, with λ_C, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ",
+)
 def force_multiplier(alpha: Number, product: Number, faces: Numbers) -> Number:
     return multipliers(float(alpha), float(product), _pairs(faces))[0]
 
 
-@formula("λ_C", LIGHTEST, shows="λ_C, with λ_F, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ")
+@formula(
+    "λ_C",
+    Text("{lightest}: of the couple", lightest=LIGHTEST),
+    shows="λ_C, with λ_F, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ",
+)
 def couple_multiplier(alpha: Number, product: Number, faces: Numbers) -> Number:
     return multipliers(float(alpha), float(product), _pairs(faces))[1]
 

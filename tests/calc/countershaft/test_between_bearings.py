@@ -137,7 +137,7 @@ def test_the_given_sizes_through_a_whole_design(name):
 
 # --- what must hold whatever is asked
 @settings(max_examples=12, deadline=None)
-@given(st.floats(-25.0, 25.0), st.just(0.0) | st.floats(0.1, 4.0), st.sampled_from([7860.0, 12000.0]))
+@given(st.integers(-25, 25), st.just(0.0) | st.floats(0.1, 4.0), st.sampled_from([7860.0, 12000.0]))
 def test_sectors_keep_their_gap_and_take_the_whole_force(middle, fillet, density):
     """Whatever the place of the inner bearing and the fillet: the sectors end two fillets beside its journal, their sum
     is what is asked, and heavier ones are lighter in sum."""
@@ -195,7 +195,7 @@ def test_each_of_two_sized_shafts_takes_its_share():
     """By default as many as are sized for the ratio, twins counted; the mirror image counts for the other sense."""
     twice = [{"name": "again", "repeats": "left", "axis_mm": [-50.0, 90.0]}, {"name": "right", "mirrors": "left"}]
     made = design(document(axis_mm=[-50.0, -90.0], others=twice))
-    shares = [share_of(one.inputs, sized_alike(made, one)) for one in made.resolved]
+    shares = [share_of(one.inputs, sized_alike(made, one.inputs)) for one in made.resolved]
     assert shares == [0.5, 0.5, 1.0]
     assert share_of(replace(made.own, share=0.3), 2) == 0.3
 
@@ -265,6 +265,29 @@ def test_heavy_sectors_alone_are_heavier():
     same = result(**{**keys, **given_}, mode="given", half_length_mm=None, sector_material="double", masses=masses)
     assert same.mass == pytest.approx(heavy.mass, rel=1e-9)  # masses that are given become the same heavy sectors
     assert same.bending.natural_frequency == pytest.approx(heavy.bending.natural_frequency, rel=1e-6)
+
+
+def test_a_shaft_of_heavy_sectors_vibrates_between_a_light_and_a_heavy_one():
+    """The same shape in steel, in a steel of twice the density, and with sectors of it: whole shafts as 1/√ρ, with the
+    rotary inertia of their sections too."""
+    doubled = {**STEEL, "name": "double", "density_kgm3": 2 * 7860.0}
+    shape = [(-110.0, -90.0, 15.0, False), (-90.0, 90.0, 30.0, True), (90.0, 110.0, 15.0, False)]
+    sections = [
+        {"from_mm": a, "to_mm": b, "outer_radius_mm": R}
+        | ({"core_radius_mm": 9.0, "half_angle_deg": 80.0, "angle_deg": 0.0} if eccentric else {})
+        for a, b, R, eccentric in shape
+    ]
+    masses = [{"name": "m", "mass_kg": 1.0, "radius_mm": 16.0, "angle_deg": 0.0, "z_mm": 0.0}]
+    keys = dict(mode="given", half_length_mm=None, outer_radius_mm=None, core_radius_mm=None, sections=sections)
+    keys |= dict(masses=masses, materials=[STEEL, doubled], bearings=rows((-100.0, 100.0)))
+    light = result(**keys).bending
+    mixed = result(**keys, sector_material="double").bending
+    heavy = result(**{**keys, "material": "double"}).bending
+    assert heavy.natural_frequency == pytest.approx(light.natural_frequency / math.sqrt(2), rel=1e-6)
+    for name in ("natural_frequency", "natural_frequency_without_rotary"):
+        assert getattr(heavy, name) < getattr(mixed, name) < getattr(light, name)
+    rotary = [1 - bent.natural_frequency / bent.natural_frequency_without_rotary for bent in (light, mixed, heavy)]
+    assert 0.005 < rotary[0] < 0.05 and rotary == pytest.approx([rotary[0]] * 3, rel=0.15)
 
 
 def test_a_bore_is_drawn():

@@ -374,10 +374,10 @@ def test_a_wheel_that_says_what_it_carries_anyway_moves_nothing(gamma_results):
     assert branched["friction.crank_power"].inside > plain["friction.crank_power"].inside
 
 
-def test_a_design_has_one_shaft():
+def test_a_wheel_sits_on_a_shaft_of_the_design():
     gears = gamma().data["gears"]
     wheels = [{**w, "shaft": "left"} if w["name"] == "shaft" else w for w in gears["wheels"]]
-    with pytest.raises(BadInput, match='there is one shaft, and it is called "shaft"'):
+    with pytest.raises(BadInput, match='"left" is not known; known are shaft'):
         design(changed(gamma(), gears={"wheels": wheels}))
 
 
