@@ -67,6 +67,7 @@ def test_a_mirror_image_shows_its_few_fields_and_whose_all_else_is() -> None:
         ("field", "name"),
         ("field", "mirrors"),
         ("field", "axis_mm"),
+        ("array", "loads"),
         ("original", 1),
     ]
 
