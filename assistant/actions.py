@@ -16,7 +16,7 @@ from calc.sheet.text import EMPTY, Text
 @dataclass(frozen=True)
 class Action:
     """`id` names the binding, in a key map too.  `call` is an action of the main screen, its method without `action_`,
-    and its arguments; left out, it is called like the id."""
+    and its arguments; left out, it is called like the id.  `first`: the key is not the field's that has the focus."""
 
     id: str
     keys: str
@@ -25,6 +25,7 @@ class Action:
     title: Text
     help: Text
     call: tuple[Any, ...] = ()
+    first: bool = False
 
     @property
     def does(self) -> str:
@@ -117,6 +118,11 @@ ACTIONS: tuple[Action, ...] = (
            Text("Turns the vectors of a curve on by 10°."), call=("crank", 1)),
     Action("crank_back", "", "less_than_sign", EMPTY, Text("Turn the crank back"),
            Text("Turns the vectors of a curve back by 10°."), call=("crank", -1)),
+    Action("shaft_on", "ctrl+right", "", Text("Shaft"), Text("Next shaft"),
+           Text("Where there are several balance shafts: puts the next one in view, in steps 3 to 5: its fields, its "
+                "picture, its curves and values."), call=("turn_shaft", 1), first=True),
+    Action("shaft_back", "ctrl+left", "", EMPTY, Text("Shaft before"),
+           Text("Puts the balance shaft before in view."), call=("turn_shaft", -1), first=True),
     Action("undo", "ctrl+z", "u", Text("Undo"), Text("Undo"),
            Text("Takes back the last edit of the design; the edits of one field in a row are one.")),
     Action("redo", "ctrl+y", "r", EMPTY, Text("Redo"), Text("Makes the edit again that was taken back.")),

@@ -26,6 +26,7 @@ from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 
 from ..actions import BY_ID
 from ..base_app import BaseApp
+from ..session.guide import title_of
 from ..session.places import label_of
 from ..session.session import Session
 from ..widgets.canvas import draw
@@ -117,7 +118,8 @@ class Closing(ItemList):
     def _step(self, n: int, state: StepState, wide: int, width: int) -> Item:
         """`wide`: the cells of the words."""
         say, style = self.app.say, self.app.signs.style(state.colour)
-        title, words, results = f"{n} {say(STEPS[n - 1].title)}", say(state.words), self.session.results
+        title = f"{n} {say(title_of(STEPS[n - 1], self.session.data))}"
+        words, results = say(state.words), self.session.results
         decides = headline(results, state.key) if results is not None and state.state in SOLVED else None
         row = Content.assemble(
             (f"{self.app.signs.mark(state.state)} ", style),

@@ -23,6 +23,7 @@ from calc.design.toml_file import design
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput, Cancelled, NoSolution
 from calc.sheet.progress import Progress
+from calc.sheet.step import OF_SHAFTS
 from calc.sheet.text import EMPTY, SEMICOLON, Text
 
 from ..base_app import BaseApp
@@ -296,7 +297,9 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        result = offer(self.step, self.session.design, self.session.name, progress)
+        session = self.session
+        of_shaft = session.design.views.get(session.original) if self.step in OF_SHAFTS else None
+        result = offer(self.step, of_shaft or session.design, session.name, progress)
         # made here: some solve once more, for which the screen must neither wait nor end
         table, beside = result.table(TOP), result.beside(TOP)
         yield replace(result, table=lambda top: table, beside=lambda top: beside)

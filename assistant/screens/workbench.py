@@ -70,7 +70,10 @@ class Workbench(WorkbenchEdits):
         self.app.screen.call_after_refresh(self.app.release)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Keys do nothing, and are lost, while there is nothing that they could act on."""
+        """Keys do nothing, and are lost, while there is nothing that they could act on; those that leaf through shafts
+        are the field's where there are none to leaf through."""
+        if parameters and BY_ID[str(parameters[0])].first and self.stands:
+            return self.leafs
         return self.stands
 
     def on_key(self, event: events.Key) -> None:
@@ -87,10 +90,16 @@ class Workbench(WorkbenchEdits):
             self.session.edit(event.field.place, event.text)
             self.edited()
 
+    @on(ArrayHeading.Leafed)
+    def shaft_leafed(self, event: ArrayHeading.Leafed) -> None:
+        """Other arrays are leafed through in the form alone."""
+        event.stop()
+        self.look_at(event.index)
+
     @on(ArrayHeading.Added)
     def element_added(self, event: ArrayHeading.Added) -> None:
         event.stop()
-        self.add_element(event.heading.row.place)
+        self.add_element(event.heading.row.place, event.heading.region)
 
     @on(ArrayHeading.Removed)
     def element_removed(self, event: ArrayHeading.Removed) -> None:

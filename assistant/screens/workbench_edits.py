@@ -8,11 +8,12 @@ from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from textual.geometry import Region
 from textual.notifications import SeverityLevel
 from textual.worker import get_current_worker
 
 from calc.design.addresses import as_table, asks
-from calc.design.model import STEPS
+from calc.design.model import MOST_SHAFTS, STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.remedy import assignment
@@ -22,7 +23,7 @@ from calc.sheet.verdict import grouped
 from ..session.compare_with import edit_text
 from ..session.editing import BuildPlan, told
 from ..session.guide import CHOICES
-from ..session.places import Place, first_key, named_key
+from ..session.places import SHAFTS, Place, first_key, named_key, ways_to_add
 from ..session.recording import Recording
 from ..session.recovery import Edits
 from ..session.saving import ChangedOnDisk, Draft, NeedsUpgrade, SaveError, write_atomic
@@ -33,7 +34,7 @@ from ..widgets.field import Field
 from ..widgets.form import Form
 from ..widgets.radio import Todo
 from ..widgets.steps import states_of
-from .dialogs import Accept, Ask, LeaveOut
+from .dialogs import Accept, Ask, Choose, LeaveOut
 from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, folder_of
 from .workbench_moves import WorkbenchMoves
 
@@ -62,16 +63,36 @@ class WorkbenchEdits(WorkbenchMoves):
         self.rebuilt()
         self.app.tell(text)
 
-    def add_element(self, place: Place) -> None:
-        """One more element of an array, and into its first field."""
-        form = self.form
-        index = form.chosen[place] = self.session.add(place)
+    def add_element(self, place: Place, beside: Region) -> None:
+        """One more element of an array, and into its first field; of the shafts it is asked which."""
+        session, form = self.session, self.form
+        if place == SHAFTS and session.shafts:
+            ways = ways_to_add(session.value(SHAFTS), session.original)
+            said = {what: self.app.say(words) for what, words in ways.items()}
+            if len(session.shafts) < MOST_SHAFTS:
+                self.app.push_screen(
+                    Choose(tuple(ways), next(iter(ways)), "", beside, said=said.__getitem__), self._add_shaft
+                )
+            else:
+                self.app.tell(Text("There are at most {n} shafts.", n=MOST_SHAFTS))
+            return
+        index = form.chosen[place] = session.add(place)
         self.edited()
         form.rebuild((*place, index, first_key(place)))
 
+    def _add_shaft(self, what: str | None) -> None:
+        if what is not None:
+            self.session.shaft = index = self.session.add_shaft(self.session.original, what)
+            self.edited()
+            self.form.rebuild((*SHAFTS, index))
+
     def remove_element(self, place: Place, index: int) -> None:
+        before = self.session.shafts
         self.session.remove(place, index)
         self.edited()
+        gone = [name for name in before if name not in self.session.shafts]
+        if len(gone) > 1:
+            self.app.tell(Text("Taken out: {names}. Undo brings them back.", names=COMMA.join(map(Name, gone))))
 
     def put_table(self, place: Place, there: bool) -> None:
         """Add a table, and go into its first field; or leave it out."""

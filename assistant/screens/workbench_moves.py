@@ -7,7 +7,7 @@ from typing import Any
 
 from textual.app import SuspendNotSupported
 
-from calc.design.addresses import asks
+from calc.design.addresses import asks, step_at
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
@@ -35,6 +35,8 @@ from .workbench_results import WorkbenchResults
 
 WRITING = Text("The calculation is still being written out.")
 FIRST = Text("This is the first step.")
+ONE_SHAFT = Text("This design has no other shaft; + on the list of shafts in step 3 adds one.")
+NO_SHAFT = Text("Shafts are leafed through in steps 3 to 5.")
 NO_CURVE = Text("This step has no curve.")
 NO_PIXELS = Text(
     "P draws the curve in pixels, as Kitty, iTerm2, WezTerm, foot and others can; "
@@ -124,11 +126,13 @@ class WorkbenchMoves(WorkbenchResults):
 
     async def to_value(self, id: str) -> None:
         """The field of an input, or the step of a result."""
-        step = next((s for s in STEPS if s.key == id.partition(".")[0]), self.step)
+        step = next((s for s in STEPS if s.key == step_at(self.session.data, id)), self.step)
         try:
             place: Place | None = self.session.place(id)
         except BadInput:
             place = None
+            if (shaft := self.session.shaft_of(id)) is not None:
+                self.look_at(shaft)
         self.at_pane("inputs")
         await self.open_step(step, place)
 
@@ -139,6 +143,13 @@ class WorkbenchMoves(WorkbenchResults):
         await self.open_step(step, place)
         self.form.focus_place(place, at_once=True)
         self.call_after_refresh(self.form.bring_into_view)  # a form that was just made has its size then
+
+    def action_turn_shaft(self, by: int) -> None:
+        """To the next shaft."""
+        if self.leafs:
+            self.look_at((self.session.shaft + by) % len(self.session.shafts))
+        else:
+            self.app.tell(ONE_SHAFT if len(self.session.shafts) < 2 else NO_SHAFT)
 
     # --- between panes, and in them
     def action_move(self, by: int) -> None:

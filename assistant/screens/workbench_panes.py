@@ -22,11 +22,13 @@ from textual.widget import Widget
 from calc.design.addresses import asks
 from calc.design.model import STEPS
 from calc.locale import Language
-from calc.sheet.step import Step
+from calc.sheet.step import OF_SHAFTS, Step
 from calc.sheet.text import Text
 
 from ..actions import ACTIONS
 from ..base_app import BaseApp
+from ..session.guide import title_of
+from ..session.places import OF_SHAFT
 from ..session.session import Session
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
@@ -57,7 +59,7 @@ class WorkbenchPanes(Screen[None]):
     app: BaseApp
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide"), (HUGE, "-huge")]  # noqa: RUF012
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding
+        Binding(a.binding, a.does, a.title, show=False, id=a.id, priority=a.first) for a in ACTIONS if a.binding
     ]
     AUTO_FOCUS = ""
     # a change of the focus is drawn by the two widgets; the whole screen need not be
@@ -142,7 +144,14 @@ class WorkbenchPanes(Screen[None]):
         return STEPS.index(self.step) + 1
 
     def form_title(self) -> str:
-        return f"{self.number} {self.app.say(self.step.title)}"
+        title = f"{self.number} {self.app.say(title_of(self.step, self.session.data))}"
+        of_shaft = self.leafs and self.step.key in OF_SHAFTS
+        return f"{title}: {self.session.shafts[self.session.shaft]}" if of_shaft else title
+
+    @property
+    def leafs(self) -> bool:
+        """Whether the step shows one of several shafts at a time."""
+        return self.step.key in OF_SHAFT and len(self.session.shafts) > 1
 
     def refresh_top_line(self) -> None:
         for line in self.query(TopLine):  # none while another design is being entered

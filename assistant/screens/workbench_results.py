@@ -18,14 +18,14 @@ from calc.locale import Language
 from calc.locale.language import said
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import Cancelled
-from calc.sheet.step import Curve, Outcome, Step, Table
+from calc.sheet.step import OF_SHAFTS, Curve, Outcome, Step, Table
 from calc.sheet.text import EMPTY, Name, Text
 from calc.sheet.verdict import findings_of, open_findings
 
 from ..base_app import TYPING
-from ..session.calculation import CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
+from ..session.calculation import VALUES, CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
 from ..session.guide import CHOICES
-from ..session.places import Place, named_key
+from ..session.places import SHAFTS, SITS_ON, WHEELS, Place, content_at, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
@@ -84,6 +84,7 @@ class WorkbenchResults(WorkbenchPanes):
         self._slopes: tuple[Results | None, dict[str, Text]] = (None, {})  # of checks and inputs, by id and key
         self._unchosen: tuple[Results, Results] | None = None  # without [imbalance]: its own results, and those with it
         self._complaints: set[Place] = set()  # fields whose mistake is shown
+        self._leaves: tuple[int, int, tuple[Curve | Table, ...]] = (0, 0, ())  # of a page and a shaft, those in view
         for timer in (self._keep, *self._quiet_timers.values()):
             if timer is not None:
                 timer.stop()
@@ -436,6 +437,7 @@ class WorkbenchResults(WorkbenchPanes):
     def show_state(self) -> None:
         """Everything but the results: mistakes, verdicts of the steps, the message line."""
         complete = self._show_mistakes()
+        self.pane_named("inputs").set_title(self.form_title())
         self.refresh_top_line()
         if complete:
             self.show_remedy()
@@ -481,26 +483,76 @@ class WorkbenchResults(WorkbenchPanes):
         line, checks = self.query_one(MessageLine), self.checks
         line.finding = checks.key if checks.has_focus else ""
         line.redraw()
+        if checks.has_focus and (shaft := self.session.shaft_of(checks.key)) is not None:
+            self.look_at(shaft)
 
     def show_written(self) -> None:
         """The calculation, the curves and whatever else takes a moment to be prepared."""
         self.show_picture()
         page = self.pages.get(self.step.key)
         self.calculation.show(page.sheet if page is not None else CalculationSheet())
-        self.curve_pane.show(self.step.key, page.leaves if page is not None else (), page is None)
+        self.curve_pane.show(self.step.key, self._in_view(page) if page is not None else (), page is None)
         self.form.refresh_taken()
         self.show_keys()
+
+    def _in_view(self, page: Page) -> tuple[Curve | Table, ...]:
+        """What a page has of all shafts and of the one in view: values of that alone; the curves and tables of a twin
+        are its original's."""
+        session = self.session
+        if not self.leafs:
+            return page.leaves
+        if self._leaves[:2] != (id(page), session.shaft):
+            here, original = session.shafts[session.shaft], session.original
+            others = [name for name in session.shafts if name not in (here, original)]
+            leaves = [leaf for leaf in page.leaves if leaf.id.partition(".")[0] not in others]
+            hidden = tuple(f"{page.outcome.key}.{name}." for name in session.shafts if name != here)
+            self._leaves = (
+                id(page),
+                session.shaft,
+                tuple(
+                    replace(leaf, rows=tuple(row for row in leaf.rows if not str(row[-1]).startswith(hidden)))
+                    if isinstance(leaf, Table) and leaf.id == VALUES
+                    else leaf
+                    for leaf in leaves
+                ),
+            )
+        return self._leaves[-1]
+
+    def look_at(self, shaft: int) -> None:
+        """Put another shaft in view, with its wheel; where a field of the one before has the focus, the same of this
+        one gets it."""
+        session, form = self.session, self.form
+        if shaft == session.shaft:
+            return
+        before, session.shaft = session.original, shaft
+        chosen = self.curve_pane.chosen
+        for step, id in chosen.items():
+            if id.startswith(f"{before}."):
+                chosen[step] = f"{session.original}.{id.removeprefix(f'{before}.')}"
+        wheels = content_at(session.data, WHEELS) or []
+        name, here = session.shafts[shaft], form.here()
+        for n in (n for n, wheel in enumerate(wheels) if wheel.get(SITS_ON) == name):
+            form.chosen[WHEELS] = n  # in step 5: the wheel that drives it
+        if here is not None and len(here) > 1 and here[:1] == SHAFTS:
+            form.rebuild((*SHAFTS, session.shaft, *here[2:]))
+        else:
+            form.refresh_fields(session.reasons())
+        self.pane_named("inputs").set_title(self.form_title())
+        self.show_written()
 
     def show_picture(self) -> None:
         """The picture of the step, with what the edited field changes lit."""
         field, results = self._field, self._pictured()
         lit = named_key(self.session.data, field.place) if field is not None else ""
+        of_shaft = self.leafs and self.step.key in OF_SHAFTS
+        self.pane_named("picture").set_title(right=self.session.original if of_shaft else "")
         self.query_one(Picture).show(self.step.key, results.design if results is not None else None, results, lit)
 
     def _pictured(self) -> "Results | None":
-        """The results; where it is asked which balancing, and none is chosen yet, with the usual counterweights."""
+        """The results, of several shafts with that in view alone; where it is asked which balancing, and none is chosen
+        yet, with the usual counterweights."""
         session = self.session
-        results = session.results
+        results = session.view if self.step.key in OF_SHAFTS else session.results
         if results is None or self.step.key != "imbalance" or "imbalance" in session.data or not session.current:
             return results
         if self._unchosen is None or self._unchosen[0] is not results:
@@ -520,7 +572,7 @@ class WorkbenchResults(WorkbenchPanes):
             "fix": sound,
             "choose": self.step.key not in CHOICES,
         }
-        self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing))
+        self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing), leafs=self.leafs)
 
     def show_help(self) -> None:
         """The foot of the form: about the field that has the focus."""
@@ -571,6 +623,8 @@ class WorkbenchResults(WorkbenchPanes):
             self.at_pane("inputs")
         idle = focus is None and isinstance(self.focused, Form)
         inside = not stay and (self.pane == "inputs" or focus is not None)
+        if focus is not None and len(focus) > 1 and focus[:1] == SHAFTS:
+            self.look_at(int(focus[1]))
         before = self.step
         with self.app.batch_update():
             if step is not before:

@@ -4,7 +4,7 @@
 Every edit makes a new document that is checked whole.  What can not be understood, or is not allowed, stays visible in
 its field while the last valid design stays as it was.  `undo.py` keeps the states that it has been through."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -19,15 +19,18 @@ from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
 from .places import (
+    SHAFTS,
     Place,
     content_at,
     described,
     error_place,
     followed,
     further,
+    further_shaft,
     less,
     named_key,
     optional_table,
+    with_shafts,
     without_empty,
 )
 from .recording import Recording
@@ -220,15 +223,34 @@ class Editing:
         self.seal()
         return index
 
+    def add_shaft(self, name: str, what: str) -> int:
+        """A further shaft beside the one of that name (see `further_shaft`).  Gives its index."""
+        there = self.value(SHAFTS) or []
+        self._put_shafts([*there, further_shaft(there, name, what)])
+        return len(there)
+
     def remove(self, key: str | Place, index: int) -> None:
-        """Take an element out of an array of tables; a shaft with its mirror image."""
+        """Take an element out of an array of tables; a shaft with its twins."""
         where = self._array(key)
-        there = self.value(where) or []
-        left = less(where, there, index)
+        left = less(where, self.value(where) or [], index)
+        if where == SHAFTS:
+            self._put_shafts(left)
+            return
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
         self._step(EditState(changed(self._state.data, where, left or None), texts), where)
         self.seal()
+
+    def _put_shafts(self, shafts: list[Table]) -> None:
+        """Other shafts, and what goes by their names with them."""
+        texts = {k: v for k, v in self._state.texts.items() if k[:1] != SHAFTS}
+        self.seal()
+        self._step(EditState(with_shafts(self._state.data, shafts, self.ids_of_shaft()), texts), SHAFTS)
+        self.seal()
+
+    def ids_of_shaft(self) -> Collection[str]:
+        """The ids of what a shaft has for itself, without its name, as far as they are known."""
+        return ()
 
     def _array(self, key: str | Place) -> Place:
         return address(self._state.data, key, whole=True) if isinstance(key, str) else key

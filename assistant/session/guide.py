@@ -9,14 +9,15 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from calc.countershaft.inputs import ShaftInputs
-from calc.design.addresses import Table, quantities, step_at
-from calc.design.model import STEP_KEYS, STEPS, Design
+from calc.design.addresses import Table, as_table, quantities, step_at
+from calc.design.model import STEP_KEYS, STEPS
+from calc.design.upgrade import is_twin
 from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
-from calc.sheet.quantity import Published, Quantity, dotted, keys
+from calc.sheet.quantity import Published, Quantity, keys
+from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
-from .places import Place, content_at, described
+from .places import SHAFTS, Place, content_at, described
 
 MORE = Text("More")
 STROKE = "stroke_mm"  # twice the crank radius, which the design file has
@@ -62,15 +63,20 @@ def idle(place: Place, data: Table) -> bool:
     return isinstance(table, dict) and not where.holds(table) and content_at(data, place) in (None, [])
 
 
-def is_twin(place: Place, data: Table) -> bool:
-    """Whether a place is that of a shaft that mirrors another, or lies in it."""
-    of_shaft = len(place) > 1 and place[0] == dotted(Design.shafts)
-    return of_shaft and content_at(data, (*place[:2], dotted(ShaftInputs.mirrors))) is not None
+def of_twin(place: Place, data: Table) -> bool:
+    """Whether a place is that of a shaft that mirrors or repeats another, or lies in it."""
+    return len(place) > 1 and place[:1] == SHAFTS and is_twin(as_table(content_at(data, place[:2])))
 
 
 def step_of(place: Place, data: Table) -> str:
     """The step whose form asks for an input."""
     return FIRST if place[:1] in (DOCUMENT, NAME, NOTE) else step_at(data, ".".join(map(str, place)))
+
+
+def title_of(step: Step, data: Table) -> Text:
+    """What a step is called in this design."""
+    several = step.key == "countershaft" and len(content_at(data, SHAFTS) or ()) > 1
+    return Text("Balance shafts") if several else step.title
 
 
 def document_fold() -> int:
@@ -84,7 +90,7 @@ def fold_at(step: str, place: Place, data: Table) -> int | None:
         return None
     if place[:1] in (DOCUMENT, NAME, NOTE):
         return document_fold()
-    if len(place) < 2 or str(place[1]).startswith(FOLD) or is_twin(place, data):
+    if len(place) < 2 or str(place[1]).startswith(FOLD) or of_twin(place, data):
         return None
     about = layout_of(place)
     return 0 if about is None else None if about.decides else folds(step).index(about.fold)
@@ -205,7 +211,8 @@ def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Itera
     """The inputs and values of earlier steps that it uses, by key or id."""
     for owner in STEP_KEYS[: STEP_KEYS.index(step)]:
         yield from (key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == owner)
-        yield from (id for id, v in values.items() if step in v.about.taken_by and id.startswith(f"{owner}."))
+        mine = (id for id, v in values.items() if step in v.about.taken_by and id == v.id)  # not by a former name
+        yield from (id for id in mine if id.startswith(f"{owner}."))
 
 
 # what can be chosen from a table, by step (`offers.py` searches for it)

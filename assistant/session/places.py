@@ -3,12 +3,13 @@
 and how an array gets an element more, or less."""
 
 import re
+from collections.abc import Callable, Collection
 from itertools import pairwise
 from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, changed, declared, own_shafts, quantity_of
+from calc.design.addresses import Table, address, as_table, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, twin, without
@@ -16,9 +17,13 @@ from calc.gears.inputs import GearsInputs
 from calc.gears.wheel_inputs import Wheel
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity, dotted, keys
-from calc.sheet.text import Name, Small, Text
+from calc.sheet.text import EMPTY, Name, Small, Text
 
 Place = tuple[str | int, ...]
+
+SHAFTS: Place = (dotted(Design.shafts),)
+OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that have something of each shaft
+NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
 
 
 def content_at(data: Table, where: Place) -> Any:
@@ -122,29 +127,44 @@ def label_of(data: Table, key: str) -> Text:
     numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
     if numbered is None or (where[:numbered] == (dotted(Design.shafts),) and len(own_shafts(data)) == 1):
         return words
-    element = content_at(data, where[: numbered + 1])
-    name = element.get("name") if isinstance(element, dict) else None
-    return Text("{label} of {place}", label=words, place=str(name or int(where[numbered]) + 1))
+    several = where[:1] == SHAFTS and numbered > 1 and len(own_shafts(data)) > 1
+    ways = [where[:2], where[: numbered + 1]] if several else [where[: numbered + 1]]
+    elements = [content_at(data, way) for way in ways]
+    names = [str(as_table(element).get(NAME) or int(way[-1]) + 1) for way, element in zip(ways, elements)]
+    return Text("{label} of {place}", label=words, place=" ".join(names))
+
+
+# --- several shafts
+
+
+def original_of(shaft: Table) -> str:
+    """The name of the shaft that a twin is of; of any other its own."""
+    return str(shaft.get(MIRRORS) or shaft.get(REPEATS) or shaft.get(NAME, ""))
+
+
+def twin_words(shaft: Table) -> Text:
+    """`mirrors left`, `repeats left`; empty of a shaft of its own."""
+    if MIRRORS in shaft:
+        return Text("mirrors {name}", name=Name(original_of(shaft)))
+    return Text("repeats {name}", name=Name(original_of(shaft))) if REPEATS in shaft else EMPTY
 
 
 # --- elements of arrays of tables
 
-NAME, MIRRORS, POSITION = "name", dotted(ShaftInputs.mirrors), dotted(BearingRow.position)
+POSITION = dotted(BearingRow.position)
 VALUE = dotted(Measured.value)
+WHEELS: Place = (dotted(Design.gears), dotted(GearsInputs.wheels))
+SITS_ON = dotted(Wheel.shaft)
 
 
 def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
     """An array with one element more, and its index.
 
-    It is like the last one but with a name of its own; of a shaft that has none it is the mirror image, and a bearing
-    stands in the middle of the widest gap between two."""
+    It is like the last one but with a name of its own; a bearing stands in the middle of the widest gap between two."""
     about, index = described(where), len(there)
     element = dict(there[-1]) if there else {}
     names = [item.get(NAME) for item in there]
-    alone = [shaft for shaft in there if MIRRORS not in shaft and shaft.get(NAME) not in _mirrored(there)]
-    if about.table is ShaftInputs and alone:
-        element = {**twin(alone[0], str(alone[0].get(NAME))), NAME: _free(TWIN, names)}
-    elif about.table is BearingRow and (gap := _widest(there)) is not None:
+    if about.table is BearingRow and (gap := _widest(there)) is not None:
         index, place = gap
         before = without(there[index - 1], *map(dotted, (BearingRow.load, BearingRow.slope)))
         element = {**before, NAME: _free("middle", names), POSITION: place}
@@ -153,8 +173,32 @@ def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
     return [*there[:index], element, *there[index:]], index
 
 
-def _mirrored(shafts: list[Table]) -> list[object]:
-    return [shaft.get(MIRRORS) for shaft in shafts]
+OWN = "own"  # beside MIRRORS and REPEATS: what a further shaft is
+FACING = {"left": "right", "right": "left", "upper": "lower", "lower": "upper"}
+
+
+def further_shaft(there: list[Table], name: str, what: str) -> Table:
+    """A shaft more: the mirror image of the one of that name, the same on the other side, or one of its own that is
+    like it, with no place yet."""
+    shaft, names = next(shaft for shaft in there if shaft.get(NAME) == name), [item.get(NAME) for item in there]
+    if what == OWN:
+        return {**without(shaft, dotted(ShaftInputs.axis)), NAME: _free(name, names)}
+    made = {**twin(shaft, name), NAME: _free(FACING.get(name, TWIN), names)}
+    return made if what == MIRRORS else {**without(made, MIRRORS), REPEATS: name}
+
+
+def ways_to_add(there: list[Table], name: str) -> dict[str, Text]:
+    """What a further shaft may be beside the one of that name, in words; no second mirror image of it."""
+    ways = {
+        MIRRORS: Text("mirror image of {name}", name=Name(name)),
+        REPEATS: Text("{name} once more, on an axis of its own", name=Name(name)),
+        OWN: Text("a shaft of its own, to begin with like {name}", name=Name(name)),
+    }
+    return {
+        what: words
+        for what, words in ways.items()
+        if what != MIRRORS or all(shaft.get(MIRRORS) != name for shaft in there)
+    }
 
 
 def _free(name: str, names: list[object]) -> str:
@@ -177,9 +221,32 @@ def _widest(bearings: list[Table]) -> tuple[int, float] | None:
 
 
 def less(where: Place, there: list[Table], index: int) -> list[Table]:
-    """An array without one of its elements; a shaft takes its mirror image with it."""
+    """An array without one of its elements; a shaft takes its twins with it."""
     gone, left = there[index].get(NAME), [item for n, item in enumerate(there) if n != index]
-    return [item for item in left if item.get(MIRRORS) != gone] if described(where).table is ShaftInputs else left
+    return [item for item in left if original_of(item) != gone] if described(where).table is ShaftInputs else left
+
+
+def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> Table:
+    """The tables with other shafts: a wheel sits on none that is gone, and where one becomes several, or one of them is
+    left, the ids of what is accepted and measured have that one's name or lose it.
+
+    `of_shaft`: the ids, without that name, of what each shaft has for itself."""
+    was, now = _names(data, SHAFTS), [shaft.get(NAME) for shaft in shafts]
+    data = changed(data, SHAFTS, shafts or None)
+    for i, wheel in enumerate(content_at(data, WHEELS) or []):
+        if (name := wheel.get(SITS_ON)) in was and name not in now:
+            data = changed(data, (*WHEELS, i, SITS_ON), None)
+    if len(was) == 1 < len(now):
+        return _with_ids(data, lambda id: _named(id, str(was[0])) if id in of_shaft else id)
+    if len(now) == 1 < len(was):
+        before = f"{now[0]}."
+        return _with_ids(data, lambda id: id.replace(before, "", 1) if id.split(".", 1)[-1].startswith(before) else id)
+    return data
+
+
+def _named(id: str, name: str) -> str:
+    step, _, rest = id.partition(".")
+    return f"{step}.{name}.{rest}"
 
 
 def followed(valid: Table, data: Table, where: Place) -> Table:
@@ -200,26 +267,36 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
     for table in ((dotted(Design.locked),), (dotted(Design.optimise), dotted(OptimiseInputs.vary))):
         if isinstance(there := content_at(data, table), dict):
             data = changed(data, table, {_renamed(key, was, now): content for key, content in there.items()})
-    row_of = re.compile(
-        rf"(bearings\.|countershaft\.(?:reaction|slope)_){re.escape(old)}(?![^._])"
-    )  # ids of its values
+    of_row, of_shaft = (described(where[:-2]).table is table for table in (BearingRow, ShaftInputs))
+    others_too = len(content_at(data, SHAFTS) or ()) > 1
+    shaft = rf"{re.escape(named_key(data, where[:2]).rpartition('.')[2])}\." if others_too else ""
+    ids = re.compile(  # of what is judged of a bearing, and of the values of a shaft beside another
+        rf"(bearings\.{shaft}|countershaft\.{shaft}(?:reaction|slope)_){re.escape(old)}(?![^._])"
+        if of_row
+        else rf"((?:{'|'.join(OF_SHAFT)})\.){re.escape(old)}(?=\.)"
+    )
 
     def called(name: str) -> str:
         """A key or an id once the element is called otherwise."""
-        of_row = described(where[:-2]).table is BearingRow
-        return row_of.sub(rf"\g<1>{new}", name, count=1) if of_row and row_of.match(name) else _renamed(name, was, now)
+        named = of_row or (of_shaft and others_too)
+        return ids.sub(rf"\g<1>{new}", name, count=1) if named and ids.match(name) else _renamed(name, was, now)
 
+    data = _with_ids(data, called)
+    if where[:-2] == SHAFTS:
+        for array, key in ((SHAFTS, MIRRORS), (SHAFTS, REPEATS), (WHEELS, SITS_ON)):
+            for i, item in enumerate(content_at(data, array) or []):
+                if item.get(key) == old:
+                    data = changed(data, (*array, i, key), new)
+    return data
+
+
+def _with_ids(data: Table, called: Callable[[str], str]) -> Table:
+    """The tables with what is accepted and measured by other ids."""
     if isinstance(accepted := content_at(data, (dotted(Design.accepted),)), dict):
         data = changed(data, (dotted(Design.accepted),), {called(id): reason for id, reason in accepted.items()})
     for i, row in enumerate(content_at(data, (dotted(Design.measured),)) or []):
         if isinstance(value := row.get(VALUE), str) and called(value) != value:
             data = changed(data, (dotted(Design.measured), i, VALUE), called(value))
-    if where[:-2] == (dotted(Design.shafts),):
-        wheels = (dotted(Design.gears), dotted(GearsInputs.wheels))
-        for array, key in ((where[:-2], MIRRORS), (wheels, dotted(Wheel.shaft))):
-            for i, item in enumerate(content_at(data, array) or []):
-                if item.get(key) == old:
-                    data = changed(data, (*array, i, key), new)
     return data
 
 

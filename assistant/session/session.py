@@ -23,7 +23,7 @@ from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import DESIGNS, EXAMPLE
 
 from .editing import Editing
-from .places import Place, named_key
+from .places import NAME, SHAFTS, Place, content_at, named_key, original_of
 from .recovery import Edits, Memory, Presence, is_file, not_accepted
 from .saving import Draft, SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
@@ -53,6 +53,8 @@ class Session(Editing):
         self.autosave_failure = EMPTY
         self._keeping = threading.Lock()  # edits are kept in another thread than they are made and saved in
         self._values: tuple[Any, dict[str, Published]] = (None, {})
+        self._views: tuple[Any, dict[str, Results]] = (None, {})
+        self._shaft = 0
         self._raw = raw
         self.opened = self.saved = self.document.data  # as it was read, and as its file is now
         self.id = token_hex(4)  # of what it keeps aside
@@ -225,6 +227,45 @@ class Session(Editing):
         if self._values[0] is not self.results:
             self._values = (self.results, self.results.values() if self.results is not None else {})
         return self._values[1]
+
+    # --- the shaft in view
+    @property
+    def shafts(self) -> list[str]:
+        """The names of the shafts, in the order of the file."""
+        return [str(item.get(NAME, n + 1)) for n, item in enumerate(content_at(self.data, SHAFTS) or [])]
+
+    @property
+    def shaft(self) -> int:
+        """Which of them is in view: fields, picture, curves and values are its own, beside what all have together."""
+        return max(0, min(self._shaft, len(self.shafts) - 1))
+
+    @shaft.setter
+    def shaft(self, place: int) -> None:
+        self._shaft = place
+
+    @property
+    def original(self) -> str:
+        """The name of the shaft in view; of a twin that of its original."""
+        return original_of(content_at(self.data, (*SHAFTS, self.shaft)) or {})
+
+    @property
+    def view(self) -> "Results | None":
+        """The results with the shaft in view alone, of a twin with its original."""
+        if self._views[0] is not self.results:
+            self._views = self.results, self.results.views if self.results is not None else {}
+        views = self._views[1]
+        return views.get(self.original) or next(iter(views.values()), self.results)
+
+    def ids_of_shaft(self) -> set[str]:
+        of_shafts = self.results.of_shafts.values() if self.results is not None else ()
+        outcomes = [outcome for steps in of_shafts for outcome in steps.values()]
+        values = {value.id for outcome in outcomes for value in outcome.values()}
+        return values | {check.id for outcome in outcomes for check in outcome.checks}
+
+    def shaft_of(self, id: str) -> int | None:
+        """The place of the shaft that a value or a check is of; None where it is of all of them."""
+        name = id.partition(".")[2].partition(".")[0]
+        return self.shafts.index(name) if len(self.shafts) > 1 and name in self.shafts else None
 
     # --- solving
     def job(self) -> Job | None:

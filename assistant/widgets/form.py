@@ -16,25 +16,23 @@ from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
-from calc.countershaft.inputs import ShaftInputs
 from calc.design.addresses import asks, quantity_of, step_at, value_at
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
-from calc.sheet.quantity import dotted
 from calc.sheet.step import Step
 from calc.sheet.text import COMMA, EMPTY, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.guide import GUIDES, fold_at, taken_over
-from ..session.places import Place, content_at
+from ..session.places import SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, side
-from .headings import ArrayHeading, Fold, TableHeading
+from .headings import ArrayHeading, Fold, ShaftsHeading, TableHeading
 from .item_list import Item, ItemList
 from .radio import Balance, Radio, Todo
 from .rows import Asked, FormRow, routed
@@ -92,10 +90,15 @@ class Taken(ItemList):
         items = []
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
+        several, original = len(self.session.shafts) > 1, self.session.original
+        others = {name for name in self.session.shafts if name != original}
         for id in taken_over(self.step, self.session.data, values):
+            if others.intersection(id.split(".")[1:2]):
+                continue
             owner = step_at(self.session.data, id)
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear
+                part = part[1:] if several and part[:1] == [original] else part
                 label = say(COMMA.join((known.label, *part)))
                 text, unit = say.number(short(known.shown)), known.unit
             else:
@@ -172,8 +175,8 @@ class FormParts:
     def heading(self, row: FormRow) -> Content:
         last = row.place[-1]
         if row.kind == "original":
-            name = content_at(self._session.data, (*row.place, dotted(ShaftInputs.mirrors)))
-            return Content.styled(f" {self._say(Text('all else as {name}', name=Name(str(name))))}", "dim")
+            original = Name(self._session.original)
+            return Content.styled(f" {self._say(Text('all else as {name}', name=original))}", "dim")
         name = (
             str((content_at(self._session.data, row.place) or {}).get("name", last + 1))
             if isinstance(last, int)
@@ -192,8 +195,8 @@ class FormParts:
                 return Cells(row, [Field(cell, session, self._words(cell), cell=True) for cell in row.inside])
             case "columns":
                 return CellColumns(row)
-            case "array":
-                return ArrayHeading(row, session)
+            case "array" | "leaf":
+                return (ShaftsHeading if row.place == SHAFTS else ArrayHeading)(row, session)
             case "option":
                 return TableHeading(row, session)
             case "fold":
@@ -283,7 +286,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         if field is None or not field.editing:
             self.opened |= {n for place in reasons if (n := self._parts.fold(place)) is not None}
         editing = [field.place] if field is not None else []
-        return self._parts.rows(Asked(self.chosen, [*editing, *reasons], self._side), self.opened)
+        chosen = {**self.chosen, SHAFTS: self.session.shaft}
+        return self._parts.rows(Asked(chosen, [*editing, *reasons], self._side), self.opened)
 
     def refresh_fields(self, reasons: dict[Place, Text]) -> None:
         """Show what the session says; a design of another shape gets a form of another shape."""
@@ -475,6 +479,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         for end, part in enumerate(place):
             if (
                 isinstance(part, int)
+                and place[:end] != SHAFTS
                 and self.chosen.get(place[:end], 0) != part
                 and (uncovered or place[:end] in stops)
             ):
@@ -587,6 +592,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     # --- arrays
     def on_array_heading_leafed(self, event: ArrayHeading.Leafed) -> None:
+        if event.heading.row.place == SHAFTS:
+            return  # which the whole screen leafs through
         event.stop()
         self.chosen[event.heading.row.place] = event.index
         self.rebuild(event.heading.row.place)

@@ -3,6 +3,7 @@
 
 That of an array says how many there are, which one is shown, and the keys that add, remove and leaf."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -14,21 +15,25 @@ from textual.message import Message
 from textual.style import Style
 from textual.widget import Widget
 
-from calc.sheet.quantity import keys
+from calc.countershaft.inputs import ShaftInputs
+from calc.sheet.number import short
+from calc.sheet.quantity import dotted, keys
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NOTE
-from ..session.places import content_at
+from ..session.places import SHAFTS, content_at, original_of, twin_words
 from ..session.session import Session
 from .entry import LEAVING
-from .rows import SHAFTS, FormRow, heading_help
+from .rows import FormRow, heading_help
 from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements
 MOST = 8  # elements in it
 # cells before its rows, between its columns, and of a label that is wider than what is below it
 INDENT, GAP, LABEL = (3, 2, 12)
+SHAFT_NAME = 8  # cells of a shaft's name in their list
+RATIO = dotted(ShaftInputs.speed_ratio)
 
 
 class ArrayHeading(Widget, can_focus=True):
@@ -157,11 +162,11 @@ class ArrayHeading(Widget, can_focus=True):
                 fit(text, max(8, self.size.width - len(title) - 10)),  # beside blanks, arrows and buttons
                 self._link(after, "leaf(1)"),
             ]
-        buttons: list[Content | str] = (
-            [self._link("+", "add"), " ", self._link(minus, "remove")]
-            if names
-            else [self._link(self.app.say(Text("+ add")), "add")]
-        )
+        buttons: list[Content | str] = []
+        if self.row.kind == "array":
+            buttons = [self._link("+", "add"), " ", self._link(minus, "remove")]
+        if not names:
+            buttons = [self._link(self.app.say(Text("+ add")), "add")]
         left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
         return Content("\n").join([Content.assemble(left, " " * gap, *buttons), *self._table()])
@@ -181,10 +186,11 @@ class ArrayHeading(Widget, can_focus=True):
         self.post_message(self.Leafed(self, index))
 
     def action_add(self) -> None:
-        self.post_message(self.Added(self))
+        if self.row.kind == "array":
+            self.post_message(self.Added(self))
 
     def action_remove(self) -> None:
-        if count := len(self.names()):
+        if self.row.kind == "array" and (count := len(self.names())):
             self.post_message(self.Removed(self, count - 1 if self.row.shown is None else self.row.shown))
 
     def on_focus(self, event: events.Focus) -> None:
@@ -192,6 +198,55 @@ class ArrayHeading(Widget, can_focus=True):
 
     def on_blur(self, event: events.Blur) -> None:
         self.refresh()
+
+
+class ShaftsHeading(ArrayHeading):
+    """That of the shafts: what each is, and what it gives.  Where another step asks for them, one row that leafs."""
+
+    HELP = Text(
+        "+ adds a shaft: the mirror image of the one in view, the same once more, or one of its own; − takes out the "
+        "one in view, an original with its twins. ← → leaf here, {keys} everywhere in steps 3 to 5."
+    )
+    LEAFS = Text("← → leaf here, {keys} everywhere in steps 3 to 5. Step 3 adds shafts and takes them out.")
+
+    def explained(self) -> tuple[str, str]:
+        app, words = self.app, self.HELP if self.row.kind == "array" else self.LEAFS
+        keys = f"{app.shown_key('shaft_back')} {app.shown_key('shaft_on')}"
+        return heading_help(self.row.about, Text(words.template, keys=keys), self.reason, app)
+
+    def cells(self) -> list[tuple[str, ...]]:
+        """Name; ratio, or whose twin; couple, force and mass, but for what is nought in all."""
+        if self.row.shown is None or self.row.kind != "array":
+            return []
+        say, shafts = self.app.say, content_at(self.session.data, SHAFTS) or []
+        rows: list[tuple[str, ...]] = [("", "")]
+        for name, shaft in zip(self.names(), shafts):
+            ratio = f"{shaft.get(RATIO) or 0:+g}".replace("-", "−")
+            rows.append((fit(name, SHAFT_NAME), say(twin_words(shaft)) or ratio))
+        for label, unit, column in self._given(shafts):
+            words = [f"{say(label)} {unit}", *(say.number(short(x)) for x in column)]
+            rows = [(*row, word.rjust(max(map(len, words)))) for row, word in zip(rows, words)]
+        return rows
+
+    def _given(self, shafts: list[dict[str, object]]) -> Iterator[tuple[Text, str, list[float]]]:
+        """What each gives, where it is solved: label, unit, numbers; a twin has the mass of its original."""
+        values = self.session.values()
+        if not values:
+            return
+        from calc.countershaft.result import CountershaftResult  # with numpy
+
+        for label, field in (
+            (Text("Couple"), CountershaftResult.couple),
+            (Text("Force"), CountershaftResult.force),
+            (Text("Mass"), CountershaftResult.mass),
+        ):
+            ids = [
+                (dotted("countershaft", name, field), dotted("countershaft", original_of(shaft), field))
+                for name, shaft in zip(self.names(), shafts)
+            ]
+            there = [value for own, its in ids if (value := values.get(own) or values.get(its)) is not None]
+            if len(there) == len(shafts) and any(value.shown for value in there):
+                yield label, there[0].unit, [value.shown for value in there]
 
 
 # --- the heading of a table that may be left out

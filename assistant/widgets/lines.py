@@ -279,10 +279,11 @@ class FooterLine(Widget):
     def __init__(self) -> None:
         super().__init__(id="footer-line")
         self.idle: tuple[str, ...] = ()  # actions that do nothing here
+        self.leafs = False  # there are several shafts to leaf through
 
-    def show(self, idle: tuple[str, ...]) -> None:
-        if idle != self.idle:
-            self.idle = idle
+    def show(self, idle: tuple[str, ...], *, leafs: bool = False) -> None:
+        if (idle, leafs) != (self.idle, self.leafs):
+            self.idle, self.leafs = idle, leafs
             self.refresh()
 
     def render(self) -> Content:
@@ -291,7 +292,7 @@ class FooterLine(Widget):
         spared = [*self.idle, *(SPARED if wide else SPARED_NARROW)]
         least = 0 if wide else len(self.idle) + 1
         for gap, count in ((2, least), *((1, n) for n in range(least, len(spared) + 1))):
-            shown = [a for a in ACTIONS if a.footer and a.id not in spared[:count]]
+            shown = [a for a in ACTIONS if a.footer and a.id not in spared[:count] and (self.leafs or not a.first)]
             end = self._part(BY_ID["palette"]) if BY_ID["palette"] in shown else Content("")
             left = Content(" " * gap).join(self._part(a) for a in shown if a.id != "palette")
             if left.cell_length + (end.cell_length + 3 if end else 0) <= width:

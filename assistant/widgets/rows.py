@@ -7,14 +7,13 @@ for in place of the crank radius, which is half of it."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from operator import itemgetter
 
 from textual.content import Content
 from textual.widget import Widget
 
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow, titled
-from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys, own_shafts
+from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.locale import Language
@@ -34,14 +33,13 @@ from ..session.guide import (
     fold_at,
     folds,
     idle,
-    is_twin,
     layout_of,
+    of_twin,
 )
-from ..session.places import Place, content_at, described
+from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
-SHAFTS: Place = (dotted(Design.shafts),)
 ROWS = dotted(ShaftInputs.bearings)
 BEARING_NAME = dotted(BearingRow.name)
 COLUMNS = {"front": Text("Front bearing"), "rear": Text("Rear bearing")}
@@ -54,8 +52,9 @@ TWICE = Quantity(
 @dataclass(frozen=True)
 class FormRow:
     """`kind`: heading (of a sub-table, or of one element), option (heading of a sub-table that may be left out), array
-    (heading of an array of tables), columns (names of tables side by side), cells (one input of each of them), fold
-    (heading of what is folded), original (of which a shaft is the mirror image), stroke or field."""
+    (heading of an array of tables), leaf (the same where another step asks for them), columns (names of tables side by
+    side), cells (one input of each of them), fold (heading of what is folded), original (whose twin a shaft is), stroke
+    or field."""
 
     kind: str
     place: Place
@@ -84,7 +83,9 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
         form_rows.append(FormRow("stroke", (FIRST, STROKE), TWICE, required=True))
     ordered = [_of_design(NAME, required=True)] if step.key == FIRST else []
     ranked = [(_rank(row, step.key, data), row) for row in form_rows]
-    ordered += [row for rank, row in sorted(ranked, key=itemgetter(0)) if rank]
+    of_shaft = len(content_at(data, SHAFTS) or ()) > 1  # stands before what several shafts share
+    by_rank = sorted(ranked, key=lambda one: (of_shaft and one[1].place[:1] != SHAFTS, one[0]))
+    ordered += [row for rank, row in by_rank if rank]
     folded = [row for rank, row in ranked if not rank]
     for n, title in enumerate(folds(step.key)):
         if inside := tuple([row for row in folded if fold_at(step.key, row.place, data) == n]):
@@ -97,13 +98,15 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
 
 def _rank(row: FormRow, step: str, data: Table) -> int:
     """Which of the few that decide a row is, from 1; 0 in a fold.  The heading of several elements stands before what
-    decides of each; a mirror image has nothing but what decides."""
-    if is_twin(row.place, data):
+    decides of each; a twin has nothing but what decides."""
+    if of_twin(row.place, data):
         return 1
     about = row.about if row.kind == "stroke" else layout_of(row.place)
     if about is not None and about.decides:
         return about.decides
-    inside = keys_of(row.about.table, data, step) if row.about.table and row.kind in ("array", "columns") else ()
+    inside = (
+        keys_of(row.about.table, data, step) if row.about.table and row.kind in ("array", "leaf", "columns") else ()
+    )
     return min((key.about.decides for key in inside if key.about.decides), default=0)
 
 
@@ -126,16 +129,13 @@ def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[FormRo
 
 def rows(step: Step, data: Table, asked: Asked) -> list[FormRow]:
     """All rows of a step's form, in the order of the file; the bearings of a shaft stand with it by their places, all
-    else of them with what they share."""
+    else of them with what they share, those of the shaft in view."""
     form = _Rows(step.key, data, asked)
     if step.key == "countershaft":
         return list(form.array(described(SHAFTS), content_at(data, SHAFTS) or [], SHAFTS))
     form_rows = list(form.of(step.inputs, data.get(step.key, {}), (step.key,), True))
     if step.key == dotted(Design.bearings):
-        for n, shaft in own_shafts(data).items():
-            here = (*SHAFTS, n, ROWS)
-            if bearings := as_list(shaft.get(ROWS)):
-                form_rows += form.array(described(here), bearings, here)
+        form_rows += form.bearings(content_at(data, SHAFTS) or [])
     return form_rows
 
 
@@ -148,7 +148,9 @@ class _Rows:
     def keys(self, cls: type, content: object, place: Place) -> dict[str, Quantity]:
         """What the step asks for of a table; what stands in it all the same, or is wrong, can be seen and taken out."""
         there = as_table(content)
-        own = own_keys(cls, there, judged=dotted(Design.bearings) in self.data)
+        own = set(own_keys(cls, there, judged=dotted(Design.bearings) in self.data))
+        if cls is ShaftInputs and of_twin(place, self.data):
+            own -= {MIRRORS, REPEATS}  # the one that it is stands in it
         shown = {*own, *there, *(held[-1] for held in self.asked.held if held[:-1] == place)}
         return {key.key: key.about for key in keys_of(cls, self.data, self.step) if key.key in shown}
 
@@ -194,6 +196,18 @@ class _Rows:
         if content is not None or not about.optional or held:
             yield from self.of(about.table, content, here, content is not None or (there and not about.optional))
 
+    def bearings(self, shafts: list[object]) -> Iterator[FormRow]:
+        """Those of the shaft in view, below which one it is where there are several."""
+        if not shafts:
+            return
+        shaft = (*SHAFTS, n := min(self.asked.chosen.get(SHAFTS, 0), len(shafts) - 1))
+        if len(shafts) > 1:
+            yield FormRow("leaf", SHAFTS, described(SHAFTS), shown=n)
+        if of_twin(shaft, self.data):
+            yield FormRow("original", shaft, described(SHAFTS))
+        elif bearings := as_list(as_table(shafts[n]).get(ROWS)):
+            yield from self.array(described((*shaft, ROWS)), bearings, (*shaft, ROWS))
+
     def array(self, about: Quantity, content: list[object], here: Place) -> Iterator[FormRow]:
         """Elements side by side, below each other, or where that were too many rows one at a time."""
         assert about.table is not None
@@ -213,7 +227,7 @@ class _Rows:
                 if not long and here != SHAFTS:
                     yield FormRow("heading", (*here, i), about)
                 yield from self.of(about.table, item, (*here, i), True)
-                if is_twin((*here, i), self.data):
+                if of_twin((*here, i), self.data):
                     yield FormRow("original", (*here, i), about)
 
 

@@ -15,6 +15,7 @@ from calc.studies.ready import SOLVED, Readiness, StepState, readiness, whole
 
 from ..actions import BY_ID
 from ..base_app import BaseApp
+from ..session.guide import title_of
 from ..session.places import Place
 from ..session.session import Session
 from .item_list import Item, ItemList
@@ -86,7 +87,7 @@ class Steps(ItemList):
     def _step(self, n: int, state: StepState, width: int) -> list[Content]:
         signs: Signs = self.app.signs
         say, here, room = self.app.say, state.key == self.current, width - len(INDENT)
-        title = fit(f"{n} {say(STEPS[n - 1].title)}", width - 4)
+        title = fit(f"{n} {say(title_of(STEPS[n - 1], self.session.data))}", width - 4)
         end = signs.mark("here") if here else ""
         gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
         style = signs.style(state.colour)
@@ -152,9 +153,11 @@ class StepBar(Widget):
         ]
         end = self.app.say(Text("Ready"))
         room = self.size.width - 3 * len(shown) - 1 - len(end) - 2  # of the titles
-        titles = [self.app.say(step.title) for _, step, _ in shown]
+        titles = [self.app.say(title_of(step, self.session.data)) for _, step, _ in shown]
         if sum(map(len, titles)) > room:
-            titles = [self.app.say(BRIEF.get(step.key, step.title)) for _, step, _ in shown]
+            several = {"countershaft": Text("Shafts")} if len(self.session.shafts) > 1 else {}
+            brief = {**BRIEF, **several}
+            titles = [self.app.say(brief.get(step.key, step.title)) for _, step, _ in shown]
         longest = max(map(len, titles))
         while sum(min(len(title), longest) for title in titles) > room and longest > 3:
             longest -= 1

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from assistant.screens.dialogs import Ask
-from assistant.session.places import Place, followed, further, label_of, less
+from assistant.screens.dialogs import Ask, Choose
+from assistant.session.places import Place, followed, further, further_shaft, label_of, less, ways_to_add
 from assistant.session.recovery import Edits, Memory
 from assistant.session.saving import NeedsUpgrade
 from assistant.session.session import Session
@@ -67,6 +67,7 @@ def test_a_mirror_image_shows_its_few_fields_and_whose_all_else_is() -> None:
         ("field", "name"),
         ("field", "mirrors"),
         ("field", "axis_mm"),
+        ("array", "loads"),
         ("original", 1),
     ]
 
@@ -93,9 +94,7 @@ def test_what_stands_in_a_table_all_the_same_can_be_seen_and_taken_out(memory: M
     session.apply(["shafts.twin.gear_z_mm=3", "shafts.shaft.bearings.front.slope_mrad=0.1"])
     reasons = session.reasons()
     wrong = {("shafts", 1, "gear_z_mm"), (*ROWS, 0, "slope_mrad")}
-    assert (
-        wrong <= reasons.keys() and "is that of the shaft that it mirrors, shaft" in reasons["shafts", 1, "gear_z_mm"]
-    )
+    assert wrong <= reasons.keys() and "is that of its original, shaft" in reasons["shafts", 1, "gear_z_mm"]
     assert ("shafts", 1, "gear_z_mm") in [row.place for row in form_of("countershaft", session.data, shaft=1)]
     folded = [inner.place for row in form_of("countershaft", session.data) for inner in (row, *row.inside)]
     assert (*ROWS, 0, "slope_mrad") in folded
@@ -119,6 +118,8 @@ async def test_shafts_are_leafed_through_added_and_taken_out(screen: Screen, lig
         assert isinstance(pilot.app.focused.parent, Field), "no − by mistake"  # type: ignore[union-attr]
         heading.focus()
         await strike(pilot, "plus")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Choose))
+        await strike(pilot, "enter")
         await settled(pilot)
         assert light.data["shafts"][1] == {"name": "twin", "mirrors": "shaft"} and light.valid
         assert form.here() == (*SHAFTS, 1, "name") and "all else as shaft" in rows(pilot)
@@ -147,15 +148,111 @@ async def test_a_bearing_by_another_name_has_that_name_above_its_column(screen: 
         assert "Gear side" in columns.render().plain and "Rear" in columns.render().plain
 
 
+# --- several shafts, one in view
+
+FOUR = DESIGNS / "r754ie4_balance_shafts.toml"
+
+
+def two_of_their_own(memory: Memory, tmp_path: Path) -> Session:
+    """The pair with its twin as a shaft of its own, a little lighter."""
+    session = opened(FOUR.stem, memory, tmp_path)
+    session.remove(SHAFTS, 1)
+    session.add_shaft("shaft", "own")
+    session.apply(["shafts.shaft-2.speed_ratio=-2", "shafts.shaft-2.masses.front.mass_kg=0.44"])
+    session.edit((*SHAFTS, 1, "name"), "right")
+    session.solve()
+    assert session.valid and session.results is not None
+    return session
+
+
+def test_the_view_is_of_the_shaft_in_view_or_of_the_original_of_a_twin(memory: Memory, tmp_path: Path) -> None:
+    pair = opened(FOUR.stem, memory, tmp_path)
+    pair.solve()
+    first = pair.view
+    pair.shaft = 1
+    assert pair.original == "shaft" and pair.view is first is not None
+    session = two_of_their_own(memory, tmp_path)
+    forces = []
+    for session.shaft in (0, 1):
+        assert session.view is not None and session.view.shaft is not None
+        forces.append(session.view.shaft.force)
+    assert forces[1] < forces[0] and session.shaft_of("countershaft.right.force") == 1
+    assert session.shaft_of("countershaft.residual_order_2_force") is None
+    session.undo()
+    session.remove(SHAFTS, 1)
+    assert session.shaft == 0
+
+
+def test_ids_of_what_is_accepted_and_measured_have_a_shafts_name_beside_another(session: Session) -> None:
+    session.solve()
+    ids = ["countershaft.slope_front", "bearings.front.mckee", "countershaft.residual", "gears.crank-idler.sliding"]
+    session.apply(f'accepted.{id}="seen"' for id in ids)
+    values = ["countershaft.force", "countershaft.residual_order_1_couple"]
+    rows = ", ".join(f"{{value='{value}', is=1.0}}" for value in values)
+    session.apply([f"measured=[{rows}]"])
+    before = session.data
+    session.add_shaft("shaft", "mirrors")
+    named = ["countershaft.shaft.slope_front", "bearings.shaft.front.mckee"]
+    assert list(session.data["accepted"]) == [*named, *ids[2:]]
+    assert [row["value"] for row in session.data["measured"]] == ["countershaft.shaft.force", values[1]]
+    session.edit((*SHAFTS, 0, "name"), "left")
+    session.edit((*ROWS, 0, "name"), "fore")
+    assert list(session.data["accepted"])[:2] == ["countershaft.left.slope_fore", "bearings.left.fore.mckee"]
+    session.undo()
+    session.undo()
+    session.remove(SHAFTS, 1)
+    assert session.data == before
+    session.undo()
+    session.undo()
+    assert session.data == before
+
+
+def test_a_shaft_that_goes_leaves_its_wheel(session: Session) -> None:
+    session.add_shaft("shaft", "mirrors")
+    session.apply(["gears.wheels.idler.shaft=twin"])
+    session.remove(SHAFTS, 1)
+    assert all(wheel.get("shaft") != "twin" for wheel in session.data["gears"]["wheels"]) and session.valid
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_everything_on_the_screen_is_of_the_shaft_in_view(
+    screen: Screen, memory: Memory, tmp_path: Path, size: tuple[int, int]
+) -> None:
+    session = two_of_their_own(memory, tmp_path)
+    async with screen(size=size, session=session) as pilot:
+        await go_to(pilot, "shafts.shaft.masses.front.mass_kg")
+        await solved(pilot)
+        assert "▸ shaft" in rows(pilot) and "3 Balance shafts: shaft" in rows(pilot) and "^→ Shaft" in rows(pilot)
+        await strike(pilot, "ctrl+right")
+        await settled(pilot)
+        assert work(pilot).form.here() == (*SHAFTS, 1, "masses", 0, "mass_kg")  # the same field, of the other
+        await type_in(pilot, "0.43")
+        await solved(pilot)
+        assert session.data["shafts"][1]["masses"][0]["mass_kg"] == 0.43 and "▸ right" in rows(pilot)
+        ids = [str(row[-1]) for row in work(pilot).curve_pane.leaves[-1].rows]
+        assert "countershaft.right.force" in ids and "countershaft.residual_order_2_force" in ids
+        assert not any(id.startswith("countershaft.shaft.") for id in ids)
+        await strike(pilot, "f7")
+        await until(pilot, lambda: work(pilot).checks.has_focus and bool(work(pilot).checks.key))
+        seen = set()
+        for _ in range(6):
+            await strike(pilot, "f7")
+            await settled(pilot)
+            seen.add((work(pilot).checks.key.split(".")[1], session.shafts[session.shaft]))
+        assert {("shaft", "shaft"), ("right", "right")} <= seen and not {("shaft", "right"), ("right", "shaft")} & seen
+
+
 # --- elements
 
 
-def test_a_further_shaft_is_the_mirror_image_of_one_that_has_none() -> None:
+def test_a_further_shaft_is_a_twin_on_the_other_side_or_one_of_its_own_without_a_place() -> None:
     left: Table = {"name": "left", "axis_mm": [10.0, 50.0], "speed_ratio": -1}
-    there, index = further(SHAFTS, [left])
-    assert index == 1 and there == [left, {"name": "twin", "mirrors": "left", "axis_mm": [10.0, -50.0]}]
-    other: Table = {"name": "twin", "speed_ratio": 2}
-    assert further(SHAFTS, [*there, {**other, "name": "low"}])[0][-1] == {"name": "twin-2", "mirrors": "low"}
+    twin: Table = {"name": "right", "axis_mm": [10.0, -50.0]}
+    assert further_shaft([left], "left", "mirrors") == {**twin, "mirrors": "left"}
+    assert further_shaft([left], "left", "repeats") == {**twin, "repeats": "left"}
+    assert further_shaft([left], "left", "own") == {"name": "left-2", "speed_ratio": -1}
+    assert list(ways_to_add([left], "left")) == ["mirrors", "repeats", "own"]
+    assert list(ways_to_add([left, {**twin, "mirrors": "left"}], "left")) == ["repeats", "own"]
 
 
 def test_a_further_bearing_stands_in_the_widest_gap_and_takes_the_sizes_of_the_one_before() -> None:
@@ -179,10 +276,11 @@ def test_a_bearing_that_is_added_to_a_sound_shaft_leaves_it_sound(memory: Memory
 def test_a_shaft_takes_its_mirror_image_with_it() -> None:
     there: list[Table] = [{"name": "a"}, {"name": "b", "mirrors": "a"}, {"name": "c"}]
     assert less(SHAFTS, there, 0) == [{"name": "c"}] and less(SHAFTS, there, 1) == [{"name": "a"}, {"name": "c"}]
+    assert less(SHAFTS, [{"name": "a"}, {"name": "b", "repeats": "a"}], 0) == []
 
 
 def test_what_names_a_shaft_or_locks_something_in_it_follows_its_name_letter_by_letter(session: Session) -> None:
-    session.add(SHAFTS)
+    session.add_shaft("shaft", "mirrors")
     session.toggle_lock("bearings.front.length_mm")
     assert session.data["locked"].keys() >= {"shafts.shaft.bearings.front.length_mm"}
     for text in ("", "t", "tw", "twin", "twin-", "twin-1"):  # by way of the name of its mirror image
@@ -236,7 +334,7 @@ def test_without_bearings_a_shaft_keeps_what_is_screened(session: Session) -> No
 
 def test_a_file_of_schema_1_stays_one_where_it_can_say_what_changed(session: Session) -> None:
     session.edit("bearings.front.length_mm", "28.5")
-    session.add(SHAFTS)
+    session.add_shaft("shaft", "mirrors")
     text = session.save().read_text("utf-8")
     assert "schema = 1" in text and 'pair = "yes"' in text and "length_mm = 28.5" in text
 

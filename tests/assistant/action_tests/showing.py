@@ -56,6 +56,22 @@ DEEDS |= {f"step_{n}": partial(to_step, n) for n in range(1, len(STEPS) + 1)}
 DEEDS |= {"back": partial(to_step, 1), "next": partial(to_step, 3)}
 
 
+async def leafs(pilot: Pilot[int], do: Do) -> None:
+    """Of two shafts the next one is the one before."""
+    bench = work(pilot)
+    bench.session.add_shaft("shaft", "mirrors")
+    bench.edited()
+    await strike(pilot, "3")
+    await still(pilot)
+    assert "3 Balance shafts: shaft" in text(pilot) and "1 of 2 shaft" in text(pilot)
+    await do()
+    await still(pilot)
+    assert "3 Balance shafts: twin" in text(pilot) and "2 of 2 twin" in text(pilot)
+
+
+DEEDS |= {"shaft_on": leafs, "shaft_back": leafs}
+
+
 # --- help, palette, the end
 @deed
 async def help_(pilot: Pilot[int], do: Do) -> None:
