@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from assistant.results_text import results_json
 from assistant.session.saving import Draft, write_asked
-from calc.countershaft.result import CountershaftResult
 from calc.design.toml_file import Document
 from calc.gears.profile.drawing import LAYERS, train_drawing, wheel_drawing
 from calc.gears.profile.outline import CHORD_ERROR
@@ -22,7 +21,7 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.progress import Progress
 from calc.sheet.text import Text
 from calc.solve import Results
-from calc.studies.drawings import sheets
+from calc.studies.drawings import drawable, sheets
 from reports.dxf import dxf, sheet_dxf
 
 if TYPE_CHECKING:
@@ -43,22 +42,27 @@ def write_draft(
 
         write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
     else:
-        write_asked(
-            path, exported(path.suffix.lower().removeprefix("."), document, results, gears), inputs=[document.place]
-        )
+        texts = exported(path.suffix.lower().removeprefix("."), document, results, gears)
+        for place, text in placed(path, texts).items():
+            write_asked(place, text, inputs=[document.place])
 
 
-def exported(kind: str, document: Document, results: Results, gears: bool = False) -> str:
-    """The text of a file of this kind.  A drawing is that of the shaft; of the train where `gears` says so, or where
-    there is no shaft.
+def exported(kind: str, document: Document, results: Results, gears: bool = False) -> dict[str, str]:
+    """The text of a file of this kind; of several shafts one for each drawing, by the name of the shaft.  A drawing is
+    that of the shaft; of the train where `gears` says so, or where there is no shaft.
 
     Raises BadInput where there is nothing to draw, with what to add.
     """
     if kind == "json":
-        return results_text(document, results)
+        return {"": results_text(document, results)}
     if kind == "csv":
-        return values_text(document, results)
-    return gears_text(document, results) if gears or draws_gears(results) else drawing_text(document, results)
+        return {"": values_text(document, results)}
+    return {"": gears_text(document, results)} if gears or draws_gears(results) else drawing_texts(document, results)
+
+
+def placed(path: Path, texts: dict[str, str]) -> dict[Path, str]:
+    """Where each of them is written: `drive.dxf`, of several `drive-left.dxf`."""
+    return {path.with_name(f"{path.stem}-{name}{path.suffix}") if name else path: texts[name] for name in texts}
 
 
 def draws_gears(results: Results) -> bool:
@@ -95,8 +99,9 @@ def transfer_text(document: Document, results: Results) -> str:
     return file.getvalue()
 
 
-def drawing_text(document: Document, results: Results) -> str:
-    """The shaft as a DXF file.  Raises BadInput where its outline is not known, with what to add."""
+def drawing_texts(document: Document, results: Results) -> dict[str, str]:
+    """The shaft as a DXF file; of several each that is no twin, by its name.  Raises BadInput where no outline is
+    known, with what to add."""
     shaft, outcome = results.design.countershaft, results.outcomes["countershaft"]
     if shaft is None:
         raise BadInput(
@@ -115,9 +120,8 @@ def drawing_text(document: Document, results: Results) -> str:
             document.place,
             [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))],
         )
-    solved = results.result(CountershaftResult)
-    outline = solved.outline if solved is not None else None
-    if outline is None:
+    drawn = drawable(results)
+    if not drawn:
         raise BadInput(
             document.place,
             [
@@ -134,7 +138,8 @@ def drawing_text(document: Document, results: Results) -> str:
                 )
             ],
         )
-    return sheet_dxf(sheets(results, data=document.data)[0])
+    texts = [sheet_dxf(sheet) for sheet in sheets(results, data=document.data)]
+    return dict(zip(drawn, texts)) if len(results.views) > 1 else {"": texts[0]}
 
 
 def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:

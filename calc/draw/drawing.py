@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Literal, Protocol
+from typing import Literal, Protocol, TypeVar, cast
 
 from ..sheet.check import Check
 from ..sheet.record import record
@@ -112,6 +112,7 @@ class Dimension:
 Primitive = Polyline | Arc | Words | Dimension  # of drawings to scale
 Mark = Primitive | Area  # of sketches
 Ink = Mark | Hatch  # of drawing sheets
+Drawn = TypeVar("Drawn", bound=Ink)
 
 
 @record
@@ -158,9 +159,9 @@ def reach(mark: Mark) -> Iterable[Point]:
             return [(x, start[1]), (x, end[1])] if upright else [(start[0], y), (end[0], y)]
 
 
-def moved(mark: Ink, dx: Metre, dy: Metre) -> Ink:
+def moved(mark: Drawn, dx: Metre, dy: Metre) -> Drawn:
     """A mark at another place."""
-    return _changed(mark, lambda point: (point[0] + dx, point[1] + dy), 1.0)
+    return cast("Drawn", _changed(mark, lambda point: (point[0] + dx, point[1] + dy), 1.0))
 
 
 def enlarged(mark: Ink, by: float) -> Ink:

@@ -77,7 +77,7 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
     if not parts:
         return []
     context.figures += 1
-    caption = f"{context.words['figure']} {context.figures}. {context.say(step.title)}"
+    caption = f"{context.words['figure']} {context.figures}. {context.title(step)}"
     notes = "; ".join(map(context.say, sketch.notes))
     return [_rows([_Picture(part, context.say) for part in parts], caption + (f" ({notes})" if notes else ""))]
 
