@@ -28,14 +28,18 @@ from ..draw.drawing import (
     Words,
     awaited,
     judged,
+    moved,
     rectangle,
     round_outline,
+    spanned,
 )
+from ..draw.drawing import reach as reached
 from ..draw.shaft_outline import drawn, reach, silhouette, upwards
+from ..engine.crank import crank
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
 from ..sheet.record import record
-from ..sheet.text import Amount, Text
+from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Number, Radian
 from .bending.shaft import Bending
 from .checks import (
@@ -55,6 +59,7 @@ from .left_over import RESIDUAL, RESIDUAL_FORCE
 from .outline import Outline, Piece
 from .result import CountershaftResult
 from .rows import EACH_ROW, SHAFT, BearingRow
+from .shafts import ShaftsResult
 from .sizing.sectors import SizedSector
 
 if TYPE_CHECKING:
@@ -79,6 +84,7 @@ SUPPORT = 0.035  # of the shaft's length: height of a support's triangle
 POINT = 0.3  # of the largest radius of the masses: radius of the heaviest of them, where only their places are known
 FEW = 4  # masses whose places are told
 CORNERS = 24  # of half a sector
+BAR = 0.1  # of the longest shaft: the largest load
 
 
 @record
@@ -104,31 +110,93 @@ def sketch(design: "Design", results: "Results") -> Sketch:
     outcome = results.outcomes[STEP]
     shaft: ShaftInputs | None = design.countershaft
     result = outcome.result
+    if isinstance(result, ShaftsResult):
+        return _below_each_other(design, results)
     if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
-    masses, notes = judged(checks, *(rule.id for rule in OF_MASSES)), [Text("lengths in mm")]
-    if result.outline is not None:
-        view = _shaped(shaft, result.outline, masses)
-    elif result.sector:
-        view = _envelope(shaft, tuple(result.sector.values()), masses)
-        notes.append(Text("without its journals"))
-    elif shaft.masses:
-        view = _points(shaft, masses)
-        notes.append(Text("masses as points"))
-    else:
+    view, notes = _view(shaft, result, checks), [Text("lengths in mm")]
+    if view is None:
         return Sketch(notes=(Text("The picture waits for the masses of the shaft."),))
-    beyond = SUPPORT * view.length
-    side: list[Mark] = [Polyline(AXIS, ((view.start - beyond, 0.0), (view.end + beyond, 0.0)))]
-    side += _side(view, result.outline)
-    side += _supports(view, checks)
-    side += _dimensions(view)
+    if result.outline is None:
+        notes.append(Text("without its journals") if result.sector else Text("masses as points"))
+    side = [*_along(view, result.outline, checks), *_dimensions(view)]
     if shaft.holes is not None:
         side += _holes(view, shaft.holes, judged(checks, dotted(STEP, ShaftInputs.holes)))
     if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
         side += bent[0]
         notes.append(Text("dashed: bending × {factor}", factor=Amount(bent[1])))
     return Sketch(tuple(side), tuple(notes), beside=(Sketch(tuple(_end_view(view)), title=Text("from the front")),))
+
+
+def _view(shaft: ShaftInputs, result: CountershaftResult, checks: tuple[Check, ...]) -> View | None:
+    """What is known of its shape; None where that is nothing."""
+    masses = judged(checks, *(rule.id for rule in OF_MASSES))
+    if result.outline is not None:
+        return _shaped(shaft, result.outline, masses)
+    if result.sector:
+        return _envelope(shaft, tuple(result.sector.values()), masses)
+    return _points(shaft, masses) if shaft.masses else None
+
+
+def _below_each_other(design: "Design", results: "Results") -> Sketch:
+    """Each shaft that is no twin, one below another at its place along the engine: under its supports bars for their
+    loads, above all of them the planes of the cylinders.  Of a single one its own picture says that."""
+    if len(results.views) == 1:
+        return Sketch()
+    known = {}
+    for name, each in results.views.items():
+        shaft, outcome = each.design.countershaft, each.outcomes[STEP]
+        if shaft is not None and isinstance(outcome.result, CountershaftResult):
+            view = _view(shaft, outcome.result, tuple(outcome.checks))
+            if view is not None:
+                known[name] = view, outcome.result, tuple(outcome.checks)
+    if not known:
+        return Sketch(notes=(Text("The picture waits for the masses of the shafts."),))
+    longest = max(view.length for view, _, _ in known.values())
+    high, most = BAR * longest, max(max(result.loads.values()) for _, result, _ in known.values()) or 1.0
+    marks: list[Mark] = []
+    planes = sorted(set(crank(design.engine, 0.0).z.tolist())) if design.engine is not None else []
+    for z in planes:
+        marks.append(Polyline(CONTEXT, ((z, SUPPORT * longest), (z, 2 * SUPPORT * longest))))
+    notes, y = [Text("bars: loads of the bearings, dashed by the levers of a rigid shaft")], 0.0
+    if planes:
+        notes.append(Text("ticks: cylinders"))
+    for name, (view, result, checks) in known.items():
+        drawn = [*_along(view, result.outline, checks), *_loads(view, result, high / most, longest)]
+        if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
+            drawn += bent[0]
+            notes.append(Text("{name}: bending × {factor}", name=Name(name), factor=Amount(bent[1])))
+        box = spanned(point for mark in drawn for point in reached(mark))
+        twins = [Name(shaft.name) for shaft in design.shafts if name in (shaft.mirrors, shaft.repeats)]
+        words = COMMA.join([Name(name), *twins])
+        drawn.append(Words(WORDS, (box[0] - SUPPORT * longest, 0.0), words, side="right"))
+        marks += [moved(mark, 0.0, y - box[3]) for mark in drawn]
+        y -= box[3] - box[1] + 2 * SUPPORT * longest
+    return Sketch(tuple(marks), tuple(notes), stacked=len(known))
+
+
+def _along(view: View, outline: Outline | None, checks: tuple[Check, ...]) -> Iterator[Mark]:
+    """From the side: axis, shape and supports."""
+    beyond = SUPPORT * view.length
+    yield Polyline(AXIS, ((view.start - beyond, 0.0), (view.end + beyond, 0.0)))
+    yield from _side(view, outline)
+    yield from _supports(view, checks)
+
+
+def _loads(view: View, result: CountershaftResult, scale: float, longest: Metre) -> Iterator[Mark]:
+    """A bar under each support as long as its load, and dashed that by the levers of a rigid shaft."""
+    half, size = SUPPORT * longest / 3, SUPPORT * view.length
+    lowest = max((reach(piece, view.up)[1] for piece in view.pieces), default=0.0)
+    top = -lowest - size
+    for row in view.shaft.bearings:
+        load, z = result.loads[row.name], row.position
+        box = rectangle(z - half, top - scale * load, z + half, top)
+        yield Area(OUTLINE, (box,), SHADES["sector"])
+        if (rigid := result.loads_by_levers.get(row.name)) is not None:
+            yield Polyline(HIDDEN, rectangle(z - half, top - scale * rigid, z + half, top), True)
+        foot = (z + 2 * half, top - scale * load / 2)
+        yield Words(WORDS, foot, Text("{load}", load=Amount(load, "N", form=".0f")), side="left")
 
 
 def _shaped(shaft: ShaftInputs, outline: Outline, state: State) -> View:

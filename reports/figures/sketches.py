@@ -47,7 +47,7 @@ from .labels import FREE, Label, placed
 if TYPE_CHECKING:
     from ..typesetting.pen import Pen
 
-HIGH = 118.0  # at most, of a row of pictures
+HIGH = 118.0  # at most, of a row of pictures; of those stacked in one of each
 BETWEEN = 18.0  # of two pictures
 ABREAST, APART = 4, 8.0  # pictures in a row; between two rows
 LETTERS = Style(7.5, 9.2)
@@ -77,7 +77,8 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
     if not parts:
         return []
     context.figures += 1
-    caption = f"{context.words['figure']} {context.figures}. {context.title(step)}"
+    title = f"{context.shaft}: {context.title(step)}" if context.shaft else context.title(step)
+    caption = f"{context.words['figure']} {context.figures}. {title}"
     notes = "; ".join(map(context.say, sketch.notes))
     return [_rows([_Picture(part, context.say) for part in parts], caption + (f" ({notes})" if notes else ""))]
 
@@ -88,7 +89,7 @@ class _Row:
     def __init__(self, pictures: list[_Picture]) -> None:
         self.pictures = pictures
         room = WIDTH - BETWEEN * (len(pictures) - 1)
-        low, high = 10.0, HIGH
+        low, high = 10.0, HIGH * max(picture.stacked for picture in pictures)
         if sum(picture.width(high) for picture in pictures) > room:
             for _ in range(12):
                 middle = (low + high) / 2
@@ -141,7 +142,7 @@ class _Picture:
 
     def __init__(self, sketch: Sketch, say: Language) -> None:
         self.title = say(sketch.title) if sketch.title else ""
-        self.marks = sketch.primitives
+        self.marks, self.stacked = sketch.primitives, sketch.stacked
         self.left, self.low, self.right, self.top = sketch.box
         self.labels = list(_labels(sketch, say))
         self.words = [
