@@ -9,7 +9,7 @@ from calc.bearings.selection import tables as bearing_tables
 from calc.bearings.selection.variants import SUPPLY
 from calc.countershaft.sizing import choices as sizing
 from calc.design.model import Design
-from calc.design.step_inputs import bearings_case, shaft_axes
+from calc.design.step_inputs import bearings_case, shaft_axes, sized_alike
 from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.gears.selection import idler
@@ -84,9 +84,8 @@ def _countershaft(design: Design, file: str, progress: Progress | None = None) -
     room = sizing.envelope(shaft, file)
     materials = sizing.candidates(shaft, design.materials, file)
     e = engine.values(design.engine)
-    selection = sizing.choices(
-        shaft, imbalance.values(design.imbalance, design.engine, e), e.angular_speed, room, materials, progress
-    )
+    i, alike = imbalance.values(design.imbalance, design.engine, e), sized_alike(design, shaft)
+    selection = sizing.choices(shaft, i, e.angular_speed, room, materials, progress, alike)
 
     def said(number: int) -> Text:
         candidate = selection.shafts[number - 1]

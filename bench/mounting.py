@@ -23,14 +23,15 @@ from calc.studies.shipped import DESIGNS
 def main() -> None:
     made = design(read(DESIGNS / "r753ie4_mounting.toml"))
     outcomes = solve(made).outcomes
-    shaft = step_inputs.shaft_on_engine(made, outcomes["countershaft"], outcomes["gears"])
+    own = {made.countershaft.name: outcomes["countershaft"]}
+    shafts = step_inputs.shafts_on_engine(made, own, outcomes["gears"])
     given, engine = made.mounting, made.engine
     assert given is not None and engine is not None
     numbers = np.linspace(0, 1, 100_000)
     unit = best(lambda: np.exp(numbers), 20)
     with recorded(False):
         whole = best(
-            lambda: mounting.solve(given, engine, outcomes["engine"].solution, outcomes["imbalance"].solution, shaft),
+            lambda: mounting.solve(given, engine, outcomes["engine"].solution, outcomes["imbalance"].solution, shafts),
             10,
         )
         result = outcomes["mounting"].solution

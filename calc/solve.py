@@ -29,6 +29,7 @@ from .design.unusual import with_doubts
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
+from .friction.checks import with_oil_level
 from .friction.result import FrictionResult
 from .gears import solve as gears
 from .gears.curves import curves
@@ -83,6 +84,12 @@ class Results:
     @property
     def shaft(self) -> CountershaftResult | None:
         return self.result(CountershaftResult)
+
+    @property
+    def left(self) -> SystemResult | None:
+        """What all shafts together leave."""
+        every = self.result(shafts.ShaftsResult)
+        return every.sums if every is not None else self.shaft.sums if self.shaft is not None else None
 
     @property
     def train(self) -> TrainResult | None:
@@ -177,10 +184,11 @@ def solve(
 
     `before`: the results of an earlier version, of which unchanged parts are taken over.  `compared`: with what other
     methods give beside those that judge; every verdict is the same without.  `stop` is asked between the parts whether
-    nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what it
-    gave decides all that is asked, the outcomes so far are returned."""
+    nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what
+    there is of its step decides all that is asked, the outcomes so far are returned."""
     kept = before.parts if before is not None and before.recorded >= recording.get() else {}
-    part = Parts(TITLES, kept, dict(design.without), stop=stop, enough=enough)
+    several = len(design.shafts) > 1
+    part = Parts(TITLES, kept, dict(design.without), named=several, stop=stop, enough=enough)
     try:
         solved = steps(part, design, compared)
     except Enough:
@@ -218,7 +226,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
             design.imbalance,
             design.engine,
             e.result,
-            h.takes_first_order(design),
+            h.orders_taken(design),
             h.shaft_teeth(design, h.only(design)),
             h.shaft_axes(design).get(h.only(design) or ""),
         )
@@ -245,10 +253,11 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.overrun(design),
                 h.beside(design, shaft, c),
                 judged=design.bearings is not None,
+                alike=h.sized_alike(design, shaft.inputs),
             )
             c |= h.twins(design, shaft, c[shaft.name])
         left = _left_over(part, design, e.result, i.result, c)
-        i = _with_shafts(i, design, c)
+        i = _with_shafts(i, design, left)
     else:
         left = part.absent("countershaft", h.turning(design) or None, (e, i))
 
@@ -264,8 +273,10 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 c[name].result if name in c else None,
                 design.engine,
                 h.bearing_materials(design, design.bearings, view.shafts[0]),
+                speed_ratio=view.shafts[0].speed_ratio,
                 compared=compared,
             )
+            b |= {twin: b[name] for twin in h.twins_of(design, name)}  # a film does not know left from right
     no_bearings = None if b else part.absent("bearings", design.bearings, late)
 
     if design.gears is not None and g.result is not None and first_speed is not None:
@@ -334,11 +345,11 @@ def _left_over(
     )
 
 
-def _with_shafts(i: Outcome[ImbalanceResult], design: Design, c: Shafts) -> Outcome[ImbalanceResult]:
-    shaft = next((c[name].result for name, view in design.views.items() if name in c), None)
-    if shaft is None or design.imbalance is None or not h.takes_first_order(design):
+def _with_shafts(i: Outcome[ImbalanceResult], design: Design, left: Outcome[SystemResult]) -> Outcome[ImbalanceResult]:
+    if left.result is None or design.imbalance is None:
         return i
-    return imbalance.with_shaft(i, shaft.vectors, design.imbalance)
+    by_order = {n: (*found.forces, *found.couples) for n, found in left.result.vectors.items()}
+    return imbalance.with_shafts(i, by_order, design.imbalance, several=len(h.turning(design)) > 1)
 
 
 def _standing(
@@ -354,11 +365,15 @@ def _standing(
         name = shaft.name
         if name in c and c[name].result is not None:
             gear, drive = h.shaft_gear(design, train, name), h.shaft_drive(design, train, f, name)
-            of_shaft = with_standing(c[name], shaft.inputs, gear, drive)
+            carried = b[name].result if name in b else None
+            of_shaft = with_standing(c[name], shaft.inputs, gear, drive, carried)
+            of_shaft = with_oil_level(of_shaft, shaft.inputs, design.friction)
             if name in b:
                 b = b | {name: bearings_with_standing(b[name], of_shaft.solution.standing)}
-            carried = b[name].result if name in b else None
-            c = c | {name: with_oil(with_films(of_shaft, carried, housing), carried)}
+                carried = b[name].result
+            if shaft.of is None:
+                of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+            c = c | {name: of_shaft}
     return c, b
 
 
@@ -381,8 +396,11 @@ def _told(
         name: cast("Outcome[CountershaftResult]", of_shafts[name]["countershaft"]) for name in of_shafts if name in c
     }
     ratios = {shaft.name: shaft.inputs.speed_ratio for shaft in h.turning(design)}
-    twins = {name: outcome for name, outcome in c.items() if name not in of_shafts}
-    whole = shafts.whole(own, twins, ratios, left) if c else left
+    twins = dict[str, Outcome[CountershaftResult]]()
+    for shaft in h.turning(design):
+        if shaft.of is not None and shaft.name in c:
+            (twins[shaft.name],) = _in_place(replace(design, shafts=(shaft.inputs,)), (c[shaft.name],))
+    whole = shafts.whole(own, twins, ratios, left, named=len(design.shafts) > 1) if c else left
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()})
     of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
     accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
@@ -398,7 +416,7 @@ def _joined(design: Design, bearings: dict[str, Outcome[object]]) -> Outcome[obj
     return joined("bearings", bearings, every, named=named)
 
 
-def _in_place(design: Design, outcomes: Iterable[Outcome[object]]) -> Iterator[Outcome[object]]:
+def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcome[R]]:
     """The outcomes with their checks by the keys of this design."""
     for outcome in outcomes:
         yield replace(outcome, checks=tuple([check.in_place(design.in_place) for check in outcome.checks]))
@@ -424,9 +442,8 @@ def _mounted(
     late = h.unsolved((e, i, *c.values()))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))
-    return part(
-        "mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g)
-    )
+    on_engine = h.shafts_on_engine(design, c, g)
+    return part("mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, on_engine)
 
 
 def _placed(

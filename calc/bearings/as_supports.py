@@ -1,20 +1,46 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bearings as supports of a shaft that turns with its load: what they carry where its journal is displaced.
+"""Bearings as supports of a shaft that turns with its load: what they carry where its journal is displaced, and how
+the films of one shaft share its load.
 
-They are laws as `countershaft.carried` asks for them, in the frame of the shaft."""
+The laws are those that `countershaft.carried` asks for, in the frame of the shaft."""
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property
+from typing import Any
 
-from ..countershaft.bending.carried import Hold
-from ..sheet.functions import power
+import numpy as np
+
+from ..countershaft.bending.carried import Carried, Hold, carried
+from ..countershaft.bending.condensed import Condensed
+from ..countershaft.bending.formulas import cone, displaced, tilt_along, tilted
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.result import CountershaftResult
+from ..countershaft.rows import ROW, SHAFT, BearingRow, called
+from ..countershaft.supports import on_supports
+from ..sheet.arrays import Array
+from ..sheet.check import Check, CheckRule, Missing
+from ..sheet.errors import NoSolution
+from ..sheet.functions import argument, modulus, power
+from ..sheet.linked_array import elements, gathered, item
+from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Newton, Number, PascalSecond, RevPerSecond
-from .film.table import eccentricity_from, film_hold
+from ..sheet.value import about, based_on, untraced
+from . import formulas as f
+from .checks import ASKED, CLEARANCE, CORE, FILM_EDGE, KREISLE, on_bearing
+from .film.table import CENTRED, FilmRangeError, eccentricity_from, film_hold
+from .inputs import BearingsInputs
+from .result import BearingResult, BearingsResult, OnShaftResult
+from .routes import supply
+from .routes.routes import own_warm
+from .routes.states import BearingCase, OperatingPoint, resized
+from .routes.thermal_balance import balanced, settled
+from .suitability import LENGTH
 
-CENTRED, FARTHEST = 0.02, 0.98  # ε: the ends of the film table
+FARTHEST = 0.98  # ε: the end of the film table
 BEGUN = 0.9  # ε: no film is thinner where a solution is looked for first
 FULL = 0.97  # ε: a film that is hardly able to carry more
 
@@ -107,3 +133,292 @@ class Rolling:
 
     def said(self, name: str, e: Metre) -> Text:
         return Text("bearing {name}: play {s}", name=name, s=Amount(self.gap * 1e6, "µm"))
+
+
+# --- how the films of one shaft share what turns with it
+
+NOTHING = 1e-9  # of the largest load: less is rounding
+PASSES = 8
+MEAN_FROM = 4  # from this pass on the loads are the mean of the last two
+SETTLED = 1e-4  # of the largest load: by so little the loads may move in the last pass
+
+
+@record
+class Shared:
+    """The films that share the load of a shaft, front to rear, and how it lies on them.
+
+    `moved`: by how much the loads moved in the last pass, over the largest."""
+
+    laws: tuple[Film, ...]
+    carried: Carried
+    moved: Number
+
+
+def on_films(shaft: Condensed, films: Shared, names: Sequence[str]) -> Shared:
+    """The same films with what they share by lines of the calculation; what is rounding alone is nothing."""
+    with about(Text("shaft on its films")):
+        on = carried(shaft, films.laws, names)
+    carries = np.abs(on.load) > NOTHING * np.abs(on.load).max()
+    load, x = (based_on(np.where(carries, z, 0.0), z) for z in (on.load, on.x))
+    return replace(films, carried=replace(on, load=load, x=x))
+
+
+def film_law(seat: BearingCase, c: Metre, mu: PascalSecond, n: RevPerSecond, sense: int) -> Film:
+    """The film of a bearing that runs with the clearance c and the viscosity μ."""
+    lands = supply.lands(seat.inputs)
+    length = supply.bare_length(seat.inputs, seat.bearing.length) / lands
+    return Film(seat.bearing.diameter, length, c, mu, n, sense, lands)
+
+
+def runs_centred(seat: BearingCase, duty: OperatingPoint) -> bool:
+    """Whether the load is smaller than any of the film table, in the balance that the film then has.
+
+    With the oil as it is supplied the table begins at a larger load, which is asked first."""
+    if seat.grooves is not None:
+        return False
+    T, n = duty.supply_temperature, duty.effective_speed
+    with untraced():
+        try:
+            if duty.load > film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, n, 1).centred.force:
+                return False
+            film = balanced(own_warm, replace(seat, centred=True), duty)
+        except (FilmRangeError, NoSolution):
+            return False
+        return duty.load < film_law(seat, film.clearance, film.oil.mu, n, 1).centred.force
+
+
+def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[Any], sense: int) -> Shared:
+    """Loads, the heat that they make in each film, the films that are so warm, and what they share: until the loads
+    stay, eight passes at most.
+
+    `duty`: speed and oil of all bearings; its load is not asked.  A film that finds no balance under its load keeps its
+    last state, at first that of the oil as it is supplied."""
+    every, names, n = _as_one(seats), [seat.bearing.name for seat in seats], duty.effective_speed
+
+    def laws(c: Array, mu: Array) -> tuple[Film, ...]:
+        return tuple(film_law(*row, n, sense) for row in zip(seats, c.tolist(), mu.tolist()))
+
+    with untraced():
+        least = settled(replace(every, centred=True), duty)
+        for seat, c in zip(seats, least.clearance.tolist()):
+            if math.isnan(c):
+                balanced(own_warm, replace(seat, centred=True), duty)  # says why there is none
+        F_c = np.array([law.centred.force for law in laws(least.clearance, least.oil.mu)])
+        c = np.asarray(every.clearance_at(duty.supply_temperature))
+        mu = np.full(c.shape, every.oil_at(duty.supply_temperature).mu)
+        loads = np.abs(shaft.f_c)
+        for n_pass in range(1, PASSES + 1):
+            bears = loads > F_c
+            film = settled(every, replace(duty, load=np.where(bears, loads, F_c)))
+            found = np.isfinite(film.film)
+            c = np.where(bears, np.where(found, film.clearance, c), least.clearance)
+            mu = np.where(bears, np.where(found, film.oil.mu, mu), least.oil.mu)
+            on = carried(shaft, laws(c, mu), names)
+            now = np.abs(on.load)
+            moved = float(np.abs(now - loads).max() / (now.max() or 1.0))
+            if moved <= SETTLED:
+                break
+            loads = now if n_pass < MEAN_FROM else (now + loads) / 2
+    return Shared(laws(c, mu), on, moved)
+
+
+def _as_one(seats: Sequence[BearingCase]) -> BearingCase[Any]:
+    """All bearings of a shaft as one whose sizes are arrays."""
+    sizes = {key: np.array([getattr(seat.bearing, key) for seat in seats]) for key in ("diameter", "length")}
+    clearance = np.array([float(seat.clearance) for seat in seats])
+    return replace(resized(seats[0], **sizes), clearance=clearance)
+
+
+def at_corners(shaft: Condensed, films: Sequence[Film], i: int, duty: OperatingPoint, seat: BearingCase[Any]) -> Array:
+    """The load of the i-th bearing at corners of its own tolerances, the others at their middle, over its load there.
+
+    `seat`: its clearance and the factor of its viscosity, an array each.  Each corner's heat is that of the middle's
+    load.  Where a corner has no film, the load stays."""
+    film = settled(seat, duty)
+
+    @cache
+    def load(c: Metre, mu: PascalSecond) -> Newton:
+        there = [replace(law, c=c, mu=mu) if k == i else law for k, law in enumerate(films)]
+        return float(abs(carried(shaft, there).load[i]))
+
+    middle = load(films[i].c, films[i].mu)
+    states = zip(film.clearance.tolist(), film.oil.mu.tolist())
+    return np.array([load(c, mu) / middle if math.isfinite(c) else 1.0 for c, mu in states])
+
+
+# --- how the shaft lies in its films
+
+JUDGED = 0.05  # of the largest load of rigid supports: below it a share says nothing
+
+
+def on_shaft(
+    found: BearingsResult, shaft: CountershaftResult, turning: Condensed | None, films: Shared | None, sense: int
+) -> BearingsResult:
+    """The same bearings with the place and the tilt of their journals, and what stands on more than two of them.
+
+    `turning`: the shaft as its films know it, None where that is not known; `films`: those that share its load;
+    `sense`: +1 with the crank, −1 against it."""
+    if turning is not None:
+        found = _lying(found, sense, turning, films)
+    stiffness = np.inf if films is None else films.carried.stiffness
+    positions = tuple(r.seat.bearing.position for r in found.bearings.values())
+    stands = on_supports(shaft, positions, stiffness)
+    if stands is None:
+        return found
+    zone = next(iter(found.bearings.values())).seat.inputs.coaxiality
+    bearings = found.bearings
+    if zone and films is not None:
+        with about(Text("bores out of line")):
+            loads = elements(stands.alignment(zone))
+        bearings = {place: _out_of_line(place, r, R_c) for (place, r), R_c in zip(bearings.items(), loads)}
+    return replace(found, stands=stands, bearings=bearings)
+
+
+def _lying(found: BearingsResult, sense: int, turning: Condensed, films: Shared | None) -> BearingsResult:
+    """Two bearings: the loads of pins, the places by the bearings' own films; more: as they share."""
+    rows = list(found.bearings.values())
+    with about(Text("shaft in its films")):
+        if films is None:
+            ways = []
+            for r in rows:
+                e = f.displacement(eps=r.eccentricity, g=r.clearance_hot)
+                ways.append(e * (r.load / r.duty.load) if r.seat.centred else e)
+            P = turning.f_c
+            x = displaced(P=P, e=gathered(ways), phi=sense * gathered(r.attitude_angle for r in rows))
+        else:
+            P, x = films.carried.load, films.carried.x
+        theta = tilted(theta_0=turning.theta_0, Theta=turning.Theta, x=x)
+        along = elements(tilt_along(theta=theta, x=x))
+        half_angle = cone(x_f=item(x[0]), x_r=item(x[-1]), z_f=item(turning.z[0]), z_r=item(turning.z[-1]))
+    pins = np.abs(turning.f_c)
+    bearings = {}
+    for i, ((place, r), P_i, x_i, theta_i) in enumerate(zip(found.bearings.items(), *map(elements, (P, x, theta)))):
+        with about(Text("{place} bearing, in its film", place=called(place))):
+            share = None
+            if films is not None and pins[i] >= JUDGED * pins.max():
+                share = f.share(P=r.load, R=item(pins[i]))
+            lies = OnShaftResult(
+                load_phase=argument(P_i) if P_i else None,
+                share=share,
+                displacement=modulus(x_i),
+                displacement_phase=argument(x_i) if x_i else None,
+                tilt=modulus(theta_i),
+                tilt_along=along[i],
+                film_edge_tilted=f.film_at_edge(h_0=r.film, theta=along[i], l=r.seat.bearing.length),
+                standing_stiffness=None if films is None else item(films.carried.stiffness[i]),
+            )
+        bearings[place] = replace(r, on_shaft=lies)
+    line = turning.nodes, turning.deflection(np.asarray(x))
+    return replace(found, bearings=bearings, cone=half_angle, line=line)
+
+
+def _out_of_line(place: str, r: BearingResult, R_c: Newton) -> BearingResult:
+    """The same bearing with what its bores may add to its load; no film where none carries both."""
+    assert r.on_shaft is not None
+    film = None
+    with about(Text("{place} bearing, bores out of line", place=called(place))):
+        duty, seat = replace(r.duty, load=f.load_peak(F=r.load, R_0=R_c)), r.seat
+        try:
+            film = balanced(own_warm, replace(seat, centred=seat.centred and runs_centred(seat, duty)), duty).film
+        except NoSolution:
+            pass  # its check fails
+    return replace(r, on_shaft=replace(r.on_shaft, alignment_load=R_c, film_alignment=film))
+
+
+# --- what is judged
+
+AS_EDGE = Text("As for the film at the edge; or a stiffer core, which bends less, or less clearance, which tilts less.")
+SHARES = (0.8, 1.25)  # of the load of rigid supports; rule of this program
+TOO_SMALL = 0.05  # of the largest load of the shaft; rule of this program
+SHARED_LOAD = Text("statics: K_c·x + P(x) = f_c, the films as supports of the shaft that bends")
+
+SHARE = CheckRule(
+    "bearings.B.share",
+    "method",
+    "Films and bending share the load otherwise than rigid supports: it stands on the clearances as they are.",
+    Text("Load over that of rigid supports"),
+    "in",
+    source=Text("{statics}; range: rule of this program", statics=SHARED_LOAD),
+    advice=Text("Clearances as they will be made, and the stiffness share of the sectors, decide what each carries."),
+    value_id=dotted("bearings", "B", OnShaftResult.share),
+    moved_by=(*CLEARANCE, CORE),
+)
+SHARE_SETTLED = CheckRule(
+    "bearings.share_settled",
+    "limit",
+    "The loads and the heat that they make do not agree: what is said of the bearings is not theirs.",
+    Text("Loads of the bearings in the last pass, moved by"),
+    "<=",
+    "%",
+    Text("{statics}, with the heat of each film; rule of this program", statics=SHARED_LOAD),
+    Text("Other clearances, or a bearing less."),
+    role="self",
+    exact=True,
+    moved_by=(*CLEARANCE, CORE),
+)
+UNLOADED = CheckRule(
+    "bearings.B.unloaded",
+    "advice",
+    "A bearing that carries next to nothing costs oil and friction; its film is not judged where the journal runs "
+    "centred.",
+    Text("Load of the bearing"),
+    unit="N",
+    source=Text("rule of this program: 5 % of the largest load of its shaft, and what a journal at ε = 0.02 carries"),
+    advice=Text("Leave the bearing out, or place it where the shaft has load for it."),
+    value_id=dotted("bearings", "B", BearingResult.load),
+    moved_by=(dotted(ROW, BearingRow.position),),
+)
+FILM_EDGE_TILTED = CheckRule(
+    "bearings.B.film_edge_tilted",
+    "caution",
+    "The shaft goes round in its clearances as a cone: the journal may stand more aslant than by its bending alone.",
+    Text("Film at the edge, as the journal tilts in the films"),
+    unit="µm",
+    source=Text("{kreisle}; the tilt by the places of the journals in their films", kreisle=KREISLE),
+    advice=AS_EDGE,
+    cause=FILM_EDGE.id,
+    value_id=dotted("bearings", "B", OnShaftResult.film_edge_tilted),
+    limit_id=ASKED,
+    moved_by=(*CLEARANCE, LENGTH, CORE),
+)
+ALIGNMENT = CheckRule(
+    "bearings.B.alignment",
+    "caution",
+    "Bores that lie off the line of the others load the shaft's bearings, each as far as its tolerance lets it.",
+    Text("Film at the edge under the load with that of the bores"),
+    unit="µm",
+    source=Text("{kreisle}; the load of the bores: statics, a bound", kreisle=KREISLE),
+    advice=Text("A closer tolerance of the bores, or more clearance, which gives way."),
+    cause=FILM_EDGE.id,
+    limit_id=ASKED,
+    moved_by=(dotted("bearings", BearingsInputs.coaxiality), *CLEARANCE, LENGTH),
+)
+
+
+def support_checks(found: BearingsResult, films: Shared | None, shaft: CountershaftResult | None) -> Iterator[Check]:
+    """What is asked of bearings that carry one shaft together."""
+    loads = {place: r.load for place, r in found.bearings.items()}
+    if films is not None:
+        yield SHARE_SETTLED(films.moved, SETTLED)
+    for place, r in found.bearings.items():
+        least = r.duty.load if r.seat.centred else 0.0
+        if len(loads) > 2:
+            least = max(least, TOO_SMALL * max(loads.values()))
+        if least:
+            yield on_bearing(UNLOADED, place, r.load, least)
+        lies = r.on_shaft
+        if lies is None:
+            if len(loads) > 2 and shaft is not None and shaft.bending is None:
+                outline = Missing((dotted(SHAFT, ShaftInputs.sections),), (), "none", "none")
+                yield on_bearing(SHARE, place, None, SHARES, missing=outline)
+            continue
+        if lies.share is not None:
+            yield on_bearing(SHARE, place, lies.share, SHARES)
+        if r.seat.bearing.slope is None and not r.seat.centred:
+            yield on_bearing(FILM_EDGE_TILTED, place, lies.film_edge_tilted, r.kreisle_film)
+        if lies.alignment_load is not None:
+            edge = None
+            if lies.film_alignment is not None:
+                with untraced():
+                    edge = f.film_at_edge_of_another(h_x=lies.film_alignment, h_0=r.film, h_edge=r.film_edge)
+            yield on_bearing(ALIGNMENT, place, edge, r.kreisle_film)

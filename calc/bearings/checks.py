@@ -538,9 +538,10 @@ def named_at(what: Text, place: str) -> Text:
 
 
 def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
-    """Of one bearing; `housing`: what a bare seat is of."""
+    """Of one bearing; `housing`: what a bare seat is of.  The film of a journal that runs centred is not judged."""
     bearing, inputs, lubricant = r.seat.bearing, r.seat.inputs, r.seat.lubricant
-    yield from _film_checks(place, r)
+    if not r.seat.centred:
+        yield from _film_checks(place, r)
     yield from _seat_checks(place, r, housing)
 
     T_in = inputs.supply_temperature
@@ -558,14 +559,15 @@ def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
         source += Text(", beyond it by how much is cooled, up to {most}", most=Amount(oiled.most, "N·rpm/mm"))
     longer = _lengthened(place, bearing, bearing.length * (r.heat_index / oiled.limit))
     yield on_bearing(HEAT_INDEX, place, r.heat_index, oiled.limit, source=source, remedies=longer)
-    yield on_bearing(FILM_BAND, place, r.film_band, (0.0, 1.0))
-    yield on_bearing(TRANSITION, place, r.duty.effective_speed, r.least_speed)
-    yield on_bearing(MCKEE, place, r.mckee_number, rules.STABLE_FILM)
+    if not r.seat.centred:
+        yield on_bearing(FILM_BAND, place, r.film_band, (0.0, 1.0))
+        yield on_bearing(TRANSITION, place, r.duty.effective_speed, r.least_speed)
+        yield on_bearing(MCKEE, place, r.mckee_number, rules.STABLE_FILM)
+        yield on_bearing(FRICTION_REGIME, place, r.friction_coefficient, rules.FULL_FILM_FRICTION)
     if r.routes_spread is not None:
         yield on_bearing(ROUTES_SPREAD, place, r.routes_spread, SPREAD, advice=_outside(r))
     tilt = (SLOPE_TAKEN if r.slope is None else r.slope) * bearing.length
     yield on_bearing(MISALIGNMENT, place, tilt, 0.3 * r.film)
-    yield on_bearing(FRICTION_REGIME, place, r.friction_coefficient, rules.FULL_FILM_FRICTION)
 
     if not lubricant.constant:
         yield on_bearing(VISCOSITY_RANGE, place, r.hot.oil.nu, VISCOSITIES)
@@ -727,16 +729,17 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
             **more,
         )
 
-    film = edge_missing(r, c.film_edge, exact=None if exact is None else exact.film_edge)
-    yield corner_check(
-        FILM_EDGE_CORNER,
-        FILM_EDGE_CORNER.name,
-        "film_edge",
-        c.film_edge,
-        r.kreisle_film,
-        missing=film,
-        base=lost_at_edge(r),
-    )
+    if not r.seat.centred:
+        film = edge_missing(r, c.film_edge, exact=None if exact is None else exact.film_edge)
+        yield corner_check(
+            FILM_EDGE_CORNER,
+            FILM_EDGE_CORNER.name,
+            "film_edge",
+            c.film_edge,
+            r.kreisle_film,
+            missing=film,
+            base=lost_at_edge(r),
+        )
     heat = cold = None
     if exact is not None:
         hot = math.nan if c.outlet_temperature is None else c.outlet_temperature

@@ -2,6 +2,7 @@
 """The corners of the tolerances: smallest and largest journal, smallest and largest seat, thinner and thicker oil, each
 solved."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -98,9 +99,14 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
     return tolerance(parse(inputs.journal_fit).grade, d), tolerance(parse(inputs.seat_fit).grade, d)
 
 
-def corner_points(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
+Share = Callable[[BearingCase[Any]], Array]  # the load at corners, over that at the middle of the tolerances
+
+
+def corner_points(
+    seat: BearingCase[Any], duty: OperatingPoint[Any], share: Share | None = None
+) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
     """Eight corners at the load, the eight at twice the load, and where a fit is assumed eight without it, at the load:
-    clearance, viscosity factor and load of shape (16,) or (24,)."""
+    clearance, viscosity factor and load of shape (16,) or (24,).  `share`: where the clearance moves the load."""
     g, factor = corner_values(seat)
     clearances, loads = [g, g], [1.0, 2.0]
     if _assumed(seat.inputs):
@@ -108,6 +114,8 @@ def corner_points(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[Be
         loads.append(1.0)
     load = duty.load * np.repeat(loads, len(g))
     at_corners = replace(seat, clearance=np.concatenate(clearances), viscosity_factor=np.tile(factor, len(clearances)))
+    if share is not None:
+        load = load * share(at_corners)
     return at_corners, replace(duty, load=load)
 
 
@@ -122,10 +130,17 @@ def corner_values(seat: BearingCase, *, exact: bool = False) -> tuple[Array, Arr
 
 
 def corners(
-    seat: BearingCase[Any], duty: OperatingPoint, slope: Radian, film: Film[Array], bearing: str = "bearing"
+    seat: BearingCase[Any],
+    duty: OperatingPoint,
+    slope: Radian,
+    film: Film[Array],
+    bearing: str = "bearing",
+    loads: Array | None = None,
 ) -> Corners:
-    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once
-    more, line by line, under the name of the `bearing`."""
+    """`film`: of the corner points; `loads`: theirs, where the clearance moves them.
+
+    The worst corner of the film, of twice the load and of the heat is solved once more, line by line, under the name of
+    the `bearing`."""
     inputs, d, l = seat.inputs, seat.bearing.diameter, seat.bearing.length
     (ei, es), (EI, ES) = limits(inputs, d, seat.clearance)
     if _have_a_place(inputs):
@@ -156,6 +171,8 @@ def corners(
         worst = _worst(quantity, columns[quantity])
         (_, j), (_, s), (_, o) = CORNERS[worst]
         clearance = least if j > s else most if s > j else item(g[worst])
+        if loads is not None:
+            at = replace(at, load=based_on(loads[points][worst].item(), at.load))
         factor = f.viscosity_factor(t_nu=inputs.viscosity_tolerance, o=float(o))
         return closed(
             own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, rise[points][worst].item()

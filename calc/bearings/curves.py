@@ -22,7 +22,7 @@ from .corners import corner_values
 from .film import reynolds, table
 from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE
 from .film.table import ECCENTRICITIES, FilmPoint, FilmRangeError, film_at
-from .result import BearingResult
+from .result import BearingResult, BearingsResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint, resized
 from .routes.supply import lands
@@ -35,6 +35,26 @@ SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance
 
 def curves(place: str, r: BearingResult) -> tuple[Curve, ...]:
     return _over_speed(place, r), _over_clearance(place, r)
+
+
+def in_films(found: BearingsResult) -> Iterator[Curve]:
+    """The line of the shaft in its films, between the clearances; under a couple it goes round as a cone."""
+    if found.line is None:
+        return
+    z, way = found.line
+    rows = list(found.bearings.values())
+    places = np.array([r.seat.bearing.position for r in rows]) * 1e3
+    gap = np.array([r.clearance_hot for r in rows]) / 2 * 1e6
+    largest = way[np.abs(way).argmax()]
+    turned = way * np.conj(largest) / (np.abs(largest) or 1.0) * 1e6
+    series = (
+        Series(Text("in the plane of the largest way"), z * 1e3, turned.real),
+        Series(Text("across it"), z * 1e3, turned.imag),
+        Series(Text("clearance"), places, gap),
+        Series(Text("clearance, other side"), places, -gap),
+    )
+    title = Text("Line of the shaft in its films at rated speed; it goes round with the shaft")
+    yield Curve("in_films", title, axis_label("from mid-shaft", "mm"), axis_label("way of the axis", "µm"), series)
 
 
 def _over_speed(place: str, r: BearingResult) -> Curve:

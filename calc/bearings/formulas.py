@@ -184,6 +184,16 @@ def film(g: Metre, eps: Number) -> Metre:
     return g / 2 * (1 - eps)
 
 
+@formula("e", "definition of the eccentricity ratio", unit="µm")
+def displacement(eps: Number, g: Metre) -> Metre:
+    return eps * g / 2
+
+
+@formula("P/f_c", "definition: load over that of rigid supports")
+def share(P: Newton, R: Newton) -> Number:
+    return P / R
+
+
 @formula("ε", "definition of the eccentricity ratio")
 def eccentricity_of_film(h_0: Metre, g: Metre) -> Number:
     return 1 - 2 * h_0 / g

@@ -332,6 +332,18 @@ class BearingsInputs:
         source="rule of this program",
         help="How far the highest speed may be passed over: the film is solved there too.",
     )
+    coaxiality: float = quantity(
+        "Coaxiality of the bores",
+        "µm",
+        default=0.0,
+        within=(0, 1000),
+        symbol="t",
+        step=5,
+        source="makers' manuals: 0.02 mm of alignment allowed (Kubota WSM 07-E3B)",
+        help="Diameter of the zone in which the axes of all bores lie, makers allow 20; on more than two bearings a "
+        "shaft is loaded by bores out of line.",
+        fold=MATERIALS,
+    )
     roughness_ratio: float = quantity(
         "Rt/Ra",
         default=7.5,

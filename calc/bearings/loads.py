@@ -13,7 +13,7 @@ from typing import Any, Generic
 import numpy as np
 
 from ..countershaft.result import Standing
-from ..countershaft.rows import called, titled
+from ..countershaft.rows import ROW, BearingRow, called, titled
 from ..library import journal_rules as rules
 from ..sheet.arrays import Array, Value
 from ..sheet.check import Check, CheckRule
@@ -27,8 +27,10 @@ from ..sheet.text import Text
 from ..sheet.units import MetrePerSecond, Newton, Watt
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
+from .as_supports import runs_centred
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
+from .inputs import BearingsInputs
 from .result import BearingResult, BearingsResult, StandingResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
@@ -50,6 +52,18 @@ START_LOAD = CheckRule(
     demand=True,
     value_id=dotted("bearings", "B", StandingResult.load_at_start),
     moved_by=(LENGTH, DIAMETER),
+)
+
+
+STANDING_SHARE = CheckRule(
+    "bearings.B.standing_share",
+    "method",
+    "What stands is added to what turns as a small part of it.",
+    Text("Standing over turning load"),
+    "<=",
+    source=Text("rule of this program: an orbit of first order"),
+    advice=Text("The film under the largest load of the turn, as if it stayed, is the one to look at."),
+    moved_by=(dotted(ROW, BearingRow.offset), dotted("bearings", BearingsInputs.coaxiality)),
 )
 
 
@@ -78,8 +92,11 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
     peak = f.load_peak(F=bearing.load, R_0=R_0)
     at_start = f.load_at_start(R_0=R_0, d=bearing.seat.bearing.diameter, l=bearing.seat.bearing.length)
     film_peak = film_orbit = amplitude = equal = None
+    at_peak, seat = replace(bearing.duty, load=peak), bearing.seat
+    if seat.centred and not runs_centred(seat, at_peak):
+        seat = replace(seat, centred=False)
     try:
-        film_peak = balanced(own_warm, bearing.seat, replace(bearing.duty, load=peak)).film
+        film_peak = balanced(own_warm, seat, at_peak).film
     except NoSolution as none:
         words = Text(
             "{place} bearing: no film is found for the largest load of the turn ({none}).",
@@ -87,7 +104,7 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
             none=none.text,
         )
         notes.append(words)
-    if bearing.seat.inputs.load_speed_ratio == 1.0:
+    if bearing.seat.inputs.load_speed_ratio == 1.0 and bearing.load > 0:
         equal = f.speed_of_equal_loads(n=bearing.duty.speed, R_0=R_0, R=bearing.load)
     if R_0 < SMALL * bearing.load:
         path = orbit(bearing.dynamics, R_0, bearing.attitude_angle, bearing.duty, bearing.seat)
@@ -105,6 +122,9 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
 
 def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield on_bearing(START_LOAD, place, part.load_at_start, rules.TRUMPLER_START_LOAD)
+    shared = bearing.on_shaft is not None and bearing.on_shaft.standing_stiffness is not None
+    if shared and not bearing.seat.centred:
+        yield on_bearing(STANDING_SHARE, place, part.standing_load / bearing.load, SMALL)
     edge = None  # where no film carries the largest load, the check fails
     if part.film_load_peak is not None:
         thinnest = min(h for h in (part.film_load_peak, part.film_orbit) if h is not None)

@@ -51,10 +51,19 @@ def _all_notes(
             viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
         )
     yield _slope(results, shaft)
+    yield from _on_shaft(results, shaft)
     yield _feed(inputs, results)
     for r in results.values():
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
     for place, r in results.items():
+        if r.seat.centred:
+            yield Text(
+                "{place} bearing: it carries next to nothing, and its journal runs centred. Heat and friction are "
+                "those under {load}, with which the film table begins; the film is not judged.",
+                place=titled(place),
+                load=Amount(r.duty.load, "N"),
+            )
+            continue
         if r.shear_factor is not None and r.film_sheared is None:
             yield Text("{place} bearing: no film is found for an oil thinned by shear.", place=titled(place))
         if r.film_overspeed is None:
@@ -78,7 +87,7 @@ def _all_notes(
                 place=bearing,
                 hottest=Amount(HOTTEST, form="g"),
             )
-        if r.film_double_load is None:
+        if r.film_double_load is None and not r.seat.centred:
             yield Text("{place} bearing: no film carries twice the load.", place=bearing)
     surface = running_surface(inputs.bush_material, inputs.housing_material)
     # of the load over a point of the seat, for one turn of the journal
@@ -129,6 +138,30 @@ def _slope(results: Mapping[str, BearingResult], shaft: CountershaftResult | Non
         "No slope of the journals is given: the film at the edge is that of {slope}.",
         slope=Amount(SLOPE_TAKEN * 1e3, "mrad"),
     )
+
+
+def _on_shaft(results: Mapping[str, BearingResult], shaft: CountershaftResult | None) -> Iterator[Text]:
+    """How the bearings carry the shaft together, and what is left out of that."""
+    if any(r.on_shaft is not None for r in results.values()):
+        yield Text(
+            "The tilt of the journals in their films leaves out the moment of a film against it, which holds the "
+            "journal straighter, and the rotary inertia of the shaft's sections. The film at the edge is that of the "
+            "slope on pins; the one with the tilt stands beside it."
+        )
+    if len(results) == 2 or shaft is None:
+        return
+    if any(r.on_shaft is not None for r in results.values()):
+        yield Text(
+            "More than two bearings share the load by their films and the bending of the shaft; at other speeds each "
+            "keeps its share, at the corners of its own tolerances it has its own."
+        )
+    elif any(r.seat.bearing.load is not None for r in results.values()):
+        yield Text("A load is given, which rules: the other bearings carry what rigid supports would.")
+    else:
+        yield Text(
+            "How the bearings share the load is not known without the outline of the shaft: they carry what rigid "
+            "supports of a shaft of one stiffness would."
+        )
 
 
 def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the bearing step publishes."""
 
+from ..countershaft.bending.condensed import OnSupports
 from ..countershaft.rows import IN_WORDS
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.quantity import group, result, value
 from ..sheet.text import Name
 from ..sheet.units import (
@@ -12,6 +13,7 @@ from ..sheet.units import (
     Metre,
     MetrePerSecond,
     Newton,
+    NewtonPerMetre,
     NewtonPerMetreSecond,
     Number,
     Pascal,
@@ -86,6 +88,25 @@ class StandingResult:
 
 
 @result
+class OnShaftResult:
+    """How a journal lies in its film as the shaft turns, in the frame of the shaft, cylinder 1 at TDC; on more than two
+    bearings, how the load is shared.  What has no size has no direction."""
+
+    load_phase: Radian | None = value("Direction of the load, cylinder 1 at TDC", "°", "φ_P", default=None)
+    share: Number | None = value("Load over that of rigid supports", "", "P/f_c", default=None)
+    displacement: Metre = value("Displacement of the journal", "µm", "e")
+    displacement_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", "φ_x", default=None)
+    tilt: Radian = value("Tilt of the journal in its film", "mrad", "θ")
+    tilt_along: Radian = value("of it in the plane of the narrowest film", "mrad", "θ_x")
+    film_edge_tilted: Metre = value("Film at the edge, as the journal tilts in the films", "µm", "h_edge,θ", short=True)
+    standing_stiffness: NewtonPerMetre | None = value(
+        "Stiffness to a load that stands, mean over a turn", "N/mm", "k", default=None
+    )
+    alignment_load: Newton | None = value("Load of bores out of line, at most", "N", "R_c", default=None)
+    film_alignment: Metre | None = value("Film under the load with that of the bores", "µm", "h_c", default=None)
+
+
+@result
 class BearingResult:
     """One bearing as judged, and beside it the routes on the clearance as given."""
 
@@ -143,6 +164,7 @@ class BearingResult:
     corners: Corners = group(words="corners")
     dynamics: Dynamics = group(words="dynamics")
     standing: StandingResult | None = group(spread=True, default=None)
+    on_shaft: OnShaftResult | None = group(spread=True, default=None)
     hot: Film
     seat: BearingCase
     duty: OperatingPoint
@@ -158,6 +180,9 @@ class BearingsResult:
     """The bearings of a shaft, front to rear."""
 
     bearings: dict[str, BearingResult] = group(spread=True, key_words=IN_WORDS)
+    cone: Radian | None = value("Half-angle of the cone on which the shaft goes round", "mrad", "γ_c", default=None)
+    stands: OnSupports | None = None  # what stands on more than two bearings
+    line: tuple[Array, ComplexArray] | None = None  # places along the shaft, and the way of its axis in the films
 
 
 @result

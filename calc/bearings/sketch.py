@@ -47,7 +47,7 @@ LEAST = 0.05  # of the largest pressure: less is not drawn
 
 
 def sketch(design: "Design", results: "Results") -> Sketch:
-    """Front and rear bearing of a design side by side."""
+    """The bearings of a shaft side by side."""
     outcome = results.outcomes["bearings"]
     inputs: BearingsInputs | None = design.bearings
     result = outcome.result
@@ -100,7 +100,8 @@ def _bearing(
         "{load}", load=Amount(r.load / 1000, "kN", digits=2) if r.load >= 1000 else Amount(r.load, "N", digits=3)
     )
     yield Words(WORDS, (centre[0] - 0.12 * journal, centre[1] - 0.4 * journal), load, key=load_key, side="right")
-    yield from _film(key, centre, journal, checks[FILM_EDGE.of(place)])
+    if not r.seat.centred:
+        yield from _film(key, centre, journal, checks[FILM_EDGE.of(place)])
 
 
 def _film(key: str, centre: Point, journal: Metre, check: Check) -> Iterator[Mark]:

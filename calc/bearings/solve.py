@@ -2,12 +2,15 @@
 """The bearings of a shaft: judged by the program's own solution on the warm clearance, beside the other routes to the
 film."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
+from ..countershaft.bending.condensed import Condensed, of_beam
+from ..countershaft.formulas import reaction
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow, called, row_key
 from ..engine.inputs import BenchPoint, EngineInputs
@@ -20,16 +23,17 @@ from ..sheet.arrays import Array
 from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
-from ..sheet.linked_array import gathered, item
+from ..sheet.linked_array import elements, gathered, item
 from ..sheet.remedy import by_key
 from ..sheet.step import Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
+from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks
 from .checks import SLOPE, checks, oil_check
 from .corners import corner_points, corners, corners_table
-from .curves import charts, curves
+from .curves import charts, curves, in_films
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
@@ -43,7 +47,7 @@ from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, closed, settled_together
-from .speeds import TURNING, Sweep, highest_speed, sweep, sweep_points
+from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
 from .suitability import (
     Journal,
     Running,
@@ -86,43 +90,65 @@ def solve(
     engine: EngineInputs | None,
     solids: BearingMaterials,
     *,
+    speed_ratio: Number | None,
     compared: bool = True,
 ) -> Outcome[BearingsResult]:
     """The bearings of a shaft, front to rear, under the loads given, or the shaft's reactions, which turn with it and
-    grow with its speed squared.
+    grow with its speed squared; more than two share them by their films and its bending.
 
-    `compared`: with the other routes to the film beside the one that judges.
+    `speed_ratio`: of the shaft to the crank.  `compared`: with the other routes to the film beside the one that judges.
     """
-    speed = bearings.speed
-    if speed is None:
-        assert engine is not None
-        speed = engine.rated_speed
-    bench = engine.bench if engine is not None else ()
+    speed, bench = bearings.speed, tuple[BenchPoint, ...]()
+    if engine is not None:
+        rated, bench = of_journals(engine, speed_ratio)
+        speed = rated if speed is None else speed
+    assert speed is not None
     results: dict[str, BearingResult] = {}
     all_checks: list[Check] = []  # of each bearing at once: they have lines of their own
     with trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
+        seats = []
         for bearing in rows:
-            place = bearing.name
-            with about(Text("{place} bearing", place=called(place))):
+            with about(Text("{place} bearing", place=called(bearing.name))):
                 clearance = clearance_of(bearings, bearing, speed)
-                seat = BearingCase(
-                    bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion
-                )
-                load, slope = _load(bearing, shaft), _slope(bearing, shaft)
-                results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
+            expansions = solids.journal.expansion, solids.housing.expansion
+            seats.append(BearingCase(bearing, bearings, lubricant, clearance, *expansions))
+        with untraced():
+            duty = operating_point(bearings, 0.0, speed)
+        turning, films = _condensed(bearings, rows, shaft), None
+        sense = -1 if speed_ratio is not None and speed_ratio < 0 else 1
+        if turning is not None and len(rows) > 2:
+            films = shared(turning, seats, duty, sense)
+            films = on_films(turning, films, [row.name for row in rows])
+            with about(Text("shaft on its films")):
+                loads = [reaction(R=P) for P in elements(films.carried.load)]
+        else:
+            loads = [_load(bearing, shaft) for bearing in rows]
+        for i, (seat, load) in enumerate(zip(_some_centred(seats, loads, duty), loads)):
+            place = seat.bearing.name
+            with about(Text("{place} bearing", place=called(place))):
+                share = None
+                if turning is not None and films is not None and not seat.centred:
+                    share = partial(at_corners, turning, films.laws, i)
+                slope = _slope(seat.bearing, shaft)
+                results[place] = _bearing(place, seat, load, slope, speed, bench, share, compared=compared)
                 all_checks += checks(place, results[place], solids.housing)
                 all_checks += _material_checks(place, results[place])
+        result = BearingsResult(bearings=results)
+        if shaft is not None:
+            result = on_shaft(result, shaft, turning, films, sense)
     all_checks += _slope_checks(shaft, results)
+    all_checks += support_checks(result, films, shaft)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
         all_checks.append(pumping_check)
+    results = result.bearings
     return Outcome(
         "bearings",
-        result=BearingsResult(bearings=results),
+        result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
+        curves=Later(lambda: (*(c for place, r in results.items() for c in curves(place, r)), *in_films(result))),
         tables=Later(lambda: _tables(bearings, results, speed)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
@@ -178,11 +204,31 @@ def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:
     """As given, else the reaction of the shaft there."""
     if bearing.load is not None:
         return bearing.load
-    load: float = 0.0 if shaft is None else shaft.loads[bearing.name]
-    if load <= 0:
+    return 0.0 if shaft is None else shaft.loads[bearing.name]
+
+
+def _condensed(
+    bearings: BearingsInputs, rows: tuple[BearingRow, ...], shaft: CountershaftResult | None
+) -> Condensed | None:
+    """The turning shaft as its films know it; None where it is not known how it bends, where a load is given, which
+    rules, and where the load does not turn with the journals in seats that stand."""
+    if shaft is None or shaft.bending is None or any(row.load is not None for row in rows):
+        return None
+    if bearings.load_speed_ratio != TURNING or bearings.bush_speed_ratio != 0:
+        return None
+    return of_beam(shaft.bending.model, shaft.omega)
+
+
+def _some_centred(seats: list[BearingCase], loads: list[float], duty: OperatingPoint) -> list[BearingCase]:
+    """The bearings, with those that carry next to nothing as centred.  Where all do, none has a film that is judged."""
+    centred = [load <= 0 or runs_centred(seat, replace(duty, load=load)) for seat, load in zip(seats, loads)]
+    if not all(centred):
+        return [replace(seat, centred=True) if here else seat for seat, here in zip(seats, centred)]
+    if max(loads) <= 0:
         advice = Text("give the counter-shaft eccentric masses that balance a couple")
-        raise NoSolution(Text("the {place} bearing carries no load", place=called(bearing.name)), EMPTY, advice)
-    return load
+        place = called(seats[0].bearing.name)
+        raise NoSolution(Text("the {place} bearing carries no load", place=place), EMPTY, advice)
+    return seats
 
 
 def _slope(bearing: BearingRow, shaft: CountershaftResult | None) -> Radian | None:
@@ -229,6 +275,7 @@ def _bearing(
     slope: Radian | None,
     speed: RevPerSecond,
     bench: tuple[BenchPoint, ...],
+    share: Callable[[OperatingPoint, BearingCase], Array] | None,
     *,
     compared: bool,
 ) -> BearingResult:
@@ -241,6 +288,8 @@ def _bearing(
     theta = SLOPE_TAKEN if slope is None else slope
     with about(Text("{place} bearing, judged", place=called(place))):
         hot = balanced(own_warm, seat, duty)
+        if seat.centred:  # what its film is found under
+            duty = replace(duty, load=hot.specific_load * d * supply.bare_length(inputs, l))
         assert hot.attitude is not None and hot.largest_pressure is not None
         edge = f.film_at_edge(h_0=hot.film, theta=theta, l=l)
         # a groove parts the bearing into two lands: p, l/d and the speeds are those of the lands
@@ -249,11 +298,12 @@ def _bearing(
         p = specific_load(F=load, d=d, l=bare)
         W = heat_index(F=load, n=speed, l=l)
         pv = load_times_speed(p=p, u=u)
+        p_film = hot.specific_load if seat.centred else p
         n_T = f.transition_speed(p=p, mu=hot.oil.mu, d=d)
         least = f.least_speed(k=speed_factor(u), n_T=n_T)
         uncapped = f.least_speed_uncapped(u=u, n_T=n_T)
-        mckee = f.mckee_number(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)
-        number = film_duty(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)
+        mckee = f.mckee_number(mu=hot.oil.mu, n_h=duty.effective_speed, p=p_film)
+        number = film_duty(mu=hot.oil.mu, n_h=duty.effective_speed, p=p_film)
         kreisle = film_asked(inputs, bearing.journal_roughness, bearing.housing_roughness)
         trumpler = f.trumpler_film(d=d)
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
@@ -265,7 +315,8 @@ def _bearing(
         band = optimum.place_in_band(eps=hot.eccentricity, share_f=least_friction, share_F=most)
     with about(Text("{place} bearing, oil supply", place=called(place))):
         blocked = _blocked_arc(inputs, duty, hot, ratio)
-    side = side_by_side(place, seat, duty, ratio) if compared else judged_alone(seat, ratio)
+    beside = compared and not seat.centred  # other methods have no film of a journal that runs centred
+    side = side_by_side(place, seat, duty, ratio) if beside else judged_alone(seat, ratio)
     with about(Text("{place} bearing, dynamics", place=called(place))):
         moving = dynamics(hot, duty, seat, ratio)
     twice = replace(duty, load=based_on(2 * load, load))
@@ -278,8 +329,9 @@ def _bearing(
     with about(Text("{place} bearing, overspeed", place=called(place))):
         n_over = f.overspeed(n=highest_speed(speed, bench, inputs), s=inputs.overspeed)
         faster = _at_speed(seat, duty, n_over, duty.supply_temperature, duty.supply_pressure)
-    at_corners, over_speeds, at_twice, beside, at_shear, at_over = settled_together(
-        (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty), (thin, duty), (seat, faster))
+    points = corner_points(seat, duty, None if share is None else partial(share, duty))
+    corner_films, over_speeds, at_twice, loads_near, at_shear, at_over = settled_together(
+        (points, speeds, (seat, twice), loads_beside(seat, duty), (thin, duty), (seat, faster))
     )
     sheared = over = None  # where no film carries the load, the check on it fails
     if hths is not None:
@@ -290,9 +342,10 @@ def _bearing(
     with about(Text("{place} bearing, twice the load", place=called(place))):
         rise = at_twice.temperature_rise[0].item()
         # where no film carries twice the load, the check on it fails
-        doubled = closed(own_warm, seat, twice, rise) if np.isfinite(rise) else None
+        doubled = closed(own_warm, seat, twice, rise) if np.isfinite(rise) and not seat.centred else None
     with about(Text("{place} bearing, corners of the tolerances", place=called(place))):
-        at_worst = corners(seat, duty, theta, at_corners, Text("{place} bearing", place=called(place)))
+        of = Text("{place} bearing", place=called(place))
+        at_worst = corners(seat, duty, theta, corner_films, of, None if share is None else points[1].load)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -349,7 +402,7 @@ def _bearing(
         duty=duty,
         sweep=swept,
         side=side,
-        beside=beside,
+        beside=loads_near,
         slope=slope,
         hths=hths,
     )

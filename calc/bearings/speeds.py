@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from ..countershaft.rows import called
-from ..engine.inputs import BenchPoint
+from ..engine.inputs import BenchPoint, EngineInputs
 from ..sheet.arrays import Array
 from ..sheet.linked_array import elements, gathered, item, linked_array
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Amount, Text
-from ..sheet.units import RevPerSecond
+from ..sheet.units import Number, RevPerSecond
 from ..sheet.value import based_on, joined_links
 from .inputs import BearingsInputs
 from .routes.states import BearingCase, Film, OperatingPoint
@@ -104,6 +104,16 @@ def at_speeds(
         supply_temperature=temperatures,
         supply_pressure=pressures,
     )
+
+
+def of_journals(engine: EngineInputs, speed_ratio: Number | None) -> tuple[RevPerSecond, tuple[BenchPoint, ...]]:
+    """The rated speed and the bench run of an engine, which are the crank's, by the speed of the journals of a shaft;
+    None: they turn as fast as the crank."""
+    if speed_ratio is None or abs(speed_ratio) == 1:
+        return engine.rated_speed, engine.bench
+    i = abs(speed_ratio)
+    bench = [replace(row, speed=based_on(i * row.speed, row.speed, speed_ratio)) for row in engine.bench]
+    return based_on(i * engine.rated_speed, engine.rated_speed, speed_ratio), tuple(bench)
 
 
 def highest_speed(rated: RevPerSecond, bench: tuple[BenchPoint, ...], inputs: BearingsInputs | None) -> RevPerSecond:

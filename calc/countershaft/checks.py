@@ -2,22 +2,25 @@
 """The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their
 subjects, those of its outline where it is put together."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from itertools import combinations
 
 from ..gears.inputs import GearsInputs
 from ..gears.layout.room import ASSEMBLY
+from ..imbalance.inputs import ImbalanceInputs
 from ..library import fatigue
 from ..library.catalogue import WEAKEST_TENSILE, Material, proof_of
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted
+from ..sheet.record import record
 from ..sheet.remedy import Remedy, by_key, down
-from ..sheet.text import Amount, Text
+from ..sheet.text import EMPTY, Amount, Name, Text
 from ..sheet.units import Metre, Number
 from .bending.shaft import Bending
 from .inputs import ShaftInputs
-from .outline import Journals
+from .outline import Journals, Outline, outer_face
 from .result import CountershaftResult, SupportResult
 from .rows import EACH_ROW, SHAFT, BearingRow, called
 from .sizing.sectors import LEFT_OVER, ShaftTask
@@ -236,6 +239,37 @@ ENVELOPE_LENGTH = CheckRule(
     ),
     short=Text("length"),
 )
+BETWEEN = CheckRule(
+    "countershaft.between",
+    "limit",
+    "The sectors run into an inner bearing, or leave no room for the fillet beside it.",
+    Text("Room between the sectors and an inner bearing"),
+    unit="mm",
+    source=Text("geometry: one fillet beside the journal, and half of gap_mm from its middle where that is given"),
+    advice=Text("Shorter sectors."),
+    role="chosen",
+    exact=True,
+    zero="length of the bearing",
+    moved_by=(
+        dotted(SHAFT, ShaftInputs.gap),
+        dotted(SHAFT, ShaftInputs.masses),
+        dotted(SHAFT, ShaftInputs.sections),
+        dotted(EACH_ROW, BearingRow.length),
+    ),
+)
+SHAFTS_CLEAR = CheckRule(
+    "countershaft.shafts.clear",
+    "limit",
+    "Two shafts, or a shaft and the crank, run into each other.",
+    Text("Distance of the axes of the shafts"),
+    unit="mm",
+    source=Text("geometry: what they sweep, and 2 mm between two shafts (rule of this program)"),
+    advice=Text("Move an axis."),
+    role="chosen",
+)
+OUTER = dotted(SHAFT, ShaftInputs.outer_radius)
+CRANK = dotted("imbalance", ImbalanceInputs.counterweight_radius)
+APART = 2e-3  # m between what two shafts sweep; rule of this program
 SUPPORT_SPECIFIC_LOAD = CheckRule(
     "countershaft.support.N.specific_load",
     "caution",
@@ -301,6 +335,7 @@ def checks(
             yield JOURNAL_SLOPE(slope, SLOPE, at=row, name=Text("Slope of the {row} journal", row=called(row)))
     if journals:
         yield from _envelope_checks(shaft, shaft_result, journals, gear)
+        yield from _between_check(shaft, shaft_result, journals)
     yield from _support_checks(shaft_result)
     yield from _outline_checks(todo, shaft_result)
 
@@ -315,19 +350,91 @@ def _envelope_checks(
     # those at a bearing are journals
     radii = [p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)]
     R = max(radii, default=shaft.outer_radius)
-    clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
-    if clearance is not None and R is not None:
-        room = max(d for d, _ in journals) / 2 - R
+    clearance, seat, cartridge = shaft.room_asked, shaft.seat, shaft.assembly == "cartridge"
+    if cartridge and R is not None:  # all journals pass but the one that its carrier holds
+        R = max(R, *(d / 2 for row, (d, _) in zip(shaft.bearings, journals) if row.carrier_bore != seat))
+    if clearance is not None and seat is not None and R is not None:
+        room = seat / 2 - R
         smaller = _no_longer(ShaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None
-        yield ENVELOPE(round(room, 9), clearance, scale=R, remedies=smaller)
-    if clearance is not None and gear is not None:
+        name = Text("Room around the shaft in the bore of its carrier") if cartridge else None
+        keys = (dotted(SHAFT, ShaftInputs.outer_radius), dotted(EACH_ROW, BearingRow.carrier_bore))
+        moved_by = keys if cartridge else None
+        yield ENVELOPE(round(room, 9), clearance, scale=R, remedies=smaller, name=name, moved_by=moved_by)
+    if clearance is not None and gear is not None and shaft.passes_seats:
         front = dotted(SHAFT, ShaftInputs.bearings, shaft.bearings[0].name, BearingRow.diameter)
         keys = front, dotted("gears", GearsInputs.normal_module)
         yield GEAR_SEAT(round((journals[0][0] - gear.tip_diameter) / 2, 9), 0.0, scale=1e-3, moved_by=keys)
     if shaft.mode == "size" and shaft.half_length is not None:
-        face, length = min((abs(z) - l / 2, l) for z, (_, l) in zip(seats, journals))
+        face, length = outer_face(seats, journals)
         shorter = _no_longer(ShaftInputs.half_length, face)
         yield ENVELOPE_LENGTH(round(face - shaft.half_length, 9), 0.0, scale=length, remedies=shorter)
+
+
+def _between_check(shaft: ShaftInputs, shaft_result: CountershaftResult, journals: Journals) -> Iterator[Check]:
+    """Whether the sectors keep away from the inner bearings.  A sector at a bearing is its journal, with a recess."""
+    if shaft_result.outline is not None:
+        faces = [(p.start, p.end) for p in shaft_result.outline.pieces if p.half_angle is not None]
+    else:
+        sectors = shaft_result.sector.values() if shaft_result.sector is not None else ()
+        faces = [(one.z - one.length / 2, one.z + one.length / 2) for one in sectors]
+    gap, rooms = shaft.gap or 0.0, []
+    for row, (_, l) in list(zip(shaft.bearings, journals))[1:-1]:
+        ways = [a - row.position if a >= row.position else row.position - b for a, b in faces]
+        needed = max(shaft.fillet_radius or 0.0, (gap - l) / 2)
+        rooms += [(way - l / 2, needed, l, row) for way, (a, b) in zip(ways, faces) if not a < row.position < b]
+    if rooms:
+        room, needed, length, row = min(rooms, key=lambda one: one[0] - one[1])
+        name = Text("Room between the sectors and the {row} bearing", row=row.in_words)
+        yield BETWEEN(round(room, 9), round(needed, 9), scale=length, name=name)
+
+
+# --- whether several shafts and the crank turn clear of each other
+
+
+@record
+class InPlace:
+    """A shaft beside the crank: its axis (real up, imaginary 90° further in the sense of crank rotation) and the radius
+    that it sweeps, None where one is not known."""
+
+    axis: complex | None
+    radius: Metre | None
+
+
+def swept(shaft: ShaftInputs, outline: Outline | None) -> Metre | None:
+    """The radius that the sectors and journals of a shaft sweep, its wheel apart; None where it is not known."""
+    radii = [] if shaft.outer_radius is None else [shaft.outer_radius]
+    if outline is not None:
+        radii = [piece.outer_radius for piece in outline.pieces if piece.half_angle is not None]
+    return max(*radii, *(d / 2 for d, _ in shaft.journals), 0.0) if radii else None
+
+
+def shafts_clear(shafts: Mapping[str, InPlace], counterweights: Metre | None) -> Iterator[Check]:
+    """Whether all shafts of a design, twins too, turn clear of each other and of the crank's counterweights, whose
+    radius that is: the pair that comes nearest.
+
+    Not verified where a place or a radius is not known, and of two shafts about one axis, of which one is not placed
+    yet; of a single shaft nothing is asked then."""
+    bodies = [(Name(name), one, dotted("shafts", name, ShaftInputs.axis)) for name, one in shafts.items()]
+    crank = InPlace(0j, counterweights)
+    found: list[tuple[Metre, Metre, Text, tuple[str, ...]]] = []
+    lacking: list[str] = []
+    for (name, one, key), (name_2, other, key_2) in combinations([*bodies, (Text("the crank"), crank, "")], 2):
+        lacking += [axis for axis, body in ((key, one), (key_2, other)) if body.axis is None]
+        lacking += [CRANK if body is crank else OUTER for body in (one, other) if body.radius is None]
+        if one.axis is None or other.axis is None or one.radius is None or other.radius is None:
+            continue
+        if one.axis == other.axis and other is not crank:
+            lacking.append(key_2)
+            continue
+        words = Text("Distance of the axes of {one} and {other}", one=name, other=name_2)
+        needed = one.radius + other.radius + APART * (other is not crank)
+        found.append((abs(one.axis - other.axis), needed, words, tuple(filter(None, (key, key_2)))))
+    distance, needed, words, keys = min(found, key=lambda pair: pair[0] - pair[1], default=(0.0, 0.0, EMPTY, ()))
+    if found and (distance < needed or not lacking):
+        yield SHAFTS_CLEAR(distance, needed, name=words, moved_by=keys)
+    elif len(shafts) > 1:
+        missing = Missing(tuple(dict.fromkeys(lacking)), (), "holds", "none")
+        yield SHAFTS_CLEAR(None, APART, missing=missing)
 
 
 def _no_longer(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:

@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a shaft: what its bearings carry, and how it bends."""
+"""The figures of a shaft: what its bearings carry, and how it bends; of all shafts together what they leave, vector by
+vector and one tooth off."""
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from ..draw.shaft_outline import outline_curve
 from ..sheet.arrays import Array
-from ..sheet.step import Curve, DrawnLoad, Series, axis_label
+from ..sheet.step import Curve, DrawnLoad, Series, Turning, axis_label
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, Newton, RadPerSecond
 from .bending.shaft import Bending
 from .result import CountershaftResult
 from .rows import called
+from .sums import OrderVectors, SystemShaft, TeethOff
 
 STACK = "bending"
 
@@ -105,4 +109,59 @@ def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
             short=3,
         ),
         Curve("deflection", deflection, from_middle, axis_label("deflection", "µm"), lines, stack=STACK, short=4),
+    )
+
+
+# --- of all shafts together
+
+
+def phasor_plane(n: int, unit: str, engine: OrderVectors, shafts: Sequence[SystemShaft]) -> Curve:
+    """The vectors of order n, of force or couple (`unit`), tip to tail: the engine's and each shaft's; what is left is
+    where they end, which runs along a circle.  Those that turn with the crank, and those that turn against it."""
+    force, degrees = unit == "N", np.arange(0, 361, 3.0)
+    series, chains = [], []
+    for sense, at, words in ((1, 0, Text("with the crank")), (-1, 1, Text("against it"))):
+        vectors = {Text("engine"): (engine.forces if force else engine.couples)[at]}
+        for shaft in shafts:
+            if shaft.ratio == sense * n:
+                vectors[Name(shaft.name)] = shaft.force if force else shaft.couple
+        if vectors := {name: vector for name, vector in vectors.items() if vector}:
+            turned = abs(sum(vectors.values())) * np.exp(1j * np.radians(degrees))
+            series.append(Series(Text("left"), turned.imag, turned.real, words))
+            chains.append(Turning(tuple(vectors), tuple(vectors.values()), (sense * n,) * len(vectors), words))
+    title = Text("Forces of order {n}, engine and shafts tip to tail", n=n)
+    return Curve(
+        f"phasors_order_{n}_{'force' if force else 'couple'}",
+        title if force else Text("Couples of order {n}, engine and shafts tip to tail", n=n),
+        Text("horizontal, {unit}", unit=unit),
+        Text("vertical, {unit}", unit=unit),
+        tuple(series),
+        equal=True,
+        variants=tuple(chain.variant for chain in chains),
+        turning=tuple(chains),
+        along=(Text("crank angle, °"), degrees / n),
+    )
+
+
+def teeth_bars(n: int, unit: str, teeth: TeethOff, designed: float) -> Curve:
+    """What of order n is left with shafts one tooth off, late beside early, of force or couple (`unit`), its peak over
+    a turn; the line: as `designed`."""
+    force = unit == "N"
+    rows = [
+        (words, off.columns[n][0] if force else off.columns[n][1]) for words, off in teeth.rows() if n in off.columns
+    ]
+    place = np.arange(1, len(rows) + 1, dtype=float)
+    title = Text("Force of order {n} left one tooth off", n=n)
+    return Curve(
+        f"teeth_off_order_{n}_{'force' if force else 'couple'}",
+        title if force else Text("Couple of order {n} left one tooth off", n=n),
+        Text("one tooth off"),
+        axis_label("force" if force else "couple", unit),
+        tuple(
+            Series(words, place, np.array([peaks[i] for _, peaks in rows]))
+            for i, words in enumerate((Text("late"), Text("early")))
+        ),
+        limits=((Text("as designed"), designed),),
+        bars=True,
+        names=tuple(words for words, _ in rows),
     )

@@ -139,25 +139,9 @@ def residual_vector(C_like: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> Phasor
     return joined(C_like, C_S)
 
 
-@formula(
-    "C_left",
-    "mathematics, largest couple of that order over a turn: the vectors of both senses in line",
-    names={"C_res": "C_res", "C_against": "C_against"},
-)
-def residual_couple(C_against: PhasorNewtonMetre, C_res: PhasorNewtonMetre) -> NewtonMetre:
-    """`C_against`: the engine's couple of that order that turns the other way, with a twin shaft what that leaves of
-    it."""
-    return modulus(C_against) + modulus(C_res)
-
-
 @formula("F_res", "mathematics: sum of the shaft's force and the engine's that turns like it", names={"F_like": "F"})
 def residual_force_vector(F_like: PhasorNewton, F_S: PhasorNewton) -> PhasorNewton:
     return joined(F_like, F_S)
-
-
-@formula("F_left", "mathematics, largest force of that order over a turn: the vectors of both senses in line")
-def residual_force(F_against: PhasorNewton, F_res: PhasorNewton) -> Newton:
-    return modulus(F_against) + modulus(F_res)
 
 
 @formula("C̄_S", "geometry, a shaft mirrored in the vertical plane, turning the other way", names={"C_S": "C_S"})
@@ -297,6 +281,16 @@ def lever_gear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_o:
 @formula("R_0", "statics, weight and tooth force in line: a bound, since the wheels' places are not known")
 def stationary(G_B: Newton, R_G: Newton) -> Newton:
     return abs(G_B) + R_G
+
+
+@formula(
+    "R_0",
+    "statics: weight and bores by their directions; tooth force and tolerances, whose directions are open, in line",
+    names={"G_B": "G_u"},
+)
+def stationary_shared(G_B: Newton, R_o: PhasorNewton, R_G: Newton, R_c: Newton) -> Newton:
+    """On one of more than two bearings; G_B up, R_o up and 90° further in the sense of the crank."""
+    return modulus(G_B + R_o) + R_G + R_c
 
 
 @formula("R_max", "statics: the turning and the standing part in line, once a turn", names={"R": "F"})

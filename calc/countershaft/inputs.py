@@ -24,7 +24,9 @@ NO_NAMES = (
 )  # fmt: skip
 
 # the folds of the form
+AROUND = Text("Cover, and what hangs on the shaft")
 SUPPORT = Text("Support, drain, cost")
+LAID_IN = ("split", "caps", "module")  # ways of assembly in which nothing has to pass a seat
 
 
 @inputs
@@ -207,6 +209,44 @@ class Scatter:
     )
 
 
+NO_ORDER = Text(
+    "must be -1, 1, -2 or 2: half orders are of the gas torque, which no rotating mass takes, and orders of 4 and "
+    "above are lived with; a pump or a cam at 0.5 is a wheel, not a shaft"
+)
+
+
+@inputs
+class ShaftLoad:
+    """What hangs on the shaft, a pump: it takes a power that the train carries and does not lose."""
+
+    name: str = text("Name")
+    power: float = quantity(
+        "Power",
+        "kW",
+        within=(0, 1e4),
+        symbol="P_C",
+        help="What it takes at the speed of the design, which is the rated one unless another is given.",
+        change=("less of it", "more of it"),
+        repair="asked",
+    )
+    speed_exponent: float = quantity(
+        "Exponent of the speed",
+        default=3.0,
+        within=(0, 5),
+        symbol="m_C",
+        step=0.5,
+        usual=(1, 3),
+        source="similarity: a pump of given pressure 1, one whose pressure grows with the square of the speed 3",
+        help="Its power goes with this power of the speed.",
+    )
+    wheel: str | None = text(
+        "Wheel that drives it",
+        default=None,
+        help="A wheel of the train; where the wheel of the shaft drives that, its teeth push the shaft. Left out: it "
+        "turns with the shaft, and no force of it is known.",
+    )
+
+
 @inputs
 class ShaftInputs:
     """A balance shaft: its masses or its envelope, where it is carried, and how it is made and mounted."""
@@ -327,6 +367,56 @@ class ShaftInputs:
         "a seat.",
         where=(mode, "size"),
     )
+    gap: float | None = quantity(
+        "Gap at inner bearings",
+        "mm",
+        default=None,
+        within=(0, 1000),
+        symbol="g_B",
+        help="Mode size: no sector within half of it on either side of the middle of an inner bearing. Left out: the "
+        "length of its journal, and two fillets on either side.",
+        change=("narrower gap", "wider gap"),
+        where=(mode, "size"),
+    )
+    share: float | None = quantity(
+        "Share of the task",
+        "%",
+        default=None,
+        within=(1, 100),
+        symbol="w_s",
+        help="Mode size: of what the engine and the given shafts of this ratio leave. Left out: equal shares of all "
+        "shafts of this ratio that are sized, twins counted.",
+        change=("smaller share", "larger share"),
+        where=(mode, "size"),
+    )
+    assembly: str | None = choice(
+        "Assembly",
+        "threaded",
+        *LAID_IN,
+        "cartridge",
+        default=None,
+        help="threaded: all passes the largest seat. split, caps, module: laid in, nothing has to pass. cartridge: "
+        "through the bore of the carrier of an outer bearing, which comes along. Left out: threaded in mode size or "
+        "with a clearance for threading in, else not asked.",
+    )
+    bore_diameter: float = quantity(
+        "Bore through it",
+        "mm",
+        default=0.0,
+        within=(0, 2000),
+        symbol="d_b",
+        step=0.5,
+        help="Of a hollow shaft, along its whole length; smaller than its core.",
+        change=("narrower bore", "wider bore"),
+        repair="free",
+    )
+    sector_material: str | None = text(
+        "Sectors' material",
+        default=None,
+        help="Tungsten segments, welded weights: its density is that of the sectors alone. Left out: the shaft's.",
+        change=("other sectors",),
+        catalogue="materials",
+    )
     sections: tuple[Section, ...] = tables("Outline for bending", Section, default=())
     fillet_radius: float | None = quantity(
         "Fillet at the shoulders",
@@ -384,6 +474,29 @@ class ShaftInputs:
         "balanced G16 (rigidly mounted) and G40, inherently unbalanced ones G250 and G630.",
         fold=SUPPORT,
     )
+    covered: str = choice(
+        "Cover",
+        "open",
+        "shell",
+        default="open",
+        help="shell: close around the sectors, and dry inside: the mist turns along, and no oil at rest reaches them.",
+        fold=AROUND,
+    )
+    shell_gap: float | None = quantity(
+        "Gap between sectors and shell",
+        "mm",
+        default=None,
+        up_to=500,
+        symbol="t_S",
+        rule_of_thumb=(1, 5),
+        help="Radial, between their outer radius and the shell.",
+        change=("closer shell", "wider shell"),
+        repair="free",
+        where=(covered, "shell"),
+    )
+    loads: tuple[ShaftLoad, ...] = tables(
+        "What hangs on the shaft", ShaftLoad, default=(), help="Pumps that the shaft or its train drives.", fold=AROUND
+    )
     holes: Holes | None = table("Calibration holes", Holes, default=None, fold=SUPPORT)
     scatter: Scatter | None = table("Production scatter", Scatter, default=None, fold=SUPPORT)
     bolts: Bolts | None = table("Bolts of the support", Bolts, default=None, fold=SUPPORT)
@@ -420,6 +533,35 @@ class ShaftInputs:
         sizes = tuple((row.diameter, row.length) for row in self.bearings)
         return sizes if all(row.sized for row in self.bearings) else ()
 
+    @property
+    def of_sectors(self) -> str:
+        """The material of its sectors."""
+        return self.sector_material or self.material
+
+    @property
+    def passes_seats(self) -> bool:
+        """Whether all of it goes through its seats, its wheel too; also where nothing is said of that."""
+        return self.assembly in (None, "threaded")
+
+    @property
+    def seat(self) -> float | None:
+        """The diameter of what the sectors have to pass on the way in: of the largest journal, or of a carrier; None
+        where nothing has to be passed, or it is not known."""
+        if self.assembly in LAID_IN:
+            return None
+        if self.assembly == "cartridge":
+            return max((row.carrier_bore for row in self.bearings if row.carrier_bore is not None), default=None)
+        return max((d for d, _ in self.journals), default=None)
+
+    @property
+    def room_asked(self) -> float | None:
+        """The radial clearance that is asked on the way in; None where nothing is asked."""
+        if self.assembly in LAID_IN or (
+            self.assembly is None and self.radial_clearance is None and self.mode != "size"
+        ):
+            return None
+        return self.radial_clearance if self.radial_clearance is not None else 0.0
+
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.name in NO_NAMES or (self.name.isascii() and self.name.isdigit()):
             words = Text("must not be figures alone, nor one of {words}", words=", ".join(NO_NAMES))
@@ -436,6 +578,10 @@ class ShaftInputs:
         if not 2 <= len(self.bearings) <= 9:
             count = len(self.bearings)
             yield dotted(ShaftInputs.bearings), Text("needs 2 to 9 rows [[shafts.bearings]]; has {count}", count=count)
+        if self.covered == "shell" and self.shell_gap is None:
+            yield dotted(ShaftInputs.shell_gap), Text('needed with covered = "shell"')
+        if self.covered != "shell" and self.shell_gap is not None:
+            yield dotted(ShaftInputs.shell_gap), Text('leave it out, or say covered = "shell"')
         if self.mode == "bearings":
             return
         for i, row in enumerate(self.bearings):
@@ -443,7 +589,7 @@ class ShaftInputs:
                 needs = Text("is missing; needs {allowed}", allowed=described(BearingRow.position).allowed())
                 yield dotted(ShaftInputs.bearings, i, BearingRow.position), needs
         if self.speed_ratio is not None and self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
-            yield dotted(ShaftInputs.speed_ratio), Text("must be -1, 1, -2 or 2")
+            yield dotted(ShaftInputs.speed_ratio), NO_ORDER
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
             R = _mm(self.outer_radius)
             yield (
@@ -451,6 +597,7 @@ class ShaftInputs:
                 Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R),
             )
         yield from self._envelope()
+        yield from self._seats()
         yield from self._sections()
         if self._placed:
             yield from self._places()
@@ -469,18 +616,41 @@ class ShaftInputs:
     def _envelope(self) -> Iterable[tuple[str, Text]]:
         if self.mode == "given" and not self.masses:
             yield dotted(ShaftInputs.masses), Text("needs at least one [[shafts.masses]]")
-        if self.mode == "size" and len(self.bearing_positions) > 2:
-            yield (
-                dotted(ShaftInputs.bearings),
-                Text('give two with mode = "size": sectors that span a third bearing are not sized'),
-            )
         if self.mode == "size":
+            yield from self._gaps()
             needed = Text('needed with mode = "size"; `choose FILE countershaft` finds the envelope')
             for name in ("outer_radius", "core_radius", "half_length"):
                 if getattr(self, name) is None:
                     yield f"{name}_mm", needed
         if self.outer_radius is not None and self.core_radius is not None and self.core_radius >= self.outer_radius:
             yield dotted(ShaftInputs.core_radius), Text("must be smaller than outer_radius_mm")
+        if self.core_radius is not None and self.bore_diameter >= 2 * self.core_radius and self.bore_diameter:
+            yield dotted(ShaftInputs.bore_diameter), Text("must be smaller than the core, twice core_radius_mm")
+
+    def _gaps(self) -> Iterable[tuple[str, Text]]:
+        """Beside inner bearings the sectors keep a gap."""
+        if self.gap is not None and self.half_length is not None and self.gap >= 2 * self.half_length:
+            yield dotted(ShaftInputs.gap), Text("must be smaller than twice half_length_mm: it leaves no sectors")
+        if self.gap is None and any(row.length is None for row in self.bearings[1:-1]):
+            yield dotted(ShaftInputs.gap), Text("needed where an inner bearing has no length_mm, or give that")
+
+    def _seats(self) -> Iterable[tuple[str, Text]]:
+        """How the shaft comes into its seats."""
+        if self.assembly in LAID_IN and self.radial_clearance is not None:
+            laid_in = Text(
+                'leave it out with assembly = "{assembly}": nothing has to pass a seat', assembly=self.assembly
+            )
+            yield dotted(ShaftInputs.radial_clearance), laid_in
+        carriers = {i: row.carrier_bore for i, row in enumerate(self.bearings) if row.carrier_bore is not None}
+        for i in carriers:
+            key = dotted(ShaftInputs.bearings, i, BearingRow.carrier_bore)
+            if self.assembly != "cartridge":
+                yield key, Text('belongs to assembly = "cartridge"')
+            elif 0 < i < len(self.bearings) - 1:
+                yield key, Text("belongs to an outer bearing, through whose bore the shaft comes in")
+        if self.assembly == "cartridge" and not carriers:
+            needed = Text('needed with assembly = "cartridge": the bore that the carrier of an outer bearing fills')
+            yield dotted(ShaftInputs.bearings, 0, BearingRow.carrier_bore), needed
 
     @property
     def _known(self) -> bool:
@@ -542,4 +712,5 @@ def _mm(length: float) -> Amount:
 
 
 # what a mirror image has of its own
-TWIN = tuple(dotted(key) for key in (ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.repeats, ShaftInputs.axis))
+OWN = ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.repeats, ShaftInputs.axis, ShaftInputs.loads
+TWIN = tuple(map(dotted, OWN))

@@ -20,11 +20,11 @@ from ..sheet.step import Curve, Outcome, Series, axis_label
 from ..sheet.text import SPACE, Amount, Text
 from ..sheet.units import Number, PhasorNewtonMetre, RadPerSecond
 from ..sheet.value import trace
-from .curves import speeds
+from .curves import phasor_plane, speeds, teeth_bars
 from .inputs import ShaftInputs
 from .rows import SHAFT
 from .sizing.sectors import WORDS, ShaftTask, task
-from .sums import OrderVectors, SystemResult, SystemShaft, sums_table, teeth_off, teeth_table, together
+from .sums import OrderVectors, SystemResult, SystemShaft, TeethOff, sums_table, teeth_off, teeth_table, together
 
 if TYPE_CHECKING:
     from .making.system_scatter import MadeShaft
@@ -54,7 +54,8 @@ def solve(
         result=left,
         checks=tuple(check for n, todo in tasks.items() for check in _checks(todo, shafts, left, min(tasks))),
         lines=tuple(lines),
-        curves=Later(partial(_curves, tasks, engine, left, omega, several=len(shafts) > 1)),
+        curves=Later(partial(_curves, tasks, engine, left, omega, several=len(shafts) > 1))
+        + Later(partial(_planes, tasks, engine, shafts)),
         tables=Later(lambda: [sums_table(engine, shafts, left)] if len(shafts) > 1 else []),
     )
 
@@ -76,15 +77,18 @@ def one_tooth_off(
     """A train with what is left where shafts are fitted one tooth of their wheels off."""
     if train.result is None or not shafts:
         return train
+    engine = vectors_of(imbalance, shafts, rolls)
     with trace() as lines:
-        off = teeth_off(vectors_of(imbalance, shafts, rolls), shafts)
+        off = teeth_off(engine, shafts)
     turns = {
         name: replace(turn, tooth_late=off.shafts.get(name), pair_late=off.pairs.get(name))
         for name, turn in train.result.shafts.items()
     }
     table = Later(lambda: [replace(teeth_table(off), short=off.all is not None)] if off.shafts else [])
+    bars = Later(partial(_bars, imbalance, engine, shafts, off))
     result = replace(train.result, shafts=turns, all_late=off.all)
-    return replace(train, result=result, lines=(*train.lines, *lines), tables=train.tables + table)
+    lines = [*train.lines, *lines]
+    return replace(train, result=result, lines=tuple(lines), tables=train.tables + table, curves=train.curves + bars)
 
 
 # --- what is left over
@@ -252,6 +256,29 @@ def _curves(
                 id = f"residual{behind}" if word == "couple" else f"residual_force{behind}"
                 over_a_turn.append(_over_a_turn(id, n, word, unit, ((f_0, b_0), (f_1, b_1))))
     return (*over_speed, *over_a_turn)
+
+
+def _planes(
+    tasks: Mapping[int, ShaftTask], engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]
+) -> Iterator[Curve]:
+    """Of several shafts the vectors of each order."""
+    for n, todo in tasks.items() if len(shafts) > 1 else ():
+        for unit, one_cylinder in (("N", todo.one_force), ("N·m", todo.one_couple)):
+            plane = phasor_plane(n, unit, engine[n], shafts)
+            if max((abs(v) for chain in plane.turning for v in chain.phasors), default=0.0) > DRAWN * one_cylinder:
+                yield plane
+
+
+def _bars(
+    imbalance: ImbalanceResult, engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft], off: TeethOff
+) -> Iterator[Curve]:
+    """Of several shafts what is left of each order one tooth off."""
+    designed = together(engine, shafts)
+    for n in engine if len(list(off.rows())) > 1 else ():
+        for word, unit, one_cylinder in (("force", "N", imbalance.one_force), ("couple", "N·m", imbalance.one_couple)):
+            bars = teeth_bars(n, unit, off, getattr(designed, f"residual_order_{n}_{word}"))
+            if max(float(series.y.max()) for series in bars.series) > DRAWN * one_cylinder:
+                yield bars
 
 
 def _over_a_turn(id: str, n: int, word: Text, unit: str, pairs: Sequence[tuple[complex, complex]]) -> Curve:

@@ -18,8 +18,8 @@ def notes(shaft: ShaftInputs, journals: Journals) -> Iterator[Text]:
         "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter."
     )
     yield Text(
-        "The reactions turn with the shaft. Its weight and the gear force stand still: on two bearings they are given "
-        "beside, where known."
+        "The reactions turn with the shaft. Its weight and the gear force stand still: they are given beside, where "
+        "known."
     )
     if shaft.mode == "given" and shaft.radial_clearance is None and journals:
         yield Text(

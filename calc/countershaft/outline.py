@@ -146,6 +146,11 @@ def bored_polar_moment(I_p: Metre4, r_b: Metre) -> Metre4:
     return I_p - pi * r_b**4 / 2
 
 
+@formula("ν_ρ", HEAVIER, names={"rho_s": "ρ_s"})
+def density_ratio(rho_s: KilogramPerMetre3, rho: KilogramPerMetre3) -> Number:
+    return rho_s / rho
+
+
 @formula("A_w", HEAVIER, unit="mm²", names={"nu": "ν_ρ"})
 def weighing_area(A_tot: SquareMetre, A: SquareMetre, nu: Number) -> SquareMetre:
     """ν: density of the sectors over that of the core; A: of the sector alone."""
@@ -165,6 +170,14 @@ def weighing_polar_moment(I_p: Metre4, gamma: Radian, R: Metre, r_0: Metre, nu: 
 # --- the outline
 
 Journals = tuple[tuple[Metre, Metre], ...]  # diameter and length of each, front to rear; empty where they are not known
+
+
+def outer_face(positions: tuple[Metre, ...], journals: Journals) -> tuple[Metre, Metre]:
+    """Of the outer two journals the one nearer to mid-shaft: how far from it its inner face stands, and its length."""
+    ends = (0, -1)
+    return min((abs(positions[n]) - journals[n][1] / 2, journals[n][1]) for n in ends)
+
+
 PLAIN = 1e-9  # of the cubed radius: a static moment below it is none
 # of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with
 THIN = 2e-3
@@ -446,13 +459,21 @@ def outline(pieces: tuple[Piece, ...], derived: bool, bore: Metre = 0.0, heavier
     )
 
 
-def given(shaft: ShaftInputs) -> Outline:
-    """The outline of [[shafts.sections]]."""
+def given(shaft: ShaftInputs, heavier: Number = 1.0) -> Outline:
+    """The outline of [[shafts.sections]]; `heavier`: density of the sectors over that of the core."""
     pieces = []
     for s in sorted(shaft.sections, key=lambda section: section.from_):
         what = "sector" if s.half_angle else "full"
         pieces.append(Piece(s.from_, s.to, s.outer_radius, s.core_radius or 0.0, s.half_angle, s.angle or 0.0, what))
-    return outline(tuple(pieces), derived=False)
+    return outline(tuple(pieces), False, _bore(shaft), heavier)
+
+
+def _bore(shaft: ShaftInputs) -> Metre:
+    """The radius of its bore."""
+    if not shaft.bore_diameter:
+        return 0.0
+    with about(Text("bore of the shaft")):
+        return radius(d=shaft.bore_diameter)
 
 
 def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> list[Piece]:
@@ -491,7 +512,11 @@ def _no_sector(mass: EccentricMass, R: Metre, r_0: Metre, t: Number) -> NoOutlin
 
 
 def assembled(
-    shaft: ShaftInputs, sectors: list[Piece], journals: Journals, gear: tuple[Metre, Metre] | None
+    shaft: ShaftInputs,
+    sectors: list[Piece],
+    journals: Journals,
+    gear: tuple[Metre, Metre] | None,
+    heavier: Number = 1.0,
 ) -> Outline:
     """Sectors, journals and gear (diameter, length of each), joined by the core, with a stub around each overhung
     element that reaches as far beyond as before it.  A gear without a place stands ahead of the front journal, against
@@ -521,7 +546,7 @@ def assembled(
         here = piece.end
     if end > here + TOUCH:
         pieces.append(Piece(here, end, r_0, 0.0, None, 0.0, "core"))
-    return outline(tuple(pieces), derived=True)
+    return outline(tuple(pieces), True, _bore(shaft), heavier)
 
 
 def known(shaft: ShaftInputs, R: Metre | None, journals: Journals) -> tuple[Metre, Metre]:

@@ -18,9 +18,8 @@ from ..sheet.units import (
     RadPerSecond,
     RevPerSecond,
 )
-from . import formulas as f
 from .bending.shaft import Bending
-from .inputs import EccentricMass, ShaftInputs
+from .inputs import EccentricMass
 from .making.unbalance import HolesResult, ToleranceResult
 from .outline import Outline
 from .rows import called, sign
@@ -184,17 +183,9 @@ class CountershaftResult:
     couple_vector: complex
     omega: RadPerSecond  # of the shaft
     outline: Outline | None = None
+    wheel: Metre | None = None  # the middle of its wheel from mid-shaft
 
     @property
     def vectors(self) -> tuple[complex, complex]:
         """Force and couple, cylinder 1 at TDC."""
         return self.force_vector, self.couple_vector
-
-    def turning(self, shaft: ShaftInputs, kind: str) -> tuple[complex, complex]:
-        """What turns with the crank and what turns against it, of the `kind` force or couple; of a pair both shafts."""
-        couple = kind == "couple"
-        supplied = self.couple_vector if couple else self.force_vector
-        mirrored = 0j  # of the other shaft of a pair, which turns the other way
-        if shaft.paired:
-            mirrored = f.mirrored_couple(C_S=supplied) if couple else f.mirrored_force(F_S=supplied)
-        return (supplied, mirrored) if shaft.speed_ratio > 0 else (mirrored, supplied)

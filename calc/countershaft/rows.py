@@ -9,7 +9,7 @@ from ..library import journal_rules as rules
 from ..library.journal_rules import IN_WORDS as IN_WORDS
 from ..library.journal_rules import called as called
 from ..library.journal_rules import titled as titled
-from ..sheet.quantity import choice, dotted, inputs, quantity, text
+from ..sheet.quantity import choice, dotted, inputs, quantity, series, text
 from ..sheet.text import Text
 
 # keys of a shaft's inputs, of those of one of its bearings and of all of them, the names left open
@@ -113,6 +113,16 @@ class BearingRow:
         help="Radial load on the journal. Left out: the reaction of the shaft.",
         repair="asked",
     )
+    offset: tuple[float, ...] | None = series(
+        "Bore off the line",
+        "µm",
+        default=None,
+        count=(2, 2),
+        within=(-1000, 1000),
+        symbol="g_B",
+        help="Up, and 90° further in the sense of the crank: the bore of an inner bearing off the line of the outer "
+        "two.",
+    )
     journal_roughness: float = quantity(
         "Roughness Ra, journal",
         "µm",
@@ -150,6 +160,19 @@ class BearingRow:
         repair="asked",
     )
 
+    carrier_bore: float | None = quantity(
+        "Bore for its carrier",
+        "mm",
+        default=None,
+        up_to=2000,
+        symbol="D_c",
+        step=0.5,
+        help='With assembly = "cartridge": the bore of the block that the carrier of an outer bearing fills; through '
+        "it the shaft comes in.",
+        change=("smaller carrier", "larger carrier"),
+        repair="free",
+    )
+
     @property
     def in_words(self) -> Text:
         """Its name inside a sentence."""
@@ -167,3 +190,5 @@ class BearingRow:
             yield dotted(BearingRow.clearance), Text("give either clearance_um or clearance_factor, one of the two")
         if self.clearance is not None and self.diameter is not None and self.clearance >= 0.1 * self.diameter:
             yield dotted(BearingRow.clearance), Text("must stay below a tenth of the diameter")
+        if self.carrier_bore is not None and self.diameter is not None and self.carrier_bore <= self.diameter:
+            yield dotted(BearingRow.carrier_bore), Text("must be larger than the diameter: the carrier holds its seat")

@@ -102,10 +102,13 @@ def whole(
     twins: Mapping[str, Outcome[CountershaftResult]],
     ratios: Mapping[str, Number],
     sums: Outcome[SystemResult],
+    *,
+    named: bool,
 ) -> "Outcome[CountershaftResult] | Outcome[ShaftsResult]":
-    """The step: the one shaft with what it leaves, or all of them by their names; `twins` behind their originals."""
-    first, *others = shafts.values()
-    if not others and not twins:
+    """The step: the one shaft with what it leaves, or all of them by their names, `named`, as they are where a design
+    has several; `twins` behind their originals."""
+    if not named:
+        (first,) = shafts.values()
         alone = first if first.result is None else replace(first, result=replace(first.result, sums=sums.result))
         return beside(sums, alone)
     every = {name: shaft.result for name, shaft in (*shafts.items(), *twins.items()) if shaft.result is not None}
@@ -121,4 +124,4 @@ def whole(
             if len(inertias) == len(every)
             else None,
         )
-    return beside(sums, joined("countershaft", shafts, together, named=True))
+    return beside(sums, joined("countershaft", {**shafts, **twins}, together, named=True))

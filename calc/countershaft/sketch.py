@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-shaft as a sketch: from the side with its supports and its bending line, and its masses from the front.
+"""Each shaft as a sketch: from the side with its supports and its bending line, and its masses from the front; and all
+of them beside the crank.
 
 From the side the first mass is up, as on the drawing; from the front cylinder 1 stands at TDC and the crank turns
 clockwise."""
 
+import cmath
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,8 +37,9 @@ from ..draw.drawing import (
     spanned,
 )
 from ..draw.drawing import reach as reached
-from ..draw.shaft_outline import drawn, reach, silhouette, upwards
-from ..engine.crank import crank
+from ..draw.shaft_outline import bore, drawn, reach, silhouette, upwards
+from ..engine.result import EngineResult
+from ..gears.inputs import GearsInputs
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
 from ..sheet.record import record
@@ -54,13 +58,15 @@ from .checks import (
     SUPPORT_HEAT_INDEX,
     SUPPORT_SPECIFIC_LOAD,
 )
+from .front_view import CORNERS, ShaftInFront, Wheel, from_up, front_view, sector_outline
 from .inputs import EccentricMass, Holes, ShaftInputs
 from .left_over import RESIDUAL, RESIDUAL_FORCE
 from .outline import Outline, Piece
 from .result import CountershaftResult
 from .rows import EACH_ROW, SHAFT, BearingRow
-from .shafts import ShaftsResult
+from .shafts import of_twin
 from .sizing.sectors import SizedSector
+from .twins import Resolved
 
 if TYPE_CHECKING:
     from ..design.model import Design
@@ -74,6 +80,7 @@ LENGTH = dotted(SHAFT, ShaftInputs.half_length)
 POSITIONS = dotted(EACH_ROW, BearingRow.position)
 HOLES = dotted(SHAFT, ShaftInputs.holes)
 GEAR = dotted(SHAFT, ShaftInputs.gear_z)
+BORE = dotted(SHAFT, ShaftInputs.bore_diameter)
 SECTIONS = dotted(SHAFT, ShaftInputs.sections)
 JOURNALS = f"{dotted(EACH_ROW, BearingRow.diameter)} {dotted(EACH_ROW, BearingRow.length)}"
 OF_MASSES = (RESIDUAL, RESIDUAL_FORCE, ENVELOPE, ENVELOPE_LENGTH, OUTLINE_FORCE)
@@ -83,8 +90,6 @@ SEEN = 0.05, 1.2  # of the largest radius: within this the bending line is to st
 SUPPORT = 0.035  # of the shaft's length: height of a support's triangle
 POINT = 0.3  # of the largest radius of the masses: radius of the heaviest of them, where only their places are known
 FEW = 4  # masses whose places are told
-CORNERS = 24  # of half a sector
-BAR = 0.1  # of the longest shaft: the largest load
 
 
 @record
@@ -105,13 +110,42 @@ class View:
         return self.end - self.start
 
 
-def sketch(design: "Design", results: "Results") -> Sketch:
-    """The shaft of a design, as far as it is known."""
+def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int = 0) -> Sketch:
+    """The shafts of a design, as far as they are known: one of its own from the side and from the front; all of them
+    beside the crank, where there are several or a place is given.  Of several that are no twins the picture `view`
+    comes first."""
+    each = [_of_one(one, results.views[name]) for name, one in design.views.items()]
+    together = _together(design, results)
+    if len(each) > 1:
+        each = [_named(one, of, n == 0) for n, (one, of) in enumerate(zip(each, design.views.values()))]
+        pictures = [one for one in (together, *each, _below_each_other(design, results)) if one and one.primitives]
+        first, *others = pictures[view:] + pictures[:view] or [awaited(results.outcomes[STEP])]
+        return replace(first, beside=tuple(others), views=max(1, len(pictures)))
+    alone = each[0] if each else awaited(results.outcomes[STEP])
+    if together is None or not alone.primitives:
+        return alone
+    beside = (together, *alone.beside) if len(design.shafts) > 1 else (*alone.beside, together)
+    return replace(alone, beside=beside)
+
+
+def _named(picture: Sketch, of: "Design", first: bool) -> Sketch:
+    """The picture of one of several shafts under its name, with keys that say which of them it is; those of the first
+    are the rules' own."""
+    marks = picture.primitives if first else tuple(_in_place(picture.primitives, of))
+    return replace(picture, primitives=marks, title=Name(of.shafts[0].name), beside=())
+
+
+def _in_place(marks: Iterable[Mark], of: "Design") -> Iterator[Mark]:
+    """With keys that say the shaft."""
+    for mark in marks:
+        yield replace(mark, key=" ".join(one for words in mark.key.split() for one in of.in_place(words)))
+
+
+def _of_one(design: "Design", results: "Results") -> Sketch:
+    """A shaft that is no twin by itself."""
     outcome = results.outcomes[STEP]
     shaft: ShaftInputs | None = design.countershaft
     result = outcome.result
-    if isinstance(result, ShaftsResult):
-        return _below_each_other(design, results)
     if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
@@ -139,64 +173,12 @@ def _view(shaft: ShaftInputs, result: CountershaftResult, checks: tuple[Check, .
     return _points(shaft, masses) if shaft.masses else None
 
 
-def _below_each_other(design: "Design", results: "Results") -> Sketch:
-    """Each shaft that is no twin, one below another at its place along the engine: under its supports bars for their
-    loads, above all of them the planes of the cylinders.  Of a single one its own picture says that."""
-    if len(results.views) == 1:
-        return Sketch()
-    known = {}
-    for name, each in results.views.items():
-        shaft, outcome = each.design.countershaft, each.outcomes[STEP]
-        if shaft is not None and isinstance(outcome.result, CountershaftResult):
-            view = _view(shaft, outcome.result, tuple(outcome.checks))
-            if view is not None:
-                known[name] = view, outcome.result, tuple(outcome.checks)
-    if not known:
-        return Sketch(notes=(Text("The picture waits for the masses of the shafts."),))
-    longest = max(view.length for view, _, _ in known.values())
-    high, most = BAR * longest, max(max(result.loads.values()) for _, result, _ in known.values()) or 1.0
-    marks: list[Mark] = []
-    planes = sorted(set(crank(design.engine, 0.0).z.tolist())) if design.engine is not None else []
-    for z in planes:
-        marks.append(Polyline(CONTEXT, ((z, SUPPORT * longest), (z, 2 * SUPPORT * longest))))
-    notes, y = [Text("bars: loads of the bearings, dashed by the levers of a rigid shaft")], 0.0
-    if planes:
-        notes.append(Text("ticks: cylinders"))
-    for name, (view, result, checks) in known.items():
-        drawn = [*_along(view, result.outline, checks), *_loads(view, result, high / most, longest)]
-        if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
-            drawn += bent[0]
-            notes.append(Text("{name}: bending × {factor}", name=Name(name), factor=Amount(bent[1])))
-        box = spanned(point for mark in drawn for point in reached(mark))
-        twins = [Name(shaft.name) for shaft in design.shafts if name in (shaft.mirrors, shaft.repeats)]
-        words = COMMA.join([Name(name), *twins])
-        drawn.append(Words(WORDS, (box[0] - SUPPORT * longest, 0.0), words, side="right"))
-        marks += [moved(mark, 0.0, y - box[3]) for mark in drawn]
-        y -= box[3] - box[1] + 2 * SUPPORT * longest
-    return Sketch(tuple(marks), tuple(notes), stacked=len(known))
-
-
 def _along(view: View, outline: Outline | None, checks: tuple[Check, ...]) -> Iterator[Mark]:
     """From the side: axis, shape and supports."""
     beyond = SUPPORT * view.length
     yield Polyline(AXIS, ((view.start - beyond, 0.0), (view.end + beyond, 0.0)))
     yield from _side(view, outline)
     yield from _supports(view, checks)
-
-
-def _loads(view: View, result: CountershaftResult, scale: float, longest: Metre) -> Iterator[Mark]:
-    """A bar under each support as long as its load, and dashed that by the levers of a rigid shaft."""
-    half, size = SUPPORT * longest / 3, SUPPORT * view.length
-    lowest = max((reach(piece, view.up)[1] for piece in view.pieces), default=0.0)
-    top = -lowest - size
-    for row in view.shaft.bearings:
-        load, z = result.loads[row.name], row.position
-        box = rectangle(z - half, top - scale * load, z + half, top)
-        yield Area(OUTLINE, (box,), SHADES["sector"])
-        if (rigid := result.loads_by_levers.get(row.name)) is not None:
-            yield Polyline(HIDDEN, rectangle(z - half, top - scale * rigid, z + half, top), True)
-        foot = (z + 2 * half, top - scale * load / 2)
-        yield Words(WORDS, foot, Text("{load}", load=Amount(load, "N", form=".0f")), side="left")
 
 
 def _shaped(shaft: ShaftInputs, outline: Outline, state: State) -> View:
@@ -243,6 +225,106 @@ def _mass_keys(view: View, piece: Piece) -> str:
     return " ".join((*(f"{MASSES}.{mass.name}" for mass in here), OUTER, LENGTH))
 
 
+# --- all of them
+
+
+def _together(design: "Design", results: "Results") -> Sketch | None:
+    """All shafts beside the crank; None where that shows no more than the one shaft by itself, or where one of them is
+    not solved."""
+    every = [one for one in design.resolved if one.inputs.mode != "bearings"]
+    engine = results.result(EngineResult)
+    if design.engine is None or engine is None or (len(every) < 2 and every[0].inputs.axis is None):
+        return None
+    own = design.own.name if design.own is not None else ""
+    shafts: list[ShaftInFront] = []
+    for one in every:
+        original = results.of_shafts.get(one.of or one.name, results.outcomes)[STEP].result
+        if not isinstance(original, CountershaftResult):
+            return None
+        key = SHAFT if one.name == own else dotted(SHAFT.partition(".")[0], one.name)
+        shafts.append(_in_front(one, original, key))
+    train = results.train
+    laid = train.layout.wheels if train is not None and train.layout is not None else {}
+    wheels = [
+        Wheel(at, train.wheels[name].pitch_diameter / 2, dotted("gears", GearsInputs.wheels, name))
+        for name, wheel in laid.items()
+        if train is not None and (at := wheel.position) is not None
+    ]
+    picture = front_view(design.engine, sorted({round(float(psi), 9) for psi in engine.crank.psi}), shafts, wheels)
+    return replace(picture, of_all=1)
+
+
+def _in_front(one: Resolved, original: CountershaftResult, key: str) -> ShaftInFront:
+    """A shaft with what it sweeps; the mirror image of a sector stands at −γ."""
+    result = original if one.of is None else of_twin(original, one)
+    mirrored, axis = one.how == "mirrors", one.inputs.axis
+    pieces = original.outline.pieces if original.outline is not None else ()
+    sectors = [piece for piece in pieces if piece.half_angle is not None]
+    radii = [piece.outer_radius for piece in pieces] or [mass.radius for mass in one.inputs.masses]
+    return ShaftInFront(
+        one.name,
+        one.inputs.speed_ratio,
+        complex(*axis) if axis is not None else None,
+        max((*radii, one.inputs.outer_radius or 0.0)) or 1e-3,
+        tuple(replace(piece, angle=-piece.angle) for piece in sectors) if mirrored else tuple(sectors),
+        () if sectors else tuple(cmath.rect(mass.radius, mass.angle) for mass in one.inputs.masses),
+        result.force_vector,
+        key,
+    )
+
+
+# --- all of them from the side
+
+BAR = 0.1  # of the longest shaft: the largest load
+
+
+def _below_each_other(design: "Design", results: "Results") -> Sketch | None:
+    """Each shaft that is no twin, one below another at its place along the engine, with bars for the loads of its
+    supports; above all of them the planes of the cylinders."""
+    known = {}
+    for name, each in results.views.items():
+        shaft, outcome = each.design.countershaft, each.outcomes[STEP]
+        if shaft is not None and isinstance(outcome.result, CountershaftResult):
+            checks = tuple(outcome.checks)
+            view = _view(shaft, outcome.result, checks)
+            if view is not None:
+                known[name] = view, outcome.result, checks
+    if not known:
+        return None
+    longest = max(view.length for view, _, _ in known.values())
+    most = max(max(result.loads.values()) for _, result, _ in known.values()) or 1.0
+    engine, gap = results.result(EngineResult), SUPPORT * longest
+    planes = sorted(set(engine.crank.z.tolist())) if engine is not None else []
+    marks: list[Mark] = [Polyline(CONTEXT, ((z, gap), (z, 2 * gap))) for z in planes]
+    notes = [Text("bars: loads of the bearings, dashed by the levers of a rigid shaft")]
+    notes += [Text("ticks: cylinders")] if planes else []
+    y = 0.0
+    for name, (view, result, checks) in known.items():
+        drawn = [*_along(view, result.outline, checks), *_loads(view, result, BAR * longest / most, gap)]
+        if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
+            drawn += bent[0]
+            notes.append(Text("{name}: bending × {factor}", name=Name(name), factor=Amount(bent[1])))
+        left, low, _, top = spanned(point for mark in drawn for point in reached(mark))
+        twins = [Name(shaft.name) for shaft in design.shafts if name in (shaft.mirrors, shaft.repeats)]
+        drawn.append(Words(WORDS, (left - gap, 0.0), COMMA.join([Name(name), *twins]), side="right"))
+        placed = [moved(mark, 0.0, y - top) for mark in drawn]
+        marks += placed if not y else _in_place(placed, results.views[name].design)
+        y -= top - low + 2 * gap
+    return Sketch(tuple(marks), tuple(notes), title=Text("from the side"), of_all=len(known))
+
+
+def _loads(view: View, result: CountershaftResult, scale: float, wide: Metre) -> Iterator[Mark]:
+    """A bar under each support as long as its load, and dashed that by the levers of a rigid shaft."""
+    half, lowest = wide / 3, max((reach(piece, view.up)[1] for piece in view.pieces), default=0.0)
+    top = -lowest - SUPPORT * view.length
+    for row in view.shaft.bearings:
+        load, z = result.loads[row.name], row.position
+        yield Area(OUTLINE, (rectangle(z - half, top - scale * load, z + half, top),), SHADES["sector"])
+        if (rigid := result.loads_by_levers.get(row.name)) is not None:
+            yield Polyline(HIDDEN, rectangle(z - half, top - scale * rigid, z + half, top), True)
+        yield Words(WORDS, (z + 2 * half, top - scale * load / 2), Text("{load}", load=Amount(load, "N", form=".0f")))
+
+
 # --- from the side
 
 
@@ -257,6 +339,7 @@ def _side(view: View, outline: Outline | None) -> Iterator[Mark]:
             yield Polyline(OUTLINE, box, True, key, state)
     if outline is not None:
         yield Polyline(OUTLINE, silhouette(outline), True)
+        yield from (Polyline(HIDDEN, edge, key=BORE) for edge in bore(outline))
     else:
         yield Polyline(OUTLINE, ((view.start, 0.0), (view.end, 0.0)))
         for mass in view.shaft.masses:
@@ -372,6 +455,8 @@ def _end_view(view: View) -> Iterator[Mark]:
         yield Area(OUTLINE, (edge,), SHADES["sector"], _mass_keys(view, piece), view.state)
         yield Polyline(OUTLINE, edge, True, _mass_keys(view, piece), view.state)
         yield from _angle(view, piece.angle, _mass_keys(view, piece))
+    if view.shaft.bore_diameter:
+        yield Arc(OUTLINE, (0.0, 0.0), view.shaft.bore_diameter / 2, key=BORE)
     if sectors:
         yield Arc(OUTLINE, (0.0, 0.0), sectors[0].core_radius, key=CORE)
     else:
@@ -384,7 +469,7 @@ def _points_around(view: View) -> Iterator[Mark]:
     yield Arc(CONTEXT, (0.0, 0.0), max(mass.radius for mass in view.shaft.masses))
     places: set[Point] = set()
     for mass in view.shaft.masses:
-        at = _from_up(mass.radius, mass.angle)
+        at = from_up(mass.radius, mass.angle)
         if (place := (round(at[0], 5), round(at[1], 5))) not in places:
             places.add(place)
             yield from _point(view, (0.0, 0.0), at, mass)
@@ -393,21 +478,9 @@ def _points_around(view: View) -> Iterator[Mark]:
 
 def _angle(view: View, angle: Radian, key: str) -> Iterator[Mark]:
     """The direction of a mass, from up."""
-    at = _from_up(1.25 * view.radius, angle)
-    yield Polyline(AXIS, ((0.0, 0.0), _from_up(1.1 * view.radius, angle)))
+    at = from_up(1.25 * view.radius, angle)
+    yield Polyline(AXIS, ((0.0, 0.0), from_up(1.1 * view.radius, angle)))
     yield Words(WORDS, at, Text("{angle}", angle=Amount(math.degrees(angle) % 360, "°")), key=key, side="centre")
-
-
-def sector_outline(piece: Piece) -> tuple[Point, ...]:
-    """The section of a sector, around its outside and back along its core; angles from up, clockwise."""
-    assert piece.half_angle is not None
-    turns = [piece.angle + piece.half_angle * n / CORNERS for n in range(-CORNERS, CORNERS + 1)]
-    outside = [_from_up(piece.outer_radius, turn) for turn in turns]
-    return (*outside, *(_from_up(piece.core_radius, turn) for turn in reversed(turns)))
-
-
-def _from_up(radius: Metre, angle: Radian) -> Point:
-    return radius * math.sin(angle), radius * math.cos(angle)
 
 
 def _mm(length: Metre) -> Text:

@@ -42,12 +42,14 @@ from .inputs import EccentricMass, ShaftInputs
 from .making.drain import DrainResult, run_off_check
 from .making.parts import ShaftStep, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
-from .outline import Journals, NoOutline, Outline
+from .outline import Journals, NoOutline, Outline, outer_face
 from .result import CountershaftResult, SupportResult
 from .sizing.choices import front_curve, named
-from .sizing.sectors import TooSmall, eccentric_masses, pieces, size, task
+from .sizing.sectors import TooSmall, eccentric_masses, pieces, task
+from .sizing.shares import asked_share, need_mirror_images, share_of
+from .sizing.stretches import NOT_THE_LIGHTEST, SizedStretches, inner_gaps, size_between
 from .sums import SystemShaft
-from .supports import Gear, reactions
+from .supports import Gear, gear_place, reactions
 
 if TYPE_CHECKING:
     from ..bearings.result import BearingsResult
@@ -64,33 +66,37 @@ def solve(
     beside: tuple[SystemShaft, ...] = (),
     *,
     judged: bool,
+    alike: int = 1,
 ) -> Outcome[CountershaftResult]:
     """A shaft by itself; sized first, where that is asked, for what the engine asks for and shafts `beside` it leave.
 
     `omega` is the crank's rated angular speed; `fastest`: the highest speed of the crank over the rated one; `judged`:
-    the films of its bearings are judged by the step that follows, else their loads are screened here.
+    the films of its bearings are judged by the step that follows, else their loads are screened here; `alike`: how
+    many shafts of its ratio are sized, of which each has its share.
     """
     todo, journals = task(shaft.speed_ratio, imbalance, beside), shaft.journals
     slopes = {row.name: row.slope for row in shaft.bearings if row.slope is not None}
     with trace() as lines:
         step = ShaftStep(shaft, todo, materials, journals, f.shaft_speed(i=shaft.speed_ratio, omega=omega))
-        masses, sized = shaft.masses, _sized(step)
+        masses, sized = shaft.masses, _sized(step, alike)
         if sized is not None:
             masses = eccentric_masses(sized)
         R = shaft.outer_radius
-        if R is None and journals:  # what may be threaded through the largest seat
-            R = f.widest(d=max(d for d, _ in journals), c_R=shaft.radial_clearance or 0.0)
+        if R is None and journals and shaft.seat is not None:  # what may be threaded through it
+            R = f.widest(d=shaft.seat, c_R=shaft.radial_clearance or 0.0)
         result = _balance(step, masses)
         if sized is not None:
             result = replace(
                 result,
-                sector_half_angle=sized.sector_half_angle,
-                sector_length=sized.sector_length,
+                sector_half_angle=max(one.half_angle for one in sized.by_name.values()),
+                sector_length=max(one.length for one in sized.by_name.values()),
                 utilisation=sized.utilisation,
-                sector_mass=max(sized.front.mass, sized.rear.mass),
-                sector={"front": sized.front, "rear": sized.rear},
+                sector_mass=max(one.mass for one in sized.by_name.values()),
+                sector=sized.by_name,
             )
         outline = _outline(step, masses, sized, R, gear)
+        with about(Text("standing part of the load")):
+            result = replace(result, wheel=gear_place(shaft, outline, gear))
         if outline is not None:
             certain = sized is not None or not outline.derived
             result = _with_outline(step, masses, result, outline, certain, fastest)
@@ -113,22 +119,29 @@ def solve(
     )
 
 
-def _sized(step: ShaftStep) -> "Sized | None":
-    """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not
-    hold it."""
-    shaft, omega = step.shaft, step.omega
+def _sized(step: ShaftStep, alike: int) -> "Sized | SizedStretches | None":
+    """The lightest sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold
+    them."""
+    shaft, todo, omega = step.shaft, step.todo, step.omega
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
-    U = f.asked_unbalance(x_o=shaft.overdesign, F_like=step.todo.F, omega=omega)
-    P = f.asked_product(x_o=shaft.overdesign, C_like=step.todo.C, omega=omega)
+    left = todo.F, todo.C
+    if shaft.paired:
+        need_mirror_images(left, (todo.F_against, todo.C_against), shaft.half_length)
+    U, P = asked_share(left, omega, shaft.overdesign, share_of(shaft, alike))
+    gaps = inner_gaps(shaft)
     densities = {name: step.materials[name].density for name in named(shaft, step.materials)}
     envelope = shaft.outer_radius, shaft.core_radius, shaft.half_length
-    step.curves += Later(lambda: filter(None, [front_curve(U, P, omega, *envelope, densities, shaft.extras)]))
+    step.curves += Later(lambda: filter(None, [front_curve(U, P, omega, *envelope, densities, shaft.extras, gaps)]))
     try:
-        sized = size(U, P, omega, step.material.density, *envelope, shaft.extras, shaft.fillet_radius or 0.0)
+        sized = size_between(
+            U, P, omega, step.sector_density, *envelope, gaps, shaft.extras, shaft.fillet_radius or 0.0
+        )
     except TooSmall as small:
         raise NoSolution(small.what, small.tried, small.advice + _room(shaft, step.journals)) from small
     step.notes += size_notes(shaft)
+    if isinstance(sized, SizedStretches) and not sized.lightest:
+        step.notes.append(NOT_THE_LIGHTEST)
     return sized
 
 
@@ -145,28 +158,34 @@ def _room(shaft: ShaftInputs, journals: Journals) -> str:
     """What the journals leave for the envelope, in words."""
     if not journals:
         return ""
-    seat = max(d for d, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
-    face = min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals))
+    face = Amount(outer_face(shaft.bearing_positions, journals)[0] * 1000.0, form=".4g")
+    if shaft.seat is None:
+        return Text(" (the journals as they are leave a half-length of {face} mm)", face=face)
     return Text(
         " (the journals as they are leave an outer radius of {seat} mm and a half-length of {face} mm)",
-        seat=Amount(seat * 1000.0, form=".4g"),
-        face=Amount(face * 1000.0, form=".4g"),
+        seat=Amount((shaft.seat / 2 - (shaft.radial_clearance or 0.0)) * 1000.0, form=".4g"),
+        face=face,
     )
 
 
 def _outline(
-    step: ShaftStep, masses: tuple[EccentricMass, ...], sized: "Sized | None", R: Metre | None, gear: Gear | None
+    step: ShaftStep,
+    masses: tuple[EccentricMass, ...],
+    sized: "Sized | SizedStretches | None",
+    R: Metre | None,
+    gear: Gear | None,
 ) -> Outline | None:
     """The shaft's outline, given or put together; None where it can not be, and a note says why."""
     shaft, journals = step.shaft, step.journals
     try:
         if shaft.sections and sized is None:
-            outline = s.given(shaft)
+            outline = s.given(shaft, step.heavier)
             s.hollowed(outline, step.material.density, shaft.extras)
             return outline
         outer, core = s.known(shaft, R, journals)
-        sectors = s.sectors_of(masses, step.material.density, outer, core) if sized is None else pieces(sized)
-        outline = s.assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
+        sectors = s.sectors_of(masses, step.sector_density, outer, core) if sized is None else pieces(sized)
+        on_shaft = (gear.diameter, gear.face_width) if gear else None
+        outline = s.assembled(shaft, sectors, journals, on_shaft, step.heavier)
         s.hollowed(outline, step.material.density, shaft.extras)
     except NoOutline as none:
         if none.broken is not None:
@@ -243,7 +262,7 @@ def _with_supports(
     result = replace(result, reactions=forces, loads=dict(zip(names, loads)))
     if len(positions) > 2 or bent is not None:
         step.notes.append(supports_note(bent is not None))
-    if len(positions) == 2 and (judged or not journals):
+    if judged or (len(positions) == 2 and not journals):
         return result
     support = {}
     n_S = f.revolutions(omega=result.omega)

@@ -8,7 +8,7 @@ grow with the square of speed, so that what is left is one share at all speeds."
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -84,13 +84,13 @@ class SystemShaft:
     def forward(self) -> bool:
         return self.ratio > 0
 
-    def late_by(self, delta: Radian, s: Number = 0.0) -> "SystemShaft":
+    def late_by(self, delta: Radian, s: Number = 0.0) -> Self:
         """The same shaft late by an angle of its own (below zero: early), its couple too large by the share s."""
         sense = 1.0 if self.forward else -1.0
         force = f.late_force(F_S=self.force, sigma=sense, delta=delta)
         return replace(self, force=force, couple=f.late_couple(C_S=self.couple, s=s, sigma=sense, delta=delta))
 
-    def mirror_image(self, name: str, axis: PhasorMetre | None = None) -> "SystemShaft":
+    def mirror_image(self, name: str, axis: PhasorMetre | None = None) -> Self:
         """Its mirror image in the vertical plane through the crank: it turns the other way, and its unbalances stand at
         −γ (not at γ + 180°), each at the same place along the engine.  `axis`: where it does not stand at that of the
         mirror image, as at another height."""
@@ -101,7 +101,7 @@ class SystemShaft:
         ratio = based_on(-self.ratio, self.ratio)
         return replace(self, name=name, ratio=ratio, force=force, couple=couple, axis=axis, mirrors=self.name)
 
-    def repeated(self, name: str, axis: PhasorMetre) -> "SystemShaft":
+    def repeated(self, name: str, axis: PhasorMetre) -> Self:
         """The same shaft once more, about an axis of its own."""
         return replace(self, name=name, axis=axis)
 
@@ -338,24 +338,28 @@ class TeethOff:
             yield Text("all shafts"), self.all
 
 
-def teeth_off(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]) -> TeethOff:
-    """What is left with shafts one tooth off, at the orders at which they turn.
-
-    A mirrored pair that is off together stays a pair of mirror images: its force stays vertical, and each sense of it
-    lacks 2·sin(τ/2)."""
+def pairs_of(shafts: Sequence[SystemShaft]) -> dict[str, list[SystemShaft]]:
+    """Each shaft that has mirror images together with them, by its name."""
     pairs: dict[str, list[SystemShaft]] = {}
     for shaft in shafts:
         if shaft.mirrors is not None:
             original = next(one for one in shafts if one.name == shaft.mirrors)
             pairs.setdefault(shaft.mirrors, [original]).append(shaft)
+    return pairs
 
+
+def teeth_off(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]) -> TeethOff:
+    """What is left with shafts one tooth off, at the orders at which they turn.
+
+    A mirrored pair that is off together stays a pair of mirror images: its force stays vertical, and each sense of it
+    lacks 2·sin(τ/2)."""
     alone = {
         shaft.name: _off(engine, shafts, [shaft], Text("{name} one tooth off", name=Name(shaft.name)))
         for shaft in shafts
     }
     both = {
         name: _off(engine, shafts, pair, Text("{name} and its mirror image one tooth off", name=Name(name)))
-        for name, pair in pairs.items()
+        for name, pair in pairs_of(shafts).items()
     }
     return TeethOff(
         shafts={name: one for name, one in alone.items() if one is not None},

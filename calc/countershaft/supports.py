@@ -8,7 +8,7 @@ supports come out below zero (hogging)."""
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -28,11 +28,17 @@ from ..sheet.units import (
     RevPerSecond,
     Watt,
 )
-from ..sheet.value import about, trace
+from ..sheet.value import about, trace, untraced
 from . import formulas as f
+from .bending.condensed import OnSupports, at_rest, standing_on
+from .bending.formulas import wheel_load
 from .inputs import ShaftInputs
-from .outline import middles
+from .outline import Outline, middles
 from .result import CountershaftResult, Standing
+from .rows import BearingRow
+
+if TYPE_CHECKING:
+    from ..bearings.result import BearingsResult
 
 CLAPEYRON = Text(
     "statics: bending moments over the supports, by Clapeyron's three moments (Finotti 2013, 3.2.3.1, for two spans; "
@@ -122,7 +128,7 @@ def _spans(place: Array, support: Array) -> tuple[IndexArray, Array, Array, Bool
     return span, place[inside] - support[span], support[span + 1] - place[inside], inside
 
 
-# --- what stands still while the shaft turns: its weight and the force of its gear, on two bearings
+# --- what stands still while the shaft turns: its weight, the force of its gear, and bores out of line
 
 
 class Gear(NamedTuple):
@@ -152,21 +158,17 @@ def standing(
 ) -> Standing:
     """Of two bearings, by their names: `loads` turn with the shaft; `weight`: of the shaft, and where its centre of
     gravity lies; `drive` at its gear."""
-    gear_forces: dict[str, Newton] = {}
     of_gear: dict[str, Newton] = dict.fromkeys(places, 0.0)
     of_weight: dict[str, Newton] = dict.fromkeys(places, 0.0)
     (one, z_1), (other, z_2) = places.items()
     ends = ((one, z_1, z_2), (other, z_2, z_1))
-    if gear is not None and drive is not None and z_G is not None:
-        torque = f.gear_torque(P=drive.power, n=drive.speed)
-        F_t = f.gear_tangential(T=torque, d=gear.diameter)
-        F_r = f.gear_radial(F_t=F_t, alpha_n=gear.normal_pressure_angle, beta=gear.helix_angle)
-        F_a = f.gear_axial(F_t=F_t, beta=gear.helix_angle)
+    gear_forces = {} if z_G is None else _gear_forces(gear, drive)
+    if gear_forces and gear is not None and z_G is not None:
+        _, F_t, F_r, F_a = gear_forces.values()
         of_gear = {
             row: f.lever_gear(F_t=F_t, F_r=F_r, F_a=F_a, d=gear.diameter, z_G=z_G, z_o=z_o, z_B=z_B)
             for row, z_B, z_o in ends
         }
-        gear_forces = dict(gear_torque=torque, gear_force_tangential=F_t, gear_force_radial=F_r, gear_force_axial=F_a)
     if weight is not None:
         G_S, z_S = weight
         of_weight = {row: f.lever_weight(G_S=G_S, z_S=z_S, z_o=z_o, z_B=z_B) for row, z_B, z_o in ends}
@@ -182,34 +184,108 @@ def standing(
     )
 
 
+def _gear_forces(gear: Gear | None, drive: ShaftDrive | None) -> dict[str, Newton]:
+    """Torque, and the tooth force tangential, radial and axial; none where the gear or its drive is not known."""
+    if gear is None or drive is None:
+        return {}
+    torque = f.gear_torque(P=drive.power, n=drive.speed)
+    F_t = f.gear_tangential(T=torque, d=gear.diameter)
+    F_r = f.gear_radial(F_t=F_t, alpha_n=gear.normal_pressure_angle, beta=gear.helix_angle)
+    F_a = f.gear_axial(F_t=F_t, beta=gear.helix_angle)
+    return dict(gear_torque=torque, gear_force_tangential=F_t, gear_force_radial=F_r, gear_force_axial=F_a)
+
+
+def on_supports(
+    result: CountershaftResult, positions: tuple[Metre, ...], stiffness: Array | float
+) -> OnSupports | None:
+    """What stands on more than two bearings of that stiffness, N/m, infinite: rigid; None where nothing bends."""
+    bent = result.bending
+    if bent is None or result.outline is None or len(positions) == 2:
+        return None
+    with untraced():
+        still = at_rest(result.outline, positions, bent.material, bent.points, bent.effectiveness, result.wheel)
+        return standing_on(still, np.broadcast_to(stiffness, len(positions)))
+
+
 def with_standing(
-    outcome: Outcome[CountershaftResult], shaft: ShaftInputs, gear: Gear | None, drive: ShaftDrive | None
+    outcome: Outcome[CountershaftResult],
+    shaft: ShaftInputs,
+    gear: Gear | None,
+    drive: ShaftDrive | None,
+    bearings: "BearingsResult | None",
 ) -> Outcome[CountershaftResult]:
-    """The same outcome with its weight and its gear's force on the bearings; on two bearings only."""
-    if len(shaft.bearing_positions) != 2:
+    """The same outcome with its weight, its gear's force and that of bores out of line on the bearings."""
+    result = outcome.solution
+    stands = bearings.stands if bearings is not None else on_supports(result, shaft.bearing_positions, np.inf)
+    if len(shaft.bearing_positions) > 2 and stands is None:
         return outcome
     with trace() as lines, about(Text("standing part of the load")):
-        stands = standing_of(outcome.solution, shaft, gear, drive)
-    return replace(outcome, result=replace(outcome.solution, standing=stands), lines=(*outcome.lines, *lines))
+        result = replace(result, standing=standing_of(result, shaft, gear, drive, stands, bearings))
+    return replace(outcome, result=result, lines=(*outcome.lines, *lines))
 
 
 def standing_of(
-    result: CountershaftResult, shaft: ShaftInputs, gear: Gear | None, drive: ShaftDrive | None
+    result: CountershaftResult,
+    shaft: ShaftInputs,
+    gear: Gear | None,
+    drive: ShaftDrive | None,
+    stands: OnSupports | None,
+    bearings: "BearingsResult | None",
 ) -> Standing:
-    """What stands still on the two bearings of a solved shaft; the power of its drive may be an array."""
+    """What stands still on the bearings of a solved shaft; the power of its drive may be an array.
+
+    `stands`: of more than two bearings what a load puts on each; `bearings`: what their bores may add."""
+    if stands is not None:
+        return _shared(result, shaft.bearings, gear, drive, stands, bearings)
     weight = None
     if result.mass is not None and result.centre_of_gravity is not None:
         weight = f.weight(m_S=result.mass), result.centre_of_gravity
     places = {row.name: row.position for row in shaft.bearings}
-    return standing(result.loads, places, weight, gear, gear_place(shaft, result, gear), drive)
+    return standing(result.loads, places, weight, gear, result.wheel, drive)
 
 
-def gear_place(shaft: ShaftInputs, result: CountershaftResult, gear: Gear | None) -> Metre | None:
+def _shared(
+    result: CountershaftResult,
+    rows: tuple[BearingRow, ...],
+    gear: Gear | None,
+    drive: ShaftDrive | None,
+    stands: OnSupports,
+    bearings: "BearingsResult | None",
+) -> Standing:
+    """Of more than two bearings, which share by their stiffness and the shaft's."""
+    gear_forces = _gear_forces(gear, drive) if stands.force is not None else {}
+    on_bores = stands.offset(np.array([complex(*(row.offset or (0.0, 0.0))) for row in rows]))
+    still, peaks = {}, {}
+    for i, row in enumerate(rows):
+        R_G: Newton = 0.0
+        if gear_forces and gear is not None and stands.force is not None and stands.couple is not None:
+            _, F_t, F_r, F_a = gear_forces.values()
+            G_F, G_C = abs(stands.force[i].item()), abs(stands.couple[i].item())
+            R_G = wheel_load(G_F=G_F, G_C=G_C, F_t=F_t, F_r=F_r, F_a=F_a, d=gear.diameter)
+        load, aligned = result.loads[row.name], None
+        if bearings is not None:
+            load = bearings.bearings[row.name].load
+            on_shaft = bearings.bearings[row.name].on_shaft
+            aligned = on_shaft.alignment_load if on_shaft is not None else None
+        still[row.name] = f.stationary_shared(
+            G_B=stands.weight[i].item(), R_o=on_bores[i].item(), R_G=R_G, R_c=aligned or 0.0
+        )
+        peaks[row.name] = f.reaction_peak(R=load, R_0=still[row.name])
+    return Standing(
+        **gear_forces,
+        weight=None if result.mass is None else f.weight(m_S=result.mass),
+        weights={row.name: -G_u for row, G_u in zip(rows, stands.weight.tolist())},
+        stationary=still,
+        peaks=peaks,
+    )
+
+
+def gear_place(shaft: ShaftInputs, outline: Outline | None, gear: Gear | None) -> Metre | None:
     """The middle of the gear: given, or as the outline has it; else the front bearing's."""
     if gear is None:
         return None
     if shaft.gear_z is not None:
         return shaft.gear_z
-    pieces = result.outline.pieces if result.outline is not None else ()
+    pieces = outline.pieces if outline is not None else ()
     places = (middles(z_1=piece.start, z_2=piece.end) for piece in pieces if piece.what == "gear")
     return next(places, shaft.bearing_positions[0])

@@ -36,7 +36,7 @@ def resolved(shafts: Iterable[ShaftInputs]) -> tuple[Resolved, ...]:
         if shaft.mirrors is not None:
             found.append(Resolved(shaft.name, mirrored(known[shaft.mirrors], shaft), "mirrors", shaft.mirrors))
         elif shaft.repeats is not None:
-            inputs = replace(known[shaft.repeats], name=shaft.name, axis=shaft.axis)
+            inputs = replace(known[shaft.repeats], name=shaft.name, axis=shaft.axis, loads=shaft.loads)
             found.append(Resolved(shaft.name, inputs, "repeats", shaft.repeats))
         else:
             known[shaft.name] = shaft
@@ -56,6 +56,7 @@ def mirrored(original: ShaftInputs, twin: ShaftInputs) -> ShaftInputs:
         name=twin.name,
         speed_ratio=based_on(-original.speed_ratio, original.speed_ratio),
         axis=axis,
+        loads=twin.loads,
         masses=tuple(map(turned_over, original.masses)),
         extras=tuple(map(turned_over, original.extras)),
         sections=tuple(map(_section_turned_over, original.sections)),

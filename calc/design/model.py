@@ -2,6 +2,7 @@
 """A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call
 in solve.py."""
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
@@ -9,7 +10,7 @@ from typing import Any, ClassVar
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
-from ..countershaft.inputs import ShaftInputs
+from ..countershaft.inputs import ShaftInputs, ShaftLoad
 from ..countershaft.rows import SHAFT, BearingRow
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
@@ -34,7 +35,7 @@ from ..sheet.quantity import (
     unknown,
 )
 from ..sheet.step import OF_SHAFTS, Step
-from ..sheet.text import Amount, Small, Text
+from ..sheet.text import Amount, Small, Text, listed
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
 
 SCHEMA = 2
@@ -57,7 +58,8 @@ NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")
 Problems = Iterable[tuple[str, Text]]  # keys, each with what is wrong there
 MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
-SCREENED = ("name", "position", "kind", "diameter", "length")  # of a bearing that [bearings] does not judge
+# of a bearing that [bearings] does not judge
+SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore", "offset")
 
 
 @inputs
@@ -237,7 +239,8 @@ class Design:
         yield from self._names()
         if self.engine is not None:
             yield from self._cranks(self.engine)
-        yield from self._twins()
+        twins = list(self._twins())
+        yield from twins or self._shares()
         for n, shaft in enumerate(self.shafts):
             if not shaft.is_twin:
                 way = dotted(Design.shafts, n)
@@ -281,12 +284,17 @@ class Design:
             for key, about, name in given(there, way) if there is not None else ():
                 if about.catalogue in catalogues and name not in catalogues[about.catalogue]:
                     yield key, _unknown_name(name, catalogues[about.catalogue])
+        wheels = list(self.gears.along) if self.gears is not None else []
         if self.friction is not None and self.gears is not None:
-            wheels = list(self.gears.along)
             for kind in ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses"):
                 for i, entry in enumerate(getattr(self.friction, kind)):
                     if entry.wheel is not None and entry.wheel not in wheels:
                         yield dotted(Design.friction, kind, i, Seal.wheel), _unknown_name(entry.wheel, wheels)
+        for n, shaft in enumerate(self.shafts):
+            for i, load in enumerate(shaft.loads):
+                if load.wheel is not None and load.wheel not in wheels:
+                    key = dotted(Design.shafts, n, ShaftInputs.loads, i, ShaftLoad.wheel)
+                    yield key, _unknown_name(load.wheel, wheels)
 
     def _cranks(self, engine: EngineInputs) -> Problems:
         """Whether crank angles, firing order and crank bodies are those of one crank."""
@@ -334,6 +342,24 @@ class Design:
                 yield key, _unknown_name(name, own)
         yield from self._axes()
 
+    def _shares(self) -> Problems:
+        """Of the shafts of one ratio that are sized; a twin takes its original's."""
+        own = {s.name: s for s in self.shafts if not s.is_twin and s.mode == "size" and s.speed_ratio is not None}
+        sized = [
+            (-original.speed_ratio if shaft.mirrors is not None else original.speed_ratio, original)
+            for shaft in self.shafts
+            if (original := own.get(shaft.mirrors or shaft.repeats or shaft.name)) is not None
+        ]
+        alike = Counter(ratio for ratio, _ in sized)
+        for n, shaft in enumerate(self.shafts):
+            shares = [one.share or 1 / alike[one.speed_ratio] for ratio, one in sized if ratio == shaft.speed_ratio]
+            if shaft.share is not None and (together := sum(shares)) > 1 + 1e-9:
+                whole = Text(
+                    "the sized shafts of this ratio, twins counted, take {together} of it, more than all",
+                    together=Amount(together * 100, "%", form=".4g"),
+                )
+                yield dotted(Design.shafts, n, ShaftInputs.share), whole
+
     def _axes(self) -> Problems:
         """Two shafts about one axis; a mirror image that lies on its original is judged, since both may be meant to be
         given their place later."""
@@ -348,6 +374,10 @@ class Design:
     def _rows(self, rows: list[tuple[str, BearingRow]]) -> Problems:
         """What each bearing of a shaft needs: all of it where [bearings] judges its film; else its place, and a size
         for all of them or for none."""
+        for key, row in (rows[0], rows[-1]) if rows else ():
+            if row.offset is not None:
+                line = Text("the outer two bearings define the line that the others are off")
+                yield dotted(key, BearingRow.offset), line
         if self.bearings is None:
             for key, row in rows:
                 if row.sized != rows[0][1].sized or (row.diameter is None) != (row.length is None):
@@ -366,17 +396,17 @@ class Design:
             yield from _within(key, self.bearings.asked_of(row))
             if row.sized:
                 yield from _within(dotted(Design.bearings), self.bearings.beside(row))
-        if len(rows) > 2:
-            two = Text("[bearings] judges two bearings a shaft; leave it out, and more are screened by their sizes")
-            yield rows[0][0].rpartition(".")[0], two
+        if len(rows) > 2 and self.bearings.load_speed_ratio != 1:
+            turning = Text("must be 1 on a shaft with more than two bearings, which share what turns with it")
+            yield dotted(Design.bearings, BearingsInputs.load_speed_ratio), turning
 
     def _shaft(self, shaft: ShaftInputs) -> Problems:
         if shaft.mode == "bearings" or None in shaft.bearing_positions:
             return
         places, journals = shaft.bearing_positions, shaft.journals
         lengths = [length for _, length in journals]
-        if shaft.outer_radius is None and journals and not shaft.sections:
-            widest = max(diameter for diameter, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
+        if shaft.outer_radius is None and shaft.seat is not None and not shaft.sections:
+            widest = shaft.seat / 2 - (shaft.radial_clearance or 0.0)
             if shaft.core_radius is not None and shaft.core_radius >= widest:
                 must = Text(
                     "must be smaller than what the largest journal leaves to the sectors, {R} mm", R=_in_mm(widest)
@@ -421,8 +451,12 @@ class Design:
             for i in unloaded:
                 needed = Text("needed where there is no shaft whose reactions it carries")
                 yield dotted(Design.shafts, 0, ShaftInputs.bearings, i, BearingRow.load), needed
-        elif self.engine is not None and bearings.speed not in (None, self.engine.rated_speed) and unloaded:
-            at = Text("{rated_speed} rpm", rated_speed=Amount(self.engine.rated_speed * 60, form="g"))
+        elif self.engine is not None and bearings.speed is not None and unloaded:
+            ratios = {abs(shaft.speed_ratio or 1.0) for shaft in self.shafts if not shaft.is_twin}
+            speeds = sorted(ratio * self.engine.rated_speed for ratio in ratios)
+            if speeds == [bearings.speed]:
+                return
+            at = listed(Text("{rated_speed} rpm", rated_speed=Amount(n * 60, form="g")) for n in speeds)
             theirs = Text(
                 "the shaft's reactions are those of {at}; leave it out, or give load_N of all bearings", at=at
             )
@@ -493,7 +527,9 @@ class Design:
             yield dotted(GearsInputs.power), needed
 
 
-PLACES_OF_ROWS = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.kind))
+PLACES_OF_ROWS = tuple(
+    dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.kind, BearingRow.offset)
+)
 
 
 def step_of(key: str, *, judged: bool) -> str:
@@ -533,6 +569,9 @@ def _no_key(key: str) -> Text | None:
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:
-    near = get_close_matches(name, list(known), 1)
-    others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)
+    there = [other for other in known if other]  # one without a name is an error of its own
+    near = get_close_matches(name, there, 1)
+    others = Text("; there are none")
+    if there:
+        others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(there)
     return Text('"{name}" is not known', name=name) + others

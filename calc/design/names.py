@@ -14,6 +14,7 @@ from ..engine.inputs import EngineInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.quantity import Published, dotted
 from ..sheet.remedy import Changes
+from ..sheet.step import OF_SHAFTS
 from ..sheet.text import COMMA, Amount, Name, Small, Text
 from .addresses import ARRAYS, called, in_array, place_words, quantity_of, value_at, within
 from .model import STEP_KEYS, Design
@@ -86,6 +87,7 @@ def written(value: object, unit: str = "") -> Text | Amount:
 # scenario) is a Name.
 
 NUMBERED_ID = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the order 1.5
+WITH_ORDERS = ("imbalance", "countershaft", "mounting")
 CHECKED = {  # parts that only checks have, and tables of inputs
     "engine.crank": Text("crank"),
     "engine.firing": Text("firing"),
@@ -94,6 +96,9 @@ CHECKED = {  # parts that only checks have, and tables of inputs
     dotted("countershaft", ShaftInputs.bolts): Text("bolts"),
     "countershaft.drain": Text("drain"),
     dotted("countershaft", ShaftInputs.holes): Text("holes"),
+    dotted("countershaft", "*", ShaftInputs.bolts): Text("bolts"),  # of one of several shafts
+    dotted("countershaft", "*.drain"): Text("drain"),
+    dotted("countershaft", "*", ShaftInputs.holes): Text("holes"),
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),
@@ -106,8 +111,9 @@ CHECKED = {  # parts that only checks have, and tables of inputs
 @cache
 def _words() -> Mapping[str, Text]:
     """What the parts of ids are called, by the way to them: `*` stands for a key of a dict, `**` for any way."""
-    from ..bearings.result import BearingsResult  # with numpy, which a form does not need
+    from ..bearings.result import BearingsOfShafts, BearingsResult  # with numpy, which a form does not need
     from ..countershaft.result import CountershaftResult
+    from ..countershaft.shafts import ShaftsResult
     from ..engine.result import EngineResult
     from ..friction.result import FrictionResult
     from ..gears.result import TrainResult
@@ -117,6 +123,8 @@ def _words() -> Mapping[str, Text]:
     words, first = dict(CHECKED), (EngineResult, ImbalanceResult, CountershaftResult, BearingsResult, TrainResult)
     for step, result in zip(STEP_KEYS, (*first, FrictionResult, MountingResult), strict=True):
         words.update(_of_groups(result, step))
+    for step, several in zip(OF_SHAFTS, (ShaftsResult, BearingsOfShafts), strict=True):
+        words.update(_of_groups(several, step))
     return words
 
 
@@ -131,6 +139,7 @@ def _of_groups(result: type, way: str) -> Iterator[tuple[str, Text]]:
         content, keys = _first(f.type), [here]
         if get_origin(content) is dict:
             content, keys = _first(get_args(content)[1]), [f"{here}.{key}" for key in ("*", *group.key_words)]
+            keys += [here] * group.several
         of_keys = f"{way.partition('.')[0]}.**" if content is Any else here
         yield from ((f"{of_keys}.{key}", words) for key, words in group.key_words.items())
         if isinstance(content, type) and is_dataclass(content):  # no name of a class that is loaded later
@@ -157,7 +166,7 @@ def belongs(id: str) -> list[Text]:
     for part in parts:
         word = known.get(f"{way}.{part}") or known.get(f"{step}.**.{part}")
         way = f"{way}.{part if word else '*'}"
-        if word is None and step in ("imbalance", "mounting") and (numbered := NUMBERED_ID.fullmatch(part)):
+        if word is None and step in WITH_ORDERS and (numbered := NUMBERED_ID.fullmatch(part)):
             kind, whole, more = numbered.groups()
             n = float(f"{whole}.{more}") if more else int(whole)
             word = Text("order {n}", n=n) if kind == "order" else Text("mode {n}", n=n)
@@ -187,7 +196,8 @@ CHOICE_WORDS: dict[str, str] = {
     "two_term": Text("two terms"),
     "equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares"), "given": Text("given"),
     "size": Text("sized"),
-    "bearings": Text("its bearings alone"), "plain": Text("plain"), "yes": Text("yes"),
+    "bearings": Text("its bearings alone"), "plain": Text("plain"), "open": Text("open"),
+    "shell": Text("in a shell"), "bracket": Text("counted, between its bounds"), "yes": Text("yes"),
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),
     # oil and bearings
     "mineral": Text("mineral"), "ester": Text("ester"), "forced": Text("forced"),

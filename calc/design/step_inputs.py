@@ -11,7 +11,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
 from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
-from ..bearings.speeds import highest_speed
+from ..bearings.speeds import highest_speed, of_journals
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
@@ -64,9 +64,9 @@ def rated_power(design: Design) -> float | None:
     return design.engine.rated_power if design.engine is not None and not own_speed else None
 
 
-def takes_first_order(design: Design) -> bool:
-    """Whether a shaft of the design turns at −1 times crank speed."""
-    return any(shaft.inputs.speed_ratio == -1 for shaft in turning(design))
+def orders_taken(design: Design) -> frozenset[int]:
+    """The orders that shafts of the design take, with their sense: at how many times crank speed these turn."""
+    return frozenset(round(shaft.inputs.speed_ratio) for shaft in turning(design))
 
 
 def turning(design: Design) -> tuple[Resolved, ...]:
@@ -86,8 +86,20 @@ def twins(
     """What the twins of a shaft have of it, where it is solved."""
     if solved.result is None:
         return {}
-    mine = [shaft for shaft in turning(design) if shaft.of == original.name]
-    return {shaft.name: Outcome("countershaft", result=of_twin(solved.result, shaft)) for shaft in mine}
+    return {
+        name: Outcome("countershaft", result=of_twin(solved.result, twin))
+        for name, twin in twins_of(design, original.name).items()
+    }
+
+
+def twins_of(design: Design, original: str) -> dict[str, Resolved]:
+    """The twins of a shaft by their names."""
+    return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
+
+
+def sized_alike(design: Design, shaft: ShaftInputs) -> int:
+    """How many shafts are sized for the ratio of this one, twins counted."""
+    return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == shaft.speed_ratio for one in design.resolved)
 
 
 def beside(
@@ -160,7 +172,7 @@ def driven(design: Design) -> tuple[str, ...]:
     if len(names) < 2 or design.gears is None:
         return tuple(names) or (ONLY,)
     on = {wheel.shaft for wheel in design.gears.wheels} | set(design.gears.along)
-    return tuple(name for name in names if name in on) or (names[0],)
+    return tuple(name for name in names if name in on) or tuple(list(design.views)[:1])
 
 
 def shaft_teeth(design: Design, name: str | None) -> int | None:
@@ -183,8 +195,10 @@ def shaft_axes(design: Design) -> dict[str, complex]:
 
 def overrun(design: Design) -> float:
     """The highest speed that the engine runs at, over its rated one."""
-    engine = design.engine
-    return highest_speed(engine.rated_speed, engine.bench, design.bearings) / engine.rated_speed if engine else 1.0
+    if design.engine is None:
+        return 1.0
+    rated, bench = of_journals(design.engine, design.own.speed_ratio if design.own is not None else None)
+    return highest_speed(rated, bench, design.bearings) / rated
 
 
 def journals(design: Design) -> tuple[tuple[float, float], ...]:
@@ -210,9 +224,8 @@ def balanced(shafts: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, Bal
 
 
 def ratios(design: Design) -> dict[str, float]:
-    """How fast the shafts in the train must turn, over the crank, by their names."""
-    on = driven(design)
-    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design) if shaft.name in on}
+    """How fast the shafts must turn, over the crank, by their names."""
+    return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design)}
 
 
 def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInputs) -> BearingMaterials:
@@ -270,8 +283,8 @@ def on_shafts(
         carried, solved = journals.get(shaft.name), shafts.get(shaft.name)
         if carried is not None and carried.result is not None and shaft.name in train.shafts:
             gear = shaft_gear(design, train, shaft.name) if solved is not None else None
-            inputs = shaft.inputs if solved is not None else None
-            on[shaft.name] = OnShaft(carried.result, solved.result if solved is not None else None, inputs, gear)
+            result = solved.result if solved is not None else None
+            on[shaft.name] = OnShaft(carried.result, result, shaft.inputs, gear)
     return on
 
 
@@ -361,7 +374,7 @@ def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftRes
         shafts[shaft.name] = ShaftInTrain(
             axis=axis_of(inputs) if turns else None,
             eccentric=eccentric(inputs, end) if turns else None,
-            journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
+            journals=(sizes[0][0], sizes[-1][0]) if sizes and inputs.passes_seats else None,
             gear_end=end,
             couple=result.couple if result is not None else None,
         )
@@ -383,49 +396,43 @@ def around_gears(
     )
 
 
-def shaft_on_engine(
+def shafts_on_engine(
     design: Design, shafts: Mapping[str, Outcome[CountershaftResult]], train: Outcome[TrainResult]
-) -> "ShaftOnEngine | None":
-    """The counter-shaft as the engine's mounts see it; None where there is none."""
-    countershaft, result = design.countershaft, next((shaft.result for shaft in shafts.values()), None)
-    if countershaft is None or result is None:
-        return None
-    return ShaftOnEngine(
-        countershaft.speed_ratio,
-        result.force_vector,
-        result.couple_vector,
-        countershaft.paired,
-        countershaft.axis,
-        shaft_errors(design, result, train.result),
-        shaft_teeth(design, countershaft.name),
+) -> tuple[ShaftOnEngine, ...]:
+    """All balance shafts as the engine's mounts see them."""
+    return tuple(
+        ShaftOnEngine(**vars(shaft), errors=shaft_errors(design, shaft.name, shafts[shaft.name].solution, train.result))
+        for shaft in system_shafts(design, shafts, teeth=True)
     )
 
 
-def shaft_errors(design: Design, shaft: CountershaftResult, train: TrainResult | None) -> tuple[float, float] | None:
+def shaft_errors(
+    design: Design, name: str, shaft: CountershaftResult, train: TrainResult | None
+) -> tuple[float, float] | None:
     """Error of the couple and of the angle of a shaft as it scatters: given, else what 95 % of the shafts stay below;
     None: not known."""
     given, scatter = design.mounting, shaft.scatter
     if given is None:
         return None
-    s, delta = given.scatter_couple, given.late
+    s, delta, turned = given.scatter_couple, given.late, 0.0
     if scatter is not None and shaft.couple:
         of_couple = (scatter.couple_error_by_mass, scatter.couple_error_by_radius, scatter.couple_error_by_position)
         of_angle = (scatter.couple_error_by_angle, scatter.couple_error_by_timing)
         s = based_on(NORMAL_95 * hypot(*of_couple) / shaft.couple, of_couple, shaft.couple) if s is None else s
         turned = based_on(NORMAL_95 * hypot(*of_angle) / shaft.couple, of_angle, shaft.couple)
-    else:
-        turned = 0.0
-    free = _free_turn(train)
+    elif scatter is not None and shaft.force:
+        of_angle = (scatter.force_error_by_angle, scatter.force_error_by_timing)
+        turned = based_on(NORMAL_95 * hypot(*of_angle) / shaft.force, of_angle, shaft.force)
+    free = _free_turn(name, train)
     if delta is None and (free is not None or turned):
         delta = based_on(turned + (free or 0.0), turned, free)
     return (s or 0.0, delta or 0.0) if s is not None or delta is not None else None
 
 
-def _free_turn(train: TrainResult | None) -> float | None:
-    """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case."""
-    if train is None:
+def _free_turn(name: str, train: TrainResult | None) -> float | None:
+    """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case; None: no wheel turns it."""
+    if train is None or name not in train.shafts:
         return None
-    name = next(iter(train.shafts))
     by_chance = train.train_play[name].phase_error_95 if train.train_play is not None else None
     return train.shafts[name].phase_error if by_chance is None else by_chance
 
@@ -438,9 +445,13 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     if design.bearings is None:
         lacks = Text("the design has no [bearings]")
         raise NoSolution(Text("there are no bearings to choose"), lacks, Text("give the table"))
-    done = results if results is not None else solve(design)
     own = design.own
     assert own is not None  # bearings stand in its rows
+    if len(own.bearings) != 2:
+        three = Text("the shaft has {n}, which share its load", n=len(own.bearings))
+        advice = Text("vary one of them: sweep its key, or set it")
+        raise NoSolution(Text("only the bearings of a shaft that has two are searched"), three, advice)
+    done = results if results is not None else solve(design)
     gear = shaft_gear(design, done.result(TrainResult), own.name)
 
     def with_bearings(bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Any:

@@ -121,8 +121,8 @@ class Sketch:
     crank's angle.
 
     `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands
-    above each. `views`: how many of them may come first, one after the other. `stacked`: so many stand one below
-    another in it, for which paper has more room."""
+    above each. `views`: how many of them may come first, one after the other. `of_all`: it shows all of
+    several shafts, so many of them one below another, for which paper has more room."""
 
     primitives: tuple[Mark, ...] = ()
     notes: tuple[Text, ...] = ()
@@ -130,7 +130,7 @@ class Sketch:
     title: Text = EMPTY
     beside: tuple["Sketch", ...] = ()
     views: int = 1
-    stacked: int = 1
+    of_all: int = 0
 
     @cached_property
     def box(self) -> Box:

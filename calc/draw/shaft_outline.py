@@ -83,6 +83,11 @@ def axis(outline: "Outline") -> tuple[Point, Point]:
     return (outline.start - beyond, 0.0), (outline.end + beyond, 0.0)
 
 
+def bore(outline: "Outline") -> tuple[tuple[Point, Point], ...]:
+    """Both edges of a bore along the whole shaft, which are hidden; none of a shaft without."""
+    return tuple(((outline.start, y), (outline.end, y)) for y in (outline.bore, -outline.bore) if outline.bore)
+
+
 def edges(piece: "Piece", up: Radian) -> list[tuple[Point, Point]]:
     """The edges of a sector that are seen inside its silhouette: those of its two flat faces with its outside and with
     its core."""
@@ -108,6 +113,7 @@ def shaft_drawing(outline: "Outline", positions: tuple[Metre, ...]) -> tuple[Pri
     is whole by itself."""
     up = upwards(outline)
     shapes: list[Primitive] = [Polyline("OUTLINE", silhouette(outline), True), Polyline("AXIS", axis(outline))]
+    shapes += [Polyline("HIDDEN", edge) for edge in bore(outline)]
     for piece in outline.pieces:
         if (layer := LAYER_OF.get(piece.what)) is not None:
             high, low = reach(piece, up)
@@ -127,6 +133,7 @@ def outline_curve(outline: "Outline", positions: tuple[Metre, ...]) -> Curve:
     shape = silhouette(outline)
     series = [_series(Text("outline"), (*shape, shape[0])), _series(Text("axis"), axis(outline))]
     series += [_series(name, (*mark, mark[0])) for name, mark in zip(names, support_marks(outline, positions))]
+    series += [_series(Text("bore"), edge) for edge in bore(outline)]
     z, up = axis_label("z", "mm"), axis_label("up: first eccentric mass", "mm")
     return Curve("outline", Text("Outline of the shaft"), z, up, tuple(series), equal=True)
 

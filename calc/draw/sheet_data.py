@@ -250,6 +250,10 @@ def notes(
             "Sectors follow from mass and centre of gravity of the eccentric masses; shoulders are put together from "
             "the design."
         )
+    if shaft.bore_diameter:
+        yield Text("Bored through, ⌀{d}.", d=millimetres(shaft.bore_diameter))
+    if shaft.sector_material is not None:
+        yield Text("Sectors of {material}.", material=shaft.sector_material)
     if solved.tolerance is not None:
         yield Text(
             "The residual unbalance is measured against the masses in the table, which are out of balance on purpose."

@@ -12,7 +12,7 @@ from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Metre, Radian
 from .annotations import LETTER, Leaf, Say, alone, cutting_plane, rounded, shelf, shelf_size
-from .drawing import CENTRE, DIMENSION, VISIBLE, Box, Point
+from .drawing import CENTRE, DIMENSION, HIDDEN_EDGE, VISIBLE, Box, Point
 from .lettering import ARROW, TAIL, outside, width
 from .shaft_outline import FLAT, edges, reach
 from .sheet_data import TurnedPiece
@@ -247,9 +247,16 @@ class SideView:
     """Draws one shaft in one scale; z runs to the right from mid-shaft, the direction `up` upwards."""
 
     def __init__(
-        self, pieces: list[TurnedPiece], positions: tuple[Metre, ...], up: Radian, scale: float, say: Say
+        self,
+        pieces: list[TurnedPiece],
+        positions: tuple[Metre, ...],
+        up: Radian,
+        scale: float,
+        say: Say,
+        bore: Metre = 0.0,
     ) -> None:
-        self.pieces, self.positions, self.up, self.say = pieces, positions, up, say
+        """`bore`: radius of a bore along the whole shaft."""
+        self.pieces, self.positions, self.up, self.say, self.bore = pieces, positions, up, say, bore
         self.by = scale * 1e3
         self.eccentric = any(piece.piece.half_angle is not None for piece in pieces)
         self.reaches = [self._reach(piece) for piece in pieces]
@@ -296,6 +303,8 @@ class SideView:
         for piece in self.pieces:
             for (_, y), _ in edges(piece.piece, self.up):
                 leaf.line(VISIBLE, (self.by * piece.start, self.by * y), (self.by * piece.end, self.by * y))
+        for y in (self.by * self.bore, -self.by * self.bore) if self.bore else ():
+            leaf.line(HIDDEN_EDGE, (self.left, y), (self.right, y))
         leaf.line(CENTRE, (self.left - OVER, 0.0), (self.right + OVER, 0.0))
         for z in self.positions:
             half = self._across(z)

@@ -50,24 +50,27 @@ def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
     return dict(zip("ABCDEFGHJKLMNPQRSTUVWXYZ", sections.values()))
 
 
-def section(letter: str, piece: "Piece", up: Radian, scale: float, say: Say) -> Leaf:
-    """A sector on its core, cut: hatched, with its radii and its angle."""
+def section(letter: str, piece: "Piece", up: Radian, scale: float, say: Say, bore: Metre = 0.0) -> Leaf:
+    """A sector on its core, cut: hatched, with its radii and its angle; `bore`: radius of a bore along the shaft."""
     assert piece.half_angle is not None
     leaf, by, half = Leaf(), scale * 1e3, piece.half_angle
     R, r, middle = by * piece.outer_radius, by * piece.core_radius, on_sheet(piece.angle, up)
     outer, core = (say(Text("R{size}", size=millimetres(size))) for size in (piece.outer_radius, piece.core_radius))
     first, last = middle - half, middle + half
+    hollow = [_arc(by * bore, 0.0, TURN)] if bore else []
     if math.pi - half < FLAT:
-        leaf.hatch(_arc(R, 0.0, TURN))
+        leaf.hatch(_arc(R, 0.0, TURN), *hollow)
         leaf.arc(VISIBLE, (0.0, 0.0), R)
         annotations.radius(leaf, (0.0, 0.0), R, math.pi / 4, outer, R + OUT)
     else:
-        leaf.hatch(_arc(R, first, last) + (_arc(r, last, first + TURN) if r else [(0.0, 0.0)]))
+        leaf.hatch(_arc(R, first, last) + (_arc(r, last, first + TURN) if r else [(0.0, 0.0)]), *hollow)
         leaf.arc(VISIBLE, (0.0, 0.0), R, first, last)
         leaf.arc(VISIBLE, (0.0, 0.0), r, last, first + TURN)
         for side in (first, last):
             leaf.line(VISIBLE, _polar(r, side), _polar(R, side))
         _sized(leaf, R, r, middle, half, (outer, core), say)
+    if bore:
+        leaf.arc(VISIBLE, (0.0, 0.0), by * bore)
     _cross(leaf, R)
     leaf.words(f"{letter}–{letter}", 0.0, R + OUT + 9.0, "centre", TITLE)
     return leaf
@@ -90,9 +93,11 @@ def _sized(leaf: Leaf, R: float, r: float, middle: Radian, half: Radian, labels:
             annotations.through(leaf, r, middle + math.pi + (math.pi - half) / 2, back, core)
 
 
-def end_view(pieces: list[TurnedPiece], gear: Metre | None, up: Radian, scale: float) -> Leaf:
-    """The shaft from its front end: of every piece what no other hides."""
+def end_view(pieces: list[TurnedPiece], gear: Metre | None, up: Radian, scale: float, bore: Metre = 0.0) -> Leaf:
+    """The shaft from its front end: of every piece what no other hides; `bore`: radius of a bore along the shaft."""
     leaf, by = Leaf(), scale * 1e3
+    if bore:
+        leaf.arc(VISIBLE, (0.0, 0.0), by * bore)
     turns = sorted({round(angle % TURN, 9) for piece in pieces for angle in _ends(piece.piece, up)} | {0.0})
     fields = list(zip(turns, [*turns[1:], TURN]))
     hidden = [0.0] * len(fields)
@@ -187,16 +192,16 @@ def _shaft_views(results: "Results", solved: "CountershaftResult", scale: float,
     assert solved.outline is not None and results.design.countershaft is not None
     up, pieces, wheel = upwards(solved.outline), sheet_data.turned(results, solved), sheet_data.shaft_wheel(results)
     gear = wheel.reference_diameter if wheel is not None else None
-    cut = kinds(pieces)
+    cut, bore = kinds(pieces), solved.outline.bore
     views = Leaf()
-    side = SideView(pieces, results.design.countershaft.bearing_positions, up, scale, say)
+    side = SideView(pieces, results.design.countershaft.bearing_positions, up, scale, say, bore)
     views.add(side.draw({letter: (piece.start + piece.end) / 2 for letter, piece in cut.items()}, gear))
-    end = end_view(pieces, gear, up, scale)
+    end = end_view(pieces, gear, up, scale, bore)
     views.add(end, side.right + APART + OVER - end.extent[0], 0.0)
     left, y, right, _ = views.extent
     x, lowest = left, y
     for letter, piece in cut.items():
-        leaf = section(letter, piece.piece, up, scale, say)
+        leaf = section(letter, piece.piece, up, scale, say, bore)
         box = leaf.extent
         under = scale * 1e3 * (piece.start + piece.end) / 2  # its cutting plane, if there is room
         at = min(max(x - box[0], under), max(right - box[2], x - box[0]))

@@ -2,19 +2,24 @@
 """What is to be said about solved friction: checks, where the source is wrong, notes and curves."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 
 from ..bearings.inputs import BearingsInputs
+from ..countershaft.inputs import ShaftInputs
+from ..countershaft.outline import Outline
+from ..countershaft.result import CountershaftResult
+from ..countershaft.rows import SHAFT
 from ..gears.inputs import GearsInputs
 from ..gears.rating.checks import LINE_LOAD, MICROPITTING_FILM
 from ..library import oils
-from ..sheet.check import Check, CheckRule
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.deferred import Later
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
-from ..sheet.units import Watt
+from ..sheet.units import Metre, Watt
 from ..sheet.value import Line
 from . import curves, notes
 from .inputs import FrictionInputs
@@ -30,6 +35,7 @@ CONSERVATION = Text("conservation of energy")
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
 HOT_TEETH = 150.0  # °C
+APART_OF_MASSES = 0.1  # of all losses
 APART = 1.3  # between the loss that is judged and a published model inside its range
 
 
@@ -91,6 +97,35 @@ TRAIN_MODELS = CheckRule(
     "Published regressions outside their range judge nothing.",
     Text("Published regressions inside their range at every mesh"),
     source=Text("ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005, Benedict and Kelley 1961"),
+)
+MASS_BRACKET = CheckRule(
+    "friction.train.mass_bracket",
+    "method",
+    "No measurement says where in this bracket the loss lies; the sum of the losses is known no better.",
+    Text("Bracket of the loss of the turning masses"),
+    "<=",
+    "W",
+    Text("rule of this program: a tenth of all losses; no measurement of half-moon masses was found"),
+    Text("Cover the sectors by a close shell, or measure."),
+    moved_by=(
+        dotted(SHAFT, ShaftInputs.covered),
+        dotted("friction", FrictionInputs.mist_density),
+        dotted("friction", FrictionInputs.mass_loss),
+    ),
+)
+OIL_LEVEL = CheckRule(
+    "countershaft.oil_level",
+    "caution",
+    "Sectors that dip throw the oil at every turn, which can cost more than all else.",
+    Text("Lowest point that the sectors sweep, up from the crank, above the oil at rest"),
+    unit="mm",
+    source=Text("geometry; rule of this program: sectors run dry"),
+    advice=Text("Less oil, a higher shaft, or a shell that keeps it out and drains."),
+    zero="the outer radius of the sectors",
+    moved_by=(
+        dotted("friction", FrictionInputs.oil_level),
+        dotted(SHAFT, ShaftInputs.axis),
+    ),
 )
 VISCOSITY_RANGE = CheckRule(
     "friction.train.viscosity_range",
@@ -210,10 +245,34 @@ def checks(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> Iterat
     yield BALANCE(round(abs(result.residual), 9), BALANCE_LIMIT)
     if result.delivered_power is not None:
         yield DELIVERED(result.delivered_power, 0.0, scale=result.crank_power)
+    if (masses := result.masses) is not None:
+        yield MASS_BRACKET(masses.mass_loss_high - masses.mass_loss_low, APART_OF_MASSES * result.total_loss)
     yield _models_check(result)
     for name, mesh in result.meshes.items():
         yield from _mesh_checks(name, friction, mesh)
     yield from _oil_checks(oil)
+
+
+def with_oil_level(
+    outcome: Outcome[CountershaftResult], shaft: ShaftInputs, friction: FrictionInputs | None
+) -> Outcome[CountershaftResult]:
+    """The same outcome with whether its sectors turn above the oil at rest."""
+    level = friction.oil_level if friction is not None else None
+    if outcome.result is None or level is None or shaft.covered == "shell":
+        return outcome
+    return replace(outcome, checks=(*outcome.checks, *oil_level_checks(shaft, outcome.result.outline, level)))
+
+
+def oil_level_checks(shaft: ShaftInputs, outline: Outline | None, level: Metre) -> Iterator[Check]:
+    """Of a shaft whose sectors are known; where its axis is not given, nobody knows."""
+    radii = [piece.outer_radius for piece in outline.pieces if piece.what == "sector"] if outline is not None else []
+    R = max(radii, default=shaft.outer_radius)
+    if R is None:
+        return
+    if shaft.axis is None:
+        yield OIL_LEVEL(None, level, scale=R, missing=Missing((dotted(SHAFT, ShaftInputs.axis),), (), "none", "none"))
+    else:
+        yield OIL_LEVEL(round(shaft.axis[0] - R, 9), level, scale=R)
 
 
 def _models_check(result: FrictionResult) -> Check:

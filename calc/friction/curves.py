@@ -20,7 +20,7 @@ from .mesh.loss import solve_mesh
 from .mesh.mixed import MIXED
 from .mesh.path import motion
 from .mesh.traction import eyring_stress, roelands_index, slope_under_pressure
-from .power_balance import TrainDrive
+from .power_balance import Hung, TrainDrive
 from .result import FrictionResult, MeshResult, by_regime
 
 # --- tables
@@ -36,13 +36,19 @@ def tables(result: FrictionResult, d: TrainDrive) -> tuple[Table, ...]:
         if mesh.source is not None
     )
     printed = oils.printed_table(d.lubricant)
-    return (_where(result), *models, oils.values_table(d.lubricant.oil), *(() if printed is None else (printed,)))
+    return (
+        _where(result, d.hung),
+        *models,
+        oils.values_table(d.lubricant.oil),
+        *(() if printed is None else (printed,)),
+    )
 
 
-def _where(r: FrictionResult) -> Table:
-    """The balance, from the first driver to the end of the train."""
+def _where(r: FrictionResult, hung: tuple[Hung, ...]) -> Table:
+    """The balance, from the first driver to the end of the train, and what hangs on the shafts."""
     rows: list[tuple[str | float | None, ...]] = [(name, P, P / r.total_loss * 100) for name, P in _parts(r)]
     rows.append((Text("all losses"), r.total_loss, 100.0))
+    rows += [(Text("carried and not lost: {name}", name=Name(load.name)), load.power, None) for load in hung]
     left_out, note = sum(mesh.judged.rolling_estimate or 0.0 for mesh in r.meshes.values()), EMPTY
     if left_out:
         rolling = Amount(left_out)
@@ -67,6 +73,9 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
             (Text("journal {place} of {shaft}", place=called(place), shaft=whose), j.friction_power)
             for place, j in journals.items()
         ]
+    if (masses := r.masses) is not None:
+        between = dict(low=Amount(masses.mass_loss_low), high=Amount(masses.mass_loss_high))
+        losses.append((Text("turning masses, of {low} to {high} W", **between), masses.mass_loss))
     losses += [
         (Text("windage"), r.windage_loss),
         (Text("churning"), r.churning_loss),

@@ -387,6 +387,24 @@ class FrictionInputs:
         help="Governs the windage; air alone has 1.2.",
         repair="asked",
     )
+    mass_loss: str = choice(
+        "Loss of the turning masses",
+        "none",
+        "bracket",
+        default="none",
+        help="Of sectors in the mist, which nobody has measured. bracket: between the least and the most the mean in "
+        "proportion counts, in a shell the least. none: not counted.",
+    )
+    oil_level: float | None = quantity(
+        "Oil at rest",
+        "mm",
+        default=None,
+        within=(-5000, 5000),
+        symbol="h_oil",
+        help="Up from the crank's axis, as the shafts' axes are; sectors must turn above it.",
+        repair="asked",
+        change=("less oil", "more oil"),
+    )
     specific_fuel_consumption: float | None = quantity(
         "Specific fuel consumption",
         "g/kWh",

@@ -27,7 +27,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import along
 from ..sheet.linked_array import gathered
 from ..sheet.text import Amount, Text
-from ..sheet.units import Newton, Watt
+from ..sheet.units import Newton, RevPerSecond, Watt
 from ..sheet.value import about, untraced
 from .result import JournalResult
 
@@ -41,9 +41,17 @@ class OnShaft(NamedTuple):
     gear: Gear | None
 
     @property
+    def speed(self) -> RevPerSecond:
+        """Of the shaft, in the bearings step."""
+        return next(iter(self.bearings.bearings.values())).duty.speed
+
+    @property
     def turns(self) -> bool:
-        """Whether a standing load passes under the turning one: a shaft on two bearings."""
-        return self.shaft is not None and self.inputs is not None and len(self.inputs.bearing_positions) == 2
+        """Whether a standing load passes under the turning one, as far as that is known: a shaft on two bearings, or
+        one that bends."""
+        if self.shaft is None or self.inputs is None:
+            return False
+        return len(self.inputs.bearing_positions) == 2 or self.bearings.stands is not None
 
 
 @formula("P_B", "mathematics: sum of the journals' friction, as judged", names={"P": "P_f"})
@@ -73,7 +81,8 @@ class Journals:
             return None
         drive = None if P is None else GearDrive(P, self.speed)
         with about(Text("standing part of the load, in the balance")):
-            return standing_of(self.on.shaft, self.on.inputs, self.on.gear, drive)
+            b = self.on.bearings
+            return standing_of(self.on.shaft, self.on.inputs, self.on.gear, drive, b.stands, b)
 
     def sum(self, journals: dict[str, JournalResult]) -> Watt:
         losses = [journal.friction_power for journal in journals.values()]

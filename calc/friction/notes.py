@@ -29,6 +29,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil, last: str)
         *_of_mesh_models(friction, result),
         *_of_rubbing(friction, result),
         _of_limiting_shear(oil),
+        *_of_turning_masses(friction, result),
         *_not_counted(friction),
         *_of_rolling_bearings(friction),
         *_outside_models(friction, result),
@@ -152,6 +153,28 @@ def _of_limiting_shear(oil: Oil) -> Text:
 
 
 # --- losses beside the meshes
+def _of_turning_masses(friction: FrictionInputs, result: FrictionResult) -> Iterator[Text]:
+    """How well the loss of the sectors in the mist is known."""
+    if result.masses is not None:
+        yield Text(
+            "No measurement of what half-moon masses lose in mist was found: between {low} W, as closed cylinders, and "
+            "{high} W, as plates in air at rest besides, {counted} W are counted.",
+            low=Amount(result.masses.mass_loss_low),
+            high=Amount(result.masses.mass_loss_high),
+            counted=Amount(result.masses.mass_loss),
+        )
+    elif friction.mass_loss == "none":
+        if result.journals:
+            yield Text('What the turning masses lose in the mist is not counted ([friction] mass_loss = "bracket").')
+    else:
+        yield Text(
+            "What the turning masses lose is not counted: {why}.",
+            why=Text("the outline of the shaft is not known, or has no sector")
+            if result.journals
+            else Text("no bearings close the balance, the power is given"),
+        )
+
+
 def _not_counted(friction: FrictionInputs) -> Iterator[Text]:
     """Losses of which the design says nothing."""
     if not friction.seals:

@@ -3,9 +3,9 @@
 
 In order: what a wheel needs, the fixed point of the powers, the train at its speed, its balance traced.
 
-Every shaft needs the power of its bearings and of what hangs on it; each mesh, chain and belt towards the crank adds
-what it loses at the power that it takes in, the sum of all that lies behind it.  A design without counter-shaft gives
-the power that the first driver puts into its mesh, and the balance runs the other way.
+Every shaft needs the power of its bearings, of its turning masses and of what hangs on it; each mesh, chain and belt
+towards the crank adds what it loses at the power that it takes in, the sum of all that lies behind it.  A design
+without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs the other way.
 
 `TrainDrive` is the train at its speed with its oil, one operating point or many at once; `loads_of` finds the powers,
 `balance` traces them."""
@@ -17,18 +17,21 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+from ..bearings.formulas import angular_speed
 from ..library.contact import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
 from ..library.lubricant import Lubricant
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
+from ..sheet.functions import power as to_power
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
-from ..sheet.units import Celsius, Newton, Number, RevPerSecond, Watt
+from ..sheet.units import Celsius, KilogramPerMetre3, Newton, Number, RevPerSecond, Watt
 from ..sheet.value import about, based_on, converged, unlinked, untraced
 from . import models
 from .inputs import FrictionInputs
-from .journals import Journals
+from .journals import Journals, OnShaft
 from .losses import sums
+from .losses.turning_masses import MassLoss, Sectors, dip_loss_most, mass_loss, sectors_of
 from .losses.wheels import WheelResult, carrying, has_bearings, unloaded
 from .mesh.film import Oil, oil_at
 from .mesh.geometry import Link, MeshGeometry, StageGeometry, column, require
@@ -97,6 +100,20 @@ def and_need(P: Watt, P_i: Watt) -> Watt:
 @formula("P_Σ", "energy: the last wheel also carries the bearings of the counter-shaft", names={"P": "P_Σ,0"})
 def with_bearings(P: Watt, P_B: Watt) -> Watt:
     return P + P_B
+
+
+@formula("P_Σ", "energy: the wheel also carries the turning masses of its shaft", names={"P": "P_Σ,0"})
+def with_masses(P: Watt, P_M: Watt) -> Watt:
+    return P + P_M
+
+
+@formula(
+    "P_C",
+    "given in the design: P at the speed of the design, and with a power of the speed",
+    names={"n": "n_S", "m": "m_C"},
+)
+def power_of_load(P: Watt, n: RevPerSecond, n_0: RevPerSecond, m: Number) -> Watt:
+    return P * to_power(n / n_0, m)
 
 
 @formula("P_Σ", "energy: the wheel also drives what is carried on, which is not lost", names={"P": "P_Σ,0"})
@@ -225,19 +242,48 @@ Links = Mapping[str, Link]  # along the flow of power
 Forces = Callable[[Mapping[str, Watt], Mapping[str, RevPerSecond]], Mapping[str, Newton]]
 
 
+class Hung(NamedTuple):
+    """What hangs on a shaft, a pump: the wheel that drives it, and the power that it takes, which is carried and not
+    lost."""
+
+    name: str
+    wheel: str
+    power: Watt
+
+
 @record
 class End:
-    """A shaft at the end of a way through the train: the wheel on it, its journals, and the power that what hangs on it
-    takes, a pump, which is carried and not lost; it grows with a power of the speed."""
+    """A shaft at the end of a way through the train, at one operating point or at many: the wheel on it, its journals,
+    what hangs on it, and its sectors where their loss is asked; `rho_oil`: of the oil into which they may dip."""
 
     wheel: str
     journals: Journals
-    carried: Any = 0.0  # one number or, of many operating points, an array
-    speed_exponent: Number = 3.0
+    hung: tuple[Hung, ...] = ()
+    sectors: Sectors | None = None
+    rho_oil: KilogramPerMetre3 | None = None
 
 
 Ends = Mapping[str, End]  # by the names of the shafts
 NO_ENDS: Ends = {}
+
+
+def end_of(friction: FrictionInputs, wheel: str, on: OnShaft, journals: Journals) -> End:
+    """A shaft at the operating points of its journals."""
+    if on.inputs is None:
+        return End(wheel, journals)
+    n, hung, sectors, rho_oil = journals.speed, [], None, None
+    for load in on.inputs.loads:
+        with about(Text("load {name}", name=load.name)):
+            P = power_of_load(P=load.power, n=n, n_0=on.speed, m=load.speed_exponent)
+        hung.append(Hung(load.name, load.wheel or wheel, P))
+    if friction.mass_loss != "none" or friction.oil_level is not None:
+        with about(Text("turning masses of shaft {name}", name=on.inputs.name)):
+            outline = on.shaft.outline if on.shaft is not None else None
+            sectors = sectors_of(on.inputs, outline, angular_speed(n=n))
+    if friction.oil_level is not None:
+        first = next(iter(on.bearings.bearings.values()))
+        rho_oil = first.seat.lubricant.at(first.duty.supply_temperature).rho
+    return End(wheel, journals, tuple(hung), sectors, rho_oil)
 
 
 def shaft_loss(shaft: Journals, P: Watt | None) -> Watt:
@@ -258,6 +304,7 @@ class TrainDrive:
     T_oil: Celsius
     oil: Oil
     ends: Ends
+    masses: Mapping[str, MassLoss]  # what the sectors of each shaft lose, where that is counted
     forces: Forces
     lubrication: str
     rolling: bool = True  # whether the balance counts what the rigid film rolls
@@ -281,6 +328,11 @@ class TrainDrive:
             return {}
         forces = self.forces(loads, {name: wheel.speed for name, wheel in self.wheels.items()})
         return carrying(self.friction, self.wheels, self.last, self.lubricant, self.T_oil, forces)
+
+    @property
+    def hung(self) -> tuple[Hung, ...]:
+        """What hangs on all shafts."""
+        return tuple(hung for end in self.ends.values() for hung in end.hung)
 
     def loss(self, name: str, P: Watt) -> Watt:
         link = self.links[name]
@@ -338,6 +390,13 @@ def drive(
     for name, mesh in meshes_of(links).items():
         with about(Text("mesh {title}", title=mesh.title)):
             cases[name] = case(friction, mesh, oil, wheels[mesh.driver.name].speed, warming, **fineness)
+    masses = {}
+    for name, end in ends.items():
+        if friction.mass_loss == "none" or (s := end.sectors) is None:
+            continue
+        with about(Text("turning masses of shaft {name}", name=name)):
+            sizes, omega, rho = (s.lengths, s.outer_radii, s.core_radii), column(s.omega), column(friction.mist_density)
+            masses[name] = mass_loss(*sizes, omega, rho, shell_gap=s.shell_gap)
     return TrainDrive(
         friction=friction,
         links=links,
@@ -347,6 +406,7 @@ def drive(
         T_oil=T_oil,
         oil=oil,
         ends=ends,
+        masses=masses,
         forces=forces or partial(most_force, meshes_of(links)),
         lubrication=lubrication,
         compared=compared,
@@ -392,7 +452,10 @@ def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt],
             needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
         for name, end in shafts:
             what = Text("losses of the counter-shaft's bearings")
-            needed[end.wheel] += require(what, shaft_loss(end.journals, teeth[name]), zero=True) + end.carried
+            needed[end.wheel] += require(what, shaft_loss(end.journals, teeth[name]), zero=True)
+            needed[end.wheel] += d.masses[name].mass_loss if name in d.masses else 0.0
+        for hung in d.hung:
+            needed[hung.wheel] += hung.power
         return dict(needed)
 
     shafts = d.ends.items()
@@ -406,15 +469,17 @@ def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt],
 
 @record
 class Losses:
-    """What a train loses, of one operating point or of many: its meshes, its wheels, the counter-shaft's journals."""
+    """What a train loses, of one operating point or of many: its meshes, its wheels, the counter-shaft's journals, its
+    turning masses."""
 
     mesh: Watt
     wheels: Watt
     journals: Watt
+    masses: Watt
 
     @property
     def total(self) -> Watt:
-        return self.mesh + self.wheels + self.journals
+        return self.mesh + self.wheels + self.journals + self.masses
 
 
 def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
@@ -428,6 +493,7 @@ def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
             journals=sum(
                 shaft_loss(end.journals, d.at_teeth(end.wheel, needed[end.wheel], loads)) for end in d.ends.values()
             ),
+            masses=sum(masses.mass_loss for masses in d.masses.values()),
         )
 
 
@@ -447,7 +513,11 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
     for name, wheel in wheels.items():
         with about(Text("wheel {name}", name=name)):
             needed[name] = reduce(lambda P, P_i: and_need(P=P, P_i=P_i), wheel.parts())
-    shafts = {name: _shaft(d, end, needed, teeth[name], loads) for name, end in d.ends.items()}
+    for hung in d.hung:
+        with about(Text("wheel {name}", name=hung.wheel)):
+            needed[hung.wheel] = with_carried(P=needed[hung.wheel], P_C=hung.power)
+    dips = {name: _dip(d.friction, name, end) for name, end in d.ends.items()}
+    shafts = {name: _shaft(d, name, needed, teeth[name], loads) for name in d.ends}
     P_2: Watt | None = None
     if shafts:
         meshes, stages, P_1 = _up(d, needed, loads)
@@ -467,13 +537,18 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         P = sums.total_loss(P_B=P_B0, P_VZ=P_VZ0, P_W=P_W0, P_C=P_C0, P_J=P_J0, P_D=P_D0, P_L=P_L0, P_X=P_X)
         P_K = _total(sums.stages, [stage.loss for stage in stages.values()]) if stages else None
         P = P if P_K is None else sums.with_stages(P=P, P_K=P_K)
-        taken = [end.carried for end in d.ends.values() if end.carried]
-        carried = _total(sums.carried, taken) if taken else None
+        masses = _all_masses(list(d.masses.values())) if d.masses else None
+        P = P if masses is None else sums.with_masses(P=P, P_M=masses.mass_loss)
+        carried = _total(sums.carried, [hung.power for hung in d.hung]) if d.hung else None
+        P_D_most = _total(sums.dips, list(dips.values())) if dips else None
         T_1 = torque(P=P_1, n=wheels[d.first].speed)
         b_e = d.friction.specific_fuel_consumption
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)
         m_CO2 = None if m_B is None else carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
-    each = {name: ShaftLoss(bearing_loss=shaft.bearing_loss) for name, shaft in shafts.items()}
+    each = {
+        name: ShaftLoss(bearing_loss=shaft.bearing_loss, masses=d.masses.get(name), dip_loss_most=dips[name])
+        for name, shaft in shafts.items()
+    }
     return FrictionResult(
         meshes=meshes,
         stages=stages,
@@ -482,6 +557,8 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         journals={name: shaft.journals for name, shaft in shafts.items()},
         oil_viscosity=d.oil.eta_0,
         bearing_loss=P_B,
+        masses=masses,
+        dip_loss_most=P_D_most,
         mesh_loss=P_VZ,
         stage_loss=P_K,
         windage_loss=P_W,
@@ -517,6 +594,25 @@ def _total(adding: Callable[..., Watt], parts: list[Part]) -> Part:
     return reduce(lambda P, P_i: adding(P=P, P_i=P_i), there) if there else parts[0]
 
 
+def _all_masses(each: list[MassLoss]) -> MassLoss:
+    """Of all shafts together."""
+    return MassLoss(
+        mass_loss_low=_total(sums.least_of_masses, [masses.mass_loss_low for masses in each]),
+        mass_loss_high=_total(sums.most_of_masses, [masses.mass_loss_high for masses in each]),
+        mass_loss=_total(sums.masses, [masses.mass_loss for masses in each]),
+    )
+
+
+def _dip(friction: FrictionInputs, name: str, end: End) -> Watt | None:
+    """The most that the sectors of a shaft lose to oil at rest; None where they stand in a shell, or where something of
+    it is not known."""
+    s, level = end.sectors, friction.oil_level
+    if s is None or level is None or end.rho_oil is None or s.up is None or s.shell_gap is not None:
+        return None
+    with about(Text("turning masses of shaft {name}, in oil", name=name)):
+        return dip_loss_most(s.lengths, s.outer_radii, s.omega, end.rho_oil, level, s.up)
+
+
 class TurningShaft(NamedTuple):
     """One shaft in the balance: its journals, what they lose, and what its teeth carry."""
 
@@ -526,18 +622,20 @@ class TurningShaft(NamedTuple):
 
 
 def _shaft(
-    d: TrainDrive, end: End, needed: dict[str, Watt], at_gear: Watt | None, loads: Mapping[str, Watt]
+    d: TrainDrive, name: str, needed: dict[str, Watt], at_gear: Watt | None, loads: Mapping[str, Watt]
 ) -> TurningShaft:
     """The journals of a shaft at the power that closes with them; `needed` is then what its wheel needs with them."""
+    end, masses = d.ends[name], d.masses.get(name)
     wheel_need = needed[end.wheel]
+    if masses is not None:
+        with about(Text("wheel {last}", last=end.wheel)):
+            wheel_need = with_masses(P=wheel_need, P_M=masses.mass_loss)
 
     def last(P: Watt | None) -> TurningShaft:
         journals = end.journals.journals(P)
         P_B = end.journals.sum(journals)
         with about(Text("wheel {last}", last=end.wheel)):
             needed[end.wheel] = with_bearings(P=wheel_need, P_B=P_B)
-            if end.carried:
-                needed[end.wheel] = with_carried(P=needed[end.wheel], P_C=end.carried)
             return TurningShaft(journals, P_B, d.at_teeth(end.wheel, needed[end.wheel], loads))
 
     return last(None) if at_gear is None else converged(closing_power, at_gear, last, lambda state: state.at_teeth)

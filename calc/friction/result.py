@@ -10,6 +10,7 @@ from ..sheet.quantity import group, result, value
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from ..sheet.value import based_on
+from .losses.turning_masses import MassLoss
 from .losses.wheels import WheelResult
 from .mesh.loss import MeshCase, MeshLoss
 from .models import MODELS, Regression
@@ -70,11 +71,16 @@ class StageLoss:
     loss: Watt = value("Loss of the chain or belt", "W", "P_K")
 
 
+DIPPED = "Loss of the turning masses in oil at rest, at most; not counted"
+
+
 @result
 class ShaftLoss:
     """One of several shafts."""
 
     bearing_loss: Watt = value("Bearings of the shaft", "W", "P_B")
+    masses: MassLoss | None = group(spread=True)
+    dip_loss_most: Watt | None = value(DIPPED, "W", "P_D,max")
 
 
 @result
@@ -102,6 +108,7 @@ class ScenarioResult:
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
     mesh_loss: Watt | None = value("All meshes", "W", "ΣP_VZ")
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
+    mass_loss: Watt | None = value("Loss of the turning masses, counted", "W", "P_M")
     total_loss: Watt = value("Sum of the losses", "W", "P")
     share: Number | None = value("Losses over the power at the first driver", "%")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
@@ -126,6 +133,8 @@ class FrictionResult:
     scenarios: dict[str, ScenarioResult] | None = group(short=False, default=None, words="scenarios")
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0", short=True)
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B", short=True)
+    masses: MassLoss | None = group(spread=True)  # of all shafts; None: not counted, or no sector is known
+    dip_loss_most: Watt | None = value(DIPPED, "W", "P_D,max", short=True)
     mesh_loss: Watt | None = value("All meshes", "W", "ΣP_VZ", short=True)
     stage_loss: Watt | None = value("All chains and belts", "W", "ΣP_K")
     windage_loss: Watt | None = value("Windage of all wheels", "W", "ΣP_W", short=True)
@@ -139,10 +148,15 @@ class FrictionResult:
     crank_power: Watt = value("Power at the first driver", "W", "P_1")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1", short=True, page_one=2, headline=2)
     delivered_power: Watt | None = value("Power that the last wheel delivers", "W")
-    carried_power: Watt | None = value("Power that hangs on the shafts, carried and not lost", "W", "P_C")
+    carried_power: Watt | None = value("Power that hangs on the shafts, carried and not lost", "W", "P_C", short=True)
     fuel: KilogramPerSecond | None = value("Fuel that the losses cost", "g/h", "m_B", short=True)
     co2: KilogramPerSecond | None = value("CO₂ that the losses cost", "g/h", "m_CO2")
     residual: Watt  # of the balance
+
+    @property
+    def mass_loss(self) -> Watt | None:
+        """What the turning masses lose, as counted."""
+        return None if self.masses is None else self.masses.mass_loss
 
     def at_teeth(self, wheel: str) -> Watt | None:
         """What the teeth of a wheel carry, as if all pushed one way: what it takes in by a mesh, and what its meshes

@@ -24,7 +24,7 @@ from .journals import OnShaft, journals_of
 from .mesh.film import oil_at
 from .mesh.geometry import Link, MeshGeometry, Sprocket, StageGeometry, WheelGeometry
 from .mesh.loss import MeshLoss, case, losses, solve_mesh
-from .power_balance import End, Forces, TrainDrive, balance, drive
+from .power_balance import Forces, TrainDrive, balance, drive, end_of
 from .result import FrictionResult, engine_share, torque
 from .studies import maps, scenarios, sensitivity
 
@@ -112,7 +112,7 @@ def solve(
     with QUIET(), trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(oil.oil, oil.viscosity_law)
-        ends = {name: End(gears.carrier(name), journals_of(shaft)) for name, shaft in on.items()}
+        ends = {name: end_of(friction, gears.carrier(name), shaft, journals_of(shaft)) for name, shaft in on.items()}
         forces, T, lubrication = forces_of(gears, train), oil.temperature, gears.lubrication
         d = drive(friction, links, lubricant, T, first_speed, ends, forces, lubrication, compared=compared)
     power = None if on else gears.power

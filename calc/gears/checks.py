@@ -5,10 +5,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
-from ..sheet.check import Check, CheckRule
+from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted
 from ..sheet.remedy import Change, Remedy, by_key, change, remedy, up, up_um
-from ..sheet.text import COMMA, Amount, Text
+from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Number
 from . import limits as p
 from .formulas import ISO
@@ -250,6 +250,15 @@ def speed_ratio_check(train: TrainResult, shaft: str, wanted: Number, crank: flo
     rule, at = (SHAFT_RATIO, (shaft,)) if len(train.shafts) > 1 else (SPEED_RATIO, ())
     keys = tuple(_teeth_of(way))
     return rule(off, SAME_RATIO, at=at, name=name, source=source, advice=advice, moved_by=keys)
+
+
+def no_wheel_check(shaft: str) -> Check:
+    """Of a shaft that no wheel of the train carries."""
+    lack = Missing((dotted("gears", GearsInputs.wheels),), (), "none", "none")
+    name = Text("Speed ratio of {shaft}: no wheel of the train carries it", shaft=Name(shaft))
+    advice = Text('Give its wheel: shaft = "{shaft}" under the name of a wheel.', shaft=Name(shaft))
+    source = Text("definition: without a wheel nothing turns the shaft")
+    return SHAFT_RATIO(None, SAME_RATIO, at=(shaft,), name=name, source=source, advice=advice, missing=lack)
 
 
 def _teeth_of(way: Sequence[TrainLink]) -> Iterator[str]:

@@ -23,7 +23,7 @@ from .backlash.case import free_turn, lags
 from .backlash.formulas import residual_couple, residual_force
 from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
-from .checks import speed_ratio_check
+from .checks import no_wheel_check, speed_ratio_check
 from .formulas import speed_ratio as speed_ratio_of
 from .inputs import ONLY, GearsInputs, Mesh
 from .layout.forces import forces
@@ -282,7 +282,10 @@ def with_speed_ratios(
     if outcome.result is None:
         return outcome
     crank, train = engine.rated_speed if engine is not None else None, outcome.result
-    made = (speed_ratio_check(train, name, ratio, crank) for name, ratio in wanted.items())
+    made = (
+        speed_ratio_check(train, name, ratio, crank) if name in train.shafts else no_wheel_check(name)
+        for name, ratio in wanted.items()
+    )
     return replace(outcome, checks=(*outcome.checks, *made))
 
 

@@ -26,6 +26,7 @@ OWN = Text(
 PINS = math.radians(2)  # a pin of the crank's bodies may stand so far from its throw
 
 FRACTION = dotted("imbalance", ImbalanceInputs.crank_balance_fraction)
+AS_DESIGNED = Text(" (as designed)")
 TAKEN_BY_A_SHAFT = "What a shaft could take is a possible improvement as long as no shaft is asked for."
 TAKEN_BY_THE_CRANK = "The crank's own counterweights could take it and do not; a backward shaft can not."
 COMFORT = "Second order is a matter of comfort and takes other shafts than this one."
@@ -164,9 +165,15 @@ THROWS = CheckRule(
 
 
 def checks(
-    result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool, offsets_differ: bool = False
+    result: ImbalanceResult,
+    lam: Number,
+    kappa: Number,
+    rho: Number,
+    taken: frozenset[int],
+    offsets_differ: bool = False,
 ) -> Iterator[Check]:
-    """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch.
+    """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch; but for what
+    the shafts of the design take, at these times crank speed, of which their own step judges what is left.
 
     `kappa`, `rho`: shares of the reciprocating and of the rotating masses that the crank's counterweights carry.
     """
@@ -201,7 +208,7 @@ def checks(
     )
 
     force, couple = FIRST * result.one_force, FIRST * result.one_couple
-    if not shaft:
+    if -1 not in taken:
         counter = Text(
             "One shaft at −ω takes it: {required_couple} N·m at {phase}",
             required_couple=Amount(result.required_couple),
@@ -209,10 +216,12 @@ def checks(
         ) + Text("; add [[shafts]].")
         yield BACKWARD_COUPLE(first.couple_backward, couple, advice=counter)
         yield BACKWARD_FORCE(first.force_backward, force)
-    yield FORWARD_COUPLE(first.couple_forward, couple, advice=forward)
-    yield FORWARD_FORCE(first.force_forward, force, advice=forward)
-    yield SECOND_COUPLE(second.couple_peak, SECOND * lam * result.one_couple, advice=two)
-    yield SECOND_FORCE(second.force_peak, SECOND * lam * result.one_force, advice=two)
+    if 1 not in taken:
+        yield FORWARD_COUPLE(first.couple_forward, couple, advice=forward)
+        yield FORWARD_FORCE(first.force_forward, force, advice=forward)
+    if not {-2, 2} <= taken:
+        yield SECOND_COUPLE(second.couple_peak, SECOND * lam * result.one_couple, advice=two)
+        yield SECOND_FORCE(second.force_peak, SECOND * lam * result.one_force, advice=two)
     if result.shaft_pair is not None:
         yield roll_check(result.shaft_pair)
     if result.webs is not None:
@@ -242,7 +251,12 @@ def _crank_checks(webs: WebsResult, force: Newton, couple: NewtonMetre) -> Itera
 
 
 def proposals(
-    result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool, offsets_differ: bool = False
+    result: ImbalanceResult,
+    lam: Number,
+    kappa: Number,
+    rho: Number,
+    taken: frozenset[int],
+    offsets_differ: bool = False,
 ) -> tuple[Text, ...]:
     """The remedies that the residuals of this engine call for, and why: from the engine without any share on the
     crank."""
@@ -253,7 +267,15 @@ def proposals(
     proposed = []
     turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
     F_left, C_left = left_of_half(result)
-    if turns_forward and offsets_differ and (F_left > F_f + first[0] or C_left > C_f + first[1]):
+    if turns_forward and 1 in taken:
+        proposed.append(
+            Text(
+                "One shaft at +1 times crank speed{done}: it takes what of first order turns forward, {turns_forward}.",
+                done=AS_DESIGNED,
+                turns_forward=turns_forward,
+            )
+        )
+    elif turns_forward and offsets_differ and (F_left > F_f + first[0] or C_left > C_f + first[1]):
         proposed.append(
             Text(
                 "Counterweights on the crank that do not stand opposite the pins, because offsets that differ turn "
@@ -278,7 +300,7 @@ def proposals(
             + (EMPTY if turns_backward else Text(" Nothing of first order turns backward: no shaft is needed for it."))
         )
     if turns_backward:
-        done = Text(" (as designed)") if shaft else EMPTY
+        done = AS_DESIGNED if -1 in taken else EMPTY
         text = plural(
             "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turns backward, and "
             "nothing on the crank can take it.",
@@ -306,16 +328,7 @@ def proposals(
             n=_count(both),
             both=both,
         )
-        speed = _one_speed(shafts.shafts)
-        proposed.append(
-            Text("Two shafts at ±2 times crank speed, where the comfort is worth it, because {left}", left=left)
-            if speed is None
-            else Text(
-                "One shaft at {speed} times crank speed, where the comfort is worth it, because {left}",
-                speed=speed,
-                left=left,
-            )
-        )
+        proposed.append(_of_second_order(shafts.shafts, taken, left))
     webs = result.webs
     if webs is not None and webs.missing_forward_couple is not None and webs.unbalances_couple is None:
         assert webs.missing_forward_force is not None
@@ -335,6 +348,19 @@ def proposals(
             )
     return tuple(proposed) or (
         Text("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts."),
+    )
+
+
+def _of_second_order(shafts: dict[str, BalanceShaft], taken: frozenset[int], left: Text) -> Text:
+    """The shafts against it, and whether the design has them; `left`: what there is without."""
+    speed = _one_speed(shafts)
+    how = Text("Two shafts at ±2") if speed is None else Text("One shaft at {speed}", speed=speed)
+    if {round(shaft.speed_ratio) for shaft in shafts.values()} <= taken:
+        return Text("{how} times crank speed{done}: without, {left}", how=how, done=AS_DESIGNED, left=left)
+    if speed is None:
+        return Text("Two shafts at ±2 times crank speed, where the comfort is worth it, because {left}", left=left)
+    return Text(
+        "One shaft at {speed} times crank speed, where the comfort is worth it, because {left}", speed=speed, left=left
     )
 
 

@@ -16,8 +16,10 @@ from .result import ImbalanceResult
 
 DRAWN = 5e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 WITHOUT = Text("without the counter-shaft")
+WITHOUT_SHAFTS = Text("without the shafts")
 Both = Sequence[tuple[Text, Mapping[int, Vectors]]]  # without and with the shaft, by order
-Shaft = tuple[complex, complex]  # its force and couple, cylinder 1 at TDC; they turn backward
+Left = Mapping[int, Vectors]  # what the design's shafts leave of each order at which one turns
+ONE = Text("counter-shaft"), Text("counter-shaft")
 KINDS = (("couple", "C", "N·m", 2), ("force", "F", "N", 0))
 LOCUS = {"couple": Text("Locus of the couple"), "force": Text("Locus of the force")}
 BARS = {"couple": Text("Couple of each order"), "force": Text("Force of each order")}
@@ -28,13 +30,16 @@ MISTIMING = {
 }
 
 
-def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve, ...]:
+def pictures(result: ImbalanceResult, left: Left | None = None, *, several: bool = False) -> tuple[Curve, ...]:
     """All figures.  Without a shaft of the design an ideal one stands for it: it takes all of first order that turns
-    backward."""
+    backward.  `several`: the design has more than one."""
     vectors = {int(name.rpartition("_")[2]): order.vectors for name, order in result.orders.items()}
-    with_ = Text("with the counter-shaft") if shaft is not None else Text("with an ideal counter-shaft")
-    supplied = shaft if shaft is not None else (-vectors[1][1], -vectors[1][3])
-    after = {**vectors, 1: (vectors[1][0], vectors[1][1] + supplied[0], vectors[1][2], vectors[1][3] + supplied[1])}
+    with_, without = Text("with the counter-shaft"), WITHOUT
+    if left is None:
+        with_, left = Text("with an ideal counter-shaft"), {1: (vectors[1][0], 0j, vectors[1][2], 0j)}
+    if several:
+        with_, without = Text("with the shafts"), WITHOUT_SHAFTS
+    after = {**vectors, **left}
     curves: list[Curve] = []
     for kind, symbol, unit, at in KINDS:
         scale = result.one_couple if kind == "couple" else result.one_force
@@ -44,13 +49,13 @@ def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve
         ):
             continue
         both = (
-            ((WITHOUT, vectors), (with_, after))
-            if any(abs(v) > DUST * scale for v in vectors[1][at : at + 2])
+            ((without, vectors), (with_, after))
+            if any(abs(v) > DUST * scale for n in left for v in vectors[n][at : at + 2])
             else ((EMPTY, vectors),)
         )
         variants = tuple(name for name, _ in both) if len(both) > 1 else ()
         curves += [
-            _locus(kind, symbol, unit, at, both, variants, supplied[at // 2], scale),
+            _locus(kind, symbol, unit, at, both, variants, sorted(left), scale),
             _bars(kind, symbol, unit, at, both, variants),
             _turn(kind, symbol, unit, at, both, variants),
         ]
@@ -62,12 +67,21 @@ def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve
 
 
 def _locus(
-    kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...], supplied: complex, scale: float
+    kind: str,
+    symbol: str,
+    unit: str,
+    at: int,
+    both: Both,
+    variants: tuple[Text, ...],
+    taken: Sequence[int],
+    scale: float,
 ) -> Curve:
-    """The path of the lowest order that there is and of all orders together, and the vectors that draw the first of
-    these."""
+    """The path of the lowest order that there is, of those that shafts take before others, and of all orders together;
+    and the vectors that draw the first of these."""
     before = both[0][1]
-    shown = next((n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * scale), 1)
+    shown = next(
+        (n for n in (*taken, *sorted(before)) if max(abs(v) for v in before[n][at : at + 2]) > DUST * scale), 1
+    )
     index = str(shown).translate(SUBSCRIPTS)
     degrees = np.arange(0, 361, 3.0)
     theta = np.radians(degrees)
@@ -81,8 +95,10 @@ def _locus(
             (Text("{symbol}{index}⁺ forward", symbol=symbol, index=index), forward, shown),
             (Text("{symbol}{index}⁻ backward", symbol=symbol, index=index), backward, -shown),
         ]
-        if variant and variant != WITHOUT:
-            parts.append((Text("counter-shaft"), supplied, -1))
+        if vectors is not before:
+            with_crank, against = vectors[shown][at] - forward, vectors[shown][at + 1] - backward
+            names = (Text("shaft with the crank"), Text("shaft against it")) if abs(with_crank) > DUST * scale else ONE
+            parts += [(names[0], with_crank, shown), (names[1], against, -shown)]
         if parts := [part for part in parts if abs(part[1]) > DUST * scale]:
             names, phasors, turns = zip(*parts)
             chains.append(Turning(names, phasors, turns, variant))
@@ -158,16 +174,16 @@ def _mistiming(kind: str, axis: Text, whole: float) -> Curve:
     )
 
 
-def remedy_table(result: ImbalanceResult, kappa: float, rho: float = 1.0, shaft: Shaft | None = None) -> Table:
+def remedy_table(
+    result: ImbalanceResult, kappa: float, rho: float = 1.0, left: Left | None = None, *, several: bool = False
+) -> Table:
     """What is left of orders 1 and 2 before and after each remedy; `rho`: the share of the rotating masses that is
-    balanced."""
+    balanced; `left`: what the shafts of the design leave, `several` of them or one."""
     first, second = result.orders["order_1"], result.orders["order_2"]
-    F_2, C_2 = second.force_peak, second.couple_peak
 
-    def row(words: Text, vectors: Vectors, shaft: Shaft = (0j, 0j)) -> tuple[str | float | None, ...]:
-        F = abs(vectors[0]) + abs(vectors[1] + shaft[0])
-        C = abs(vectors[2]) + abs(vectors[3] + shaft[1])
-        return words, "", F, C, F_2, C_2, None
+    def row(words: Text, *orders: Vectors) -> tuple[str | float | None, ...]:
+        peaks = [abs(v[at]) + abs(v[at + 1]) for v in orders for at in (0, 2)]
+        return words, "", *peaks, None
 
     half = abs(kappa - 0.5) < 1e-12
     rows = [
@@ -176,18 +192,21 @@ def remedy_table(result: ImbalanceResult, kappa: float, rho: float = 1.0, shaft:
             if abs(rho - 1) < 1e-9
             else Text("rotating masses as designed (share {rho}), nothing else", rho=Amount(rho, form="g")),
             first.unbalanced,
+            second.vectors,
         ),
-        row(Text("crank as designed (share {kappa})", kappa=Amount(kappa, form="g")), first.vectors),
+        row(Text("crank as designed (share {kappa})", kappa=Amount(kappa, form="g")), first.vectors, second.vectors),
     ]
-    if shaft is not None:
-        rows.append(row(Text("the same, with the counter-shaft as designed"), first.vectors, shaft))
+    if left is not None:
+        same = Text("the same, with the counter-shaft as designed")
+        same = Text("the same, with the shafts as designed") if several else same
+        rows.append(row(same, left.get(1, first.vectors), left.get(2, second.vectors)))
     for name, remedy in result.remedy.items():
         if name == "crank" and half:
             continue  # the crank as designed
         needs = SEMICOLON.join(filter(None, (_needs(part) for part in remedy.shafts.values())))
-        left = remedy.order_1_force, remedy.order_1_couple, remedy.order_2_force, remedy.order_2_couple
+        peaks = remedy.order_1_force, remedy.order_1_couple, remedy.order_2_force, remedy.order_2_couple
         roll = remedy.roll_torque if remedy.roll_torque is not None else remedy.roll_torque_at_100_mm
-        rows.append((remedy.title, needs, *left, roll))
+        rows.append((remedy.title, needs, *peaks, roll))
     return Table(
         "remedies",
         Text("Before and after each remedy"),

@@ -10,13 +10,14 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..draw.drawing import CONTEXT, HIDDEN, OUTLINE, WORDS, Mark, Point, Polyline, Sketch, State, Words
+from ..draw.drawing import CONTEXT, HIDDEN, OUTLINE, WORDS, Mark, Point, Polyline, Sketch, State, Words, judged
 from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
 from .curves import DRAWN, KINDS
 from .inputs import ImbalanceInputs
+from .orders import Order
 from .result import ImbalanceResult
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ POINT = 0.03  # of the largest: a locus that is smaller is shown as a point
 TITLES = {"couple": Text("couple of order {n}, N·m"), "force": Text("force of order {n}, N")}
 NOTHING = 1e-3  # of the largest: what is left is called none
 BARE, CRANK = Text("bare {peak}"), Text("counterweights {peak}")
-SHAFT, LEFT = Text("the shaft {peak}"), Text("left {peak}")
+SHAFT, SHAFTS, LEFT = Text("the shaft {peak}"), Text("the shafts {peak}"), Text("left {peak}")
 
 
 @record
@@ -59,7 +60,8 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0) -> Sketch:
         for kind, _, _, at in KINDS:
             bare, crank = VectorPair(n, *order.unbalanced[at : at + 2]), VectorPair(n, *order.vectors[at : at + 2])
             if bare.peak > DRAWN * (result.one_couple if kind == "couple" else result.one_force):
-                marks = tuple(_picture(bare, crank, *_shaft(design, results, kind, n), angle))
+                supplied = SHAFTS if len(design.shafts) > 1 else SHAFT
+                marks = tuple(_picture(bare, crank, *_shafts(results, n, order, at), supplied, angle))
                 pictures.append(Sketch(marks, turning=True, title=Text(TITLES[kind].template, n=n)))
     if not pictures:
         return Sketch((Words(CONTEXT, (0.0, 0.0), Text("nothing of orders 1 and 2 is left"), side="centre"),))
@@ -68,19 +70,22 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0) -> Sketch:
     return Sketch(first.primitives, (turned,), turning=True, title=first.title, beside=tuple(others))
 
 
-def _shaft(design: "Design", results: "Results", kind: str, order: int) -> tuple[VectorPair | None, State]:
-    """What the counter-shaft supplies of an order, if it turns like it, and the verdict of what it leaves."""
-    shaft, solved = design.countershaft, results.shaft
-    if shaft is None or solved is None or abs(shaft.speed_ratio) != order:
+def _shafts(results: "Results", n: int, order: Order, at: int) -> tuple[VectorPair | None, State]:
+    """What the shafts supply of an order together, if one of them turns like it, and the verdict of what they leave;
+    `at`: which of its vectors, those of the force or those of the couple."""
+    left = results.left
+    if left is None or n not in left.vectors:
         return None, ""
-    forward, backward = solved.turning(shaft, kind)
-    id = "countershaft.residual" if kind == "couple" else "countershaft.residual_force"
-    verdict = next((check.verdict for check in results.outcomes["countershaft"].checks if check.id == id), "")
-    return VectorPair(order, forward, backward), "fail" if verdict == "fail" else "warn" if verdict == "warn" else ""
+    found = left.vectors[n]
+    forward, backward = found.couples if at else found.forces
+    behind = ("_2", "_2_worse") if n > min(left.vectors) else ("",)
+    ids = [f"countershaft.residual{'' if at else '_force'}{end}" for end in behind]
+    state = judged(results.outcomes["countershaft"].checks, *ids)
+    return VectorPair(n, forward - order.vectors[at], backward - order.vectors[at + 1]), state
 
 
 def _picture(
-    bare: VectorPair, crank: VectorPair, shaft: VectorPair | None, state: State, angle: Radian
+    bare: VectorPair, crank: VectorPair, shaft: VectorPair | None, state: State, supplied: Text, angle: Radian
 ) -> Iterator[Mark]:
     """Loci and vectors around the origin, and what they are on their right."""
     reach = max(bare.peak, crank.peak)
@@ -91,7 +96,7 @@ def _picture(
         shown.append((crank, HIDDEN if shaft is not None else OUTLINE, CRANK, SHARE, ""))
     if shaft is not None:
         left = VectorPair(crank.order, crank.forward + shaft.forward, crank.backward + shaft.backward)
-        shown += [(shaft, OUTLINE, SHAFT, "countershaft", ""), (left, OUTLINE, LEFT, "", state)]
+        shown += [(shaft, OUTLINE, supplied, "countershaft", ""), (left, OUTLINE, LEFT, "", state)]
     paths = [[_point(pair.at(2 * math.pi * k / CORNERS / pair.order)) for k in range(CORNERS)] for pair, *_ in shown]
     right = max(0.3 * reach, *(x for path in paths for x, _ in path)) + 0.1 * reach
     for n, ((pair, layer, label, key, verdict), path) in enumerate(zip(shown, paths)):

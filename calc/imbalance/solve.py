@@ -22,7 +22,7 @@ from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from . import orders as u
 from .checks import checks, proposals
-from .curves import Shaft, pictures, remedy_table
+from .curves import Left, pictures, remedy_table
 from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .notes import errata, notes
@@ -136,13 +136,14 @@ def solve(
     imbalance: ImbalanceInputs,
     engine: EngineInputs,
     e: EngineResult,
-    shaft: bool = True,
+    taken: frozenset[int] = frozenset((-1,)),
     shaft_teeth: int | None = None,
     axis: complex | None = None,
 ) -> Outcome[ImbalanceResult]:
     """The imbalance of an engine whose crank carries the given share of the reciprocating masses.
 
-    `shaft`: the design has a counter-shaft, whose own step judges what is left of the backward couple.
+    `taken`: at how many times crank speed the shafts of the design turn, below zero against the crank: what is left of
+    that their own step judges.  `shaft_teeth`, `axis`: of a single shaft.
     """
     with trace() as lines:
         result, lam = values(imbalance, engine, e, shaft_teeth, axis), u.measures(engine, e)[1]
@@ -161,24 +162,26 @@ def solve(
     return Outcome(
         "imbalance",
         result=result,
-        checks=tuple(checks(result, lam, *shares, shaft, engine.unlike_offsets)),
+        checks=tuple(checks(result, lam, *shares, taken, engine.unlike_offsets)),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(result), *polygons(engine, e, result.throw))),
         tables=Later(tables),
-        errata=Later(lambda: errata(imbalance, result) if shaft else ()),
-        proposals=proposals(result, lam, *shares, shaft, engine.unlike_offsets),
+        errata=Later(lambda: errata(imbalance, result) if -1 in taken else ()),
+        proposals=proposals(result, lam, *shares, taken, engine.unlike_offsets),
         notes=Later(lambda: notes(imbalance, e.crank.pitch, result, bobs()[1])),
     )
 
 
-def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: ImbalanceInputs) -> Outcome[ImbalanceResult]:
-    """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple,
-    cylinder 1 at TDC."""
+def with_shafts(
+    outcome: Outcome[ImbalanceResult], left: Left, imbalance: ImbalanceInputs, *, several: bool = False
+) -> Outcome[ImbalanceResult]:
+    """The same outcome, its figures and its table of remedies with what the design's own shafts leave, by order: F⁺ F⁻
+    C⁺ C⁻, cylinder 1 at TDC; `several`: of more than one shaft."""
     result = outcome.solution
     shares = imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction
-    tables = Later(lambda: (remedy_table(result, *shares, shaft), *outcome.tables[1:]))
+    tables = Later(lambda: (remedy_table(result, *shares, left, several=several), *outcome.tables[1:]))
     others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
-    return replace(outcome, curves=Later(lambda: (*pictures(result, shaft), *others)), tables=tables)
+    return replace(outcome, curves=Later(lambda: (*pictures(result, left, several=several), *others)), tables=tables)
 
 
 # --- from Python, in SI: `from calc import imbalance`

@@ -12,7 +12,7 @@ from ..sheet.record import record
 from ..sheet.step import Curve, Series, Table, axis_label
 from ..sheet.text import Amount, Name, Text
 from .body import DOFS
-from .inputs import DOF_WORDS, VARIANT_WORDS, MountingInputs
+from .inputs import DOF_WORDS, MountingInputs
 from .result import MountingResult
 from .standards import table
 
@@ -28,8 +28,9 @@ def seat_over_speed(result: MountingResult) -> Iterator[Curve]:
         (Text("felt by half of all people"), table()["perception"]["peak_m_s2"] / np.sqrt(2)),
         (Text("comfort"), next(row["above_m_s2"] for row in table()["comfort"] if row["above_m_s2"])),
     )
+    words = result.drive.words
     for seat, c in result.courses.items():
-        lines = tuple(Series(VARIANT_WORDS[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants))
+        lines = tuple(Series(words[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants))
         title = Text("Weighted acceleration at {seat} over speed", seat=Name(seat))
         x_label, y_label = axis_label("speed", "rpm"), axis_label("a_w", "m/s²")
         yield Curve(f"seat_{seat}", title, x_label, y_label, lines, limits, short=1)
@@ -45,7 +46,7 @@ def orders_at(result: MountingResult) -> Iterator[Curve]:
         place = np.arange(1, shown.size + 1, dtype=float)
         for i, (operation, (speed, _)) in enumerate(result.speeds.items()):
             series = tuple(
-                Series(VARIANT_WORDS[variant], place, sizes[i, result.drive.variants.index(variant), shown])
+                Series(result.drive.words[variant], place, sizes[i, result.drive.variants.index(variant), shown])
                 for variant in ("half", "shaft")
                 if variant in result.drive.variants
             )
@@ -64,7 +65,7 @@ def forces(result: MountingResult) -> Curve:
     F = np.sqrt((np.abs(result.levels.force) ** 2).sum((-1, -2)) / 2)  # (operations, variants, mounts)
     series = tuple(
         Series(
-            Text("{operation}, {variant}", operation=Name(operation), variant=VARIANT_WORDS[variant]),
+            Text("{operation}, {variant}", operation=Name(operation), variant=result.drive.words[variant]),
             place,
             F[i, result.drive.variants.index(variant)],
         )
@@ -81,7 +82,8 @@ def forces(result: MountingResult) -> Curve:
 
 def tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
     """What is felt, the modes with their energies, the mounts at rest."""
-    return (felt_table(mounting, result), mode_table(result), rest_table(mounting, result))
+    teeth = (teeth_table(mounting, result),) if result.teeth else ()
+    return (felt_table(mounting, result), *teeth, mode_table(result), rest_table(mounting, result))
 
 
 def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
@@ -90,13 +92,13 @@ def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
     rows = [
         (
             Name(name),
-            VARIANT_WORDS[variant],
+            result.drive.words[variant],
             _shown(result.leaf(f"{name}.{variant}.{seat}.weighted"), 1.0),
             _shown(result.leaf(f"{name}.{variant}.{engine}.velocity"), 1e3),
             _shown(result.leaf(f"{name}.{variant}.force_sum"), 1.0),
         )
         for name in result.speeds
-        for variant in result.drive.variants
+        for variant in result.drive.shown
     ]
     columns = (
         (Text("operation"), ""),
@@ -110,6 +112,31 @@ def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
         "engine."
     )
     return Table("felt", Text("What is felt"), columns, tuple(rows), note, short=True)
+
+
+def teeth_table(mounting: MountingInputs, result: MountingResult) -> Table:
+    """Of several shafts which of them one tooth off is felt how: row by row, the worst first."""
+    seat, engine = (point and point.name for point in (mounting.seat, mounting.engine_point))
+    rows = [
+        (
+            Name(name),
+            result.drive.off[row].words,
+            _shown(of_row[seat].weighted, 1.0) if seat is not None else None,
+            _shown(of_row[engine].velocity, 1e3) if engine is not None else None,
+            _shown(of_row["force_sum"].number, 1.0) if "force_sum" in of_row else None,
+        )
+        for name, tree in result.teeth.items()
+        for row, of_row in tree.items()
+    ]
+    columns = (
+        (Text("operation"), ""),
+        (Text("one tooth off"), ""),
+        (Text("seat, weighted"), "m/s²"),
+        (Text("engine"), "mm/s"),
+        (Text("mounts"), "N"),
+    )
+    note = Text("Of each number the largest of its column stands among what is felt as one tooth off, the worst.")
+    return Table("felt_teeth", Text("What is felt one tooth off"), columns, tuple(rows), note)
 
 
 def _shown(x: float | None, factor: float) -> float | None:

@@ -679,6 +679,11 @@ VARIANT_WORDS = {
     "scatter": Text("with the shaft as it scatters"),
     "tooth": Text("with the shaft one tooth late"),
 }
+SEVERAL_WORDS = VARIANT_WORDS | {
+    "shaft": Text("with the shafts"),
+    "scatter": Text("with the shafts as they scatter"),
+    "tooth": Text("one tooth off, the worst"),
+}
 DOF_WORDS = {
     "bounce": Text("bounce"),
     "lateral": Text("lateral"),

@@ -271,7 +271,9 @@ def course(s: System, drive: EngineWrenches, point: Point, speeds: Array, torque
     squares[:, :, list(drive.apart)] = np.swapaxes(separate, 1, 2) ** 2
     by_order = {name: np.sqrt(squares[:, i]) for i, name in enumerate(drive.variants) if name in ("half", "shaft")}
     total, source = np.sqrt(squares.sum(-1)).T, (s.source, wrench, point.position)
-    return Course(np.asarray(speeds), drive.orders, drive.variants, total, by_order, source)
+    if drive.off:
+        total = np.vstack([total[: -len(drive.off)], total[-len(drive.off) :].max(0)])
+    return Course(np.asarray(speeds), drive.orders, drive.shown, total, by_order, source)
 
 
 def _weighted(

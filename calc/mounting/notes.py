@@ -34,7 +34,11 @@ def honest(result: MountingResult) -> Text:
 
 
 def _takes(result: MountingResult) -> Text:
-    n = Amount(result.drive.of_shaft)
+    n = Text(" and ").join([Text("{n}", n=Amount(n)) for n in result.drive.taken])
+    if len(result.drive.taken) > 1:
+        return Text("The shafts take what the masses have of orders {n} and nothing else:", n=n)
+    if len(result.drive.shafts) > 1:
+        return Text("The shafts take what the masses have of order {n} and nothing else:", n=n)
     if result.felt_order_1 is not None:
         return Text("The shaft takes the rocking couple of order {n} and nothing else:", n=n)
     return Text("The shaft takes what the masses have of order {n} and nothing else:", n=n)
@@ -44,11 +48,11 @@ def _leaves(result: MountingResult) -> Text:
     """The firing torque, and of the masses the strongest other order."""
     e = result.drive.engine
     firing = 2.0 * e.cylinders / e.strokes
-    taken, masses = result.drive.of_shaft, _strengths(result, of_masses=True)
+    taken, masses = result.drive.taken, _strengths(result, of_masses=True)
     others = [
         (size, n)
         for size, n in zip(masses.tolist(), result.drive.orders.tolist())
-        if n not in (taken, firing) and size > NOTICED * masses.max()
+        if n not in (*taken, firing) and size > NOTICED * masses.max()
     ]
     gas, strongest = result.drive.nodes is not None, Amount(max(others)[1]) if others else None
     if strongest is None:
@@ -81,8 +85,13 @@ def _felt(result: MountingResult) -> Text:
         c=Amount(c, digits=3),
         d=Amount(d, digits=3),
         last=Name(last),
-        worse=Text(" Here the shaft makes it worse.") if b > a or d > c else EMPTY,
+        worse=_worse_here(result) if b > a or d > c else EMPTY,
     )
+
+
+def _worse_here(result: MountingResult) -> Text:
+    one = len(result.drive.shafts) == 1
+    return Text(" Here the shaft makes it worse.") if one else Text(" Here the shafts make it worse.")
 
 
 def _strengths(result: MountingResult, *, of_masses: bool = False) -> Array:
@@ -92,16 +101,15 @@ def _strengths(result: MountingResult, *, of_masses: bool = False) -> Array:
     return result.drive.strengths(wrench, radius_of_gyration(float(M[0, 0]), M[3:, 3:]))
 
 
-def notes(
-    mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None
-) -> Iterator[Text]:
+def notes(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Text]:
     """The scope of the standards first."""
     yield from scope(
         mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class
     ).sentences
     yield Text("The daily exposure is the engine's share only: travel over ground dominates the true one.")
     yield from _worse(result)
-    yield from _assumed(mounting, engine, result, shaft)
+    yield from _worst_tooth(result)
+    yield from _assumed(mounting, engine, result)
     yield Text(
         "Not counted: valve gear, fan, fuel pump, the couple of the rods, whip of the crank, the gyroscopic couple "
         "(about 2 % at order 1), start and stop, which sweep through the modes."
@@ -115,19 +123,21 @@ def notes(
 
 def _worse(result: MountingResult) -> Iterator[Text]:
     """A shaft that is late, or mistuned, and makes it worse: in the mounts, or where it is felt."""
+    subjects = VARIANTS if len(result.drive.shafts) == 1 else SEVERAL
     for name, (speed, _) in result.speeds.items():
         rpm = Amount(speed * 60, "rpm")
         for id, place in (("felt_seat", Text("at the seat")), ("felt_engine", Text("at the engine"))):
             ratio = result.leaf(f"{name}.{id}")
             if ratio is not None and ratio < 1 - NONE_BELOW:
                 yield Text(
-                    "The shaft makes it worse {place} at {name}, {speed}: half over shaft is {ratio}.",
+                    "{words} makes it worse {place} at {name}, {speed}: half over shaft is {ratio}.",
+                    words=subjects["shaft"],
                     place=place,
                     name=Name(name),
                     speed=rpm,
                     ratio=Amount(ratio, digits=3),
                 )
-        for variant, words in VARIANTS.items():
+        for variant, words in subjects.items():
             half, with_it = (result.leaf(f"{name}.{which}.force_sum") for which in ("half", variant))
             if half is not None and with_it is not None and with_it > half * (1 + NONE_BELOW):
                 yield Text(
@@ -146,11 +156,29 @@ VARIANTS = {
     "scatter": Text("The shaft as it scatters"),
     "tooth": Text("The shaft one tooth late"),
 }
+SEVERAL = {
+    "shaft": Text("The set of shafts"),
+    "scatter": Text("The set of shafts as it scatters"),
+    "tooth": Text("The set of shafts one tooth off, at its worst,"),
+}
 
 
-def _assumed(
-    mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None
-) -> Iterator[Text]:
+def _worst_tooth(result: MountingResult) -> Iterator[Text]:
+    """Which of the shafts one tooth off, and in which sense, is felt most: at the foremost seat, without one in the
+    mounts."""
+    seat = result.system.mounting.seat
+    for name, rows in result.teeth.items():
+        felt = {row: tree[seat.name].weighted if seat else tree["force_sum"].number for row, tree in rows.items()}
+        if None not in felt.values():
+            yield Text(
+                "One tooth off, at {name} the worst {where} is: {row}.",
+                name=Name(name),
+                where=Text("at the seat") if seat else Text("in the mounts"),
+                row=result.drive.off[max(felt, key=lambda row: felt[row] or 0.0)].words,
+            )
+
+
+def _assumed(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Text]:
     yield from _of_gas(engine, result)
     if mounting.inertia is None:
         yield Text(
@@ -163,8 +191,9 @@ def _assumed(
             "The spread of the cylinders is drawn once: evenly spaced quantiles of a normal distribution, in firing "
             "order."
         )
-    if shaft is not None:
-        yield from _of_shaft(mounting, shaft)
+    for shaft in result.drive.shafts:
+        if shaft.mirrors is None:
+            yield from _of_shaft(mounting, shaft)
     yield from _of_mounts(mounting)
     yield from _of_modes(mounting, result)
     yield Text(

@@ -2,7 +2,8 @@
 """What the step of the mounts publishes, the arrays behind it for figures, and the way from one to the other."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import fields, replace
 from functools import cache
 from typing import Any, Unpack
 
@@ -18,7 +19,7 @@ from .inputs import DOF_WORDS, VARIANT_WORDS
 from .levels import Course, Levels
 from .modes import Modes
 from .system import System
-from .wrenches import EngineWrenches
+from .wrenches import TOOTH, EngineWrenches
 
 
 @record
@@ -168,6 +169,7 @@ class MountingResult:
     rest: Rest
     output: tuple[float, ...]  # mean torque on the mounts, of each operation
     courses: dict[str, Course]  # of each seat, over speed
+    teeth: Tree  # of several shafts what stands below the operations for each row of one tooth off
 
     @property
     def has_shaft(self) -> bool:
@@ -180,6 +182,48 @@ class MountingResult:
             here = here.get(part) if isinstance(here, dict) else getattr(here, part, None)
         number: float | None = here.number if isinstance(here, Stated) else here
         return number
+
+
+# --- one tooth off
+
+
+def with_worst(result: MountingResult) -> MountingResult:
+    """The same, every number with one tooth off that of the row where it is largest."""
+    off = result.drive.off
+    if not off:
+        return result
+    return replace(
+        result,
+        operations={name: _joined(tree, off) for name, tree in result.operations.items()},
+        exposure=None if result.exposure is None else _joined(result.exposure, off),
+        teeth={name: {row: tree[row] for row in off} for name, tree in result.operations.items()},
+    )
+
+
+def _joined(tree: Tree, off: Iterable[str]) -> Tree:
+    """A tree by variants with the worst of the rows in the place of all."""
+    kept = {name: part for name, part in tree.items() if name not in off}
+    return kept | {TOOTH: _worst([tree[row] for row in off if row in tree])}
+
+
+def _worst(parts: Sequence[Any]) -> Any:
+    """Of results that are built alike one with the largest of each number; none where one of them has none, as at an
+    undamped resonance."""
+    first = parts[0]
+    if any(part is None for part in parts):
+        return None
+    if isinstance(first, dict):
+        return {key: _worst([part[key] for part in parts]) for key in first if all(key in part for part in parts)}
+    if isinstance(first, float):
+        return max(parts)
+    return replace(
+        first,
+        **{
+            field.name: _worst(contents)
+            for field in fields(first)
+            if isinstance((contents := [getattr(part, field.name) for part in parts])[0], float | dict)
+        },
+    )
 
 
 # --- from arrays to published numbers

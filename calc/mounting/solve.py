@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine on its mounts: modes, statics, and what is felt at every operation without a shaft, with one, and with one
-that is off."""
+"""The engine on its mounts: modes, statics, and what is felt at every operation without shafts, with them, and with
+some of them off."""
 
 from dataclasses import replace
 from functools import partial
@@ -23,7 +23,7 @@ from .inputs import MountingInputs
 from .levels import levels
 from .notes import honest, notes
 from .operations import existing, felt_order_1, operations
-from .result import MountingResult, Tree, described
+from .result import MountingResult, Tree, described, with_worst
 from .seat_vibration import course_values, courses, critical, crossings, exposure
 from .system import system
 from .wrenches import EngineWrenches, ShaftOnEngine, drive, operating
@@ -34,11 +34,11 @@ def solve(
     engine: EngineInputs,
     e: EngineResult,
     imbalance: ImbalanceResult,
-    shaft: ShaftOnEngine | None,
+    shafts: tuple[ShaftOnEngine, ...],
 ) -> Outcome[MountingResult]:
-    """`shaft`: the counter-shaft as designed, None where there is none."""
+    """`shafts`: the balance shafts as designed, twins too."""
     with trace() as lines:
-        driven = drive(mounting, engine, e, imbalance, shaft)
+        driven = drive(mounting, engine, e, imbalance, shafts)
         result = values(mounting, driven, body.inertia(mounting))
         at_ends = _at_ends(mounting, driven) if mounting.inertia is None else ()
         all_checks = tuple(checks(mounting, engine, result, at_ends))
@@ -52,7 +52,7 @@ def solve(
         lines=tuple(lines),
         curves=Later(partial(curves, result)),
         tables=Later(partial(tables, mounting, result)),
-        notes=Later(lambda: notes(mounting, engine, result, shaft)),
+        notes=Later(lambda: notes(mounting, engine, result)),
         reason=honest(result),
     )
 
@@ -83,6 +83,7 @@ def values(mounting: MountingInputs, driven: EngineWrenches, J: Array) -> Mounti
         focal=modal.focal(mounting),
         critical=critical(rows_critical, at_critical),
         operations=operations(driven, lines, whole, rows, torque, there),
+        teeth={},
         felt_order_1=felt_order_1(driven),
         range=course_values(over_speed),
         own="shaft" if "shaft" in driven.variants else "half",
@@ -96,7 +97,7 @@ def values(mounting: MountingInputs, driven: EngineWrenches, J: Array) -> Mounti
         output=out,
         courses=over_speed,
     )
-    return replace(result, exposure=exposure(mounting, result))
+    return with_worst(replace(result, exposure=exposure(mounting, result)))
 
 
 def _at_ends(mounting: MountingInputs, driven: EngineWrenches) -> tuple[MountingResult, ...]:

@@ -4,14 +4,14 @@
 All hold at any speeds.  The gas torque comes first, the wrenches after it."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from statistics import NormalDist
 
 import numpy as np
 
-from ..countershaft.formulas import late_couple, late_force
+from ..countershaft.sums import SystemShaft, pairs_of
 from ..engine import cycle as c
 from ..engine import formulas as kinematics
 from ..engine.crank import firing
@@ -24,12 +24,12 @@ from ..imbalance.result import ImbalanceResult
 from ..imbalance.shaft_pair import roll_backward, roll_forward
 from ..sheet.arrays import Array, ComplexArray, IndexArray
 from ..sheet.record import record
-from ..sheet.text import Text
-from ..sheet.units import Metre, Number, Radian, RevPerSecond
+from ..sheet.text import Name, Text
+from ..sheet.units import Number, Radian, RevPerSecond
 from ..sheet.value import about, based_on, untraced
 from . import excitation as x
 from .excitation import Moving, index, integer, moving, turning_wrench
-from .inputs import GAS, VARIANT_WORDS, MountingInputs, Operation
+from .inputs import GAS, SEVERAL_WORDS, VARIANT_WORDS, MountingInputs, Operation
 
 # --- the gas torque of one cylinder, order by order, at as many speeds as are asked for
 # The pressures go linearly from speed to speed.
@@ -171,34 +171,65 @@ def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *
 
 # --- the wrenches
 
-VARIANTS = ("bare", "half", "shaft", "scatter", "tooth")
+TOOTH = "tooth"
 PURE = 1e-6  # of a couple: smaller forces beside it are dust
+EXACT = 0.0, 0.0
 
 
 @record
-class ShaftOnEngine:
-    """The counter-shaft as the mounts see it: at `ratio` times crank speed, F_S and C_S with cylinder 1 at TDC at rated
-    speed.
+class ShaftOnEngine(SystemShaft):
+    """A balance shaft as the mounts see it.
 
-    `errors`: of a shaft as it scatters, of its couple s and its angle δ, None where nothing is known; `teeth`: of its
-    wheel."""
+    `errors`: of a shaft as it scatters, of its couple s and its angle δ, None where nothing is known."""
 
-    ratio: float
-    force: complex
-    couple: complex
-    pair: bool
-    axis: tuple[Metre, ...] | None
-    errors: tuple[Number, Radian] | None
-    teeth: int | None
+    errors: tuple[Number, Radian] | None = None
 
-    def deviations(self) -> dict[str, tuple[Number, Radian]]:
-        """Of each variant with the shaft: s and δ."""
-        deviations: dict[str, tuple[Number, Radian]] = {"shaft": (0.0, 0.0)}
-        if self.errors is not None:
-            deviations["scatter"] = self.errors
-        if self.teeth is not None:
-            deviations["tooth"] = (0.0, based_on(2 * math.pi / self.teeth, self.teeth))
-        return deviations
+
+@record
+class Variant:
+    """The engine with its shafts, each with its own error s of its couple and its own angle δ by which it is late (of
+    those that are not named: none)."""
+
+    words: Text
+    off: Mapping[str, tuple[Number, Radian]]
+
+    def shafts(self, shafts: Iterable[ShaftOnEngine]) -> Iterator[ShaftOnEngine]:
+        for shaft in shafts:
+            s, delta = self.off.get(shaft.name, EXACT)
+            yield shaft.late_by(delta, s)
+
+
+def with_shafts(shafts: Sequence[ShaftOnEngine]) -> dict[str, Variant]:
+    """The variants with the shafts of a design: as designed, as they scatter, one tooth off."""
+    if not shafts:
+        return {}
+    variants = {"shaft": Variant(VARIANT_WORDS["shaft"], {})}
+    errors = {shaft.name: shaft.errors for shaft in shafts if shaft.errors is not None}
+    if errors:
+        variants["scatter"] = Variant(VARIANT_WORDS["scatter"], errors)
+    if len(shafts) > 1:
+        return variants | one_tooth_off(shafts)
+    if shafts[0].tooth is not None:
+        variants[TOOTH] = Variant(VARIANT_WORDS[TOOTH], {shafts[0].name: (0.0, shafts[0].tooth)})
+    return variants
+
+
+def one_tooth_off(shafts: Sequence[ShaftOnEngine]) -> dict[str, Variant]:
+    """Of several shafts every row of the table of one tooth off: each by itself, each with its mirror images, all, and
+    each of these late and early."""
+    rows: dict[tuple[str, ...], Text] = {(shaft.name,): Name(shaft.name) for shaft in shafts}
+    for name, pair in pairs_of(shafts).items():
+        rows[tuple(shaft.name for shaft in pair)] = Text("{name} and its mirror image", name=Name(name))
+    rows.setdefault(tuple(shaft.name for shaft in shafts), Text("all shafts"))
+    teeth = {shaft.name: shaft.tooth for shaft in shafts}
+    variants: dict[str, Variant] = {}
+    for names, words in rows.items():
+        for sense, sign in ((Text("late"), 1.0), (Text("early"), -1.0)):
+            by = {name: (0.0, based_on(sign * tooth, tooth)) for name in names if (tooth := teeth[name]) is not None}
+            if len(by) == len(names):
+                which = Text("{which}, one tooth {sense}", which=words, sense=sense)
+                variants[f"{TOOTH}_{len(variants) + 1}"] = Variant(which, by)
+    return variants
 
 
 @record
@@ -206,8 +237,8 @@ class EngineWrenches:
     """`inertia`: forces and moments of the masses at rated speed about the centre of gravity (variants, orders, 6),
     torque included.
 
-    `gas`: of one cylinder at which speeds; None where it is not given.  `apart`: the order in which the variants
-    differ, by index."""
+    `gas`: of one cylinder at which speeds; None where it is not given.  `apart`: the orders in which the variants
+    differ, by index.  `off`: of several shafts the variants with some of them one tooth off, which stand last."""
 
     engine: EngineInputs
     e: EngineResult
@@ -220,9 +251,25 @@ class EngineWrenches:
     fires: Array
     r_G: Array
     apart: tuple[int, ...]
-    of_shaft: float  # the order of the shaft; 1 where there is none
+    shafts: tuple[ShaftOnEngine, ...]
+    off: Mapping[str, Variant]
     # half over each variant with the shaft, where the order of the shaft is a pure couple
     first_order: dict[str, float]
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """The variants with those of one tooth off as a single one, of which every number is that of the worst."""
+        return (*self.variants[: -len(self.off)], TOOTH) if self.off else self.variants
+
+    @property
+    def words(self) -> Mapping[str, Text]:
+        """What the variants are called."""
+        return SEVERAL_WORDS if len(self.shafts) > 1 else VARIANT_WORDS
+
+    @property
+    def taken(self) -> tuple[float, ...]:
+        """The orders at which a shaft turns."""
+        return tuple(sorted({float(shaft.order) for shaft in self.shafts}))
 
     def torque(self, speeds: Array) -> ComplexArray:
         """Order by order on the crank (speeds, orders): gas and inertia."""
@@ -271,7 +318,7 @@ def drive(
     engine: EngineInputs,
     e: EngineResult,
     imbalance: ImbalanceResult,
-    shaft: ShaftOnEngine | None,
+    shafts: tuple[ShaftOnEngine, ...],
 ) -> EngineWrenches:
     n = x.orders_of(engine.strokes)
     fires = firing(engine, e.crank)
@@ -284,16 +331,15 @@ def drive(
     with about(Text("nothing balanced")):
         inertia.append(turning_wrench(moving(n, imbalance.orders, bare=True), reaction))
     inertia.append(turning_wrench(half, reaction))
-    for name, (s, delta) in (shaft.deviations() if shaft is not None else {}).items():
-        assert shaft is not None
-        with about(VARIANT_WORDS[name]):
-            inertia.append(turning_wrench(*_with_shaft(n, half, reaction, shaft, s, delta)))
+    cases = with_shafts(shafts)
+    for name, variant in cases.items():
+        with about(variant.words):
+            inertia.append(turning_wrench(*_with_shafts(n, half, reaction, variant.shafts(shafts))))
         variants.append(name)
     whole = based_on(np.stack(inertia), *inertia)
     whole[np.abs(whole) < 1e-12 * np.abs(whole).max(initial=0.0)] = 0.0
     moment = x.about_gravity(F=whole[..., :3], M=whole[..., 3:], r_G=mounting.centre_of_gravity)
     at_gravity = based_on(np.concatenate([whole[..., :3], moment], -1), moment)
-    of_shaft = float(round(abs(shaft.ratio))) if shaft is not None else 1.0
     return EngineWrenches(
         engine=engine,
         e=e,
@@ -305,18 +351,19 @@ def drive(
         spread=_spread(mounting, engine, fires.order),
         fires=fires.angles,
         r_G=np.asarray(mounting.centre_of_gravity),
-        apart=tuple(sorted({index(n, 1.0), index(n, of_shaft)})),
-        of_shaft=of_shaft,
-        first_order=_first_order(n, half, shaft),
+        apart=tuple(sorted({index(n, 1.0), *(index(n, shaft.order) for shaft in shafts)})),
+        shafts=shafts,
+        off={name: variant for name, variant in cases.items() if name not in VARIANT_WORDS},
+        first_order=_first_order(n, half, shafts[0]) if len(shafts) == 1 else {},
     )
 
 
-def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[str, float]:
+def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine) -> dict[str, float]:
     """How much less there is of the shaft's order at every place, where it is a couple that turns backward and nothing
     else."""
-    if shaft is None or shaft.pair or shaft.ratio > 0:
+    if shaft.forward:
         return {}
-    i = index(n, round(-shaft.ratio))
+    i = index(n, shaft.order)
     F_f, F_b, C_f, C_b = (complex(part[i]) for part in half)
     if not C_b or max(abs(F_f), abs(F_b), abs(C_f)) > PURE * abs(C_b):
         return {}
@@ -324,30 +371,23 @@ def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[st
     if left:
         C_left = based_on(left, half[3], shaft.couple)
         ratios["shaft"] = x.couple_ratio(C=based_on(C_b, half[3]), C_left=C_left)
-    others = {name: given for name, given in shaft.deviations().items() if name != "shaft" and any(given)}
-    return ratios | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
+    others = {name: variant.off.get(shaft.name, EXACT) for name, variant in with_shafts([shaft]).items()}
+    return ratios | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items() if s or delta}
 
 
-def _with_shaft(
-    n: Array, half: Moving, roll: ComplexArray, shaft: ShaftOnEngine, s: Number, delta: Radian
+def _with_shafts(
+    n: Array, half: Moving, roll: ComplexArray, shafts: Iterable[ShaftOnEngine]
 ) -> tuple[Moving, ComplexArray]:
-    """The same vectors with those of the shaft at its order, and with the roll of its force."""
-    i, backward = index(n, round(abs(shaft.ratio))), shaft.ratio < 0
-    sides = [(shaft.force, shaft.couple, backward, 1.0)]
-    if shaft.pair:
-        sides.append((shaft.force.conjugate(), shaft.couple.conjugate(), not backward, -1.0))
+    """The same vectors with those of the shafts at their orders, and with the roll of their forces."""
     F_f, F_b, C_f, C_b = (np.array(part) for part in half)
     rolled, of = np.array(roll), []
-    for force, couple, back, side in sides:
-        sigma = -1.0 if back else 1.0
-        F = late_force(F_S=force, sigma=sigma, delta=delta)
-        C = late_couple(C_S=couple, s=s, sigma=sigma, delta=delta)
-        (F_b if back else F_f)[i] += F
-        (C_b if back else C_f)[i] += C
-        of += [F, C]
+    for shaft in shafts:
+        i, forward = index(n, shaft.order), shaft.forward
+        (F_f if forward else F_b)[i] += shaft.force
+        (C_f if forward else C_b)[i] += shaft.couple
+        of += [shaft.force, shaft.couple]
         if shaft.axis is not None:
-            p_S = based_on(complex(shaft.axis[0], side * shaft.axis[1]), shaft.axis)
-            M_z = (roll_backward if back else roll_forward)(p=p_S, F=F)
+            M_z = (roll_forward if forward else roll_backward)(p=shaft.axis, F=shaft.force)
             rolled[i] += M_z
             of.append(M_z)
     parts = tuple(based_on(part, before, *of) for part, before in zip((F_f, F_b, C_f, C_b), half))

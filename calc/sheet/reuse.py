@@ -25,8 +25,9 @@ class Parts:
     signature.
 
     `titles`: of the steps by key, in their order; `before`: what an earlier solve kept; `left_out`: the steps that the
-    design does without, each with its reason; `stop` is asked before each part whether nobody waits for the results any
-    more, then Cancelled is raised; `enough` after each part whether its outcome decides all that is asked."""
+    design does without, each with its reason; `named`: the ids of what belongs to one shaft have its name; `stop` is
+    asked before each part whether nobody waits for the results any more, then Cancelled is raised; `enough` after each
+    part whether what there is of its step decides all that is asked."""
 
     def __init__(
         self,
@@ -34,10 +35,12 @@ class Parts:
         before: Mapping[str, Kept],
         left_out: Mapping[str, str],
         *,
+        named: bool = False,
         stop: Callable[[], bool],
         enough: Callable[[Outcome[object]], bool] | None,
     ) -> None:
         self.titles, self.before, self.left_out, self.stop, self.enough = titles, before, left_out, stop, enough
+        self.named = named
         self.name = ""  # of the shaft whose parts are called
         self.kept: dict[str, Kept] = {}
         self.last: dict[tuple[str, str], Outcome[object]] = {}  # by step and shaft
@@ -67,23 +70,22 @@ class Parts:
                 reason = Text("the arithmetic breaks down ({error}); look for an extreme number", error=error)
                 outcome = Outcome(key, "no_solution", reason=reason)
         self.kept[name], self.last[key, self.name] = (arguments, outcome), outcome
-        if self.enough is not None and self.enough(outcome):
+        if self.enough is not None and self.enough(self._so_far(key)):
             raise Enough
         return outcome
 
     @property
     def outcomes(self) -> dict[str, Outcome[object]]:
         """The last outcome of each step so far; of several shafts joined."""
-        by_step: dict[str, dict[str, Outcome[object]]] = {}
-        for (key, name), outcome in self.last.items():
-            by_step.setdefault(key, {})[name] = outcome
-        done: dict[str, Outcome[object]] = {}
-        for key, outcomes in by_step.items():
-            sums = outcomes.pop("", None) if len(outcomes) > 1 else None
-            done[key] = joined(key, outcomes, None)
-            if sums is not None:
-                done[key] = beside(sums, done[key])
-        return done
+        return {key: self._so_far(key) for key in dict.fromkeys(key for key, _ in self.last)}
+
+    def _so_far(self, key: str) -> Outcome[object]:
+        of_shafts = {name: outcome for (step, name), outcome in self.last.items() if step == key}
+        sums = of_shafts.pop("", None)
+        if not of_shafts and sums is not None:
+            return sums
+        shafts: Outcome[object] = joined(key, of_shafts, None, named=self.named)
+        return shafts if sums is None else beside(sums, shafts)
 
     def absent(self, key: str, inputs: object, after: tuple[Outcome[object], ...]) -> Outcome[Never]:
         """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after`

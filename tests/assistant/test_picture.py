@@ -12,12 +12,12 @@ from assistant.widgets import picture
 from assistant.widgets.canvas import draw
 from assistant.widgets.picture import Picture
 from assistant.widgets.signs import Signs
-from calc.design.toml_file import load
+from calc.design.toml_file import Document, design, load, read
 from calc.engine.sketch import icon
 from calc.locale import language
 from calc.solve import solve
 from calc.studies.shipped import engine_inputs, engines
-from tests.conftest import GAMMA
+from tests.conftest import DESIGNS, GAMMA
 
 
 class Stage(BaseApp):
@@ -102,3 +102,38 @@ def test_every_shipped_engine_has_its_icon(name):
     lines = draw(icon(engine_inputs(name)), 16, 5, Signs(), language("en")).plain.split("\n")
     assert [len(line) for line in lines] == [16] * 5
     assert sum(letter != " " for line in lines for letter in line) > 15
+
+
+LEFT = {
+    "name": "left",
+    "material": "steel",
+    "speed_ratio": 2,
+    "axis_mm": [-60.0, -95.0],
+    "bearings": [{"name": "front", "position_mm": -112.0}, {"name": "rear", "position_mm": 112.0}],
+    "masses": [{"name": "a", "mass_kg": 0.9, "radius_mm": 12.0, "angle_deg": 180.0, "z_mm": 0.0}],
+}
+SHAFTS = [
+    LEFT,
+    {"name": "right", "mirrors": "left"},
+    LEFT | {"name": "first", "speed_ratio": -1, "axis_mm": [90.0, 60.0]},
+    {"name": "back", "repeats": "first"} | {"axis_mm": [90.0, -60.0]},
+]
+
+
+@pytest.mark.parametrize("columns", [120, 80])
+@pytest.mark.parametrize("count", [1, 2, 3, 4])
+async def test_every_shaft_is_named_beside_the_crank(shown, columns, count):
+    """At both widths of a terminal; where one of them is no twin each is a picture to leaf to."""
+    drawing, pilot = shown
+    await pilot.resize_terminal(columns, 24)
+    four = {key: part for key, part in read(DESIGNS / "r754ie4_balance_shafts.toml").data.items() if key != "shafts"}
+    asked = design(Document(four | {"shafts": SHAFTS[:count]}))
+    results = solve(asked)
+    drawing.show("countershaft", asked, results)
+    text = drawing.render().plain
+    for shaft, n in zip(SHAFTS[:count], (2, 2, 1, 1)):
+        assert (f"{shaft['name']} ×{n}" in text) == (count > 1 or columns > 80)  # of one it is the picture missed least
+    assert max(map(len, text.splitlines())) <= columns and not drawing.turns
+    if count > 2:
+        drawing.action_leaf(2)
+        assert drawing.render().plain != text and drawing.views == 3

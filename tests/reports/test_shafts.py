@@ -96,8 +96,8 @@ def test_each_original_has_its_drawing(single: Solved) -> None:
 
 
 def test_the_picture_has_the_shafts_below_each_other(single: Solved) -> None:
-    drawn = sketch(single.results.design, single.results)
+    *_, drawn = sketch(single.results.design, single.results).beside
     names = [mark for mark in drawn.primitives if isinstance(mark, Words) and "," in str(mark.text)]
     (first, second) = sorted(names, key=lambda mark: -mark.at[1])
     assert (str(first.text), str(second.text)) == ("a, b", "c, d")
-    assert drawn.stacked == 2
+    assert drawn.of_all == 2

@@ -29,7 +29,7 @@ from ...sheet.arrays import Array, IndexArray, Num, Value
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
-from ...sheet.units import Number, Radian
+from ...sheet.units import Metre, Newton, Number, PascalSecond, Radian, RevPerSecond
 from . import short_bearing
 from .reynolds import friction_variable
 
@@ -43,6 +43,7 @@ TABLE = Path(__file__).parents[2] / "library" / "tables" / "film_table.npy"
 QUANTITIES = ("ln(So/So_short)", "phi", "Q", "Qs/Q", "P/pmax", "ln(C_rr/C_rr,short)")
 
 ECCENTRICITY = Text("eccentricity ratio")
+CENTRED = 0.02  # ε: where the table begins
 SLACK = 1e-9  # relative: a value this far outside, from rounding, counts as the limit
 
 
@@ -478,6 +479,12 @@ def eccentricity(S: Number, b: Number) -> Number:
     0.8637773...
     """
     return eccentricity_from(S, b)
+
+
+@formula("F_c", SOURCE, shows="μ·n·l·d/(S(ε, l/d)·ψ²) at ε = 0.02, where the table begins", names={"n_h": "n"})
+def centred_load(mu: PascalSecond, n_h: RevPerSecond, d: Metre, l: Metre, psi: Number, b: Number) -> Newton:
+    """The most that a journal carries which runs nearly centred: there the film is a spring.  `l`: of one land."""
+    return mu * n_h * d * l / (traced_film_at(CENTRED, b).sommerfeld * psi**2)
 
 
 @formula("φ", SOURCE, shows="φ from the table of Reynolds' solutions at ε, l/d")

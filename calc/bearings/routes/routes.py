@@ -6,6 +6,7 @@ The own solution of Reynolds' equation judges; the others are shown beside it on
 the notes, the spread and what is published read it there, in the order in which the functions stand here."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -149,6 +150,10 @@ def _reynolds(
         hot, gap = Amount(T, form=".0f"), Amount(g * 1e6, form=".1f")
         raise Seized(Text("the bearing is seized at {t} °C: its clearance is {g} µm", t=hot, g=gap))
     psi = f.relative_clearance(g=g, d=b.diameter)
+    if seat.centred:
+        F_c = table.centred_load(mu=oil.mu, n_h=duty.effective_speed, d=b.diameter, l=l, psi=psi, b=ratio)
+        duty = replace(duty, load=based_on(lands * F_c, F_c))
+        lands, l, p = _land(seat, duty)
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=f.angular_speed(n=duty.effective_speed))
     eps: Any

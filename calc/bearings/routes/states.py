@@ -28,6 +28,7 @@ class BearingCase(Generic[Value]):
     journal_expansion: float
     housing_expansion: float
     viscosity_factor: Value | None = None  # on the oil's viscosity, at a corner of its tolerance
+    centred: bool = False  # it carries next to nothing: its film is the thickest of the table, whatever the load
 
     @property
     def grooves(self) -> Feeds | None:

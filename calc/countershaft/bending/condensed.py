@@ -18,7 +18,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Metre, Newton, Number, RadPerSecond
+from ...sheet.units import Metre, Number, RadPerSecond
 from ...sheet.value import untraced
 from ..formulas import line_weight, weight
 from ..inputs import EccentricMass
@@ -82,11 +82,6 @@ class OnSupports:
         """The loads of bores that stand at g, up + i·side, off the line."""
         loads: ComplexArray = -(self.yields @ g)
         return loads
-
-    def wheel(self, F_t: Newton, F_r: Newton, F_a: Newton, d: Metre) -> Array:
-        """The most that the tooth force of a wheel whose place in the train is not known puts on each support."""
-        assert self.force is not None and self.couple is not None, "the shaft has no wheel"
-        return f.wheel_load(G_F=np.abs(self.force), G_C=np.abs(self.couple), F_t=F_t, F_r=F_r, F_a=F_a, d=d)
 
     def alignment(self, t: Metre) -> Array:
         """The most that bores anywhere in their zone of the diameter t put on each support."""

@@ -139,6 +139,17 @@ def rotary_inertia(rho: KilogramPerMetre3, I: Metre4) -> KilogramMetre:
     return rho * I
 
 
+@formula(
+    "J_l",
+    "dynamics: rotary inertia per length, the part of the sectors by their own density; rule of this program: about "
+    "the centre of the section",
+    names={"nu": "ν_ρ"},
+)
+def heavier_rotary_inertia(rho: KilogramPerMetre3, I: Metres4, I_0: Metres4, nu: Number) -> KilogramMetres:
+    """ν: density of the sectors over that of the core, whose second moment is I_0."""
+    return rho * (I_0 + nu * (I - I_0))
+
+
 @formula("q", "dynamics: centrifugal load per length of what is eccentric", names={"omega": "ω_S"})
 def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
     return omega**2 * rho * S
@@ -359,7 +370,8 @@ def shared_load(K_c: NewtonsPerMetre, f_c: PhasorNewtons, x: PhasorMetres, P: Ph
 @formula("x", "geometry: the journal lags its load by the attitude angle", shows="e·e^{−i·φ}·P/|P|")
 def displaced(P: PhasorNewtons, e: Metres, phi: Radians) -> PhasorMetres:
     """Of journals whose loads are known; e of each, φ below zero where the shaft turns against the crank."""
-    x: ComplexArray = e * np.exp(-1j * phi) * P / np.abs(P)
+    size = np.abs(P)
+    x: ComplexArray = e * np.exp(-1j * phi) * P / np.where(size > 0, size, 1.0)
     return x
 
 

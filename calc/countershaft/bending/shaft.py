@@ -228,6 +228,10 @@ class Bending:
     shear: Array
     loads: tuple[tuple[Metre, Newton], ...]  # place and size of the resultants
     vibrating: "_Vibrating"  # of the first natural frequency
+    model: Beam  # that bends
+    material: Material
+    points: tuple[EccentricMass, ...]  # what the outline does not hold
+    effectiveness: Number
     step_over_fillet: Number | None = None  # of the shoulder that governs
     fillet: Metre | None = None
     fillet_room: Metre | None = None  # length of the shortest piece that carries fillets, for each of them
@@ -343,6 +347,10 @@ def bending(
         shear_z=bent.shear_z,
         shear=(bent.shear * back).real,
         vibrating=vibrating,
+        model=model,
+        material=material,
+        points=extras,
+        effectiveness=effectiveness,
         loads=resultants(given["z"], given["q"], (shaft.places, given["F"]), back),
     )
 
@@ -435,7 +443,10 @@ def _frequencies(
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = shared_stiffness(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             inertia = weaker
-    j = f.rotary_inertia(rho=material.density, I=inertia)
+    if outline.heavier == 1:
+        j = f.rotary_inertia(rho=material.density, I=inertia)
+    else:
+        j = f.heavier_rotary_inertia(rho=material.density, I=inertia, I_0=core, nu=outline.heavier)
     shared, whole = stiffnesses
     x = shaft.given
     S_s, mu, m, z, z_B = x["S_s"], x["mu"], x["m"], x["z"], x["z_B"]

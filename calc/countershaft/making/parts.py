@@ -7,6 +7,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from ...library.catalogue import Material, proof_of
@@ -16,11 +17,11 @@ from ...sheet.linked_array import column
 from ...sheet.quantity import dotted
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text
-from ...sheet.units import Metre, RadPerSecond
-from ...sheet.value import based_on
+from ...sheet.units import KilogramPerMetre3, Metre, Number, RadPerSecond
+from ...sheet.value import about, based_on
 from .. import formulas as f
 from ..inputs import EccentricMass, ShaftInputs
-from ..outline import Journals
+from ..outline import Journals, density_ratio
 from ..result import CountershaftResult
 from ..rows import EACH_ROW, SHAFT, BearingRow, called
 from ..sizing.choices import Seat, compared, compared_table
@@ -100,6 +101,18 @@ class ShaftStep:
         """Of the shaft."""
         return self.materials[self.shaft.material]
 
+    @property
+    def sector_density(self) -> KilogramPerMetre3:
+        return self.materials[self.shaft.of_sectors].density
+
+    @cached_property
+    def heavier(self) -> Number:
+        """The density of the sectors over that of the core."""
+        if self.shaft.of_sectors == self.shaft.material:
+            return 1.0
+        with about(Text("sectors of the shaft")):
+            return density_ratio(rho_s=self.sector_density, rho=self.material.density)
+
 
 def making(
     step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None
@@ -112,7 +125,8 @@ def making(
         loads = list(result.loads.values())
         ends = zip((*journals[:1], *journals[-1:]), (loads[0], loads[-1]))
         seat = max((Seat(d, l, load) for (d, l), load in ends), key=lambda seat: seat.diameter, default=None)
-        other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, result.mass, seat)
+        mass = result.mass if shaft.sector_material is None else None  # else not all of it is in the other material
+        other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, mass, seat)
         step.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
@@ -177,7 +191,7 @@ def _holes(
         )
         return None
     z = column(masses, "z")
-    drilled = balance.calibration(holes, step.material.density, R, z, result.omega, todo.couple)
+    drilled = balance.calibration(holes, step.sector_density, R, z, result.omega, todo.couple)
     if masses and holes.count % len(masses):
         shared = Text(
             "Calibration holes: {count} holes on {count2} masses are counted as an equal share for each.",

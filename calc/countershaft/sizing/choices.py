@@ -31,12 +31,15 @@ from ...sheet.units import (
     RadPerSecond,
 )
 from ...sheet.value import about, untraced
-from ..formulas import asked_product, asked_unbalance, shaft_speed
+from ..formulas import shaft_speed
 from ..inputs import THREADED, Extra, ShaftInputs
 from ..making.inputs import Alternative, Cost
+from ..outline import outer_face
 from . import formulas as f
 from .formulas import first_year, radius_needed
-from .sectors import Sized, TooSmall, masses, remainder, size, task
+from .sectors import Sized, TooSmall, remainder, task
+from .shares import asked_share, share_of
+from .stretches import Gaps, SizedStretches, inner_gaps, least_masses, size_between
 
 if TYPE_CHECKING:
     pass
@@ -94,24 +97,24 @@ def compared(
     `R` and `r_0`: of the design's sectors, None where they are not known; `eccentric_mass`: both together;
     `shaft_mass`: the whole shaft, `seat`: its largest journal, where they are known."""
     costs = {a.material: a for a in shaft.cost.alternatives} if shaft.cost is not None else {}
-    own_cost = costs.get(shaft.material)
+    own, own_cost = materials[shaft.of_sectors], costs.get(shaft.of_sectors)
     results = {}
     for name in named(shaft, materials):
         with about(Text("material {material}", material=name)):
-            sized = _size(shaft, materials[shaft.material], materials.get(name), R, r_0, eccentric_mass)
-            sized |= _whole(sized, materials[shaft.material], eccentric_mass, shaft_mass, seat)
+            sized = _size(shaft, own, materials.get(name), R, r_0, eccentric_mass)
+            sized |= _whole(sized, own, eccentric_mass, shaft_mass, seat)
             results[key(name)] = MaterialResult(name=name, **sized, **_cost(shaft, costs.get(name), own_cost))
     return results
 
 
 def named(shaft: ShaftInputs, materials: Mapping[str, Material]) -> tuple[str, ...]:
-    """The materials to compare: the design's own, and those of [shafts.cost]; where it is sized without one, the
-    ADI grades."""
+    """The materials of the sectors to compare: the design's own, and those of [shafts.cost]; where it is sized without
+    one, the ADI grades."""
     if shaft.cost is not None:
         others = [a.material for a in shaft.cost.alternatives]
     else:
         others = [name for name in materials if name.startswith("ADI")] if shaft.mode == "size" else []
-    return (shaft.material, *(name for name in others if name != shaft.material))
+    return (shaft.of_sectors, *(name for name in others if name != shaft.of_sectors))
 
 
 def key(name: str) -> str:
@@ -231,7 +234,7 @@ def compared_table(shaft: ShaftInputs, results: Mapping[str, MaterialResult]) ->
         note += Text(
             " First year: tooling, development and {n} pieces; the comparison is with {material}.",
             n=shaft.cost.pieces_per_year,
-            material=shaft.material,
+            material=shaft.of_sectors,
         )
     columns = ((Text("material"), ""), *((label, unit) for label, _, unit in shown))
     return Table(
@@ -254,6 +257,8 @@ class Envelope:
     half_length: Metre
     derived: tuple[Text, ...]
     shaft: str
+    gaps: Gaps = ()  # at its inner bearings
+    material_key: object = ShaftInputs.material  # of the sectors
 
 
 @record
@@ -261,7 +266,7 @@ class Choice:
     """One shaft to choose: the cost is None where it is not known."""
 
     material: str
-    sized: Sized
+    sized: Sized | SizedStretches
     first_year_cost: Euro | None
 
 
@@ -285,9 +290,9 @@ def envelope(shaft: ShaftInputs, place: str) -> Envelope:
         return math.nan
 
     R, z_max, r_0 = shaft.outer_radius, shaft.half_length, shaft.core_radius
-    if R is None and journals:
+    if R is None and journals and shaft.seat is not None:
         clearance = shaft.radial_clearance if shaft.radial_clearance is not None else THREADED
-        R = round(max(d for d, _ in journals) / 2 - clearance, 9)
+        R = round(shaft.seat / 2 - clearance, 9)
         why = Text(
             "outer radius {R}: the largest journal's, less {clearance} for threading in",
             R=_mm(R),
@@ -301,7 +306,7 @@ def envelope(shaft: ShaftInputs, place: str) -> Envelope:
         )
     if z_max is None and journals:
         fillets = 2 * (shaft.fillet_radius or 0.0)  # one at the journal, one at the sector
-        z_max = round(min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals)) - fillets, 9)
+        z_max = round(outer_face(shaft.bearing_positions, journals)[0] - fillets, 9)
         if z_max <= 0:
             what = Text("a journal stands at mid-shaft, so that it can not be derived; give that of the outer faces")
             z_max = missing(ShaftInputs.half_length, what)
@@ -328,7 +333,10 @@ def envelope(shaft: ShaftInputs, place: str) -> Envelope:
         errors.append(InputError(0, dotted("shafts", shaft.name, ShaftInputs.core_radius), f"{r_0 * 1e3:g}", reason))
     if errors:
         raise BadInput(place, errors)
-    return Envelope(R, r_0, z_max, tuple(derived), shaft.name)
+    with untraced():
+        gaps = inner_gaps(shaft)
+    of_sectors = ShaftInputs.material if shaft.sector_material is None else ShaftInputs.sector_material
+    return Envelope(R, r_0, z_max, tuple(derived), shaft.name, gaps, of_sectors)
 
 
 def _mm(length: Metre) -> Amount:
@@ -357,13 +365,13 @@ def candidates(
 
 
 def asked(
-    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond
+    shaft: ShaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, alike: int = 1
 ) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2, RadPerSecond]:
-    """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns."""
+    """Unbalance and unbalance times position that the whole shaft needs, and the speed at which it turns; `alike`:
+    how many shafts of its ratio are sized, of which each has its share."""
     todo = task(shaft.speed_ratio, imbalance)
     omega_S = shaft_speed(i=shaft.speed_ratio, omega=omega)
-    U = asked_unbalance(F_like=todo.F, x_o=shaft.overdesign, omega=omega_S)
-    return U, asked_product(C_like=todo.C, x_o=shaft.overdesign, omega=omega_S), omega_S
+    return *asked_share((todo.F, todo.C), omega_S, shaft.overdesign, share_of(shaft, alike)), omega_S
 
 
 def choices(
@@ -373,6 +381,7 @@ def choices(
     room: Envelope,
     materials: Mapping[str, tuple[Material, Euro | None]],
     progress: Progress | None = None,
+    alike: int = 1,
 ) -> Choices:
     """Shafts of every material from the smallest radius that serves to that of the envelope, the lightest first.
 
@@ -381,13 +390,15 @@ def choices(
     shafts: list[Choice] = []
     refused: dict[str, NoSolution] = {}
     with untraced():
-        U, P, omega_S = asked(shaft, imbalance, omega)
+        U, P, omega_S = asked(shaft, imbalance, omega, alike)
+
+        def sized(rho: KilogramPerMetre3, R: Metre) -> Sized | SizedStretches:
+            return size_between(U, P, omega_S, rho, R, room.core_radius, room.half_length, room.gaps, shaft.extras)
+
         for n, (name, (material, cost)) in enumerate(materials.items()):
             tell(progress, n / len(materials), Name(name))
             try:
-                largest = size(
-                    U, P, omega_S, material.density, room.outer_radius, room.core_radius, room.half_length, shaft.extras
-                )
+                largest = sized(material.density, room.outer_radius)
             except NoSolution as none:
                 refused[name] = none
                 continue
@@ -396,10 +407,9 @@ def choices(
                 radius_needed(R=room.outer_radius, r_0=room.core_radius, u=largest.utilisation), room.outer_radius
             ):
                 try:
-                    sized = size(U, P, omega_S, material.density, R, room.core_radius, room.half_length, shaft.extras)
+                    shafts.append(Choice(name, sized(material.density, R), cost))
                 except TooSmall:  # the last digit of the smallest radius
                     continue
-                shafts.append(Choice(name, sized, cost))
     if not shafts:
         raise max(refused.items(), key=lambda refusal: materials[refusal[0]][0].density)[1]
     return Choices(tuple(sorted(shafts, key=lambda c: (c.sized.mass, c.sized.outer_radius))), refused)
@@ -413,9 +423,9 @@ def _radii(smallest: Metre, largest: Metre) -> list[Metre]:
 
 
 def choices_table(listed: Choices, top: int, room: Envelope) -> Table:
-    """The first `top` of them.  Of unequal sectors front and rear stand beside each other."""
+    """The first `top` of them.  Of unequal sectors front and rear stand beside each other; of those between inner
+    bearings how many there are, and the largest of each size."""
     mm, kg, degree = 1e-3, 1.0, math.pi / 180
-    equal = all(math.isclose(c.sized.front.mass, c.sized.rear.mass, rel_tol=1e-9) for c in listed.shafts)
     priced = any(c.first_year_cost is not None for c in listed.shafts)
     parts = (
         (Text("half-angle"), "half_angle", "°", degree),
@@ -423,20 +433,27 @@ def choices_table(listed: Choices, top: int, room: Envelope) -> Table:
         (Text("mass"), "mass", "kg", kg),
         (Text("centre of gravity"), "radius", "mm", mm),
     )
-    sides = ((Text("of each"), "front"),) if equal else ((Text("front"), "front"), (Text("rear"), "rear"))
     columns = [(Text("no."), ""), (Text("material"), ""), (Text("outer radius"), "mm")]
-    columns += [
-        (Text("{label} {side}", label=label, side=word), unit) for word, _ in sides for label, _, unit, _ in parts
-    ]
+    if room.gaps:
+        sides = [Text("of the largest")]
+        columns.append((Text("sectors"), ""))
+    else:
+        two = [list(c.sized.by_name.values()) for c in listed.shafts]
+        equal = all(math.isclose(front.mass, rear.mass, rel_tol=1e-9) for front, rear in two)
+        sides = [Text("of each")] if equal else [Text("front"), Text("rear")]
+    columns += [(Text("{label} {side}", label=label, side=word), unit) for word in sides for label, _, unit, _ in parts]
     columns += [(Text("eccentric masses"), "kg"), (Text("utilisation"), "")] + (
         [(Text("first year"), "k€")] if priced else []
     )
     rows = []
     for number, choice in enumerate(listed.shafts[:top], 1):
-        sized = choice.sized
-        cells = [getattr(getattr(sized, side), name) / factor for _, side in sides for _, name, _, factor in parts]
+        sectors = list(choice.sized.by_name.values())
+        shown = [max(sectors, key=lambda one: one.mass)] if room.gaps else sectors[: len(sides)]
+        cells = [getattr(one, name) / factor for one in shown for _, name, _, factor in parts]
         rows.append(
-            (str(number), choice.material, sized.outer_radius / mm, *cells, sized.mass, sized.utilisation)
+            (str(number), choice.material, choice.sized.outer_radius / mm)
+            + ((len(sectors),) if room.gaps else ())
+            + (*cells, choice.sized.mass, choice.sized.utilisation)
             + ((None if choice.first_year_cost is None else choice.first_year_cost / 1e3,) if priced else ())
         )
     note = Text(
@@ -457,7 +474,7 @@ def changes(choice: Choice, room: Envelope) -> Changes:
     """The keys that make a design one of these shafts."""
     written: dict[object, object] = {
         ShaftInputs.mode: "size",
-        ShaftInputs.material: choice.material,
+        room.material_key: choice.material,
         ShaftInputs.outer_radius: digits(choice.sized.outer_radius * 1e3),
         ShaftInputs.core_radius: digits(room.core_radius * 1e3),
         ShaftInputs.half_length: digits(room.half_length * 1e3),
@@ -480,6 +497,7 @@ def front_curve(
     z_max: Metre,
     densities: Mapping[str, float],
     extras: tuple[Extra, ...] = (),
+    gaps: Gaps = (),
 ) -> Curve | None:
     """Least mass of the sectors against their outer radius, from the smallest that serves to that of the envelope; a
     line a material.
@@ -491,13 +509,13 @@ def front_curve(
     with untraced():
         left = remainder(U, P, extras)
         try:
-            u = size(*left, omega, heavy, R, r_0, z_max).utilisation
+            u = size_between(*left, omega, heavy, R, r_0, z_max, gaps).utilisation
         except TooSmall:
             return None
         start = radius_needed(R=R, r_0=r_0, u=u) * (1 + 1e-9)
         ends = [f.radius_for(R=R, r_0=r_0, rho=densities[name], rho_m=heavy) for name in names]
         radii = np.unique([*np.linspace(start, R, POINTS), *(end for end in ends if start < end < R)])
-        least = masses(*left, heavy, radii, r_0, z_max)
+        least = least_masses(*left, heavy, radii, r_0, z_max, gaps)
         series = {}
         for name in names:  # equal ρ·(R³ − r_0³): equal lengths and half-angles
             R_m = f.radius_for(R=radii, r_0=r_0, rho=heavy, rho_m=densities[name])

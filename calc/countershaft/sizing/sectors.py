@@ -9,6 +9,7 @@ rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel."""
 
 import math
 from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 
@@ -74,6 +75,11 @@ class Sized:
     rear: SizedSector = group()
     outer_radius: Metre
     core_radius: Metre
+
+    @property
+    def by_name(self) -> dict[str, SizedSector]:
+        """Its sectors, front to rear."""
+        return {"front": self.front, "rear": self.rear}
 
 
 @record
@@ -294,22 +300,33 @@ def sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, r
         )
 
 
-def eccentric_masses(sized: Sized) -> tuple[EccentricMass, ...]:
-    """The sectors as the eccentric masses of a shaft, "front" and "rear"."""
-    sides = (("front", sized.front), ("rear", sized.rear))
+class Found(Protocol):
+    """Sectors that were found for an envelope."""
+
+    @property
+    def by_name(self) -> dict[str, SizedSector]: ...
+    @property
+    def outer_radius(self) -> Metre: ...
+    @property
+    def core_radius(self) -> Metre: ...
+
+
+def eccentric_masses(found: Found) -> tuple[EccentricMass, ...]:
+    """The sectors as the eccentric masses of a shaft, by their names."""
     return tuple(
         EccentricMass(name=name, mass=sector.mass, radius=sector.radius, angle=sector.angle, z=sector.z)
-        for name, sector in sides
+        for name, sector in found.by_name.items()
     )
 
 
-def pieces(sized: Sized) -> list[Piece]:
+def pieces(found: Found) -> list[Piece]:
     """The sectors as pieces of the outline; one without mass is left out."""
     sectors = []
-    for name, side in (("front", sized.front), ("rear", sized.rear)):
-        if side.mass:
-            faces = around(side.z, side.length, Text("{name} sector", name=name))
-            sectors.append(Piece(*faces, sized.outer_radius, sized.core_radius, side.half_angle, side.angle, "sector"))
+    for name, one in found.by_name.items():
+        if one.mass:
+            counted = Text("sector {number}", number=name) if name.isdigit() else Text("{name} sector", name=name)
+            faces = around(one.z, one.length, counted)
+            sectors.append(Piece(*faces, found.outer_radius, found.core_radius, one.half_angle, one.angle, "sector"))
     return sectors
 
 

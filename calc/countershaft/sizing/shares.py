@@ -17,6 +17,7 @@ from ...sheet.units import (
     RadPerSecond,
 )
 from ..formulas import asked_product, asked_unbalance
+from ..inputs import ShaftInputs
 from .sectors import Asked
 
 Vectors = tuple[PhasorNewton, PhasorNewtonMetre]  # force F and couple C
@@ -38,6 +39,13 @@ def shared_unbalance(x_o: Number, w: Number, F_like: PhasorNewton, omega: RadPer
 @formula("P_req", OPPOSITE, unit="kg·mm²", names=LEFT)
 def shared_product(x_o: Number, w: Number, C_like: PhasorNewtonMetre, omega: RadPerSecond) -> PhasorKilogramMetre2:
     return -(1 + x_o) * w * C_like / omega**2
+
+
+def share_of(shaft: ShaftInputs, alike: int) -> Number:
+    """What a sized shaft takes of what is left for those of its ratio, of which there are so many."""
+    if shaft.share is not None:
+        return shaft.share
+    return equal_share(k=float(alike)) if alike > 1 else 1.0
 
 
 def asked_share(left: Vectors, omega: RadPerSecond, x_o: Number = 0.0, share: Number = 1.0) -> Asked:

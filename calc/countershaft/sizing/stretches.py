@@ -42,16 +42,19 @@ from ...sheet.units import (
 from ...sheet.value import about, based_on, untraced
 from .. import outline as s
 from ..formulas import eccentric_mass
+from ..inputs import Extra, ShaftInputs
 from . import formulas as f
 from .multipliers import LIGHTEST, Part, Stretches, grown, multipliers, present, supply, utilisation, worth
 from .sectors import (
     Room,
+    Sized,
     SizedSector,
     TooSmall,
     in_words,
     larger,
     masses,
     needed,
+    remainder,
     sector,
     share_of_that,
     size,
@@ -78,20 +81,39 @@ class SizedStretches:
     core_radius: Metre
     lightest: bool
 
+    @property
+    def by_name(self) -> dict[str, SizedSector]:
+        """Its sectors, counted from the front."""
+        return {str(number): sector for number, sector in enumerate(self.sectors, 1)}
+
 
 # --- the stretches
 
+Gaps = tuple[tuple[Metre, Metre], ...]  # the place of each inner bearing, and the width of the gap around it
+
 
 @formula(
-    "g_B", "rule of this program: sectors keep away from an inner bearing by its journal and two fillets", unit="mm"
+    "g_B",
+    "rule of this program: beside an inner journal room for two fillets, one at it and one at the sector",
+    unit="mm",
 )
 def gap_of(l: Metre, r: Metre) -> Metre:
     """l: length of the journal, r: radius of the fillets."""
-    return l + 2 * r
+    return l + 4 * r
+
+
+def inner_gaps(shaft: ShaftInputs) -> Gaps:
+    """The gaps at the inner bearings of a shaft: as it has them, else by their journals."""
+    fillet = shaft.fillet_radius or 0.0
+    gaps = []
+    for row in shaft.bearings[1:-1]:
+        with about(Text("{row} bearing", row=row.in_words)):
+            gaps.append((row.position, shaft.gap if shaft.gap is not None else gap_of(l=row.length, r=fillet)))
+    return tuple(gaps)
 
 
 def stretches(half_length: Metre, gaps: Iterable[tuple[Metre, Metre]]) -> Stretches:
-    """What is left between ∓half_length: `gaps` has the place of each inner bearing and the width of the gap around it.
+    """What is left between ∓half_length of all gaps.
 
     A gap without width parts a stretch all the same: sectors end at the bearing."""
     left = [(based_on(-half_length, half_length), half_length)]
@@ -131,12 +153,20 @@ def stretches_utilisation(alpha: Number, product: Number, faces: Numbers) -> Num
     return utilisation(float(alpha), float(product), _pairs(faces))
 
 
-@formula("λ_F", LIGHTEST, shows="λ_F, with λ_C, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ")
+@formula(
+    "λ_F",
+    Text("{lightest}: of the force", lightest=LIGHTEST),
+    shows="λ_F, with λ_C, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ",
+)
 def force_multiplier(alpha: Number, product: Number, faces: Numbers) -> Number:
     return multipliers(float(alpha), float(product), _pairs(faces))[0]
 
 
-@formula("λ_C", LIGHTEST, shows="λ_C, with λ_F, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ")
+@formula(
+    "λ_C",
+    Text("{lightest}: of the couple", lightest=LIGHTEST),
+    shows="λ_C, with λ_F, from the largest λ_F·α + λ_C·Π − Σ∫(|λ_F + λ_C·ζ|·sin γ − γ)dζ",
+)
 def couple_multiplier(alpha: Number, product: Number, faces: Numbers) -> Number:
     return multipliers(float(alpha), float(product), _pairs(faces))[1]
 
@@ -151,6 +181,32 @@ def filled_utilisation(
     U_f: PhasorKilogramMetre, U_r: PhasorKilogramMetre, k: Kilogram, b_f: Metre, b_r: Metre
 ) -> Number:
     return largest(modulus(U_f) / (k * b_f), modulus(U_r) / (k * b_r))
+
+
+def size_between(
+    U: PhasorKilogramMetre,
+    P: PhasorKilogramMetre2,
+    omega: RadPerSecond,
+    rho: KilogramPerMetre3,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
+    gaps: Gaps,
+    extras: tuple[Extra, ...] = (),
+    fillet: Metre = 0.0,
+) -> Sized | SizedStretches:
+    """The lightest sectors that, with the extras, have the unbalance U and the product of unbalance and position P: two
+    of them, or beside inner bearings one in each stretch.  Raises TooSmall and NoSolution, as these do."""
+    if not gaps:
+        return size(U, P, omega, rho, R, r_0, z_max, extras, fillet)
+    return size_stretches(*remainder(U, P, extras), omega, rho, R, r_0, stretches(z_max, gaps), fillet)
+
+
+def least_masses(
+    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: Num, R: Num, r_0: Metre, z_max: Metre, gaps: Gaps
+) -> Array:
+    """Their masses [kg] in as many envelopes, U and P of the sectors alone; NaN where it can not be."""
+    return stretch_masses(U, P, rho, R, r_0, stretches(z_max, gaps)) if gaps else masses(U, P, rho, R, r_0, z_max)
 
 
 def size_stretches(

@@ -7,6 +7,7 @@ from ...sheet.units import Watt
 
 ON = Text("mathematics, sum over what a wheel carries of it, one after the other")
 OVER = Text("mathematics, sum over the wheels, one after the other")
+OVER_SHAFTS = Text("mathematics: sum over the shafts, one after the other")
 
 
 @formula("P_C", ON, names={"P": "P_C,0"})
@@ -39,8 +40,28 @@ def other_losses_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P_B", "mathematics: sum over the shafts, one after the other", names={"P": "P_B,0", "P_i": "P_B,i"})
+@formula("P_B", OVER_SHAFTS, names={"P": "P_B,0", "P_i": "P_B,i"})
 def shafts(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_M,min", OVER_SHAFTS, names={"P": "P_M,min,0", "P_i": "P_M,min,i"})
+def least_of_masses(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_M,max", OVER_SHAFTS, names={"P": "P_M,max,0", "P_i": "P_M,max,i"})
+def most_of_masses(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_M", OVER_SHAFTS, names={"P": "P_M,0", "P_i": "P_M,i"})
+def masses(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_D,max", OVER_SHAFTS, names={"P": "P_D,max,0", "P_i": "P_D,max,i"})
+def dips(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
@@ -62,6 +83,11 @@ def stages(P: Watt, P_i: Watt) -> Watt:
 @formula("P", "mathematics: with what the chains and belts lose", names={"P": "P_0"})
 def with_stages(P: Watt, P_K: Watt) -> Watt:
     return P + P_K
+
+
+@formula("P", "mathematics: with what the turning masses lose", names={"P": "P_0"})
+def with_masses(P: Watt, P_M: Watt) -> Watt:
+    return P + P_M
 
 
 @formula("ΣP_W", OVER, names={"P": "ΣP_W,0", "P_i": "P_W"})

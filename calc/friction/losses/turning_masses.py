@@ -12,10 +12,14 @@ at Re beyond 10 000."""
 
 import numpy as np
 
+from ...countershaft.inputs import ShaftInputs
+from ...countershaft.outline import Outline
 from ...sheet.arrays import Array, Num
 from ...sheet.formula import formula
 from ...sheet.functions import acos, largest, pi, resultant, smallest, sqrt
+from ...sheet.linked_array import column
 from ...sheet.quantity import result, value
+from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramPerMetre3,
@@ -45,9 +49,32 @@ ON_TOP: Metre = 0.0
 class MassLoss:
     """What the sectors of one shaft lose to the mist."""
 
-    mass_loss_low: Watt = value("Loss of the turning masses, at least", "W", "P_M,min")
-    mass_loss_high: Watt = value("Loss of the turning masses, at most", "W", "P_M,max")
-    mass_loss: Watt = value("Loss of the turning masses, counted", "W", "P_M")
+    mass_loss_low: Watt = value("Loss of the turning masses, at least", "W", "P_M,min", short=True)
+    mass_loss_high: Watt = value("Loss of the turning masses, at most", "W", "P_M,max", short=True)
+    mass_loss: Watt = value("Loss of the turning masses, counted", "W", "P_M", short=True)
+
+
+@record
+class Sectors:
+    """The sectors of one shaft as they turn: lengths, outer and core radii, an element each; the speed of the shaft,
+    one number or, of many operating points, an array; the gap to the shell that covers them, None where nothing does;
+    the axis up from the crank's, None where it is not known."""
+
+    lengths: Array
+    outer_radii: Array
+    core_radii: Array
+    omega: RadPerSecond
+    shell_gap: Metre | None
+    up: Metre | None
+
+
+def sectors_of(shaft: ShaftInputs, outline: Outline | None, omega: RadPerSecond) -> Sectors | None:
+    """None where the outline of the shaft is not known, or has no sector."""
+    pieces = [piece for piece in outline.pieces if piece.what == "sector"] if outline is not None else []
+    if not pieces:
+        return None
+    b, R, r_0 = (column(pieces, name) for name in ("length", "outer_radius", "core_radius"))
+    return Sectors(b, R, r_0, omega, shaft.shell_gap, None if shaft.axis is None else shaft.axis[0])
 
 
 @formula("Re_Z", Text("{vrancik}: Reynolds number of the gap around the cylinder", vrancik=VRANCIK))

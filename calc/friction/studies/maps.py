@@ -22,7 +22,7 @@ from ...sheet.value import untraced
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
 from ..mesh.loss import HELICAL_POINTS, SPUR_POINTS, STRIPS
-from ..power_balance import Ends, Losses, TrainDrive, drive, losses_of, shaft_loss
+from ..power_balance import Ends, Losses, TrainDrive, drive, end_of, losses_of, shaft_loss
 from ..result import carbon_dioxide, fuel
 
 SPEEDS = 7
@@ -48,11 +48,12 @@ class Map:
     journals: Array
     mesh: Array
     wheels: Array
+    masses: Array
     missing: str
 
     @property
     def total(self) -> Array:
-        return self.journals + self.mesh + self.wheels
+        return self.journals + self.mesh + self.wheels + self.masses
 
 
 def axes(friction: FrictionInputs, T: Celsius, n: RevPerSecond) -> tuple[Array, Array]:
@@ -77,7 +78,7 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: Mapping[st
         for name, shaft in on.items():
             journals[name] = journals_at(shaft, ratio, grid_T)
             good &= np.isfinite(shaft_loss(journals[name], None))
-    parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels")}
+    parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels", "masses")}
     missing, bad = "", int((~good).sum())
     if bad:
         missing = Text(
@@ -86,10 +87,7 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: Mapping[st
     if good.any():
         try:
             ends = {
-                name: replace(
-                    end, journals=journals[name].only(good), carried=end.carried * ratio[good] ** end.speed_exponent
-                )
-                for name, end in d.ends.items()
+                name: end_of(d.friction, end.wheel, on[name], journals[name].only(good)) for name, end in d.ends.items()
             }
             losses = _losses(d, power, ends, ratio[good], grid_T[good])
             for name, values in parts.items():
@@ -139,6 +137,7 @@ def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Tab
             (Text("journals of the counter-shaft"), loss_map.journals),
             (Text("meshes"), loss_map.mesh),
             (Text("wheels"), loss_map.wheels),
+            (Text("turning masses"), loss_map.masses),
         )
         if np.any(part[:, at] != 0)
     )

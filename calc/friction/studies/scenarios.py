@@ -121,6 +121,7 @@ def _one(
         meshes=meshes,
         oil_viscosity=r.oil_viscosity,
         bearing_loss=r.bearing_loss,
+        mass_loss=r.mass_loss,
         mesh_loss=r.mesh_loss,
         total_loss=r.total_loss,
         share=share,
@@ -168,6 +169,7 @@ def _balance(scenarios: Mapping[str, ScenarioResult], design: FrictionResult) ->
         (Text("Conditions"), ""),
         (Text("journals"), "W"),
         (Text("meshes"), "W"),
+        (Text("masses"), "W"),
         (Text("wheels"), "W"),
         (Text("all losses"), "W"),
         (Text("T_1"), "N·m"),
@@ -179,9 +181,11 @@ def _balance(scenarios: Mapping[str, ScenarioResult], design: FrictionResult) ->
     if all(s.total_loss != design.total_loss for s in scenarios.values()):
         compared.insert(0, (Text("as designed"), "", design))
     for name, about, s in compared:
-        wheels = s.total_loss - (s.mesh_loss or 0.0) - (s.bearing_loss or 0.0)
+        wheels = s.total_loss - (s.mesh_loss or 0.0) - (s.bearing_loss or 0.0) - (s.mass_loss or 0.0)
         torque = s.crank_torque if s.delivered_power is None else None  # given, where the power is
-        rows.append((name, about, s.bearing_loss, s.mesh_loss, wheels, s.total_loss, torque, s.delivered_power))
+        rows.append(
+            (name, about, s.bearing_loss, s.mesh_loss, s.mass_loss, wheels, s.total_loss, torque, s.delivered_power)
+        )
     title = Text("Scenarios: the whole balance, as judged")
     note = Text("wheels: windage, churning, seals and bearings of the wheels, other losses.")
     whole = Table("scenarios", title, columns, tuple(rows), note, covers=("friction.scenarios.",))

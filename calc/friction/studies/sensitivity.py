@@ -154,7 +154,21 @@ def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
         P, why = _number(_power(d, f, power, rolling=False)), Text("the bound supposes a full inlet")
         name, ends = Text("rolling of the rigid film"), (Text("none: a starved inlet"), Text("full inlet"))
         swings.append(Swing(name, "rolling", *ends, P, nominal, why))
+    if d.masses:
+        why, name = Text("no measurement was found"), Text("loss of the turning masses")
+        least, most = ({s: (m.mass_loss_low, m.mass_loss_high)[end] for s, m in d.masses.items()} for end in (0, 1))
+        ends = Text("closed cylinders"), Text("with plates in air at rest")
+        swings.append(Swing(name, "P_M", *ends, _with_masses(d, power, least), _with_masses(d, power, most), why))
     return swings
+
+
+def _with_masses(d: TrainDrive, power: Watt | None, losses: Mapping[str, Watt]) -> Watt | None:
+    """The power of the train's losses where the turning masses lose so much; None where it has no solution."""
+    masses = {name: replace(loss, mass_loss=losses[name]) for name, loss in d.masses.items()}
+    try:
+        return losses_of(replace(d, masses=masses), power).total
+    except NoSolution:
+        return None
 
 
 def _other(laws: Mapping[str, Text], taken: str) -> str:

@@ -522,6 +522,17 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         for table, there in ((Design.shafts, base.countershaft), (Design.bearings, base.bearings))
         if there is None
     ]
+    if (shaft := base.countershaft) is not None:
+        searched = (
+            (ShaftInputs.bore_diameter, not shaft.bore_diameter),
+            (ShaftInputs.sector_material, shaft.sector_material is None),
+            (ShaftInputs.assembly, shaft.passes_seats),
+        )
+        alone = Text("is not searched: its shafts are solid, of one material, and threaded through the largest seat")
+        errors += [InputError(0, base.own_key(field), "", alone) for field, holds in searched if not holds]
+    if len(base.rows) > 2:
+        three = Text("has {n} rows: a drive is searched whole on two bearings alone", n=len(base.rows))
+        errors.append(InputError(0, base.own_key(ShaftInputs.bearings), "", three))
     if errors:
         raise BadInput(document.place, errors)
     began, words = _sized(base)

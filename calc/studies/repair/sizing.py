@@ -19,7 +19,7 @@ from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.names import named
-from ...design.step_inputs import bearings_case
+from ...design.step_inputs import bearings_case, sized_alike
 from ...engine.result import EngineResult
 from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.rating.classes import DEFAULT, class_names, strength_class
@@ -212,9 +212,10 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
         materials = candidates(shaft, design.materials, state.document.place)
     except BadInput as bad:
         raise NoSolution(Text("{key} {reason}", key=bad.errors[0].key, reason=bad.errors[0].reason)) from None
-    ids = [c.id for c in failing]
+    ids, alike = [c.id for c in failing], sized_alike(design, shaft)
     try:
-        choices(shaft, imbalance, engine.angular_speed, room, {shaft.material: materials[shaft.material]})
+        own = {shaft.of_sectors: materials[shaft.of_sectors]}
+        choices(shaft, imbalance, engine.angular_speed, room, own, alike=alike)
     except TooSmall as small:
         larger = (
             (ShaftInputs.outer_radius, small.outer_radius),
@@ -225,9 +226,10 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
             return first_repaired(state, "countershaft", ids, sizes, part(progress, 0.0, 0.2))
         except NoSolution:
             pass
-    shafts = choices(shaft, imbalance, engine.angular_speed, room, materials, part(progress, 0.2, 0.3)).shafts
+    searched = part(progress, 0.2, 0.3)
+    shafts = choices(shaft, imbalance, engine.angular_speed, room, materials, searched, alike).shafts
     R = shaft.outer_radius or room.outer_radius
-    near = sorted(shafts, key=lambda choice: (choice.material != shaft.material, abs(choice.sized.outer_radius - R)))
+    near = sorted(shafts, key=lambda choice: (choice.material != shaft.of_sectors, abs(choice.sized.outer_radius - R)))
     ways = (changes(choice, room) for choice in near)
     return first_repaired(state, "countershaft", ids, ways, part(progress, 0.3, 1.0), most=TRIED)
 

@@ -246,7 +246,8 @@ def _friction(design: Design, results: Results, flanks: float) -> list[Section]:
     words = {0.8: "assumed: ground", 0.4: "assumed: finely ground"}.get(flanks, "assumed: ground and polished")
     surfaces: Rows = {FrictionInputs.flank_roughness: (flanks, words), FrictionInputs.load_sharing: ("linear", "")}
     if design.bearings is not None:
-        return [(head(Design.friction), surfaces)]
+        masses: Rows = {FrictionInputs.mass_loss: ("bracket", "of the sectors in the mist; no measurement is known")}
+        return [(head(Design.friction), surfaces | masses)]
     return [(head(Design.friction), oil | surfaces), *_rolling(design, results)]
 
 

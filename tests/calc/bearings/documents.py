@@ -1,7 +1,11 @@
 """Designs for the tests of the bearings: others with values changed, and bearings that stand alone."""
 
-from calc.design.toml_file import Document, design
+import math
+
+from calc.design.toml_file import Document, design, read
 from calc.solve import solve
+from tests.calc.countershaft.bending import cases
+from tests.conftest import DESIGNS
 
 SIZES = {"diameter_mm": 60.0, "length_mm": 30.0, "clearance_um": 80.0, "load_N": 3000.0}
 ROUGHNESS = {"journal_roughness_um": 0.4, "housing_roughness_um": 0.4}
@@ -46,3 +50,40 @@ def alone(**changes):
 
 def _given(table):
     return {key: value for key, value in table.items() if value is not None}
+
+
+# --- shafts on more than two bearings, of the reference data
+
+
+def on_bearings(name, *, speed_ratio=2.0, rows=(), **changes):
+    """The shaft of a case with films under an engine at whose rated speed it turns as fast as there, with the oil of
+    one viscosity and seats that keep their clearance; `rows`: changes by the bearings' names."""
+    case = cases.SHARE[name]
+    rho, omega = case["rho"], 2 * math.pi * case["speed_rpm"] / 60
+    sections, masses = [], []
+    for start, end, R, r_0, half, angle in case["pieces"]:
+        sections.append({"from_mm": start, "to_mm": end, "outer_radius_mm": R})
+        if half is None:
+            continue
+        sections[-1] |= {"core_radius_mm": r_0, "half_angle_deg": half, "angle_deg": angle}
+        gamma, ring, cubes = math.radians(half), (R**2 - r_0**2) / 1e6, (R**3 - r_0**3) / 1e9
+        mass = rho * gamma * ring * (end - start) / 1e3
+        radius = 2 / 3 * cubes * math.sin(gamma) / (gamma * ring) * 1e3
+        at = {"angle_deg": angle, "z_mm": (start + end) / 2}
+        masses.append({"name": f"sector-{len(masses) + 1}", "mass_kg": mass, "radius_mm": radius, **at})
+    bearings = [
+        {"name": row, "position_mm": z, "diameter_mm": law["d_mm"], "length_mm": law["l_mm"]}
+        | {"clearance_um": law["c_um"], **ROUGHNESS, **dict(rows).get(row, {})}
+        for row, z, law in zip(case["names"], case["supports_mm"], case["laws"])
+    ]
+    shaft = {"name": "shaft", "mode": "given", "material": "as there", "speed_ratio": speed_ratio, "masses": masses}
+    shaft |= {"sector_effectiveness": case["eta"], "sections": sections, "bearings": [_given(row) for row in bearings]}
+    steel = {"name": "as there", "E_GPa": case["E_GPa"], "poisson": case["nu"], "density_kgm3": rho}
+    steel |= {"expansion_1e6_K": 11.0, "kind": "steel"}
+    engine = read(DESIGNS / "r754ie4_balance_shafts.toml").data["engine"]
+    engine = engine | {"rated_speed_rpm": omega * 30 / math.pi / abs(speed_ratio)}
+    films = {key: TABLE[key] for key in ("oil", "supply_temperature_C", "supply", "hole_diameter_mm")}
+    films |= {"supply_pressure_bar": 4.0, "viscosity_mPas": case["laws"][0]["mu_mPas"], "housing_material": "as there"}
+    films |= {"coaxiality_um": case.get("coaxiality_um", 0.0), **changes}
+    data = {"schema": 2, "name": name, "material": [steel], "engine": engine, "imbalance": {}, "shafts": [shaft]}
+    return Document(data | {"bearings": _given(films)}, f"{name}.toml")

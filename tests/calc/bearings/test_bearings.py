@@ -286,8 +286,8 @@ def test_a_housing_held_back_by_three_quarters_still_has_its_balance(gamma):
 
 
 def test_too_little_load_is_told_from_too_much(gamma):
-    light = gamma.with_value("shafts.shaft.bearings.front.load_N", 0.5)
-    assert "nearly centred" in outcome(light).reason and "thinner or warmer oil" in outcome(light).reason
+    light = outcome(gamma, front__load_N=0.5, rear__load_N=0.5)
+    assert "nearly centred" in light.reason and "thinner or warmer oil" in light.reason
 
 
 def test_without_supply_pressure_the_charts_take_their_own_flow(gamma):

@@ -83,3 +83,30 @@ def shafts(case: str) -> list[SystemShaft]:
             F, C = vectors(masses(one), abs(ratio) * omega)
             made[one["name"]] = SystemShaft(one["name"], ratio, F, C, axis, 2 * math.pi / z if z else None)
     return list(made.values())
+
+
+def document(case: str) -> Document:
+    """A case as a whole design: of every shaft that is no twin a material and two bearings beyond its masses, of each a
+    wheel beside the crank's, where their teeth are given."""
+    tables = {key: value for key, value in CASES[case].items() if key not in ("shafts", "teeth")}
+    bearings = [{"name": "front", "position_mm": -200.0}, {"name": "rear", "position_mm": 200.0}]
+    own = {"material": "42CrMo4", "bearings": bearings}
+    tables["shafts"] = [shaft | own if "speed_ratio" in shaft else shaft for shaft in CASES[case]["shafts"]]
+    if "teeth" in CASES[case]:
+        tables["gears"] = train(CASES[case]["teeth"])
+    return Document(tables)
+
+
+def train(teeth: dict[str, int]) -> dict:
+    """A wheel for each shaft, by its name, all of them driven by the crank's."""
+    return {
+        "normal_module_mm": 2.0,
+        "pressure_angle_deg": 20.0,
+        "helix_angle_deg": 0.0,
+        "face_width_mm": 15.0,
+        "wheels": [
+            {"name": "crank", "teeth": 48},
+            *({"name": f"wheel-{name}", "teeth": z, "shaft": name} for name, z in teeth.items()),
+        ],
+        "meshes": [{"driver": "crank", "driven": f"wheel-{name}"} for name in teeth],
+    }

@@ -5,10 +5,11 @@ import math
 
 import pytest
 
-from calc.countershaft.sketch import sector_outline, sketch
+from calc.countershaft.front_view import sector_outline
+from calc.countershaft.sketch import sketch
 from calc.design.addresses import address, changed
 from calc.design.toml_file import Document, design, load, read
-from calc.draw.drawing import HIDDEN, Arc, Area, Polyline
+from calc.draw.drawing import HIDDEN, Arc, Area, Polyline, Words
 from calc.solve import solve
 from tests.calc import sketches
 from tests.conftest import DESIGNS
@@ -66,7 +67,8 @@ def test_a_slope_beyond_its_target_marks_its_support(gamma):
 @pytest.mark.parametrize("name", ["twin_force_shaft", "r754ie4_balance_shafts", "r753ie4_sized"])
 def test_shafts_of_every_kind(name):
     document, asked = load(DESIGNS / f"{name}.toml")
-    shaft = sketch(asked, solve(asked))
+    (seen,) = solve(asked).views.values()
+    shaft = sketch(seen.design, seen)
     sketches.check(shaft, document)
     points = any("points" in str(note) for note in shaft.notes)
     assert points == (name != "r753ie4_sized")
@@ -90,3 +92,110 @@ def test_from_the_front_the_core_is_a_circle(gamma, gamma_results):
 def test_nothing_is_drawn_of_a_shaft_that_can_not_be_sized(gamma):
     waits = made(gamma, mode="size", half_length_mm=20.0)
     assert not waits.primitives and waits.notes
+
+
+# --- all of them beside the crank
+
+
+FOUR = read(DESIGNS / "r754ie4_balance_shafts.toml").data
+LEFT = FOUR["shafts"][0] | {"name": "left", "axis_mm": [-60.0, -95.0]}
+RIGHT = {"name": "right", "mirrors": "left"}
+FIRST = {
+    "name": "first",
+    "speed_ratio": -1,
+    "mode": "given",
+    "material": "steel",
+    "bearings": LEFT["bearings"],
+    "axis_mm": [90.0, 60.0],
+    "masses": [{"name": "a", "mass_kg": 0.3, "radius_mm": 15.0, "angle_deg": 90.0, "z_mm": 0.0}],
+}
+BACK = {"name": "back", "repeats": "first", "axis_mm": [90.0, -60.0]}
+
+
+def all_of(*shafts):
+    """The picture of all shafts of an inline four, and its document."""
+    document = Document(FOUR | {"shafts": list(shafts)})
+    asked = design(document)
+    whole = sketch(asked, solve(asked))
+    sketches.check(whole, document)
+    return next(one for one in (whole, *whole.beside) if str(one.title).startswith("beside the crank")), whole
+
+
+def circles(picture, state=""):
+    return [mark for mark in picture.primitives if isinstance(mark, Arc) and mark.state == state]
+
+
+@pytest.mark.parametrize("shafts", [(LEFT,), (LEFT, RIGHT), (LEFT, RIGHT, FIRST), (LEFT, RIGHT, FIRST, BACK)])
+def test_each_shaft_stands_at_its_axis(shafts):
+    picture, whole = all_of(*shafts)
+    places = {"left": (-0.095, -0.06), "right": (0.095, -0.06), "first": (0.06, 0.09), "back": (-0.06, 0.09)}
+    names = {str(mark.text).split()[0]: mark.at for mark in picture.primitives if isinstance(mark, Words)}
+    assert set(names) == {shaft["name"] for shaft in shafts} and not circles(picture, "fail")
+    for name, (x, y) in names.items():
+        assert x == pytest.approx(places[name][0]) and y < places[name][1]
+    assert [mark.centre for mark in circles(picture)] == [(0.0, 0.0)] + [
+        pytest.approx(places[shaft["name"]]) for shaft in shafts
+    ]
+    own = [shaft for shaft in shafts if "mirrors" not in shaft and "repeats" not in shaft]
+    assert whole.views == (len(own) + 2 if len(own) > 1 else 1)
+
+
+def test_arrows_say_how_each_turns_and_where_its_force_points():
+    """The left one turns with the crank, clockwise; the forces of both point down with cylinder 1 at TDC."""
+    picture, _ = all_of(LEFT, RIGHT)
+    arrows = [mark.points for mark in picture.primitives if isinstance(mark, Polyline) and mark.arrow]
+    crank, left, force, right, mirrored = arrows
+    assert crank[0][0] < crank[-1][0] and left[0][0] < left[-1][0] and right[0][0] > right[-1][0]
+    for (x_0, y_0), (x_1, y_1) in (force, mirrored):
+        assert x_1 == pytest.approx(x_0) and y_1 < y_0
+    first, _ = all_of(LEFT, RIGHT, FIRST)
+    aside = [mark.points for mark in first.primitives if isinstance(mark, Polyline) and mark.arrow][-1]
+    assert aside[1][0] > aside[0][0] and aside[1][1] == pytest.approx(aside[0][1])  # its mass stands at 90°
+    assert math.dist(*aside) < math.dist(*force)
+
+
+def test_a_twin_s_sectors_are_mirrored(gamma):
+    data = gamma.data
+    own = data["shafts"][0] | {"axis_mm": [-60.0, 95.0]}
+    document = Document({key: data[key] for key in data if key not in ("bearings", "gears", "friction", "accepted")})
+    kept = ("name", "position_mm", "diameter_mm", "length_mm")
+    rows = [{key: row[key] for key in kept} for row in own["bearings"]]
+    shafts = [own | {"bearings": rows}, {"name": "twin", "mirrors": own["name"]}]
+    asked = design(Document(document.data | {"shafts": shafts}))
+    whole = sketch(asked, solve(asked))
+    picture = next(one for one in whole.beside if str(one.title).startswith("beside the crank"))
+    outlines = [mark.outlines[0] for mark in picture.primitives if isinstance(mark, Area)]
+    half = len(outlines) // 2
+    for one, other in zip(outlines[:half], outlines[half:]):
+        assert sorted((-x, y) for x, y in one) == [pytest.approx(point) for point in sorted(other)]
+
+
+def test_where_two_sweeps_meet_it_is_red():
+    near = FIRST | {"axis_mm": [-45.0, -100.0]}
+    picture, _ = all_of(LEFT, RIGHT, near)
+    one, other = circles(picture, "fail")
+    for arc, (x, y) in ((one, other.centre), (other, one.centre)):
+        R = next(mark.radius for mark in circles(picture) if mark.centre == (x, y))
+        ends = [
+            (arc.centre[0] + arc.radius * math.cos(angle), arc.centre[1] + arc.radius * math.sin(angle))
+            for angle in (arc.start, arc.end, (arc.start + arc.end) / 2)
+        ]
+        assert math.dist(ends[0], (x, y)) == pytest.approx(R) == math.dist(ends[1], (x, y))
+        assert math.dist(ends[2], (x, y)) < R
+    (whole,) = circles(all_of(LEFT, RIGHT | {"axis_mm": [-60.0, -95.0]})[0], "fail")[:1]
+    assert whole.end - whole.start == pytest.approx(2 * math.pi)
+
+
+def test_shafts_without_a_place_stand_beneath():
+    picture, _ = all_of(LEFT, RIGHT, {key: part for key, part in FIRST.items() if key != "axis_mm"})
+    said = {str(mark.text): mark.at for mark in picture.primitives if isinstance(mark, Words)}
+    assert said["first ×1"][1] < min(said["left ×2"][1], said["right ×2"][1])
+    assert said["place not given"][1] < said["first ×1"][1]
+
+
+def test_without_any_place_the_shafts_stand_alone():
+    bare = {key: part for key, part in LEFT.items() if key != "axis_mm"}
+    asked = design(Document(FOUR | {"shafts": [bare, RIGHT]}))
+    picture = sketch(asked, solve(asked)).beside[0]
+    assert str(picture.title).startswith("all shafts, up to ")
+    assert not [mark for mark in picture.primitives if mark.key.startswith("engine")] and len(circles(picture)) == 2

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft import formulas as f
-from calc.countershaft.result import CountershaftResult
+from calc.countershaft.curves import phasor_plane, teeth_bars
 from calc.countershaft.sums import (
     OrderVectors,
     SystemShaft,
@@ -249,18 +249,19 @@ def test_a_mirrored_pair_at_unequal_heights_rolls_by_its_force_times_the_differe
 def test_what_the_step_leaves_has_the_same_bits(path):
     """Of every shipped design with one shaft, or with a mirrored pair."""
     solved = solve(design(read(path)))
-    step, inputs = solved.result(CountershaftResult), solved.design.countershaft
-    if step is None:
+    inputs, left = solved.design.countershaft, solved.left
+    if left is None:
         return
+    step = next(each["countershaft"].result for each in solved.of_shafts.values())
     e, i = solved.result(EngineResult), solved.result(ImbalanceResult)
     axis = None if inputs.axis is None else complex(*inputs.axis)
     one = SystemShaft("shaft", inputs.speed_ratio, *step.vectors, axis)
-    known = [one, one.mirror_image("twin")] if inputs.pair == "yes" else [one]
+    known = [one, one.mirror_image("twin")] if len(solved.design.shafts) > 1 else [one]
     n = one.order
     bare = {n: OrderVectors(*i.orders[f"order_{n}"].vectors, e.torque.reaction_harmonics[n - 1])}
     found = together(bare, known)
     for name in ("couple", "force"):
-        assert getattr(found, f"residual_order_{n}_{name}") == getattr(step, f"residual_order_{n}_{name}")
+        assert getattr(found, f"residual_order_{n}_{name}") == getattr(left, f"residual_order_{n}_{name}")
 
 
 def test_an_axis_that_is_not_known_leaves_the_roll_unknown():
@@ -290,3 +291,32 @@ def test_over_speed_all_lines_grow_with_its_square():
         assert series.x.size == 21 and series.x[[0, -1]] == pytest.approx([600, 3000])
         assert series.y[0] == pytest.approx(series.y[-1] * 0.04)
     assert len(left_over_speed(1, "N·m", 50.0, 10.0, 2.0, None, {}).series) == 2
+
+
+def test_the_phasor_plane_chains_the_shafts_to_what_is_left():
+    """Of each sense the vectors end on the circle of what is left, at the place of the sum with cylinder 1 at TDC."""
+    bare = OrderVectors(3000 + 40j, 2900 - 70j, 10j, 5 + 0j)
+    left_one = SystemShaft("left", 2, -2500 + 100j, 0j)
+    known = [left_one, left_one.mirror_image("right"), SystemShaft("first", -1, 7 + 0j, 0j)]
+    curve = phasor_plane(2, "N", bare, known)
+    assert curve.variants == ("with the crank", "against it") and curve.equal
+    found = together({2: bare, 1: bare}, known).vectors[2]
+    for chain, circle, shaft, end, order in zip(curve.turning, curve.series, ("left", "right"), found.forces, (2, -2)):
+        assert chain.names == ("engine", shaft) and chain.orders == (order, order)
+        assert chain.at(0.0)[-1] == pytest.approx(end)
+        assert np.hypot(circle.x, circle.y) == pytest.approx(np.full(circle.x.shape, abs(end)))
+        assert chain.at(0.3)[-1] == pytest.approx(end * cmath.exp(1j * order * 0.3))
+    assert phasor_plane(1, "N·m", OrderVectors(0j, 0j, 0j, 5 + 0j), known).variants == ("against it",)
+
+
+def test_bars_of_one_tooth_off_stand_in_the_order_of_the_table():
+    bare = {2: OrderVectors(3000 + 40j, 2900 - 70j, 0j, 0j)}
+    one = SystemShaft("left", 2, -2500 + 100j, 0j, None, 0.2)
+    teeth = teeth_off(bare, pair := [one, one.mirror_image("right")])
+    designed = together(bare, pair).residual_order_2_force
+    curve = teeth_bars(2, "N", teeth, designed)
+    table = teeth_table(teeth).rows
+    assert [str(name) for name in curve.names] == [str(row[0]) for row in table] and len(curve.names) == 4
+    for series, column in zip(curve.series, (2, 3)):
+        assert list(series.y) == [row[column] for row in table]
+    assert curve.limits[0][1] == designed < min(curve.series[0].y)

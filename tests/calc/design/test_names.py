@@ -31,6 +31,7 @@ def test_a_name_is_the_user_s_or_an_author_s(design: str) -> None:
     document, made = load(DESIGNS / f"{design}.toml")
     results = solve(made).whole()
     given = set(re.findall(r"[\w-]+", document.raw.decode())) | {"front", "rear", "ADI-800", "ADI-1050", "ADI-1200"}
+    given |= {shaft.name for shaft in made.shafts}  # which an upgrade may have named
     for id in [*results.values(), *(check.id for check in results.checks())]:
         for word in belongs(id):
             if isinstance(word, Name) and not NUMBERS.fullmatch(word) and word not in PROPER:
@@ -45,6 +46,10 @@ def test_a_name_is_the_user_s_or_an_author_s(design: str) -> None:
         ("mounting.critical.bounce.order_1_5.seat.half", ["critical speed", "bounce", "order 1.5", "seat"]),
         ("mounting.with_chassis.mode_12.frequency", ["engine and frame", "mode 12"]),
         ("imbalance.order_2.force_peak", ["order 2"]),
+        ("countershaft.residual.order_1.force_forward", ["residual", "order 1"]),
+        ("countershaft.lower.mass_moment.front", ["lower", "mass moment"]),
+        ("countershaft.lower.bolts.slip", ["lower", "bolts"]),
+        ("bearings.lower.front.corners.film", ["lower", "front", "corners"]),
         ("gears.crank_central.backlash_min", ["crank–central"]),
     ],
 )

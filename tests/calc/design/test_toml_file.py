@@ -102,7 +102,6 @@ ENGINE, BEARINGS = "table to take it from", "where there is no [bearings] table"
 @pytest.mark.parametrize(
     "name, changes, named",
     [
-        ("r753ie4_gamma", {"countershaft.speed_ratio": 1}, {"countershaft.speed_ratio": "must be -1"}),
         (
             "r753ie4_gamma",
             {"countershaft.bearing_positions_mm": [-167.5, 0, 167.5]},

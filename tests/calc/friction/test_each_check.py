@@ -5,8 +5,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from calc.friction.checks import checks, errata
+from calc.friction.checks import checks, errata, oil_level_checks
 from calc.friction.inputs import FrictionInputs
+from calc.friction.losses.turning_masses import MassLoss
 from calc.friction.models import Regression
 from calc.sheet.quantity import dotted
 from tests.calc.friction.pairs import closed, friction, fzg, oil
@@ -45,6 +46,11 @@ def judged(said=(), **changes):
     return found(judged=changes, said=said)
 
 
+def lost(share):
+    """A bracket as wide as this share of all losses."""
+    return MassLoss(mass_loss_low=1.0, mass_loss_high=1.0 + share * RESULT.total_loss, mass_loss=1.0)
+
+
 def published(*losses, outside=""):
     """As many regressions as there are, all inside their range at a sliding loss of 100 W, but for `outside`."""
     models = {name: Regression(loss=loss, friction_mean=0.05) for name, loss in zip(MODELS, losses)}
@@ -58,6 +64,7 @@ CASES = [
     ("friction.train.balance", found(residual=-0.9e-6), found(residual=-1.03e-6), "fail"),
     ("friction.train.balance", found(residual=0.9e-6), found(residual=1.03e-6), "fail"),
     ("friction.train.delivered", found(delivered_power=0.06 * RESULT.crank_power), found(delivered_power=0.0), "fail"),
+    ("friction.train.mass_bracket", found(masses=lost(0.099)), found(masses=lost(0.101)), "note"),
     ("friction.train.models", published(*[100.0] * len(MODELS)), published(*[100.0] * (len(MODELS) - 1)), "note"),
     ("friction.train.models", published(*[100.0] * 4), published(*[100.0] * 4, outside="speed"), "note"),
     ("friction.train.oil_rows", found(AnOil(reach=(0.0, 90.1))), found(AnOil(reach=(0.0, 89.9))), "note"),
@@ -89,6 +96,7 @@ def test_inside_and_outside(id, inside, outside, verdict):
     [
         ("friction.train.balance", "conservation of energy"),
         ("friction.train.delivered", "conservation of energy"),
+        ("friction.train.mass_bracket", "no measurement of half-moon masses was found"),
         ("friction.train.models", "ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005"),
         ("friction.train.oil_rows", "beyond its rows the viscosity is that of the outermost line carried on"),
         (f"friction.{MESH}.power_out", "conservation of energy"),
@@ -104,6 +112,29 @@ def test_inside_and_outside(id, inside, outside, verdict):
 def test_sources(id, quoted):
     inside = next(inside for case, inside, *_ in CASES if case == id)
     assert quoted in str(inside[id].source)
+
+
+OUTLINE = SimpleNamespace(
+    pieces=[
+        SimpleNamespace(what=what, outer_radius=R) for what, R in (("journal", 0.03), ("sector", 0.022), ("full", 0.04))
+    ]
+)
+
+
+def sectors_over_oil(level, outline=OUTLINE, **said):
+    inputs = SimpleNamespace(axis=(0.1, 0.05), outer_radius=None)
+    return list(oil_level_checks(SimpleNamespace(**{**vars(inputs), **said}), outline, level))
+
+
+def test_the_oil_stays_below_what_the_sectors_sweep():
+    (dry,), (wet,) = sectors_over_oil(0.0779), sectors_over_oil(0.0781)
+    assert (dry.verdict, wet.verdict) == ("pass", "warn") and dry.id == "countershaft.oil_level"
+    assert (dry.value, dry.limit) == (pytest.approx(78.0), pytest.approx(77.9))
+    (unknown,) = sectors_over_oil(0.0, axis=None)
+    assert unknown.verdict == "not_verified"
+    assert not sectors_over_oil(0.0, outline=None)
+    (by_envelope,) = sectors_over_oil(0.0, outline=None, outer_radius=0.03)
+    assert by_envelope.value == pytest.approx(70.0)
 
 
 def test_a_microwatt_may_be_left_over():

@@ -8,9 +8,21 @@ from calc.imbalance.inputs import ImbalanceInputs
 from tests.calc.imbalance.engines import solved
 
 
-def curves(shaft=None, **changes):
+def curves(left=None, several=False, **changes):
     found = solved(ImbalanceInputs(), **changes)[2]
-    return found, {curve.id: curve for curve in pictures(found, shaft)}
+    return found, {curve.id: curve for curve in pictures(found, left, several=several)}
+
+
+def left_by(found, *shafts):
+    """What is left by order, of shafts of (ratio, force, couple)."""
+    left = {}
+    for ratio, force, couple in shafts:
+        n, side = abs(ratio), int(ratio < 0)
+        vectors = list(left.get(n, found.orders[f"order_{n}"].vectors))
+        vectors[side] += force
+        vectors[2 + side] += couple
+        left[n] = tuple(vectors)
+    return left
 
 
 @pytest.mark.parametrize(
@@ -37,11 +49,13 @@ def test_an_ideal_shaft_closes_the_chain():
 
 
 def test_the_design_s_own_shaft_leaves_what_it_leaves():
-    found, drawn = curves(shaft=(0j, 0.9 * solved()[2].required))
+    found = solved()[2]
+    left = left_by(found, (-1, 0j, 0.9 * found.required))
+    _, drawn = curves(left)
     assert abs(drawn["locus"].turning[1].at(1.0)[-1]) == pytest.approx(0.1 * found.required_couple)
     bars = {(s.label, s.variant): s.y for s in drawn["orders_couple"].series}
     assert bars["backward", "with the counter-shaft"][0] == pytest.approx(0.1 * bars["backward", WITHOUT][0])
-    row = remedy_table(found, 0.5, 1.0, (0j, 0.9 * found.required)).rows[2]
+    row = remedy_table(found, 0.5, 1.0, left).rows[2]
     assert row[3] == pytest.approx(0.1 * found.required_couple)
 
 
@@ -50,6 +64,23 @@ def test_an_inline_four_shows_its_second_order_and_no_couple():
     assert {"locus_force", "orders_force", "forces"} == set(drawn)
     assert drawn["locus_force"].series[0].label == "order 2" and not drawn["locus_force"].variants
     assert drawn["locus_force"].turning[0].orders == (2, -2)
+
+
+def test_two_shafts_at_twice_crank_speed_show_what_they_leave_of_second_order():
+    four = dict(cylinders=4, firing_order=(1, 3, 4, 2))
+    found = solved(**four)[2]
+    F_f, F_b, _, _ = found.orders["order_2"].vectors
+    left = left_by(found, (2, -0.75 * F_f, 0j), (-2, -0.75 * F_b, 0j))
+    _, drawn = curves(left, several=True, **four)
+    locus = drawn["locus_force"]
+    assert locus.variants == ("without the shafts", "with the shafts") and locus.turning[1].orders == (2, -2, 2, -2)
+    assert locus.turning[1].names[2:] == ("shaft with the crank", "shaft against it")
+    assert abs(locus.turning[1].at(0.0)[-1]) == pytest.approx(0.25 * found.orders["order_2"].force_peak)
+    bars = {(s.label, s.variant): s.y for s in drawn["orders_force"].series}
+    assert bars["forward", "with the shafts"][1] == pytest.approx(0.25 * bars["forward", "without the shafts"][1])
+    row = remedy_table(found, 0.5, 1.0, left, several=True).rows[2]
+    assert row[0] == "the same, with the shafts as designed"
+    assert row[4] == pytest.approx(0.25 * found.orders["order_2"].force_peak)
 
 
 def test_an_inline_six_has_next_to_nothing_to_draw():

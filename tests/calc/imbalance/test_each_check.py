@@ -18,7 +18,7 @@ LAMBDA = 0.3
 RESULT = replace(solved()[2], one_force=FORCE, one_couple=COUPLE)
 
 
-def found(shaft=False, webs=None, pair=None, order_1=(), order_2=(), shares=(0.5, 1.0), **changes):
+def found(taken=(), webs=None, pair=None, order_1=(), order_2=(), shares=(0.5, 1.0), **changes):
     """The checks by their ids, of an engine with some of its results replaced; `shares` on the crank, of what moves to
     and fro and of what turns."""
     orders = {
@@ -26,7 +26,7 @@ def found(shaft=False, webs=None, pair=None, order_1=(), order_2=(), shares=(0.5
         "order_2": replace(RESULT.orders["order_2"], **dict(order_2)),
     }
     result = replace(RESULT, orders=orders, webs=webs, shaft_pair=pair, **changes)
-    return {check.id: check for check in checks(result, LAMBDA, *shares, shaft)}
+    return {check.id: check for check in checks(result, LAMBDA, *shares, frozenset(taken))}
 
 
 def first(**changes):
@@ -111,7 +111,13 @@ def test_sources(id, quoted):
 
 
 def test_with_a_shaft_its_own_step_judges_what_turns_backward():
-    assert not [id for id in found(shaft=True) if "backward" in id]
+    assert not [id for id in found(taken={-1}) if "backward" in id]
+    assert not [id for id in found(taken={1}) if ".forward" in id] and "imbalance.order_1.backward" in found(taken={1})
+
+
+def test_of_second_order_both_senses_must_be_taken():
+    ids = {"imbalance.order_2.couple", "imbalance.order_2.force"}
+    assert ids <= set(found(taken={2})) and ids <= set(found(taken={-1, 1})) and not ids & set(found(taken={-2, 2}))
 
 
 def test_the_crank_as_stated_is_judged_before_that_with_the_bobs_found():
@@ -238,6 +244,11 @@ SECOND = (
     "{} times crank speed, where the comfort is worth it, because {} of second order {} left at the peak; neither the "
     "crank nor a shaft at crank speed changes it."
 )
+SECOND_TAKEN = (
+    "{} times crank speed (as designed): without, {} of second order {} left at the peak; neither the crank nor a shaft "
+    "at crank speed changes it."
+)
+FORWARD = "One shaft at +1 times crank speed (as designed): it takes what of first order turns forward, {}."
 SUPPLY = (
     "Unbalances on pulley and flywheel that supply {} (the couple at −30°), because the crank's own webs lack it for "
     "the share 0.4; give them as [[imbalance.unbalances]] to see what is left."
@@ -255,7 +266,7 @@ def proposed(
     whole=None,
     kappa=0.5,
     rho=1.0,
-    shaft=False,
+    taken=(),
     offsets_differ=False,
     **changes,
 ):
@@ -268,7 +279,7 @@ def proposed(
     }
     whole = (-2 * F_f, -2 * C_f) if whole is None else whole
     result = replace(RESULT, orders=orders, whole=tuple(map(complex, whole)), **{"webs": None} | changes)
-    return proposals(result, LAMBDA, kappa, rho, shaft, offsets_differ)
+    return proposals(result, LAMBDA, kappa, rho, frozenset(taken), offsets_differ)
 
 
 def lacking(force, couple, given=None):
@@ -304,11 +315,18 @@ def rolling(torque):
         ),
         (dict(backward=(60.0, 6.0)), [BACKWARD.format("", "a force of 60 N and a couple of 6 N·m", "turn")]),
         (
-            dict(backward=(50.1, 0.0), shaft=True, remedy=rolling(12.0)),
+            dict(backward=(50.1, 0.0), taken={-1}, remedy=rolling(12.0)),
             [BACKWARD.format(" (as designed)", "a force of 50.1 N", "turns") + BESIDE.format(12)],
         ),
         (dict(backward=(49.9, 6.0), remedy=rolling(12.0)), [BACKWARD.format("", "a couple of 6 N·m", "turns")]),
         (dict(plus=(75.1, 0.0)), [SECOND.format("Two shafts at ±2", "a force of 75.1 N", "is")]),
+        (dict(plus=(75.1, 0.0), taken={2, -2}), [SECOND_TAKEN.format("Two shafts at ±2", "a force of 75.1 N", "is")]),
+        (dict(plus=(75.1, 0.0), taken={2}), [SECOND.format("Two shafts at ±2", "a force of 75.1 N", "is")]),
+        (
+            dict(minus=(75.1, 0.0), taken={-2}, remedy=single(-2.0)),
+            [SECOND_TAKEN.format("One shaft at −2", "a force of 75.1 N", "is")],
+        ),
+        (dict(forward=(50.1, 0.0), taken={1, -1}), [FORWARD.format("a force of 50.1 N")]),
         (dict(minus=(0.0, 7.51)), [SECOND.format("Two shafts at ±2", "a couple of 7.51 N·m", "is")]),
         (dict(minus=(75.1, 0.0), remedy=single(-2.0)), [SECOND.format("One shaft at −2", "a force of 75.1 N", "is")]),
         (

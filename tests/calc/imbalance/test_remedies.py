@@ -158,6 +158,6 @@ def test_what_an_offset_leaves_on_the_crank_is_said():
     said = {}
     for offset in (0.0, 0.008):
         inputs = EngineInputs(**{**R753, "cylinder_offset": offset})
-        said[offset] = solve(ImbalanceInputs(), inputs, engine.values(inputs), True).proposals[0]
+        said[offset] = solve(ImbalanceInputs(), inputs, engine.values(inputs)).proposals[0]
     assert "take all of first order" in said[0.0]
     assert "take all but a couple of" in said[0.008]

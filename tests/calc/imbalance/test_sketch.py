@@ -39,3 +39,15 @@ def test_the_shaft_turns_back_and_takes_what_the_crank_leaves(angle):
     assert abs(back) == pytest.approx(math.sin(0.1)) and back * (later / crank).imag > 0
     required = results.values()["imbalance.required_couple"].shown
     assert any(f"{required:.3g}" in word for word in sketches.words(picture))
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.7])
+def test_a_pair_at_twice_crank_speed_leaves_what_its_step_says(angle):
+    document, asked = load(DESIGNS / "r754ie4_balance_shafts.toml")
+    results = solve(asked)
+    picture = sketch(asked, results, angle=angle)
+    sketches.check(picture, document)
+    shafts = complex(*arrows(picture)["countershaft"])
+    # both together stand upright, each with half of the force that the source's masses make
+    assert shafts == pytest.approx(1j * -2 * 4268.1 * math.cos(2 * angle), abs=1.0)
+    assert "the shafts 8540" in sketches.words(picture) and "left 2080" in sketches.words(picture)

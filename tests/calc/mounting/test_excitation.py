@@ -79,12 +79,13 @@ def test_moments_are_taken_about_the_centre_of_gravity():
     """A twin has free forces, so that its moments depend on the place that they are taken about."""
     made = load(DESIGNS / "twin_mounting.toml")[1]
     outcomes = solve(made).outcomes
-    shaft = step_inputs.shaft_on_engine(made, outcomes["countershaft"], outcomes["gears"])
-    at = drive(made.mounting, made.engine, outcomes["engine"].result, outcomes["imbalance"].result, shaft)
+    own = {made.countershaft.name: outcomes["countershaft"]}
+    shafts = step_inputs.shafts_on_engine(made, own, outcomes["gears"])
+    at = drive(made.mounting, made.engine, outcomes["engine"].result, outcomes["imbalance"].result, shafts)
     table = {**load(DESIGNS / "twin_mounting.toml")[0].data}
     table["mounting"] = {**table["mounting"], "centre_of_gravity_mm": [0.0, 0.0, 0.0]}
     other = design(Document(table))
-    origin = drive(other.mounting, other.engine, outcomes["engine"].result, outcomes["imbalance"].result, shaft)
+    origin = drive(other.mounting, other.engine, outcomes["engine"].result, outcomes["imbalance"].result, shafts)
     F, M = np.asarray(origin.inertia[..., :3]), np.asarray(origin.inertia[..., 3:])
     assert np.abs(F).max() > 100
     shifted = M - np.cross(made.mounting.centre_of_gravity, F)

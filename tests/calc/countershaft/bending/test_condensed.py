@@ -8,9 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc import countershaft
+from calc.countershaft.bending import formulas as f
 from calc.countershaft.bending.beam import beam, bend, displaced, sprung
 from calc.countershaft.bending.condensed import of_beam
-from calc.countershaft.formulas import gear_on_front, gear_on_rear
+from calc.countershaft.formulas import lever_gear
 from calc.countershaft.inputs import EccentricMass
 from calc.countershaft.outline import Piece, outline
 from calc.library.catalogue import Material
@@ -157,8 +158,9 @@ def test_two_supports_know_nothing_of_their_stiffness(z):
     assert on.force == pytest.approx([(z_r - z) / (z_r - z_f), (z - z_f) / (z_r - z_f)], rel=1e-7, abs=1e-9)
     assert on.couple == pytest.approx(np.array([-1, 1]) / (z_r - z_f), rel=1e-7)
     forces = {"F_t": 300.0, "F_r": 110.0, "F_a": 90.0, "d": 0.05}
-    bound, levers = on.wheel(**forces), {"z_G": z, "z_f": z_f, "z_r": z_r}
-    assert np.all(bound >= [gear_on_front(**forces, **levers) - 1e-6, gear_on_rear(**forces, **levers) - 1e-6])
+    bound = f.wheel_load(G_F=abs(on.force), G_C=abs(on.couple), **forces)
+    ends = ((z_f, z_r), (z_r, z_f))
+    assert np.all(bound >= [lever_gear(**forces, z_G=z, z_o=other, z_B=own) - 1e-6 for own, other in ends])
     assert on.offset(np.array([20e-6, -10e-6j])) == pytest.approx([0, 0], abs=1e-6)  # a bar on two bores is not bent
 
 

@@ -217,9 +217,11 @@ def test_what_the_envelope_lacks_is_named(case):
     }
     with pytest.raises(BadInput, match="smaller than the outer radius"):
         envelope(replace(shaft, core_radius=0.0405), "here")
-    middle = replace(shaft, bearings=bearing_rows((-0.15, 0.0, 0.15), ((0.06, 0.03),) * 3))
     with pytest.raises(BadInput, match="at mid-shaft"):
-        envelope(middle, "here")
+        envelope(replace(shaft, bearings=bearing_rows((0.0, 0.15), ((0.06, 0.03),) * 2)), "here")
+    middle = replace(shaft, fillet_radius=1e-3, bearings=bearing_rows((-0.15, 0.01, 0.15), ((0.06, 0.03),) * 3))
+    between = envelope(middle, "here")  # the inner one leaves a gap: its journal, and two fillets on either side
+    assert between.half_length == pytest.approx(0.133) and between.gaps == ((0.01, pytest.approx(0.034)),)
 
 
 def test_an_unknown_material_of_the_cost_is_named(case):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from calc.bearings.loads import response
-from calc.design.step_inputs import on_shafts, shaft_gear
+from calc.design.step_inputs import on_shafts
 from calc.friction.journals import journals_at, journals_of
 from calc.friction.power_balance import shaft_loss
 from calc.solve import solve
@@ -24,8 +24,8 @@ def drawn():
 
 @pytest.fixture(scope="module")
 def on(drawn, gamma_results):
-    o = gamma_results.outcomes
-    return on_shafts(drawn, o["countershaft"], o["bearings"], shaft_gear(drawn, o["gears"].result))["shaft"]
+    c, b, g = (gamma_results.outcomes[step] for step in ("countershaft", "bearings", "gears"))
+    return on_shafts(drawn, {"shaft": c}, {"shaft": b}, g.result)["shaft"]
 
 
 def friction_of(results):

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.friction.mesh.geometry import MeshGeometry, Sprocket, StageGeometry
-from calc.friction.power_balance import End, drive, losses_of
+from calc.friction.power_balance import End, Hung, drive, losses_of
 from calc.friction.result import JournalResult
 from calc.friction.solve import closed
 from calc.sheet.errors import NoSolution
@@ -30,6 +30,10 @@ class Rubbing:
 
     def sum(self, journals):
         return journals["front"].friction_power
+
+
+def hung(wheel, power):
+    return (Hung("pump", wheel, power),)
 
 
 def gear(name, z):
@@ -58,8 +62,8 @@ def solved(links, ends, **said):
 
 def behind(links, result, ends, name):
     """What a wheel needs with all that hangs on it, by the published losses."""
-    of_ends = sum(
-        result.journals[s]["front"].friction_power + end.carried for s, end in ends.items() if end.wheel == name
+    of_ends = sum(result.journals[s]["front"].friction_power for s, end in ends.items() if end.wheel == name) + sum(
+        load.power for end in ends.values() for load in end.hung if load.wheel == name
     )
     taken = sum(
         behind(links, result, ends, link.driven.name)
@@ -90,7 +94,14 @@ def trees(draw):
     drivers = {link.driver.name for link in links.values()}
     leaves = [link.driven.name for link in links.values() if link.driven.name not in drivers]
     ends = {
-        f"s{n}": End(leaf, Rubbing(draw(st.floats(50.0, 500.0)), draw(st.floats(0, 0.1))), draw(st.floats(0, 2000.0)))
+        f"s{n}": End(
+            leaf,
+            Rubbing(draw(st.floats(50.0, 500.0)), draw(st.floats(0, 0.1))),
+            tuple(
+                Hung("pump", draw(st.sampled_from([leaf, "w1"])), draw(st.floats(0, 2000.0)))
+                for _ in range(draw(st.integers(0, 2)))
+            ),
+        )
         for n, leaf in enumerate(leaves)
     }
     return links, ends
@@ -105,7 +116,7 @@ def test_every_link_carries_the_sum_of_what_lies_behind_it(tree):
     for key, link in links.items():
         assert (r.stages | r.meshes)[key].power_out == pytest.approx(behind(links, r, ends, link.driven.name), rel=1e-8)
     assert r.crank_power == pytest.approx(behind(links, r, ends, "w0"), rel=1e-8)
-    carried = sum(end.carried for end in ends.values())
+    carried = sum(load.power for end in ends.values() for load in end.hung)
     assert r.crank_power == pytest.approx(r.total_loss + carried, rel=1e-9)
     assert all(check.holds for check in outcome.checks if check.id == "friction.train.balance")
     quick = losses_of(drive(friction(), links, lubricant(), 90.0, 50.0, ends))
@@ -115,7 +126,7 @@ def test_every_link_carries_the_sum_of_what_lies_behind_it(tree):
 def test_a_shaft_feels_what_its_wheel_passes_on():
     """Its teeth push as what it takes in and what it passes on: the journals close with both."""
     ends = {"left": End("left", Rubbing(100.0, 0.02)), "right": End("right", Rubbing(150.0, 0.03))}
-    r = solved(pair(), ends | {"pump": End("pump", Rubbing(0.0), 800.0)}).result
+    r = solved(pair(), ends | {"pump": End("pump", Rubbing(0.0), hung("pump", 800.0))}).result
     left, right = (r.journals[name]["front"].friction_power for name in ("left", "right"))
     through = r.meshes["idler_left"].power_out + r.meshes["left_right"].power_in
     assert left == pytest.approx(100.0 + 0.02 * through, rel=1e-8) and through == pytest.approx(r.at_teeth("left"))
@@ -128,7 +139,7 @@ def test_what_hangs_on_a_shaft_is_carried_and_not_lost():
     rubs = {name: Rubbing(100.0) for name in ("left", "right", "pump")}
     free = solved(pair(), {name: End(name, rub) for name, rub in rubs.items()}).result
     loaded = solved(
-        pair(), {name: End(name, rub, 500.0 if name == "pump" else 0.0) for name, rub in rubs.items()}
+        pair(), {name: End(name, rub, hung("pump", 500.0) if name == "pump" else ()) for name, rub in rubs.items()}
     ).result
     assert loaded.carried_power == 500.0 and free.carried_power is None
     assert loaded.crank_power == pytest.approx(loaded.total_loss + 500.0, rel=1e-12)

@@ -148,6 +148,19 @@ def test_places_of_the_bearings_are_varied_together(sized):
         assert [error.key for error in bad.value.errors] == [f"optimise.vary.{positions}"]
 
 
+@pytest.mark.parametrize(
+    "key, value", [("bore_diameter_mm", 5.0), ("sector_material", "42CrMo4"), ("assembly", "split")]
+)
+def test_shafts_of_other_kinds_are_not_searched(sized, key, value):
+    """Its shafts are solid, of one material, and go through the largest seat."""
+    other = sized.with_value(f"shafts.shaft.{key}", value)
+    if key == "assembly":
+        other = other.with_value("shafts.shaft.radial_clearance_mm", None)
+    with pytest.raises(BadInput) as bad:
+        asked(other, {})
+    assert [error.key for error in bad.value.errors] == [f"shafts.shaft.{key}"]
+
+
 def test_what_is_wrong_in_a_file_of_schema_1_is_said_by_its_own_key_and_line():
     text = (DESIGNS_0_1 / "r753ie4_drive.toml").read_text(encoding="utf-8")
     wrong = {"bearings.rear.clearance_um": "[100]", "countershaft.core_radius_mm": "[-1, 15]"}

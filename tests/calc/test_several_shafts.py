@@ -1,0 +1,391 @@
+"""Whole designs with several shafts: what is given of them, symmetries, names in ids, and what is solved again."""
+
+import copy
+import functools
+
+import pytest
+
+from calc import solve as recipe
+from calc.bearings.result import BearingResult
+from calc.design.toml_file import Document, design, read
+from calc.sheet.step import OF_SHAFTS
+from calc.solve import Results, solve
+from tests.calc.countershaft.systems import called, document, rows, tolerance
+from tests.conftest import DESIGNS, GAMMA
+
+GIVEN = [*rows(scatter=False), *rows(scatter=True)]
+
+
+def solved(data: dict) -> Results:
+    return solve(design(Document(data)))
+
+
+@functools.cache
+def of_case(case: str) -> Results:
+    return solve(design(document(case)))
+
+
+@pytest.mark.parametrize("row", GIVEN, ids=called)
+def test_what_is_given_of_whole_designs(row):
+    value = of_case(row["case"]).values()[row["value"]]
+    shown = value.shown % 360 if value.unit == "°" else value.shown
+    assert value.unit == row["unit"]
+    assert shown == pytest.approx(row["is"], **tolerance(row))
+
+
+# --- symmetries
+
+
+def moduli(results: Results) -> dict[str, float]:
+    """What shafts supply, and what they leave; of phasors their amounts."""
+    wanted = ("countershaft.", "gears.")
+    shown = ("force", "couple", "roll", "roll_torque", "unbalance")
+    return {
+        id: value.shown
+        for id, value in results.values().items()
+        if id.startswith(wanted) and not id.endswith("_phase") and any(word in id.rpartition(".")[2] for word in shown)
+    }
+
+
+def exchanged(id: str) -> str:
+    """What turns with the crank, as that which turns against it."""
+    return id.replace("forward", "*").replace("backward", "forward").replace("*", "backward")
+
+
+def image(data: dict) -> dict:
+    """The shafts as their mirror images in the vertical plane through the crank, without their wheels."""
+    data = {key: copy.deepcopy(value) for key, value in data.items() if key != "gears"}
+    for shaft in data["shafts"]:
+        for mass in shaft.get("masses", ()):
+            mass["angle_deg"] *= -1
+        if "axis_mm" in shaft:
+            shaft["axis_mm"][1] *= -1
+    return data
+
+
+@pytest.mark.parametrize("twins", [True, False])
+@pytest.mark.parametrize("case", ["r754", "i4-silent", "twin-360-pair", "single-four"])
+def test_the_mirror_image_of_an_upright_engine_has_the_same_amounts(case, twins):
+    """Its pistons move up and down, so that it is its own mirror image; what turned with the crank turns against it.
+
+    But for the torque of its inertia, whose sense is the crank's, and so the roll that is left."""
+    data = document(case).data
+    if not twins:
+        data = data | {"shafts": [shaft for shaft in data["shafts"] if "mirrors" not in shaft]}
+    other = image(data)
+    for shaft in other["shafts"]:
+        if "speed_ratio" in shaft:
+            shaft["speed_ratio"] *= -1
+    as_it_is, as_seen = moduli(solved(image(image(data)))), moduli(solved(other))
+    kept = {id: value for id, value in as_it_is.items() if "roll_left" not in id}
+    assert kept == {id: pytest.approx(as_seen[exchanged(id)], rel=1e-9, abs=1e-6) for id in kept}
+    assert len(kept) > 12 and (twins or kept != pytest.approx({id: as_seen[id] for id in kept}))
+
+
+@pytest.mark.parametrize("case", ["r754", "i4-silent", "twin-270", "v2-45", "v6-90", "inline-5"])
+def test_the_mirror_image_run_backward_has_the_same_amounts(case):
+    """Banks, crank pins and masses are turned over; run backward, every shaft has its own sense again."""
+    other = image(document(case).data)
+    engine = other["engine"]
+    if engine["layout"] == "vee":
+        engine["bank_of_cylinder"] = [1 - bank for bank in engine.get("bank_of_cylinder", [0, 1])]
+    if "crank_angles_deg" in engine:
+        engine["crank_angles_deg"] = [-angle % 360 for angle in engine["crank_angles_deg"]]
+    elif "firing_order" in engine:
+        first, *others = engine["firing_order"]
+        engine["firing_order"] = [first, *reversed(others)]
+    as_it_is = moduli(solved(image(image(document(case).data))))
+    assert len(as_it_is) > 8
+    assert moduli(solved(other)) == pytest.approx(as_it_is, rel=1e-9, abs=1e-6)
+
+
+def test_a_shaft_repeated_where_it_is_counts_as_one_of_double_masses():
+    data = copy.deepcopy(document("twin-270").data)
+    data.pop("gears")
+    (shaft,) = data["shafts"]
+    beside = {"name": "again", "repeats": shaft["name"], "axis_mm": [25.0, 82.0 + 1e-9]}  # about one axis is refused
+    twice = solved({**data, "shafts": [shaft, beside]}).values()
+    for mass in shaft["masses"]:
+        mass["mass_kg"] *= 2
+    double = solved(data).values()
+    sums = [id for id in double if id.startswith(("countershaft.residual", "countershaft.roll"))]
+    assert "countershaft.residual_order_1_force" in sums and "countershaft.roll_left_order_1" in sums
+    for id in sums:
+        if id != "countershaft.roll_torque":  # that of one shaft
+            assert twice[id].shown == pytest.approx(double[id].shown, rel=1e-7), id
+
+
+def test_the_name_of_the_only_shaft_changes_nothing():
+    data = read(GAMMA).data
+    renamed = copy.deepcopy(data)
+    renamed["shafts"][0]["name"] = "lower"
+    renamed["gears"]["wheels"][-1]["shaft"] = "lower"
+    one, other = solved(data), solved(renamed)
+    assert {id: value.inside for id, value in one.values().items()} == {
+        id: value.inside for id, value in other.values().items()
+    }
+    assert [(c.id, c.verdict, c.value) for c in one.checks()] == [(c.id, c.verdict, c.value) for c in other.checks()]
+
+
+# --- a shaft and its mirror image
+
+
+@functools.cache
+def gamma_and_its_image() -> Results:
+    """The shaft of the R753IE4 with a mirror image, which the train does not turn."""
+    data = copy.deepcopy(read(GAMMA).data)
+    data["accepted"] = {
+        "countershaft.residual": "the image leaves as much",
+        "bearings.front.film_edge": "as the source has it",
+        "bearings.shaft.rear.film_edge": "by its new name",
+    }
+    data["measured"] = [{"value": "bearings.front.outlet_temperature", "is": 130.0, "unit": "°C"}]
+    data["shafts"].append({"name": "image", "mirrors": "shaft"})
+    return solved(data)
+
+
+def test_the_ids_of_a_shaft_with_a_twin_have_its_name_and_are_found_by_the_old_ones():
+    alone, both = solve(design(read(GAMMA))), gamma_and_its_image()
+    values = both.values()
+    of_shaft = [id for id in alone.values() if id.partition(".")[0] in OF_SHAFTS]
+    assert len(of_shaft) > 100
+    for id in of_shaft:
+        step, _, rest = id.partition(".")
+        named = f"{step}.shaft.{rest}"
+        assert id in values
+        if named in values:
+            assert values[id] is values[named]
+        else:  # what all shafts leave together
+            assert rest.startswith("residual")
+    was = alone.values()["bearings.front.film"]
+    assert values["bearings.shaft.front.film"].inside == pytest.approx(was.inside, rel=1e-9)
+    assert both.value(BearingResult.film).id == "bearings.shaft.front.film"
+    assert both.check("bearings.front.film_edge") is both.check("bearings.shaft.front.film_edge")
+    assert both.check("countershaft.slope_front") is both.check("countershaft.shaft.slope_front") is not None
+    assert both.check("countershaft.residual").id == "countershaft.residual"
+    assert both.check("countershaft.image.slope_front") is None  # is not judged twice
+
+
+def test_what_is_accepted_and_measured_by_an_old_id_counts():
+    both = gamma_and_its_image()
+    for id in ("countershaft.residual", "bearings.shaft.front.film_edge", "bearings.shaft.rear.film_edge"):
+        assert both.check(id).accepted, id
+    (row,) = both.design.measured
+    temperature, _ = both.predicted.of(row)
+    assert temperature == both.values()["bearings.shaft.front.outlet_temperature"].shown
+    (table,) = [table for table in both.outcomes["bearings"].tables if table.id == "measured"]
+    assert temperature in table.rows[0]
+
+
+def test_a_mirror_image_gives_what_is_not_its_originals():
+    values = gamma_and_its_image().values()
+    mine = {id.removeprefix("countershaft.image.") for id in values if id.startswith("countershaft.image.")}
+    standing = {"weight", *(f"{what}_{row}" for what in ("weight", "stationary") for row in ("front", "rear"))}
+    peaks = {f"reaction_{row}_peak" for row in ("front", "rear")}
+    assert mine == {"couple", "couple_phase", "force"} | standing | peaks  # no axis, no wheel
+    shaft, image = values["countershaft.shaft.couple_phase"].shown, values["countershaft.image.couple_phase"].shown
+    assert image % 360 == pytest.approx(-shaft % 360)
+    assert values["countershaft.image.couple"].shown == values["countershaft.shaft.couple"].shown
+    assert values["countershaft.shaft_mass"].shown == pytest.approx(2 * values["countershaft.shaft.mass"].shown)
+    J = values["countershaft.shaft.moment_of_inertia"].shown
+    assert values["countershaft.moment_of_inertia_at_crank"].shown == pytest.approx(2 * J)
+
+
+# --- two shafts of their own
+
+
+def two(right: dict | None = None, **tables: object) -> dict:
+    """A parallel twin with two shafts at −1 beside the crank, a wheel each; `right`: what of the second one is
+    otherwise (its masses are a little larger), or all of it."""
+    data = copy.deepcopy(read(DESIGNS / "twin_drive.toml").data)
+    sizes = {"diameter_mm": 40.0, "length_mm": 30.0, "clearance_um": 60.0}
+    surfaces = {"journal_roughness_um": 0.2, "housing_roughness_um": 0.4}
+    places = {"front": -88.0, "rear": 88.0}
+    shaft = {
+        "material": "42CrMo4",
+        "speed_ratio": -1,
+        "outer_radius_mm": 30.0,
+        "core_radius_mm": 14.0,
+        "half_length_mm": 60.0,
+        "fillet_radius_mm": 1.5,
+        "bearings": [{"name": name, "position_mm": z, **sizes, **surfaces} for name, z in places.items()],
+    }
+    first = {"name": "left", "axis_mm": [0.0, -66.5], "masses": masses(0.3, 0.3), **shaft}
+    second = {"name": "right", "axis_mm": [0.0, 66.5], "masses": masses(0.32, 0.3), **shaft}
+    data["shafts"] = [first, right if right and "repeats" in right else second | (right or {})]
+    crank, *_, last = data["gears"]["wheels"]
+    names = [shaft["name"] for shaft in data["shafts"]]
+    data["gears"]["wheels"] = [crank, *(last | {"name": f"wheel-{name}", "shaft": name} for name in names)]
+    data["gears"]["meshes"] = [{"driver": "crank", "driven": f"wheel-{name}", "tolerance_um": 40} for name in names]
+    del data["optimise"]
+    return data | tables
+
+
+def masses(front: float, rear: float) -> list[dict]:
+    places = (("front", front, -35.0), ("rear", rear, 35.0))
+    return [{"name": n, "mass_kg": m, "radius_mm": 20.0, "angle_deg": 180.0, "z_mm": z} for n, m, z in places]
+
+
+ALIKE = {"masses": masses(0.3, 0.3)}
+
+
+def test_two_shafts_each_on_bearings_with_a_wheel():
+    results = solved(two())
+    assert {key: outcome.state for key, outcome in results.outcomes.items() if outcome.state != "solved"} == {
+        "mounting": "not_asked"
+    }
+    values = results.values()
+    left, right = values["countershaft.left.force"].shown, values["countershaft.right.force"].shown
+    assert right == pytest.approx(left * 0.62 / 0.6)
+    engine = values["imbalance.order_1.force_backward"].shown
+    kept = values["countershaft.residual.order_1.force_backward"].shown
+    assert kept == pytest.approx(abs(engine - left - right))
+    parts = [values[f"friction.{name}.bearing_loss"].shown for name in ("left", "right")]
+    assert values["friction.bearing_loss"].shown == pytest.approx(sum(parts)) and parts[0] != parts[1]
+    # each journal carries its own shaft's reactions
+    for name in ("left", "right"):
+        for row in ("front", "rear"):
+            of_shaft = values[f"countershaft.{name}.reaction_{row}"].inside
+            assert values[f"bearings.{name}.{row}.load"].inside == pytest.approx(of_shaft)
+    assert results.check("bearings.left.front.film_edge") is not None
+    assert results.check("bearings.front.film_edge") is None  # there are several
+
+
+def test_shafts_that_are_alike_give_alike():
+    values = solved(two(ALIKE)).values()
+    drawn = ("_median", "_95", "_99", "_largest")  # of the train by chance, each shaft with draws of its own
+    of_left = [id for id in values if ".left." in id and not id.endswith(drawn)]
+    assert len(of_left) > 300
+    for id in of_left:
+        other = values[id.replace(".left.", ".right.")]
+        assert values[id].shown == pytest.approx(other.shown, rel=1e-9, nan_ok=True), id
+
+
+def test_a_repeated_shaft_gives_what_the_same_shaft_written_out_gives():
+    again = {"name": "right", "repeats": "left", "axis_mm": [0.0, 66.5]}
+    written, repeated = solved(two(ALIKE)), solved(two(again))
+    known = repeated.values()
+    mine = [id for id in known if id.startswith("countershaft.right.")]
+    assert {"countershaft.right.gear_force_tangential", "countershaft.right.weight_front"} <= set(mine)
+    for id, value in written.values().items():
+        if id in known:
+            assert known[id].shown == pytest.approx(value.shown, rel=1e-9, nan_ok=True), id
+    sums = {id for id in written.values() if ".right." not in id}
+    assert sums <= known.keys()
+
+
+def test_each_shaft_in_view_is_as_one_alone():
+    results = solved(two())
+    assert list(results.views) == ["left", "right"]
+    values = results.values()
+    for name, view in results.views.items():
+        mine = view.values()
+        assert [shaft.name for shaft in view.design.shafts] == [name]
+        assert mine["countershaft.force"].inside == values[f"countershaft.{name}.force"].inside
+        assert mine["bearings.rear.film"].inside == values[f"bearings.{name}.rear.film"].inside
+        assert mine["friction.total_loss"].inside == values["friction.total_loss"].inside  # of the whole
+        assert "countershaft.residual_order_1_force" not in mine
+        assert view.check("bearings.front.film_edge").value == results.check(f"bearings.{name}.front.film_edge").value
+        keys = {str(key) for key in view.check("countershaft.fatigue").moved_by}
+        assert keys == {str(key) for key in results.check(f"countershaft.{name}.fatigue").moved_by}
+    one = solve(design(read(GAMMA)))
+    assert list(one.views.values()) == [one]
+
+
+def test_the_one_shaft_beside_its_twin_is_the_whole_view():
+    both = gamma_and_its_image()
+    (view,) = both.views.values()
+    assert view is both or view.design is both.design
+
+
+NARROW = {"mode": "size", "outer_radius_mm": 15.0, "half_length_mm": 10.0}
+
+
+def test_a_shaft_without_solution_stops_what_needs_all_of_them_and_keeps_the_others():
+    data = two(NARROW)
+    del data["shafts"][1]["masses"]
+    results = solved(data)
+    step = results.outcomes["countershaft"]
+    assert step.state == "no_solution" and str(step.reason).startswith("right: ")
+    assert step.result is None
+    assert {key: results.outcomes[key].state for key in ("bearings", "friction")} == dict.fromkeys(
+        ("bearings", "friction"), "blocked"
+    )
+    assert results.check("countershaft.left.fatigue").verdict == "pass"
+    assert results.check("countershaft.right.fatigue") is None
+    assert results.check("countershaft.residual") is None  # nothing is known of what is left
+    view = results.views["left"]
+    assert view.outcomes["countershaft"].state == "solved"
+    assert results.views["right"].outcomes["countershaft"].state == "no_solution"
+    assert not any(id.startswith("countershaft.") for id in results.values())
+
+
+def test_a_shaft_that_is_sized_takes_what_a_given_one_leaves():
+    results = of_case("twin-270-beside")
+    assert list(results.of_shafts) == ["small", "rest"]
+    order = copy.deepcopy(document("twin-270-beside").data)
+    order["shafts"].reverse()
+    turned = solved(order).values()
+    for id, value in results.values().items():
+        assert turned[id].shown == pytest.approx(value.shown, rel=1e-9, abs=1e-9), id
+
+
+def test_of_a_shaft_with_given_loads_only_the_bearings_are_judged():
+    data = two()
+    data.pop("gears"), data.pop("friction")
+    loaded = [row | {"load_N": 1500.0} for row in data["shafts"][1]["bearings"]]
+    data["shafts"][1] = {"name": "right", "mode": "bearings", "bearings": loaded}
+    data["bearings"]["journal_material"] = "42CrMo4"
+    results = solved(data)
+    values = results.values()
+    assert results.outcomes["countershaft"].state == results.outcomes["bearings"].state == "solved"
+    assert values["bearings.right.front.load"].shown == pytest.approx(1500.0)
+    assert values["bearings.left.front.load"].shown == pytest.approx(values["countershaft.left.reaction_front"].shown)
+    assert not any(id.startswith("countershaft.right.") for id in values)
+    assert list(results.of_shafts["right"]) == ["bearings"]
+
+
+# --- what is solved again
+
+
+def counted(monkeypatch, module, name: str = "solve") -> list[str]:
+    """The names of the shafts that a part is called for, in their order."""
+    calls, function = [], getattr(module, name)
+
+    @functools.wraps(function)
+    def called_for(first, *others, **more):
+        calls.append(getattr(first, "name", ""))
+        return function(first, *others, **more)
+
+    monkeypatch.setattr(module, name, called_for)
+    return calls
+
+
+def test_a_change_of_one_shaft_does_not_solve_the_other_again(monkeypatch):
+    before = solved(two())
+    calls, turns = counted(monkeypatch, recipe.countershaft), counted(monkeypatch, recipe.bearings)
+    other = solve(design(Document(two({"masses": masses(0.33, 0.3)}))), before)
+    assert calls == ["right"] and len(turns) == 1
+    values, were = other.values(), before.values()
+    assert values["countershaft.right.force"].inside != were["countershaft.right.force"].inside
+    fresh = solved(two({"masses": masses(0.33, 0.3)})).values()
+    assert {id: value.shown for id, value in values.items()} == pytest.approx(
+        {id: value.shown for id, value in fresh.items()}, nan_ok=True
+    )
+
+
+def test_nothing_is_solved_again_where_nothing_changed(monkeypatch):
+    before = solved(two())
+    calls = counted(monkeypatch, recipe.countershaft)
+    turns = counted(monkeypatch, recipe.bearings)
+    solve(design(Document(two())), before)
+    assert calls == turns == []
+
+
+def test_what_is_enough_is_asked_of_all_shafts_by_their_names():
+    """As a search does that only wants one check of one shaft: it ends as soon as this is known."""
+    wanted = "bearings.left.front.film_edge"
+    known = solved(two()).check(wanted)
+    ended = solve(design(Document(two())), enough=lambda outcome: any(check.id == wanted for check in outcome.checks))
+    assert ended.check(wanted).value == known.value
+    assert "friction" not in ended.outcomes and ended.check("bearings.right.front.film_edge") is None
