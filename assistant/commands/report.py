@@ -10,7 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from assistant.results_text import print_summary
-from assistant.session.exporting import KINDS, drawing_texts, draws_gears, exported, gears_text, placed, transfer_text
+from assistant.session.exporting import KINDS, drawings, draws_gears, exported, gears_text, transfer_text
 from assistant.session.saving import spare, write_asked
 from calc.design.disk import read_file
 from calc.design.limits import FRONT_BYTES
@@ -128,11 +128,11 @@ def run_export(asked: Namespace) -> int:
         raise BadInput("contralbero export", wrong)
     results = solve(parsed)
     if asked.transfer:
-        texts = {"": transfer_text(document, results)}
+        files = {target: transfer_text(document, results)}
     else:
-        texts = _drawings(asked, document, results) if kind == "dxf" else exported(kind, document, results)
-    files = placed(target, texts)
+        files = _drawings(asked, document, results) if kind == "dxf" else exported(target, document, results)
     for path, text in files.items():
+        spare(path, asked.file)
         write_asked(path, text, inputs=[asked.file])
     print_summary(results)
     print("", *files, sep="\n")
@@ -170,13 +170,14 @@ def _drawing_errors(asked: Namespace, kind: str) -> list[InputError]:
     return errors
 
 
-def _drawings(asked: Namespace, document: Document, results: Results) -> dict[str, str]:
+def _drawings(asked: Namespace, document: Document, results: Results) -> dict[Path, str]:
     """The shafts, or the gears where they are asked for or are all there is."""
+    target = Path(asked.output)
     if asked.gear is not None or asked.gears or draws_gears(results):
-        return {"": gears_text(document, results, asked.gear, asked.chord_error)}
+        return {target: gears_text(document, results, asked.gear, asked.chord_error)}
     if asked.chord_error is not None:
         raise BadInput(
             "contralbero export",
             [InputError(0, "--chord-error", "", Text("is for gears: ask for --gear WHEEL or --gears"))],
         )
-    return drawing_texts(document, results)
+    return drawings(target, document, results)

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from assistant.results_text import results_json
 from assistant.session.saving import Draft, write_asked
+from calc.countershaft.result import CountershaftResult
+from calc.design.model import Design
 from calc.design.toml_file import Document
 from calc.gears.profile.drawing import LAYERS, train_drawing, wheel_drawing
 from calc.gears.profile.outline import CHORD_ERROR
@@ -19,9 +21,10 @@ from calc.mounting.operations import rows as transfer_rows
 from calc.mounting.result import MountingResult
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.progress import Progress
+from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
 from calc.solve import Results
-from calc.studies.drawings import drawable, sheets
+from calc.studies.drawings import sheets
 from reports.dxf import dxf, sheet_dxf
 
 if TYPE_CHECKING:
@@ -42,27 +45,33 @@ def write_draft(
 
         write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
     else:
-        texts = exported(path.suffix.lower().removeprefix("."), document, results, gears)
-        for place, text in placed(path, texts).items():
-            write_asked(place, text, inputs=[document.place])
+        for target, text in exported(path, document, results, gears).items():
+            write_asked(target, text, inputs=[document.place])
 
 
-def exported(kind: str, document: Document, results: Results, gears: bool = False) -> dict[str, str]:
-    """The text of a file of this kind; of several shafts one for each drawing, by the name of the shaft.  A drawing is
-    that of the shaft; of the train where `gears` says so, or where there is no shaft.
+def exported(path: Path, document: Document, results: Results, gears: bool = False) -> dict[Path, str]:
+    """The text of the file that its ending says.  A drawing is that of the shaft, of several one each that is no twin;
+    of the train where `gears` says so, or where there is no shaft.
 
     Raises BadInput where there is nothing to draw, with what to add.
     """
+    kind = path.suffix.lower().removeprefix(".")
     if kind == "json":
-        return {"": results_text(document, results)}
+        return {path: results_text(document, results)}
     if kind == "csv":
-        return {"": values_text(document, results)}
-    return {"": gears_text(document, results)} if gears or draws_gears(results) else drawing_texts(document, results)
+        return {path: values_text(document, results)}
+    if gears or draws_gears(results):
+        return {path: gears_text(document, results)}
+    return drawings(path, document, results)
 
 
-def placed(path: Path, texts: dict[str, str]) -> dict[Path, str]:
-    """Where each of them is written: `drive.dxf`, of several `drive-left.dxf`."""
-    return {path.with_name(f"{path.stem}-{name}{path.suffix}") if name else path: texts[name] for name in texts}
+def drawings(path: Path, document: Document, results: Results) -> dict[Path, str]:
+    """The shaft as a DXF file; of several each that is no twin by itself, `-left` behind the name of the file.  Raises
+    BadInput where there is none to draw."""
+    views = results.views
+    if len(views) < 2:
+        return {path: drawing_text(document, next(iter(views.values()), results))}
+    return {path.with_stem(f"{path.stem}-{name}"): drawing_text(document, view, name) for name, view in views.items()}
 
 
 def draws_gears(results: Results) -> bool:
@@ -99,17 +108,18 @@ def transfer_text(document: Document, results: Results) -> str:
     return file.getvalue()
 
 
-def drawing_texts(document: Document, results: Results) -> dict[str, str]:
-    """The shaft as a DXF file; of several each that is no twin, by its name.  Raises BadInput where no outline is
-    known, with what to add."""
+def drawing_text(document: Document, results: Results, name: str = "") -> str:
+    """The shaft in view as a DXF file; `name`: of one of several.  Raises BadInput where its outline is not known, with
+    what to add."""
     shaft, outcome = results.design.countershaft, results.outcomes["countershaft"]
+    key = dotted(Design.shafts, name) if name else "countershaft"
     if shaft is None:
         raise BadInput(
             document.place,
             [
                 InputError(
                     0,
-                    "countershaft",
+                    key,
                     "",
                     Text("needed for a drawing: add [[shafts]], and {how}; or [gears]", how=HOW),
                 )
@@ -118,16 +128,17 @@ def drawing_texts(document: Document, results: Results) -> dict[str, str]:
     if outcome.state != "solved":
         raise BadInput(
             document.place,
-            [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))],
+            [InputError(0, key, "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))],
         )
-    drawn = drawable(results)
-    if not drawn:
+    solved = results.result(CountershaftResult)
+    outline = solved.outline if solved is not None else None
+    if outline is None:
         raise BadInput(
             document.place,
             [
                 InputError(
                     0,
-                    "countershaft",
+                    key,
                     "",
                     Text(
                         "the shaft's outline is not known: {how}; `contralbero check {file} --step countershaft` "
@@ -138,8 +149,7 @@ def drawing_texts(document: Document, results: Results) -> dict[str, str]:
                 )
             ],
         )
-    texts = [sheet_dxf(sheet) for sheet in sheets(results, data=document.data)]
-    return dict(zip(drawn, texts)) if len(results.views) > 1 else {"": texts[0]}
+    return sheet_dxf(sheets(results, data=document.data)[0])
 
 
 def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:

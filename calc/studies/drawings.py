@@ -49,7 +49,8 @@ def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None =
     views = drawable(results)
     drawn = []
     for n, (name, view) in enumerate(views.items(), 1):
-        title = say(_titled(view, name)) if len(results.design.shafts) > 1 else results.design.name
+        alone = len(results.design.shafts) == 1 and results.of_shafts  # which one of several in view does not have
+        title = results.design.name if alone else say(_titled(view, name))
         sheet = shaft_sheet(view, say, data, title=title, sheet=f"{n}/{len(views)}")
         drawn += [] if sheet is None else [sheet]
     return drawn

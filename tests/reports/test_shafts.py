@@ -2,12 +2,13 @@
 """The report of several shafts: what they leave together comes first, then each that is no twin, a twin in few lines."""
 
 import json
+from pathlib import Path
 from typing import Any
 
 import pytest
 import tomli_w
 
-from assistant.session.exporting import drawing_texts
+from assistant.session.exporting import drawings
 from calc.countershaft.sketch import sketch
 from calc.draw.drawing import Words
 from calc.studies.drawings import sheets
@@ -92,7 +93,10 @@ def test_each_original_has_its_drawing(single: Solved) -> None:
     ]
     words = [{mark.text for mark in sheet.marks if isinstance(mark, Words)} for sheet in drawn]
     assert "1/2" in words[0] and "2/2" in words[1]
-    assert list(drawing_texts(single.document, single.results)) == ["a", "c"]
+    files = drawings(Path("drive.dxf"), single.document, single.results)
+    assert [path.name for path in files] == ["drive-a.dxf", "drive-c.dxf"]
+    for sheet, text in zip(drawn, files.values()):
+        assert sheet.title in text
 
 
 def test_the_picture_has_the_shafts_below_each_other(single: Solved) -> None:
