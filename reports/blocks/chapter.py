@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from calc.sheet.check import SIGNS, Check
-from calc.sheet.quantity import dotted
+from calc.sheet.quantity import Published, dotted
 from calc.sheet.step import OF_SHAFTS, Outcome, Step
 from calc.sheet.text import Amount, Name, Text
 from calc.sheet.value import Line
@@ -127,8 +127,8 @@ def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
 
 def of_all(context: Context, step: Step, outcome: Outcome[object]) -> Outcome[object]:
     """What of it is of no shaft alone."""
-    views = (context.original or context.results).views.values()
-    of_shafts = {line for view in views for line in view.outcomes[step.key].lines}
+    of_shafts = _own_lines(context, step)
+    of_shafts.update(line for name in context.shafts for line in _twin_lines(context, step, outcome, name))
     return replace(
         outcome,
         checks=tuple(check for check in outcome.checks if context.tells(check.id)),
@@ -157,15 +157,33 @@ def _whose(context: Context, id: str) -> str:
     return name if name in context.shafts else ""
 
 
+def _own_lines(context: Context, step: Step) -> set[Line]:
+    """The lines of all shafts that are no twins."""
+    views = (context.original or context.results).views.values()
+    return {line for view in views for line in view.outcomes[step.key].lines}
+
+
+def _values_of(context: Context, step: Step, name: str) -> list[Published]:
+    return [value for value in context.values.values() if value.id.startswith(f"{dotted(step.key, name)}.")]
+
+
+def _twin_lines(context: Context, step: Step, outcome: Outcome[object], name: str) -> list[Line]:
+    """The lines behind the values of a twin that are not its original's."""
+    behind = {link.line for value in _values_of(context, step, name) for link in context.chains.of(value.id)}
+    own = _own_lines(context, step)
+    return [line for line in outcome.lines if line in behind and line not in own]
+
+
 def twin_blocks(context: Context, step: Step, outcome: Outcome[object], name: str) -> list[Block]:
     """What a twin is, and what it gives; all else is its original's.  The audit has every value of its own."""
     twin = next(shaft for shaft in context.design.resolved if shaft.name == name)
-    values = [value for value in context.values.values() if value.id.startswith(f"{dotted(step.key, name)}.")]
+    values = _values_of(context, step, name)
     words = paragraph(
         context.text(twin.how, of=Name(str(twin.of)), ratio=Amount(twin.inputs.speed_ratio)), BODY, gap=1.0, keep=True
     )
     if context.audit:
-        return words + value_blocks(context, outcome, values)
+        lines = _twin_lines(context, step, outcome, name)
+        return words + derivation(context, step, lines) + value_blocks(context, outcome, values)
     told = [
         Text("{label} {value}", label=value.label, value=Amount(value.shown, value.unit))
         for value in values

@@ -12,6 +12,8 @@ from assistant.session.exporting import drawings
 from calc.countershaft.sketch import sketch
 from calc.draw.drawing import Words
 from calc.studies.drawings import sheets
+from reports.blocks.chapter import of_all
+from reports.report import context_of
 from reports.verify.verify import Verdict, verify
 from tests.conftest import ROOT
 from tests.reports.reading import Solved, pages_of, solved, squeezed, text_of
@@ -105,3 +107,13 @@ def test_the_picture_has_the_shafts_below_each_other(single: Solved) -> None:
     (first, second) = sorted(names, key=lambda mark: -mark.at[1])
     assert (str(first.text), str(second.text)) == ("a, b", "c, d")
     assert drawn.of_all == 2
+
+
+def test_each_line_of_the_shafts_stands_with_all_with_its_shaft_or_with_its_twin(single: Solved) -> None:
+    context = context_of(single.document, single.results, single.raw, depth="audit", lang="en")
+    _, step, outcome = context.steps()[2]
+    own = {line for view in single.results.views.values() for line in view.outcomes[step.key].lines}
+    together = of_all(context, step, outcome).lines
+    assert {str(line.about).partition(":")[0] for line in together} == {"order 1", "order 2"}
+    of_twins = [line for line in outcome.lines if line not in own and line not in together]
+    assert {str(line.about) for line in of_twins} == {"standing part of the load"}
