@@ -8,7 +8,7 @@ import stat
 import struct
 import zlib
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,10 +22,11 @@ from calc.design.names import belongs
 from calc.design.other_tables import DocumentControl
 from calc.design.toml_file import Document
 from calc.locale import Language
+from calc.locale.language import said
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.quantity import Published, dotted
-from calc.sheet.step import Curve, Outcome, Step
+from calc.sheet.quantity import Published, described, dotted
+from calc.sheet.step import OF_SHAFTS, Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
 from calc.sheet.value import Line, Link, leaves, link_of
 from calc.solve import Results
@@ -204,6 +205,7 @@ class Context:
     logo: Logo | None = None
     made: dict[str, str] = field(default_factory=versions)  # with which versions
     drive: Picked | None = None  # of the front that the design is one drive of
+    shaft: str = ""  # the one of several that is in view, with ids that do not say its name
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made
     ranges: set[str] = field(default_factory=set)  # chapters that say how a long list of numbers is written
@@ -241,6 +243,48 @@ class Context:
     def design(self) -> Design:
         return self.results.design
 
+    # --- several shafts: what is of all of them together, and each that is no twin in view
+
+    @property
+    def shafts(self) -> tuple[str, ...]:
+        """The names of several that all stand in ids; none where there is one, or one in view."""
+        names = tuple(shaft.name for shaft in self.design.shafts)
+        return names if len(names) > 1 and not self.shaft else ()
+
+    def title(self, step: Step) -> str:
+        """What a step is called: that of several shafts by these."""
+        shafts = self.shafts and step.key == OF_SHAFTS[0]
+        return self.say(described(Design.shafts).label if shafts else step.title)
+
+    def values_of(self, step: Step) -> list[Published]:
+        """The values of a step that stand where this is told."""
+        return [v for id, v in self.values.items() if id == v.id and id.startswith(f"{step.key}.") and self.tells(id)]
+
+    def in_view(self, name: str) -> Context:
+        """The same with one of the shafts in view: what it gives and what is asked of it, without its name."""
+        original = (self.original or self.results).views[name]
+        original = original.whole() if self.audit else original
+        spoken = {step: said(original.outcomes[step], self.say) for step in OF_SHAFTS if step in original.outcomes}
+        view = replace(original, outcomes=self.results.outcomes | spoken)
+        return replace(self, results=view, original=original, shaft=name, _chains=None, _values={})
+
+    def tells(self, id: str) -> bool:
+        """Whether a value or check stands where this is told: of a step that each shaft has for itself, what is of
+        one of them stands with that one."""
+        step, name, *_ = f"{id}.".split(".")
+        return step not in OF_SHAFTS or name not in self.shafts
+
+    def asks(self, key: str) -> bool:
+        """The same of an input."""
+        table, name, *_ = f"{key}.".split(".")
+        of_one = name if table == dotted(Design.shafts) else ""
+        return not (self.shaft or self.shafts) or of_one == self.shaft
+
+    def whole_id(self, id: str) -> str:
+        """The id of a value or check as the whole design has it."""
+        step, _, rest = id.partition(".")
+        return dotted(step, self.shaft, rest) if self.shaft and step in OF_SHAFTS else id
+
     @property
     def audit(self) -> bool:
         return self.depth == "audit"
@@ -263,7 +307,7 @@ class Context:
         """Note that a step uses a source, and whether what it says stands in this report; gives it in the report's
         language."""
         used = self.sources.setdefault(source, [])
-        if (title := self.say(step.title)) not in used:
+        if (title := self.title(step)) not in used:
             used.append(title)
         if stands:
             self.cited.add(source)

@@ -6,20 +6,21 @@ The same design file and program give the same bytes: no date of printing, no pa
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from calc.design.disk import write_file
 from calc.design.toml_file import Document, design, parse
 from calc.locale import LANGUAGES, language
 from calc.locale.language import said
 from calc.sheet.progress import Progress, part, tell
-from calc.sheet.step import Outcome, Step
+from calc.sheet.step import OF_SHAFTS, Outcome, Step
 from calc.solve import Results, solve
 from calc.studies.drive.front import picked
 
-from .blocks.chapter import Parts, chapter_parts, derivation
+from .blocks.chapter import Parts, chapter_parts, derivation, of_all, of_one, twin_blocks, verdict_words
 from .blocks.checks import check_blocks, errata_blocks
 from .blocks.contents import ContentsEntry, contents_blocks, index_blocks, source_blocks
 from .blocks.drawing import drawing_blocks, wheel_blocks
@@ -38,7 +39,7 @@ from .pdf import attach
 from .pdf.binding import bind
 from .typesetting.fonts import FACES, PAGE, WIDTH, widths
 from .typesetting.pagination import Block, Heading, bullet, composed, heading, paragraph
-from .typesetting.prose import BODY, HEADING, SECTION, lines
+from .typesetting.prose import BODY, HEADING, SECTION, SHAFT, lines
 
 # --- the report
 
@@ -241,7 +242,7 @@ def _step(
     """One step with its parts; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
-    title, context.chapter = context.say(step.title), step.key
+    title, context.chapter = context.title(step), step.key
     chapter = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
     reasons = {
         "not_asked": outcome.reason or context.text("not_asked_text", key=step.key),
@@ -259,25 +260,82 @@ def _step(
         context.cite(source, step)
     for erratum in original.errata:
         context.cite(erratum.source, step)
+    if not context.shafts or step.key not in OF_SHAFTS or not asked:
+        return chapter + _parts(
+            context, Section(str(number), title, step.key), step, outcome, entries[-1], plots, progress
+        )
+    if outcome.state == "solved":
+        chapter += paragraph(verdict_words(context, outcome), BODY, gap=2.0, keep=True)
+    for section, view, told, n, of in _sections(context, number, step, outcome):
+        entries.append(ContentsEntry(f"{section.number}  {section.title}", section.anchor, {}))
+        chapter += heading(entries[-1].title, SHAFT, gap=12.0, after=2.0, anchor=section.anchor, outline=1, need=90.0)
+        if told is None:
+            chapter += twin_blocks(context, step, outcome, section.title)
+        else:
+            chapter += _parts(view, section, step, told, entries[-1], plots, part(progress, n / of, (n + 1) / of))
+        context.figures = max(context.figures, view.figures)
+    return chapter
+
+
+class Section(NamedTuple):
+    """A part of the report by its number: a whole chapter, or what it says of all shafts or of one."""
+
+    number: str
+    title: str
+    anchor: str
+    level: int = 0  # in the outline
+
+
+def _sections(
+    context: Context, number: int, step: Step, outcome: Outcome[object]
+) -> Iterator[tuple[Section, Context, Outcome[object] | None, int, int]]:
+    """A step that each of several shafts has for itself: what is of all together, each shaft that is no twin, in view,
+    and each twin (None: its original tells the rest); the place of each among so many."""
+    own = [name for name, steps in context.results.of_shafts.items() if step.key in steps]
+    names = ["", *(name for name in context.shafts if name in own or step.key == OF_SHAFTS[0])]
+    for n, name in enumerate(names):
+        title = name or context.words["together"]
+        section = Section(f"{number}.{n + 1}", title, f"{step.key}-{name}", 1)
+        if not name:
+            yield section, context, of_all(context, step, outcome), n, len(names)
+        elif name in own:
+            view = context.in_view(name)
+            yield section, view, of_one(context, outcome, view.results.outcomes[step.key], name), n, len(names)
+        else:
+            yield section, context, None, n, len(names)
+
+
+def _parts(
+    context: Context,
+    section: Section,
+    step: Step,
+    outcome: Outcome[object],
+    entry: ContentsEntry,
+    plots: Plots,
+    progress: Progress | None,
+) -> list[Block]:
+    """What the report says of a step, or of one shaft in it, part by part."""
+    w = context.words
+    blocks: list[Block] = []
     sketch = sketch_figure(context, step, outcome)
     figures = figure_blocks(context.number(outcome), context.words["figure"], plots, wide=not context.audit)
     if context.audit:
         parts = _everything(context, step, outcome, sketch + figures)
     else:
-        chapter += sketch
-        parts = chapter_parts(context, number, step, outcome, figures)
+        blocks += sketch
+        parts = chapter_parts(context, section.number, step, outcome, figures)
     for n, (key, make) in enumerate(parts):
-        tell(progress, n / len(parts), f"{title}: {w[key]}")
-        if section := make():
-            anchor = f"{step.key}-{key}"
-            if section[0].floats:  # a figure says what it is, and need not stand where it is spoken of
-                chapter += [replace(section[0], anchor=anchor, outline=(1, w[key])), *section[1:]]
+        tell(progress, n / len(parts), f"{section.title}: {w[key]}")
+        if made := make():
+            anchor, outline = f"{section.anchor}-{key}", section.level + 1
+            if made[0].floats:  # a figure says what it is, and need not stand where it is spoken of
+                blocks += [replace(made[0], anchor=anchor, outline=(outline, w[key])), *made[1:]]
             else:
-                chapter += heading(w[key], SECTION, gap=8.5, after=1.0, anchor=anchor, outline=1)
-                chapter += section
+                blocks += heading(w[key], SECTION, gap=8.5, after=1.0, anchor=anchor, outline=outline)
+                blocks += made
             if key in (LISTED if context.audit else CHAPTERS):
-                entries[-1].parts[w[key]] = anchor
-    return chapter
+                entry.parts[w[key]] = anchor
+    return blocks
 
 
 def _everything(context: Context, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
@@ -286,7 +344,7 @@ def _everything(context: Context, step: Step, outcome: Outcome[object], figures:
         ("inputs", lambda: input_blocks(context, step)),
         ("notes", lambda: [block for note in outcome.notes for block in bullet(note)]),
         ("formulas", lambda: derivation(context, step, list(outcome.lines))),
-        ("results", lambda: value_blocks(context, outcome, outcome.values())),
+        ("results", lambda: value_blocks(context, outcome, context.values_of(step))),
         ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
         ("tables", lambda: table_blocks(context, outcome.tables)),
         ("checks", lambda: check_blocks(context, outcome.checks)),

@@ -24,7 +24,7 @@ from .curves import phasor_plane, speeds, teeth_bars
 from .inputs import ShaftInputs
 from .rows import SHAFT
 from .sizing.sectors import WORDS, ShaftTask, task
-from .sums import OrderVectors, SystemResult, SystemShaft, TeethOff, teeth_off, teeth_table, together
+from .sums import OrderVectors, SystemResult, SystemShaft, TeethOff, sums_table, teeth_off, teeth_table, together
 
 if TYPE_CHECKING:
     from .making.system_scatter import MadeShaft
@@ -54,7 +54,9 @@ def solve(
         result=left,
         checks=tuple(check for n, todo in tasks.items() for check in _checks(todo, shafts, left, min(tasks))),
         lines=tuple(lines),
-        curves=Later(partial(_curves, tasks, engine, left, omega)) + Later(partial(_planes, tasks, engine, shafts)),
+        curves=Later(partial(_curves, tasks, engine, left, omega, several=len(shafts) > 1))
+        + Later(partial(_planes, tasks, engine, shafts)),
+        tables=Later(lambda: [sums_table(engine, shafts, left)] if len(shafts) > 1 else []),
     )
 
 
@@ -82,7 +84,7 @@ def one_tooth_off(
         name: replace(turn, tooth_late=off.shafts.get(name), pair_late=off.pairs.get(name))
         for name, turn in train.result.shafts.items()
     }
-    table = Later(lambda: [teeth_table(off)] if off.shafts else [])
+    table = Later(lambda: [replace(teeth_table(off), short=off.all is not None)] if off.shafts else [])
     bars = Later(partial(_bars, imbalance, engine, shafts, off))
     result = replace(train.result, shafts=turns, all_late=off.all)
     lines = [*train.lines, *lines]
@@ -229,10 +231,17 @@ def _opposite(engine: complex) -> Amount:
 
 
 def _curves(
-    tasks: Mapping[int, ShaftTask], engine: Mapping[int, OrderVectors], left: SystemResult, omega: RadPerSecond
+    tasks: Mapping[int, ShaftTask],
+    engine: Mapping[int, OrderVectors],
+    left: SystemResult,
+    omega: RadPerSecond,
+    *,
+    several: bool,
 ) -> tuple[Curve, ...]:
-    """Of each order: over the speed range, and over a turn; what is next to nothing is not drawn."""
-    over_speed, over_a_turn = [], []
+    """Of each order: over the speed range, and over a turn; what is next to nothing is not drawn.  Of several shafts a
+    short report has the former."""
+    over_speed: list[Curve] = []
+    over_a_turn: list[Curve] = []
     for n, todo in tasks.items():
         before, after = engine[n], left.vectors[n]
         behind = "" if n == min(tasks) else f"_{n}"  # the ids of the first of them
@@ -242,9 +251,8 @@ def _curves(
         ):
             if max(map(abs, (f_0, b_0, f_1 - f_0, b_1 - b_0))) > DRAWN * one_cylinder:
                 peaks = abs(f_0) + abs(b_0), getattr(left, f"residual_order_{n}_{word}")
-                over_speed.append(
-                    _over_speed(f"residual_{word}_over_speed{behind}", n, word, unit, peaks, limit, omega)
-                )
+                over = _over_speed(f"residual_{word}_over_speed{behind}", n, word, unit, peaks, limit, omega)
+                over_speed.append(replace(over, short=len(over_speed) + 1) if several else over)
                 id = f"residual{behind}" if word == "couple" else f"residual_force{behind}"
                 over_a_turn.append(_over_a_turn(id, n, word, unit, ((f_0, b_0), (f_1, b_1))))
     return (*over_speed, *over_a_turn)

@@ -31,16 +31,19 @@ from ..draw.drawing import (
     Words,
     awaited,
     judged,
+    moved,
     rectangle,
     round_outline,
+    spanned,
 )
+from ..draw.drawing import reach as reached
 from ..draw.shaft_outline import bore, drawn, reach, silhouette, upwards
 from ..engine.result import EngineResult
 from ..gears.inputs import GearsInputs
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
 from ..sheet.record import record
-from ..sheet.text import Amount, Name, Text
+from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Number, Radian
 from .bending.shaft import Bending
 from .checks import (
@@ -115,7 +118,7 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     together = _together(design, results)
     if len(each) > 1:
         each = [_named(one, of, n == 0) for n, (one, of) in enumerate(zip(each, design.views.values()))]
-        pictures = [one for one in (together, *each) if one is not None and one.primitives]
+        pictures = [one for one in (together, *each, _below_each_other(design, results)) if one and one.primitives]
         first, *others = pictures[view:] + pictures[:view] or [awaited(results.outcomes[STEP])]
         return replace(first, beside=tuple(others), views=max(1, len(pictures)))
     alone = each[0] if each else awaited(results.outcomes[STEP])
@@ -128,11 +131,14 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
 def _named(picture: Sketch, of: "Design", first: bool) -> Sketch:
     """The picture of one of several shafts under its name, with keys that say which of them it is; those of the first
     are the rules' own."""
-    marks = picture.primitives
-    if not first:
-        keys = (" ".join(one for words in mark.key.split() for one in of.in_place(words)) for mark in marks)
-        marks = tuple(replace(mark, key=key) for mark, key in zip(marks, keys))
+    marks = picture.primitives if first else tuple(_in_place(picture.primitives, of))
     return replace(picture, primitives=marks, title=Name(of.shafts[0].name), beside=())
+
+
+def _in_place(marks: Iterable[Mark], of: "Design") -> Iterator[Mark]:
+    """With keys that say the shaft."""
+    for mark in marks:
+        yield replace(mark, key=" ".join(one for words in mark.key.split() for one in of.in_place(words)))
 
 
 def _of_one(design: "Design", results: "Results") -> Sketch:
@@ -143,28 +149,36 @@ def _of_one(design: "Design", results: "Results") -> Sketch:
     if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
-    masses, notes = judged(checks, *(rule.id for rule in OF_MASSES)), [Text("lengths in mm")]
-    if result.outline is not None:
-        view = _shaped(shaft, result.outline, masses)
-    elif result.sector:
-        view = _envelope(shaft, tuple(result.sector.values()), masses)
-        notes.append(Text("without its journals"))
-    elif shaft.masses:
-        view = _points(shaft, masses)
-        notes.append(Text("masses as points"))
-    else:
+    view, notes = _view(shaft, result, checks), [Text("lengths in mm")]
+    if view is None:
         return Sketch(notes=(Text("The picture waits for the masses of the shaft."),))
-    beyond = SUPPORT * view.length
-    side: list[Mark] = [Polyline(AXIS, ((view.start - beyond, 0.0), (view.end + beyond, 0.0)))]
-    side += _side(view, result.outline)
-    side += _supports(view, checks)
-    side += _dimensions(view)
+    if result.outline is None:
+        notes.append(Text("without its journals") if result.sector else Text("masses as points"))
+    side = [*_along(view, result.outline, checks), *_dimensions(view)]
     if shaft.holes is not None:
         side += _holes(view, shaft.holes, judged(checks, dotted(STEP, ShaftInputs.holes)))
     if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
         side += bent[0]
         notes.append(Text("dashed: bending × {factor}", factor=Amount(bent[1])))
     return Sketch(tuple(side), tuple(notes), beside=(Sketch(tuple(_end_view(view)), title=Text("from the front")),))
+
+
+def _view(shaft: ShaftInputs, result: CountershaftResult, checks: tuple[Check, ...]) -> View | None:
+    """What is known of its shape; None where that is nothing."""
+    masses = judged(checks, *(rule.id for rule in OF_MASSES))
+    if result.outline is not None:
+        return _shaped(shaft, result.outline, masses)
+    if result.sector:
+        return _envelope(shaft, tuple(result.sector.values()), masses)
+    return _points(shaft, masses) if shaft.masses else None
+
+
+def _along(view: View, outline: Outline | None, checks: tuple[Check, ...]) -> Iterator[Mark]:
+    """From the side: axis, shape and supports."""
+    beyond = SUPPORT * view.length
+    yield Polyline(AXIS, ((view.start - beyond, 0.0), (view.end + beyond, 0.0)))
+    yield from _side(view, outline)
+    yield from _supports(view, checks)
 
 
 def _shaped(shaft: ShaftInputs, outline: Outline, state: State) -> View:
@@ -236,7 +250,8 @@ def _together(design: "Design", results: "Results") -> Sketch | None:
         for name, wheel in laid.items()
         if train is not None and (at := wheel.position) is not None
     ]
-    return front_view(design.engine, sorted({round(float(psi), 9) for psi in engine.crank.psi}), shafts, wheels)
+    picture = front_view(design.engine, sorted({round(float(psi), 9) for psi in engine.crank.psi}), shafts, wheels)
+    return replace(picture, of_all=1)
 
 
 def _in_front(one: Resolved, original: CountershaftResult, key: str) -> ShaftInFront:
@@ -256,6 +271,58 @@ def _in_front(one: Resolved, original: CountershaftResult, key: str) -> ShaftInF
         result.force_vector,
         key,
     )
+
+
+# --- all of them from the side
+
+BAR = 0.1  # of the longest shaft: the largest load
+
+
+def _below_each_other(design: "Design", results: "Results") -> Sketch | None:
+    """Each shaft that is no twin, one below another at its place along the engine, with bars for the loads of its
+    supports; above all of them the planes of the cylinders."""
+    known = {}
+    for name, each in results.views.items():
+        shaft, outcome = each.design.countershaft, each.outcomes[STEP]
+        if shaft is not None and isinstance(outcome.result, CountershaftResult):
+            checks = tuple(outcome.checks)
+            view = _view(shaft, outcome.result, checks)
+            if view is not None:
+                known[name] = view, outcome.result, checks
+    if not known:
+        return None
+    longest = max(view.length for view, _, _ in known.values())
+    most = max(max(result.loads.values()) for _, result, _ in known.values()) or 1.0
+    engine, gap = results.result(EngineResult), SUPPORT * longest
+    planes = sorted(set(engine.crank.z.tolist())) if engine is not None else []
+    marks: list[Mark] = [Polyline(CONTEXT, ((z, gap), (z, 2 * gap))) for z in planes]
+    notes = [Text("bars: loads of the bearings, dashed by the levers of a rigid shaft")]
+    notes += [Text("ticks: cylinders")] if planes else []
+    y = 0.0
+    for name, (view, result, checks) in known.items():
+        drawn = [*_along(view, result.outline, checks), *_loads(view, result, BAR * longest / most, gap)]
+        if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
+            drawn += bent[0]
+            notes.append(Text("{name}: bending × {factor}", name=Name(name), factor=Amount(bent[1])))
+        left, low, _, top = spanned(point for mark in drawn for point in reached(mark))
+        twins = [Name(shaft.name) for shaft in design.shafts if name in (shaft.mirrors, shaft.repeats)]
+        drawn.append(Words(WORDS, (left - gap, 0.0), COMMA.join([Name(name), *twins]), side="right"))
+        placed = [moved(mark, 0.0, y - top) for mark in drawn]
+        marks += placed if not y else _in_place(placed, results.views[name].design)
+        y -= top - low + 2 * gap
+    return Sketch(tuple(marks), tuple(notes), title=Text("from the side"), of_all=len(known))
+
+
+def _loads(view: View, result: CountershaftResult, scale: float, wide: Metre) -> Iterator[Mark]:
+    """A bar under each support as long as its load, and dashed that by the levers of a rigid shaft."""
+    half, lowest = wide / 3, max((reach(piece, view.up)[1] for piece in view.pieces), default=0.0)
+    top = -lowest - SUPPORT * view.length
+    for row in view.shaft.bearings:
+        load, z = result.loads[row.name], row.position
+        yield Area(OUTLINE, (rectangle(z - half, top - scale * load, z + half, top),), SHADES["sector"])
+        if (rigid := result.loads_by_levers.get(row.name)) is not None:
+            yield Polyline(HIDDEN, rectangle(z - half, top - scale * rigid, z + half, top), True)
+        yield Words(WORDS, (z + 2 * half, top - scale * load / 2), Text("{load}", load=Amount(load, "N", form=".0f")))
 
 
 # --- from the side

@@ -20,7 +20,7 @@ from ..sheet.functions import conj, largest
 from ..sheet.quantity import group, result, value
 from ..sheet.record import record
 from ..sheet.step import Curve, Series, Table, axis_label
-from ..sheet.text import Name, Text
+from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import (
     Newton,
     NewtonMetre,
@@ -105,6 +105,7 @@ class SystemShaft:
 
 
 TOGETHER = Text("all shafts")
+NOTHING = 1e-6  # N and N·m: what rounding leaves
 
 
 def rolled(shafts: Iterable[SystemShaft], subject: Text = TOGETHER) -> PhasorNewtonMetre | None:
@@ -253,6 +254,58 @@ def _parts(found: OrderVectors) -> OrderLeft:
         couple_backward_phase=v.couple_direction(C=C_b),
         couple_least=v.couple_least(C_f=C_f, C_b=C_b),
     )
+
+
+def sums_table(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft], left: SystemResult) -> Table:
+    """Order by order what the engine has, what each shaft does, and what is left: force, couple and, where the axes are
+    known, the roll about the crank.  What is nought throughout has no row."""
+    rows: list[tuple[str | float | None, ...]] = []
+    for n, before in engine.items():
+        after = left.vectors[n]
+        one = {shaft.name: shaft for shaft in shafts if shaft.order == n}
+        rolls = {name: rolled([shaft]) for name, shaft in one.items()}
+        for words, alone, of_shafts, rest in (
+            (
+                Text("force of order {n}, N", n=n),
+                _peak(before.forces),
+                {k: abs(s.force) for k, s in one.items()},
+                _peak(after.forces),
+            ),
+            (
+                Text("couple of order {n}, N·m", n=n),
+                _peak(before.couples),
+                {k: abs(s.couple) for k, s in one.items()},
+                _peak(after.couples),
+            ),
+            (
+                Text("roll of order {n}, N·m", n=n),
+                _size(before.roll),
+                {k: _size(T) for k, T in rolls.items()},
+                _size(after.roll),
+            ),
+        ):
+            cells = [alone, *(of_shafts.get(shaft.name) for shaft in shafts), rest]
+            if any(cell is not None and cell > NOTHING for cell in cells):
+                rows.append((words, *cells))
+    columns = (
+        (EMPTY, ""),
+        (Text("engine"), ""),
+        *((Name(shaft.name), "") for shaft in shafts),
+        (Text("left over"), ""),
+    )
+    note = Text(
+        "Peaks over a turn of the crank, at rated speed. Of the roll the torque of the engine's inertia is counted, "
+        "that of the gas is not."
+    )
+    return Table("sums", Text("What the shafts leave over"), columns, tuple(rows), note, short=True)
+
+
+def _peak(pair: tuple[complex, complex]) -> float:
+    return abs(pair[0]) + abs(pair[1])
+
+
+def _size(roll: complex | None) -> float | None:
+    return None if roll is None else abs(roll)
 
 
 # --- one tooth off

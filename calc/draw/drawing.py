@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Literal, Protocol
+from typing import Literal, Protocol, TypeVar, cast
 
 from ..sheet.check import Check
 from ..sheet.record import record
@@ -112,6 +112,7 @@ class Dimension:
 Primitive = Polyline | Arc | Words | Dimension  # of drawings to scale
 Mark = Primitive | Area  # of sketches
 Ink = Mark | Hatch  # of drawing sheets
+Drawn = TypeVar("Drawn", bound=Ink)
 
 
 @record
@@ -120,7 +121,8 @@ class Sketch:
     crank's angle.
 
     `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands
-    above each. `views`: how many of them may come first, one after the other."""
+    above each. `views`: how many of them may come first, one after the other. `of_all`: it shows all of
+    several shafts, so many of them one below another, for which paper has more room."""
 
     primitives: tuple[Mark, ...] = ()
     notes: tuple[Text, ...] = ()
@@ -128,6 +130,7 @@ class Sketch:
     title: Text = EMPTY
     beside: tuple["Sketch", ...] = ()
     views: int = 1
+    of_all: int = 0
 
     @cached_property
     def box(self) -> Box:
@@ -158,9 +161,9 @@ def reach(mark: Mark) -> Iterable[Point]:
             return [(x, start[1]), (x, end[1])] if upright else [(start[0], y), (end[0], y)]
 
 
-def moved(mark: Ink, dx: Metre, dy: Metre) -> Ink:
+def moved(mark: Drawn, dx: Metre, dy: Metre) -> Drawn:
     """A mark at another place."""
-    return _changed(mark, lambda point: (point[0] + dx, point[1] + dy), 1.0)
+    return cast("Drawn", _changed(mark, lambda point: (point[0] + dx, point[1] + dy), 1.0))
 
 
 def enlarged(mark: Ink, by: float) -> Ink:

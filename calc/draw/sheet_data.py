@@ -48,10 +48,10 @@ class TurnedPiece:
 
 def shaft_wheel(results: "Results") -> "WheelResult | None":
     """The wheel on the shaft; none where a sprocket alone turns it."""
-    train, gears = results.train, results.design.gears
-    if train is None or gears is None or results.design.countershaft is None:
+    train, shaft = results.train, results.design.countershaft
+    if train is None or shaft is None or shaft.name not in train.shafts:
         return None
-    return train.wheels.get(gears.carrier())
+    return train.wheels.get(train.shafts[shaft.name].wheel)
 
 
 def turned(results: "Results", solved: "CountershaftResult") -> list[TurnedPiece]:
@@ -273,7 +273,7 @@ def notes(
             T=number(UNITS["°C"].shown(bearings.clearance_reference_temperature), 1),
             clearances=COMMA.join(clearances),
         )
-    yield from chosen(data)
+    yield from chosen(data, shaft=shaft.name)
     yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
 
 
@@ -290,19 +290,18 @@ DEFAULTS = {
 }
 
 
-def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
-    """What the program has put in where the file leaves it out; `step`: of one step only."""
+def chosen(data: Mapping[str, object] | None, step: str = "", shaft: str = "") -> Iterator[Text]:
+    """What the program has put in where the file leaves it out; `step`: of one step only; `shaft`: of this one."""
     if data is None:
         return
-    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]:
+    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key, shaft)]:
         yield Text("Chosen by the program, not by the design: {what}.", what=COMMA.join(assumed))
 
 
-def _given(data: Mapping[str, object], key: str) -> bool:
-    """Whether the file has a key; one of a table that it does not have is not asked.  Of shafts the first is meant,
-    which mirrors none."""
+def _given(data: Mapping[str, object], key: str, shaft: str) -> bool:
+    """Whether the file has a key, of shafts this one; one of a table that it does not have is not asked."""
     step, _, name = key.partition(".")
     table = data.get(step)
     if isinstance(table, list):
-        table = table[0]
+        table = next((there for there in table if there["name"] == shaft), None)
     return not isinstance(table, Mapping) or name in table

@@ -156,9 +156,11 @@ MASS_COLUMNS = (32.0, 18.0, 20.0, 20.0, 22.0)
 APART = 8.0  # one view from another
 
 
-def shaft_sheet(results: "Results", say: Say = str, data: Mapping[str, object] | None = None) -> WorkshopSheet | None:
+def shaft_sheet(
+    results: "Results", say: Say = str, data: Mapping[str, object] | None = None, *, title: str = "", sheet: str = "1/1"
+) -> WorkshopSheet | None:
     """The drawing of the counter-shaft; None where its outline is not known.  `data`: of the design's file, for what it
-    leaves out."""
+    leaves out; `title`: of the part, where that is not the design's name; `sheet`: of how many."""
     solved, shaft = results.shaft, results.design.countershaft
     if solved is None or shaft is None or solved.outline is None:
         return None
@@ -171,7 +173,7 @@ def shaft_sheet(results: "Results", say: Say = str, data: Mapping[str, object] |
     if (wheel := sheet_data.shaft_wheel(results)) is not None:
         beside.insert(0, _gear_table(results, wheel, say))
     return composed(
-        DrawnPart(title=results.design.name, material=shaft.material, mass=mass),
+        DrawnPart(title=title or results.design.name, material=shaft.material, mass=mass, sheet=sheet),
         lambda scale: _shaft_views(results, solved, scale, say),
         tables(beside),
         sheet_data.notes(results, solved, upwards(solved.outline), data),

@@ -4,7 +4,6 @@
 from collections.abc import Mapping
 from math import pi
 
-from ..countershaft.result import CountershaftResult
 from ..draw.annotations import Say
 from ..draw.drawing import Arc, Primitive, Words
 from ..draw.shaft_outline import shaft_drawing
@@ -16,27 +15,55 @@ from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..solve import Results
 
-__all__ = ["PAPER", "WorkshopSheet", "shaft", "sheets", "train", "wheels"]
+__all__ = ["PAPER", "WorkshopSheet", "drawable", "shafts", "sheets", "train", "wheels"]
 NONE = Text("–")
 
 
-def shaft(results: Results) -> tuple[Primitive, ...]:
-    """The side view of the counter-shaft as lines; nothing where its outline is not known."""
-    asked, solved = results.design.countershaft, results.result(CountershaftResult)
-    if asked is None or solved is None or solved.outline is None:
-        return ()
-    return shaft_drawing(solved.outline, asked.bearing_positions)
+def shafts(results: Results) -> list[tuple[Primitive, ...]]:
+    """The side view of each shaft that is no twin as lines; without those whose outline is not known."""
+    drawn = []
+    for view in drawable(results).values():
+        asked, solved = view.design.countershaft, view.shaft
+        if asked is not None and solved is not None and solved.outline is not None:
+            drawn.append(shaft_drawing(solved.outline, asked.bearing_positions))
+    return drawn
+
+
+def drawable(results: Results) -> dict[str, Results]:
+    """Each shaft that is no twin in view, by its name; without those whose outline is not known."""
+    return {
+        name: view
+        for name, view in results.views.items()
+        if view.design.countershaft is not None and view.shaft is not None and view.shaft.outline is not None
+    }
 
 
 def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
-    """The workshop drawings of what the design has: its shaft, or its wheels where it is of gears alone.
+    """The workshop drawings of what the design has: each shaft that is no twin, or its wheels where it is of gears
+    alone.
 
     `data`: of the design's file, for what it leaves to the program.
     """
     if results.design.countershaft is None:
         return wheel_sheets(results, say, data)
-    sheet = shaft_sheet(results, say, data)
-    return [] if sheet is None else [sheet]
+    views = drawable(results)
+    drawn = []
+    for n, (name, view) in enumerate(views.items(), 1):
+        alone = len(results.design.shafts) == 1 and results.of_shafts  # which one of several in view does not have
+        title = results.design.name if alone else say(_titled(view, name))
+        sheet = shaft_sheet(view, say, data, title=title, sheet=f"{n}/{len(views)}")
+        drawn += [] if sheet is None else [sheet]
+    return drawn
+
+
+def _titled(view: Results, name: str) -> Text:
+    """What the title block says of one of several shafts: whose drawing it is, and for which others it stands."""
+    words = {"mirrors": Text("{title}; {name} is its mirror image"), "repeats": Text("{title}; {name} is its like")}
+    title = Text("{design}: {name}", design=Name(view.design.name), name=Name(name))
+    for shaft in view.design.resolved:
+        if shaft.how in words:
+            title = Text(words[shaft.how], title=title, name=Name(shaft.name))
+    return title
 
 
 def wheels(results: Results) -> Table | None:

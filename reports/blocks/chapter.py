@@ -6,10 +6,12 @@ At its end what the step stands on."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 from calc.sheet.check import SIGNS, Check
-from calc.sheet.step import Outcome, Step
-from calc.sheet.text import Amount, Text
+from calc.sheet.quantity import Published, dotted
+from calc.sheet.step import OF_SHAFTS, Outcome, Step
+from calc.sheet.text import Amount, Name, Text
 from calc.sheet.value import Line
 from calc.sheet.verdict import findings_of, grouped
 
@@ -25,19 +27,16 @@ from .values import table_blocks, value_blocks
 
 VERDICT, LONG_VERDICT = 46.0, 66.0
 EARLY = ("verdicts_of", "notes", "tables")
+AT_A_GLANCE = ("tables", "figures")
 LONG = ("not_verified", "accepted", "outside")
 
 Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 
 
-def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
+def chapter_parts(context: Context, number: str, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
     """The parts of a chapter in their order, each by the word that heads it."""
     proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
-    values = [
-        value
-        for id, value in context.values.items()
-        if id == value.id and id.startswith(f"{step.key}.") and value.short
-    ]
+    values = [value for value in context.values_of(step) if value.short]
     parts: Parts = (
         ("verdicts_of", lambda: finding_blocks(context, outcome)),
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
@@ -54,6 +53,9 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
             lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, NOTE, gap=0.7)],
         ),
     )
+    if context.shafts and step.key in OF_SHAFTS:  # of all together, which is seen at a glance
+        parts = parts if outcome.checks else parts[1:]
+        return tuple(sorted(parts, key=lambda part: AT_A_GLANCE.index(part[0]) if part[0] in AT_A_GLANCE else 2))
     if not outcome.reason:
         return parts
     # what is said of the step as a whole is read with what it rests on and what it comes to, before anything is proven
@@ -64,8 +66,7 @@ def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
     """How the step came out, and what is open or accepted, one line a cause, the worst first."""
     groups = [group for group in grouped(outcome.checks) if any(check.verdict != "pass" for check in group)]
     listed = f" {context.say(findings_of([[c for c in g if c.verdict != 'pass'] for g in groups]))}:" if groups else ""
-    words = f"{SIGNS[outcome.verdict]} {context.say(outcome.words())}"
-    summary = f"{words}. {counted(context, outcome.checks).capitalize()}.{listed}"
+    summary = f"{verdict_words(context, outcome)}{listed}"
     reason = paragraph(context.say(outcome.reason), BODY, gap=2.0, keep=True) if outcome.reason else []
     blocks = reason + paragraph(summary, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
     rows: list[Row] = []
@@ -74,6 +75,11 @@ def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
         name = name_of(context, worst) + (f" ({context.text('more_twins', count=len(more))})" if more else "")
         rows.append(_row(context, worst, name))
     return blocks + (table(_columns(context, outcome.checks), rows) if rows else [])
+
+
+def verdict_words(context: Context, outcome: Outcome[object]) -> str:
+    words = f"{SIGNS[outcome.verdict]} {context.say(outcome.words())}"
+    return f"{words}. {counted(context, outcome.checks).capitalize()}."
 
 
 def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
@@ -114,6 +120,76 @@ def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
     numbers = (Column(w[key], "r") for key in ("value", "limit", "margin"))
     wide = LONG_VERDICT if any(context.state(check) in LONG for check in checks) else VERDICT
     return (Column(w["verdict"], width=wide), Column(w["check"]), *numbers)
+
+
+# --- a step that each of several shafts has for itself
+
+
+def of_all(context: Context, step: Step, outcome: Outcome[object]) -> Outcome[object]:
+    """What of it is of no shaft alone."""
+    of_shafts = _own_lines(context, step)
+    of_shafts.update(line for name in context.shafts for line in _twin_lines(context, step, outcome, name))
+    return replace(
+        outcome,
+        checks=tuple(check for check in outcome.checks if context.tells(check.id)),
+        lines=tuple(line for line in outcome.lines if line not in of_shafts),
+        curves=tuple(curve for curve in outcome.curves if not _whose(context, curve.id)),
+        tables=tuple(table for table in outcome.tables if not _whose(context, table.id)),
+        key_curves=(),
+        notes=(),
+        errata=(),
+        proposals=(),
+    )
+
+
+def of_one(context: Context, whole: Outcome[object], outcome: Outcome[object], name: str) -> Outcome[object]:
+    """What of it is of one shaft; figures say its name, since they may stand elsewhere."""
+    return replace(
+        outcome,
+        curves=tuple(curve for curve in whole.curves if _whose(context, curve.id) == name),
+        key_curves=tuple(curve for curve in whole.key_curves if _whose(context, curve.id) == name),
+    )
+
+
+def _whose(context: Context, id: str) -> str:
+    """The shaft that a curve or table of the step is of; none of all together."""
+    name = id.partition(".")[0]
+    return name if name in context.shafts else ""
+
+
+def _own_lines(context: Context, step: Step) -> set[Line]:
+    """The lines of all shafts that are no twins."""
+    views = (context.original or context.results).views.values()
+    return {line for view in views for line in view.outcomes[step.key].lines}
+
+
+def _values_of(context: Context, step: Step, name: str) -> list[Published]:
+    return [value for value in context.values.values() if value.id.startswith(f"{dotted(step.key, name)}.")]
+
+
+def _twin_lines(context: Context, step: Step, outcome: Outcome[object], name: str) -> list[Line]:
+    """The lines behind the values of a twin that are not its original's."""
+    behind = {link.line for value in _values_of(context, step, name) for link in context.chains.of(value.id)}
+    own = _own_lines(context, step)
+    return [line for line in outcome.lines if line in behind and line not in own]
+
+
+def twin_blocks(context: Context, step: Step, outcome: Outcome[object], name: str) -> list[Block]:
+    """What a twin is, and what it gives; all else is its original's.  The audit has every value of its own."""
+    twin = next(shaft for shaft in context.design.resolved if shaft.name == name)
+    values = _values_of(context, step, name)
+    words = paragraph(
+        context.text(twin.how, of=Name(str(twin.of)), ratio=Amount(twin.inputs.speed_ratio)), BODY, gap=1.0, keep=True
+    )
+    if context.audit:
+        lines = _twin_lines(context, step, outcome, name)
+        return words + derivation(context, step, lines) + value_blocks(context, outcome, values)
+    told = [
+        Text("{label} {value}", label=value.label, value=Amount(value.shown, value.unit))
+        for value in values
+        if value.short
+    ]
+    return words + paragraph(context.say(Name(" · ").join(told)) + ".", BODY, gap=1.0)
 
 
 # --- every traced line of a step as it was computed, in its order: what the audit has

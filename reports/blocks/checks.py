@@ -69,7 +69,7 @@ def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:
     for check in checks:
         under = f"[{check.source}]" if check.source else ""
         under = f"{_accepted(context, check)} {under}" if check.verdict == "accepted" else under
-        rows.append(_check_row(context, check, f"{under} {check.id}" if context.audit else under))
+        rows.append(_check_row(context, check, f"{under} {context.whole_id(check.id)}" if context.audit else under))
     return _check_table(context, rows, 2.0, checks)
 
 
@@ -141,7 +141,7 @@ def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = 
                 if short and e is not some[-1]
                 else f"{why}. [{e.source}]"
                 if short
-                else f"{e.why} {_as_printed(context, e)} {e.about}"
+                else f"{e.why} {_as_printed(context, e)} {context.whole_id(e.about)}"
             )
             rows.append(_erratum_row(context, e, under))
     last = max(50.0, longest(w["deviation"], HEADER))

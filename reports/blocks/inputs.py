@@ -253,13 +253,14 @@ class _Tables:
 def input_blocks(context: Context, step: Step) -> list[Block]:
     """The inputs of one step, with what the program takes where the file says nothing."""
     data = context.document.data
-    there = list(tables_of(data, step))
-    if not there:
+    there = [table for table in tables_of(data, step) if context.asks(table[2])]
+    arrays = [array for array in arrays_of(data, step) if context.asks(array[2])]
+    if not there and not arrays:
         return []
     tables = _Tables(context, step)
     for cls, content, key in there:
         tables.plain(str(content.get("name", "")) if len(there) > 1 else "", cls, content, key)
-    for about, elements, key in arrays_of(data, step):
+    for about, elements, key in arrays:
         named = [(_part_name(about.table, part, i, context.say), part) for i, part in enumerate(elements)]
         tables.parts(context.say(about.label), about.table, named, key)
     w = context.words
@@ -280,7 +281,7 @@ def remarks(context: Context, *tables: str) -> list[Block]:
     by_comment: dict[str, list[str]] = {}  # a comment → the keys beside which it stands
     for key, words in context.document.remarks.items():
         of_step = step_at(context.document.data, key)
-        if of_step in tables and (context.audit or ASSUMED.match(words)):
+        if of_step in tables and context.asks(key) and (context.audit or ASSUMED.match(words)):
             by_comment.setdefault(words if len(words) <= REMARK else f"{words[:REMARK]}…", []).append(
                 _called(context, key)
             )

@@ -252,7 +252,7 @@ def nomenclature_blocks(context: Context) -> list[Block]:
         symbols = sorted((entry for entry in context.symbols.values() if entry.chapter == step.key), key=_order)
         rows = [_Entry(entry) for entry in symbols]
         if rows:
-            blocks += heading(f"{number}  {context.say(step.title)}", GROUP, gap=3.0, after=0.0)
+            blocks += heading(f"{number}  {context.title(step)}", GROUP, gap=3.0, after=0.0)
             blocks += [_row(rows[n : n + COLUMNS]) for n in range(0, len(rows), COLUMNS)]
     return blocks
 

@@ -254,7 +254,7 @@ CLOSE = 2.4  # between formulas
 STRIPE: Colour = (0.95, 0.95, 0.95)
 
 
-def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[object]) -> list[Block]:
+def proof_blocks(context: Context, number: str, step: Step, outcome: Outcome[object]) -> list[Block]:
     """The proofs of a step, numbered, and what leads to the value that stands for it."""
     step_proofs = proofs(context, outcome.checks)
     known: Known = {}
@@ -269,7 +269,7 @@ def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[obj
 
 def _headline(context: Context, step: Step, proven: set[str], known: Known) -> list[Block]:
     """How the value comes about that stands for a step, where no proof shows it."""
-    head = next(iter(step.heads(context.values)), None)
+    head = next((value for value in step.heads(context.values) if context.tells(value.id)), None)
     if head is None or head.id in proven or not head.shown or not (walk := value(context, head.id, known)).entries:
         return []
     title = f"{context.say(head.label)}: {context.written(head.shown, head.unit)}"

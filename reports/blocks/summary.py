@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, NamedTuple
 from calc.design.key_results import key_results
 from calc.design.names import knows
 from calc.design.unusual import told, unusual
-from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
+from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words, moved
 from calc.sheet.check import SIGNS, THIN_MARGIN
 from calc.sheet.text import Amount, Text
 from calc.sheet.verdict import closest, findings_of, open_findings
 from calc.studies.described import described, not_counted
-from calc.studies.drawings import shaft, train
+from calc.studies.drawings import shafts, train
 from calc.studies.repair.nearest import nearest
 
 from ..context import Context
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 HIGH = 84.0  # at most, of the drawing
 BETWEEN = 22.0  # of shaft and train
+UNDER = 0.15  # between two shafts, of the height of the lower one
 PIECES = 40  # of a whole circle
 LINES: dict[str, tuple[float, Colour]] = {"OUTLINE": (0.8, BLACK), "AXIS": (0.4, GREY)}
 THIN = (0.5, GREY)
@@ -46,7 +47,8 @@ THIN = (0.5, GREY)
 
 def sketch_blocks(context: Context) -> list[Block]:
     """The sketch of what the design has; nothing where it draws nothing."""
-    parts = [part for part in (_side_view(shaft(context.results)), list(train(context.results))) if part]
+    drawn = [_side_view(shaft) for shaft in shafts(context.results)]
+    parts = [part for part in (_stacked(drawn), list(train(context.results))) if part]
     if not parts:
         return []
     boxes = [_box(part) for part in parts]
@@ -78,6 +80,16 @@ def _side_view(drawn: tuple[Primitive, ...]) -> list[Primitive]:
         return []
     reach = max(abs(y) for _, y in outline.points) * 1.4
     return [line for line in lines if all(abs(y) <= reach for _, y in line.points)]
+
+
+def _stacked(drawn: list[list[Primitive]]) -> list[Primitive]:
+    """Shafts one below another, each at its place along the engine."""
+    stack: list[Primitive] = []
+    for shaft in filter(None, drawn):
+        low, top = (_box(stack)[1], _box(shaft)[3]) if stack else (0.0, 0.0)
+        high = _box(shaft)[3] - _box(shaft)[1]
+        stack += [moved(line, 0.0, low - top - (UNDER * high if stack else 0.0)) for line in shaft]
+    return stack
 
 
 def _box(part: list[Primitive]) -> tuple[float, float, float, float]:
@@ -244,7 +256,7 @@ def _verdict(context: Context) -> list[Block]:
     state, colour = results.verdict, results.colour
     checks = list(results.checks())
     verdict_words, _, open_ones = context.say(results.words()).partition(": ")
-    unused = [context.say(step.title) for _, step, o in context.steps() if o.state == "not_asked" and not step.optional]
+    unused = [context.title(step) for _, step, o in context.steps() if o.state == "not_asked" and not step.optional]
     unused_words = [context.text("unused", steps=", ".join(unused))] if unused else []
     words = "; ".join(filter(None, [open_ones, counted(context, checks), *unused_words]))
     if (worst := closest(checks)) is not None:
@@ -280,7 +292,7 @@ def _steps(context: Context) -> list[Block]:
     for number, step, outcome in context.steps():
         if step.optional and outcome.state == "not_asked":
             continue
-        title = f"{number}  {context.say(step.title)}"
+        title = f"{number}  {context.title(step)}"
         sign = sign_cell(context, outcome.verdict, outcome.colour)
         worst = closest(outcome.checks) if outcome.state == "solved" else None
         if worst is None:

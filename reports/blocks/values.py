@@ -102,7 +102,7 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["id"]),
     )
     rows = [
-        (name, _symbol(context, v), context.written(v.shown), v.unit, Cell(v.id, KEY))
+        (name, _symbol(context, v), context.written(v.shown), v.unit, Cell(context.whole_id(v.id), KEY))
         for v, name in _named(context, part.values.values())
     ]
     title = part.name[:1].upper() + part.name[1:]

@@ -124,6 +124,15 @@ WORDS: dict[str, Text] = {
         "PDF report, which "
         "`contralbero verify` checks."
     ),
+    "together": Text("All shafts together"),
+    "mirrors": Text(
+        "The mirror image of {of}, at {ratio} × crank speed. Its drawing, bearings and bending are those of {of}, as "
+        "is all that is not said here."
+    ),
+    "repeats": Text(
+        "{of} once more about an axis of its own, at {ratio} × crank speed. Its drawing, bearings and bending are "
+        "those of {of}, as is all that is not said here."
+    ),
     "two": Text("{name} (continued)"), "between": Text("{count} more; {total} in all"),
 }  # fmt: skip
 

@@ -33,7 +33,7 @@ from calc.draw.drawing import (
 )
 from calc.locale import Language
 from calc.sheet.check import SIGNS
-from calc.sheet.step import Outcome, Step
+from calc.sheet.step import OF_SHAFTS, Outcome, Step
 from calc.sheet.text import Amount, Text
 
 from ..context import Context
@@ -47,7 +47,7 @@ from .labels import FREE, Label, placed
 if TYPE_CHECKING:
     from ..typesetting.pen import Pen
 
-HIGH = 118.0  # at most, of a row of pictures
+HIGH = 118.0  # at most, of a row of pictures; where shafts stand below each other of each of them
 BETWEEN = 18.0  # of two pictures
 ABREAST, APART = 4, 8.0  # pictures in a row; between two rows
 LETTERS = Style(7.5, 9.2)
@@ -73,12 +73,16 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
         return []
     results = context.original or context.results
     sketch: Sketch = import_module(f"calc.{step.key}.sketch").sketch(context.design, results)
-    parts = [part for part in (sketch, *sketch.beside) if part.primitives]
+    parts, said = [part for part in (sketch, *sketch.beside) if part.primitives], list(sketch.notes)
+    if context.shaft or (context.shafts and step.key in OF_SHAFTS):  # what shows all of them stands once
+        parts = [part for part in parts if bool(part.of_all) is not bool(context.shaft)]
+        said = [note for part in parts for note in part.notes]
     if not parts:
         return []
     context.figures += 1
-    caption = f"{context.words['figure']} {context.figures}. {context.say(step.title)}"
-    notes = "; ".join(map(context.say, sketch.notes))
+    title = f"{context.shaft}: {context.title(step)}" if context.shaft else context.title(step)
+    caption = f"{context.words['figure']} {context.figures}. {title}"
+    notes = "; ".join(map(context.say, said))
     return [_rows([_Picture(part, context.say) for part in parts], caption + (f" ({notes})" if notes else ""))]
 
 
@@ -88,7 +92,7 @@ class _Row:
     def __init__(self, pictures: list[_Picture]) -> None:
         self.pictures = pictures
         room = WIDTH - BETWEEN * (len(pictures) - 1)
-        low, high = 10.0, HIGH
+        low, high = 10.0, HIGH * max(1, *(picture.of_all for picture in pictures))
         if sum(picture.width(high) for picture in pictures) > room:
             for _ in range(12):
                 middle = (low + high) / 2
@@ -141,7 +145,7 @@ class _Picture:
 
     def __init__(self, sketch: Sketch, say: Language) -> None:
         self.title = say(sketch.title) if sketch.title else ""
-        self.marks = sketch.primitives
+        self.marks, self.of_all = sketch.primitives, sketch.of_all
         self.left, self.low, self.right, self.top = sketch.box
         self.labels = list(_labels(sketch, say))
         self.words = [

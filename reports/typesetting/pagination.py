@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from .boxes import BLACK, Box
 from .fonts import HEIGHT, WIDTH
-from .prose import BODY, HEADING, SECTION, Style
+from .prose import BODY, HEADING, SECTION, SHAFT, Style
 from .prose import lines as text_lines
 from .tags import Tag, title_tag
 
@@ -251,7 +251,7 @@ def heading(
 ) -> list[Block]:
     """A heading stays with what follows; it may carry an entry of the outline."""
     set_lines = text_lines(words, style, WIDTH, 4)
-    level = 1 if style is HEADING else 2 if style is SECTION else 3
+    level = 1 if style is HEADING else 2 if style in (SHAFT, SECTION) else 3
     entry = (outline, title or words) if outline is not None else None
 
     def draw(pen: Pen, y: float) -> None:

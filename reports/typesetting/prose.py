@@ -23,6 +23,7 @@ class Style:
 
 TITLE = Style(17.0, 21.0, BOLD)
 HEADING = Style(13.0, 17.0, BOLD)
+SHAFT = Style(11.7, 15.0, BOLD)  # of several, within a chapter
 SECTION = Style(10.5, 13.4, BOLD)
 GROUP = Style(9.0, 11.4, BOLD, (0.22, 0.22, 0.22))
 BODY = Style(9.0, 11.4)
