@@ -298,8 +298,8 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
         session = self.session
-        of_shaft = session.design.views.get(session.original) if self.step in OF_SHAFTS else None
-        result = offer(self.step, of_shaft or session.design, session.name, progress)
+        shaft = session.original if self.step in OF_SHAFTS and session.original in session.design.views else None
+        result = offer(self.step, session.design, session.name, progress, shaft=shaft)
         # made here: some solve once more, for which the screen must neither wait nor end
         table, beside = result.table(TOP), result.beside(TOP)
         yield replace(result, table=lambda top: table, beside=lambda top: beside)
