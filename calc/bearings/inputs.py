@@ -339,7 +339,7 @@ class BearingsInputs:
         within=(0, 1000),
         symbol="t",
         step=5,
-        source="makers' manuals: 0.02 mm of alignment allowed (Kubota WSM 07-E3B)",
+        source="rule of thumb, from what makers allow: 0.02 mm",
         help="Diameter of the zone in which the axes of all bores lie, makers allow 20; on more than two bearings a "
         "shaft is loaded by bores out of line.",
         fold=MATERIALS,

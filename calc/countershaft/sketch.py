@@ -117,7 +117,7 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     each = [_of_one(one, results.views[name]) for name, one in design.views.items()]
     together = _together(design, results)
     if len(each) > 1:
-        each = [_named(one, of, n == 0) for n, (one, of) in enumerate(zip(each, design.views.values()))]
+        each = [_named(one, of) for one, of in zip(each, design.views.values())]
         pictures = [one for one in (together, *each, _below_each_other(design, results)) if one and one.primitives]
         first, *others = pictures[view:] + pictures[:view] or [awaited(results.outcomes[STEP])]
         return replace(first, beside=tuple(others), views=max(1, len(pictures)))
@@ -128,10 +128,9 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     return replace(alone, beside=beside)
 
 
-def _named(picture: Sketch, of: "Design", first: bool) -> Sketch:
-    """The picture of one of several shafts under its name, with keys that say which of them it is; those of the first
-    are the rules' own."""
-    marks = picture.primitives if first else tuple(_in_place(picture.primitives, of))
+def _named(picture: Sketch, of: "Design") -> Sketch:
+    """The picture of one of several shafts under its name, with keys that say which of them it is."""
+    marks = tuple(_in_place(picture.primitives, of))
     return replace(picture, primitives=marks, title=Name(of.shafts[0].name), beside=())
 
 
@@ -308,7 +307,7 @@ def _below_each_other(design: "Design", results: "Results") -> Sketch | None:
         twins = [Name(shaft.name) for shaft in design.shafts if name in (shaft.mirrors, shaft.repeats)]
         drawn.append(Words(WORDS, (left - gap, 0.0), COMMA.join([Name(name), *twins]), side="right"))
         placed = [moved(mark, 0.0, y - top) for mark in drawn]
-        marks += placed if not y else _in_place(placed, results.views[name].design)
+        marks += _in_place(placed, results.views[name].design)
         y -= top - low + 2 * gap
     return Sketch(tuple(marks), tuple(notes), title=Text("from the side"), of_all=len(known))
 

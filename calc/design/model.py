@@ -234,14 +234,16 @@ class Design:
         return dotted(Design.shafts, self.own.name if self.own is not None else "S", *parts)
 
     def as_in_rules(self, key: str) -> str:
-        """A key of this design as rules and pictures spell it: shafts.S for its own shaft."""
+        """A key of this design as rules and pictures spell it: shafts.S for its only own shaft."""
         own = f"{self.own_key()}."
+        if len(self.views) > 1:
+            return key
         return f"{SHAFT}.{key.removeprefix(own)}" if key.startswith(own) else key
 
     def in_place(self, key: str) -> tuple[str, ...]:
         """The keys of this design that the key of a rule stands for: shafts.S is each shaft that is no twin, bearings.*
         each of that shaft's bearings."""
-        if not key.startswith(SHAFT) or self.own is None:
+        if not f"{key}.".startswith(f"{SHAFT}.") or self.own is None:
             return (key,)
         if len(views := self.views) > 1:
             return tuple(each for view in views.values() for each in view.in_place(key))

@@ -214,6 +214,8 @@ CHOICE_WORDS: dict[str, str] = {
     "bearings": Text("its bearings alone"), "plain": Text("plain"), "open": Text("open"),
     "shell": Text("in a shell"), "bracket": Text("counted, between its bounds"), "yes": Text("yes"),
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),
+    "threaded": Text("threaded"), "cartridge": Text("cartridge"), "split": Text("split at the axis"),
+    "caps": Text("caps"), "module": Text("module"),
     # oil and bearings
     "mineral": Text("mineral"), "ester": Text("ester"), "forced": Text("forced"),
     "forced_cooled": Text("forced, oil cooled"),

@@ -108,7 +108,7 @@ async def test_a_fault_in_a_table_of_rows_does_not_end_the_session(
 
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     monkeypatch.setattr(
-        selection, "offer", lambda *asked: Offer(1, broken, lambda n: {}, lambda n: Text("row"), Text("hint"))
+        selection, "offer", lambda *asked, **_: Offer(1, broken, lambda n: {}, lambda n: Text("row"), Text("hint"))
     )
     async with screen() as pilot:
         shown = Choosing(work(pilot).session, "engine")
