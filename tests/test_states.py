@@ -13,10 +13,10 @@ from calc.sheet.check import SIGNS
 from calc.solve import Results, solve
 from calc.studies.ready import readiness
 from calc.studies.shipped import DESIGNS
-from tests.conftest import SCREENED
 from reports.blocks.summary import summary_blocks
 from reports.report import context_of
 from reports.typesetting.pagination import TextContent
+from tests.conftest import SCREENED
 
 OLD = Path(__file__).parent / "reference" / "designs_0_1"
 

@@ -133,9 +133,7 @@ def test_the_pair_of_the_source_takes_four_times_its_force_off_the_second_order(
     """R754IE4: 10617.7 N (10325 with two terms), and 4 · 2134 N taken by two shafts; one alone leaves half of that."""
     engine = result(SCREENED, twin=False).sums.residual_order_2_force + 4268.13
     assert engine == pytest.approx(10617.73, abs=0.05)
-    assert result(SCREENED).sums.residual_order_2_force == pytest.approx(
-        engine - 4 * 2134.0647, abs=0.05
-    )
+    assert result(SCREENED).sums.residual_order_2_force == pytest.approx(engine - 4 * 2134.0647, abs=0.05)
     assert result(SCREENED, speed_ratio=-2).sums.residual_order_2_force == pytest.approx(
         engine - 4 * 2134.0647, abs=0.05
     )
