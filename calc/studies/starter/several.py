@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Other shafts than one at −1: pairs at ±1 and ±2, one at ±2, two at −1.
 
-They lie in a module that is parted at their axes, so that nothing has to pass a seat: a journal is as thick as the core,
-and core and outer radius grow together until the bearings hold.  A force at twice crank speed gets three bearings, one
-cylinder pitch apart, all else two."""
+They lie in a module that is parted at their axes, so that nothing has to pass a seat: a journal is as thick as the
+core, and core and outer radius grow together until the bearings hold.  A force at twice crank speed gets three
+bearings, one cylinder pitch apart, all else two."""
 
 import math
 from collections.abc import Iterator

@@ -165,7 +165,8 @@ def _too_tight(results: Results) -> int:
 
 
 def _trains(design: Design) -> Iterator[Train]:
-    """Those of a tree by their teeth; else those whose wheel on the shaft goes through its front seat, and that reach from the crank to the shaft's axis."""
+    """Those of a tree by their teeth; else those whose wheel on the shaft goes through its front seat, and that reach
+    from the crank to the axis of the shaft."""
     if _is_tree(design):
         for module, fastest, face in product(MODULES[1:], OF_TREE, WIDER[::2]):
             yield Train((fastest, 0, 0), module, face)
