@@ -33,8 +33,8 @@ def tables(name: str) -> Table:
 
 
 def opened(name: str, memory: Memory, tmp_path: Path) -> Session:
-    path = tmp_path / f"{name}.toml"
-    path.write_bytes((DESIGNS / path.name).read_bytes())
+    path = tmp_path / Path(f"{name}.toml").name
+    path.write_bytes((DESIGNS / f"{name}.toml").read_bytes())
     return Session.open(path, memory=memory)
 
 

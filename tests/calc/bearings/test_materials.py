@@ -192,7 +192,7 @@ def test_loads_of_the_r754_are_those_of_its_design():
     results = solve(design_file.design(design_file.read(DESIGNS / f"{SCREENED}.toml")))
     supports = results.outcomes["countershaft"].values()
     reaction = {v.id: v.inside for v in supports}
-    ends = [reaction[f"countershaft.support.{i}.reaction"] for i in (1, 2, 3)]
+    ends = [reaction[f"countershaft.shaft.reaction_{row}"] for row in ("front", "middle", "rear")]
     rows = running_bearings()
     assert rows["R754IE4, end"].load == pytest.approx(ends[0], abs=0.005) == pytest.approx(ends[2], abs=0.005)
     assert rows["R754IE4, centre"].load == pytest.approx(ends[1], abs=0.005)
