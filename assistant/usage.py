@@ -42,6 +42,23 @@ def command(module: str, about: str) -> Callable[[Arguments], Arguments]:
 def new(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")
     it.add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
+    it.add_argument(
+        "--arrangement",
+        default="",
+        choices=("none", "half", "shaft", "repeat", "pair", "second", "pair_and_second"),
+        metavar="ID",
+        help="which shafts: %(choices)s (left out: those that the engine is built with)",
+    )
+    it.add_argument(
+        "--set",
+        action="extend",
+        nargs="+",
+        default=[],
+        metavar=KEY_VALUE,
+        dest="changes",
+        help="numbers of an engine of your own, for which all the rest is built: engine.bore_mm=84",
+    )
+    it.add_argument("--mounts", action="store_true", help="put it on four mounts too")
     it.add_argument("--list", action="store_true", help="list the shipped engines")
 
 

@@ -240,7 +240,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
         g = part.absent("gears", design.gears, (e,))
 
     c = Shafts()
-    if h.turning(design) and e.result is not None and i.result is not None:
+    if e.result is not None and i.result is not None and h.turning(design):
         for shaft in h.in_order(design):
             view = design.views[shaft.name]
             c[shaft.name] = part.of(shaft.name)(

@@ -27,6 +27,9 @@ gc.set_threshold(200_000, 20, 100)
 BEGUN = time.monotonic()
 ROOT = Path(__file__).parent.parent
 DESIGNS = ROOT / "designs"
+SCREENED = (
+    "../tests/data/upgraded/r754ie4_balance_shafts"  # from DESIGNS: a pair at ±2 that is screened, without [bearings]
+)
 GAMMA = DESIGNS / "r753ie4_gamma.toml"
 
 

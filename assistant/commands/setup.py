@@ -9,8 +9,10 @@ from argparse import Namespace
 from pathlib import Path
 
 from assistant.session.saving import write_asked
+from calc.design.addresses import parse_assignment
+from calc.design.model import step_of
 from calc.design.schema import schema_text
-from calc.sheet.errors import BadInput, InputError
+from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
 from calc.studies.shipped import engine_design, engines
 
@@ -76,6 +78,16 @@ def run_new(asked: Namespace) -> int:
         raise BadInput(
             str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))]
         )
-    write_asked(path, engine_design(asked.engine), new=True)
+    changes = dict(map(parse_assignment, asked.changes))
+    if others := [key for key in changes if step_of(key, judged=True) != "engine"]:
+        raise BadInput(
+            "--set", [InputError(0, key, "", Text("is no key of the engine; change it in the file")) for key in others]
+        )
+    try:
+        text = engine_design(asked.engine, asked.arrangement, changes, asked.mounts)
+    except NoSolution as none:
+        print(f"no solution: {none.text}", file=sys.stderr)
+        return 3
+    write_asked(path, text, new=True)
     print(path)
     return 0

@@ -236,7 +236,7 @@ class ShaftLoad:
         symbol="m_C",
         step=0.5,
         usual=(1, 3),
-        source="physics, similarity: a pump of given pressure 1, one whose pressure grows with the square of the speed 3",
+        source="physics, similarity: of given pressure 1, of pressure that grows with the square of speed 3",
         help="Its power goes with this power of the speed.",
     )
     wheel: str | None = text(

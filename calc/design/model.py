@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
+from functools import cached_property
 from typing import Any, ClassVar
 
 from ..bearings.inputs import BearingsInputs
@@ -119,7 +120,7 @@ class Design:
         own = self.own
         return None if own is None or own.mode == "bearings" else own
 
-    @property
+    @cached_property
     def own(self) -> ShaftInputs | None:
         """The shaft that is no twin."""
         own = next((shaft for shaft in self.shafts if not shaft.is_twin), None)
@@ -137,7 +138,7 @@ class Design:
         """All shafts, each with its inputs as they are."""
         return resolved(self.shafts)
 
-    @property
+    @cached_property
     def views(self) -> "dict[str, Design]":
         """The design with one of its shafts alone, and the twins of that, by the name of each that is no twin."""
         own = [shaft.name for shaft in self.shafts if not shaft.is_twin]

@@ -9,6 +9,7 @@ from ..design.model import STEPS
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Small, Text, plural
+from .shipped import reasons
 
 if TYPE_CHECKING:
     from ..solve import Results
@@ -57,8 +58,8 @@ def _state(step: Step, data: Table, wrong: int, outcome: Outcome[object] | None)
         return state("needs", plural("needs {n} input", "needs {n} inputs", n=wrong))
     if step.key in without:
         reason = str(without[step.key])
-        by_program = Text("left out by the program: {reason}", reason=reason)
-        return state("not_asked", by_program if reason in OF_PROGRAM else Text("left out: {reason}", reason=reason))
+        left_out = Text("left out by the program: {reason}", reason=reason)
+        return state("not_asked", left_out if by_program(reason) else Text("left out: {reason}", reason=reason))
     if not asks(data, step.key):
         todo = "engine" in data and not step.optional
         return state("todo", Text("to do")) if todo else state("not_asked", Text("not used"))
@@ -99,13 +100,13 @@ def limits_hold(results: "Results") -> Text:
     which nothing was."""
     design = results.design
     reasons = dict(design.without)
-    by_you = _titles(step for step, reason in reasons.items() if reason not in OF_PROGRAM)
-    by_program = _by_program(results)
+    by_you = _titles(step for step, reason in reasons.items() if not by_program(reason))
+    program = _by_program(results)
     unused = _titles(s.key for s in STEPS if not (s.optional or s in design.asked() or s.key in reasons))
     held = plural("{n} limit holds", "{n} limits hold", n=results.counts.held)
     parts = [held if results.counts.limits else Text("no limit is judged")]
     parts += [Text("left out by you: {steps}", steps=by_you)] if by_you else []
-    parts += [by_program] if by_program else []
+    parts += [program] if program else []
     parts += [Text("not used: {steps}", steps=unused)] if unused else []
     return SEMICOLON.join(parts)
 
@@ -114,10 +115,11 @@ def _by_program(results: "Results") -> Text:
     """What the rules of this program have left out; whether the engine has changed since, and would have it now."""
     from ..imbalance.checks import BACKWARD_COUPLE, BACKWARD_FORCE  # here: the session begins without numpy
 
-    reasons = dict(results.design.without)
-    steps = _titles(step for step, reason in reasons.items() if reason in OF_PROGRAM)
+    left_out = dict(results.design.without)
+    steps = _titles(step for step, reason in left_out.items() if by_program(reason))
     backward = (BACKWARD_COUPLE.id, BACKWARD_FORCE.id)
-    if NOTHING in reasons.values() and any(c.id in backward and not c.holds for c in results.checks()):
+    none_needed = not {NOTHING, *reasons()}.isdisjoint(left_out.values())
+    if none_needed and any(c.id in backward and c.open for c in results.checks()):
         return Text("left out by the program: {steps}, but of order 1 something turns backward now", steps=steps)
     return Text("left out by the program: {steps}", steps=steps) if steps else EMPTY
 
@@ -138,8 +140,13 @@ NO_PLAIN = (
     "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their "
     "tolerances"
 )
-APART = "not designed here for shafts that do not turn at -1 times crank speed"
+NO_TRAIN = "no train of usual wheels was found that keeps every limit"
 NONE = "no shaft: what shakes is left to the mounts"
 NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
 CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
-OF_PROGRAM = (ROLLING, NO_PLAIN, APART, NONE, NOTHING, CRANK_ALONE)
+OF_PROGRAM = (ROLLING, NO_PLAIN, NO_TRAIN, NONE, NOTHING, CRANK_ALONE)
+
+
+def by_program(reason: str) -> bool:
+    """Whether a reason is one of those that `new` writes."""
+    return reason in OF_PROGRAM or reason in reasons()

@@ -9,8 +9,9 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
-from ..design.model import SCHEMA
-from ..design.toml_file import design, parse
+from ..design.addresses import as_table
+from ..design.model import SCHEMA, Design
+from ..design.toml_file import Document, design, parse
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.table_file import parsed, text_of_table
 from ..sheet.quantity import dotted
@@ -18,6 +19,8 @@ from ..sheet.text import Text
 from ..sheet.value import recorded
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ..design.addresses import Table
     from ..engine.inputs import EngineInputs
 
@@ -35,6 +38,18 @@ class _Row(TypedDict, total=False):
     design: str
     engine: "Table"
     imbalance: "Table"
+    arrangement: "Arrangement"
+
+
+class Arrangement(TypedDict, total=False):
+    """The shafts with which an engine is built: the balancing that they are and how they are carried and driven, or
+    `without`, why it has none."""
+
+    balancing: str
+    built: str
+    without: str
+    source: str
+    confidence: str
 
 
 @dataclass(frozen=True)
@@ -66,24 +81,52 @@ def engine_inputs(name: str) -> "EngineInputs":
     return engine
 
 
-def engine_design(name: str) -> str:
-    """The text of a design for a shipped engine: ready, with a shaft where first order asks for one at −1, else
-    without, and why."""
-    row = _rows()[name]
-    if "design" in row:
-        return (DESIGNS / row["design"]).read_text(encoding="utf-8")
-    engine, title = row["engine"], str(row["engine"]["name"])
-    usual = {dotted(ImbalanceInputs.crank_balance_fraction): 0.5, dotted(ImbalanceInputs.kinematics): "exact"}
-    imbalance = usual | row.get("imbalance", {})
-    body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
-    from .starter.build import begun  # numpy, which a list of the engines does not need
+def reasons() -> tuple[str, ...]:
+    """Why engines that have no shaft have none, as their designs say it."""
+    return tuple(row["arrangement"]["without"] for row in _rows().values() if "without" in row.get("arrangement", {}))
 
+
+def engine_design(
+    name: str, balancing: str = "", changes: "Mapping[str, object] | None" = None, mounts: bool = False
+) -> str:
+    """The text of a design for a shipped engine: ready, with the shafts that it is built with, else without, and why.
+
+    `balancing`: another one, by the id of an option; `changes`: keys of the engine that are others, for which all the
+    rest is then built; `mounts`: with the engine on four mounts.  Raises NoSolution where the engine has nothing that
+    the balancing takes."""
+    row = _rows()[name]
+    arrangement = row.get("arrangement", Arrangement())
+    if "design" in row and not (balancing or changes or mounts):
+        return (DESIGNS / row["design"]).read_text(encoding="utf-8")
+    document = Document({"schema": SCHEMA, "name": name, "engine": deepcopy(_engine(row))}, name)
+    for key, value in (changes or {}).items():
+        document = document.with_value(key, value)
+    usual = {dotted(ImbalanceInputs.crank_balance_fraction): 0.5, dotted(ImbalanceInputs.kinematics): "exact"}
+    document = document.with_value(dotted(Design.imbalance), usual | row.get("imbalance", {}))
+    from ..solve import solve
+    from .starter.build import begun, built, mounting  # numpy, which a list of the engines does not need
+    from .starter.writing import written
+
+    why = "" if balancing else arrangement.get("without", "")
+    balancing = balancing or arrangement.get("balancing", "")
+    if balancing not in ("", "shaft"):
+        document = built(document, "imbalance", balancing)
+    engine, imbalance = as_table(document.data["engine"]), as_table(document.data["imbalance"])
+    title = str(engine["name"])
+    body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"])
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
+    if balancing == arrangement.get("balancing") and "built" in arrangement:
+        there = dict(note=note, built=arrangement["built"], source=arrangement["source"])
+        note = Text("{note} Built with: {built} ({source}); bearings here are plain, wheels a train.", **there)
     with recorded(False):
-        return _text(title, note, body + begun(document))
+        text = _text(title, note, body + begun(document, balancing, why))
+        if mounts:
+            document = parse(text.encode("utf-8"), name)
+            text += written(mounting(document, solve(design(document))))
+    return text
 
 
 def engine_table(name: str) -> "Table":
@@ -111,5 +154,14 @@ def _rows() -> dict[str, _Row]:
 
 
 def _lines(table: "Table") -> str:
-    """Key by key in TOML, a list on one line; texts, numbers and lists of numbers are written there as in JSON."""
-    return "".join(f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in table.items())
+    """Key by key in TOML, each on one line."""
+    return "".join(f"{key} = {_inline(value)}\n" for key, value in table.items())
+
+
+def _inline(value: object) -> str:
+    """Texts and numbers are written in TOML as in JSON."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {_inline(part)}" for key, part in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_inline, value)) + "]"
+    return json.dumps(value, ensure_ascii=False)

@@ -17,7 +17,7 @@ from calc.engine.sketch import icon
 from calc.locale import language
 from calc.solve import solve
 from calc.studies.shipped import engine_inputs, engines
-from tests.conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA, SCREENED
 
 
 class Stage(BaseApp):
@@ -126,7 +126,7 @@ async def test_every_shaft_is_named_beside_the_crank(shown, columns, count):
     """At both widths of a terminal; where one of them is no twin each is a picture to leaf to."""
     drawing, pilot = shown
     await pilot.resize_terminal(columns, 24)
-    four = {key: part for key, part in read(DESIGNS / "r754ie4_balance_shafts.toml").data.items() if key != "shafts"}
+    four = {key: part for key, part in read(DESIGNS / f"{SCREENED}.toml").data.items() if key != "shafts"}
     asked = design(Document(four | {"shafts": SHAFTS[:count]}))
     results = solve(asked)
     drawing.show("countershaft", asked, results)

@@ -22,6 +22,7 @@ from calc.design.toml_file import design, parse
 from calc.studies.shipped import DESIGNS
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
+from tests.conftest import SCREENED
 
 SHAFTS: Place = ("shafts",)
 ROWS: Place = ("shafts", 0, "bearings")
@@ -32,8 +33,8 @@ def tables(name: str) -> Table:
 
 
 def opened(name: str, memory: Memory, tmp_path: Path) -> Session:
-    path = tmp_path / f"{name}.toml"
-    path.write_bytes((DESIGNS / path.name).read_bytes())
+    path = tmp_path / Path(f"{name}.toml").name
+    path.write_bytes((DESIGNS / f"{name}.toml").read_bytes())
     return Session.open(path, memory=memory)
 
 
@@ -61,7 +62,7 @@ def test_one_shaft_has_one_line_more_than_its_fields() -> None:
 
 
 def test_a_mirror_image_shows_its_few_fields_and_whose_all_else_is() -> None:
-    shown = form_of("countershaft", tables("r754ie4_balance_shafts"), shaft=1)
+    shown = form_of("countershaft", tables(SCREENED), shaft=1)
     assert [(row.kind, row.place[-1]) for row in shown] == [
         ("array", "shafts"),
         ("field", "name"),
@@ -84,13 +85,13 @@ def test_the_bearings_are_placed_in_step_3_and_judged_in_step_4(side: int) -> No
 
 
 def test_bearings_that_are_only_screened_have_their_sizes_in_step_3_and_nothing_else() -> None:
-    data = tables("r754ie4_balance_shafts")
+    data = tables(SCREENED)
     cells = [row.place[-1] for row in form_of("countershaft", data, 3) if row.place[: len(ROWS)] == ROWS]
     assert cells == ["bearings", "name", "position_mm", "diameter_mm", "length_mm"]
 
 
 def test_what_stands_in_a_table_all_the_same_can_be_seen_and_taken_out(memory: Memory, tmp_path: Path) -> None:
-    session = opened("r754ie4_balance_shafts", memory, tmp_path)
+    session = opened(SCREENED, memory, tmp_path)
     session.apply(["shafts.twin.gear_z_mm=3", "shafts.shaft.bearings.front.slope_mrad=0.1"])
     reasons = session.reasons()
     wrong = {("shafts", 1, "gear_z_mm"), (*ROWS, 0, "slope_mrad")}
@@ -104,7 +105,7 @@ def test_what_stands_in_a_table_all_the_same_can_be_seen_and_taken_out(memory: M
 
 
 def test_one_shaft_needs_no_name_in_a_sentence() -> None:
-    one, two = tables("r753ie4_gamma"), tables("r754ie4_balance_shafts")
+    one, two = tables("r753ie4_gamma"), tables(SCREENED)
     assert str(label_of(one, "shafts.shaft.core_radius_mm")) == "core radius"
     assert str(label_of(one, "shafts.shaft.bearings.front.length_mm")) == "length of front"
     assert str(label_of(two, "shafts.twin.mirrors")) == "mirrors"
@@ -265,7 +266,7 @@ def test_a_further_bearing_stands_in_the_widest_gap_and_takes_the_sizes_of_the_o
 
 
 def test_a_bearing_that_is_added_to_a_sound_shaft_leaves_it_sound(memory: Memory, tmp_path: Path) -> None:
-    session = opened("r754ie4_balance_shafts", memory, tmp_path)
+    session = opened(SCREENED, memory, tmp_path)
     for _ in range(6):
         session.add(ROWS)
         assert session.valid, session.reasons()

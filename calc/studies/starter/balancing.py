@@ -19,6 +19,7 @@ from .shaft import before_shaft, envelope, task
 REMEDIES = {  # the remedy of the imbalance step behind each balancing
     "half": "crank",
     "shaft": "backward_shaft",
+    "repeat": "backward_shaft",
     "pair": "first_order_pair",
     "second": "second_order_shafts",
     "pair_and_second": "four_shafts",
@@ -33,6 +34,7 @@ LABELS = {
     "none": Text("none"),
     "half": Text("half on the crank"),
     "shaft": Text("one shaft at −ω"),
+    "repeat": Text("two shafts at −ω"),
     "pair": Text("a pair at ±ω"),
     "second": Text("a pair at ±2ω"),
     "pair_and_second": Text("pairs at ±ω and ±2ω"),
@@ -77,6 +79,8 @@ def options(document: Document, results: Results | None = None) -> tuple[Balanci
     best = _called_for(imbalance, engine.lambda_)
     first = _before(imbalance, "order_1_force") or _before(imbalance, "order_1_couple")
     there = [id for id, name in REMEDIES.items() if name in imbalance.remedy and (id != "half" or first)]
+    if "repeat" in there and not _backward(imbalance)[0]:
+        there.remove("repeat")
     if "pair_and_second" in there and not _roughest(imbalance, engine.lambda_):
         there.remove("pair_and_second")
     return tuple(
@@ -192,6 +196,7 @@ def _mass(results: Results, id: str) -> Kilogram | None:
     second = second_shafts(imbalance) if "second" in id else None
     shafts = {
         "shaft": (-1,),
+        "repeat": (-1,),
         "pair": (1, -1),
         "second": _both(second),
         "pair_and_second": (1, -1, *_both(second)) if second else (),
@@ -240,7 +245,7 @@ def _why(id: str, best: str, imbalance: ImbalanceResult) -> Text:
         return Text("Order 1 cancels, and what is left of order 2 is lived with.")
     if id == "none":
         return Text("What shakes is left to the mounts.")
-    if id in ("half", "shaft") and _forward_left(imbalance):
+    if id in ("half", "shaft", "repeat") and _forward_left(imbalance):
         return Text(
             "Half on the crank, opposite the pins, leaves much of what turns forward: the offsets turn it away from "
             "them."
@@ -256,23 +261,19 @@ def _why(id: str, best: str, imbalance: ImbalanceResult) -> Text:
                 "crank."
             )
         return Text("With half on the crank it takes the couple of order 1 whole.")
-    if id == "pair" and first_pair(imbalance):
+    if id == "repeat":
         return Text(
-            "It takes order 1 without counterweights and without roll; bearings and train are not designed for it here."
+            "Two that turn alike, one on each side of the crank, take order 1 whole and do not roll the engine."
         )
+    if id == "pair" and first_pair(imbalance):
+        return Text("It takes order 1 without counterweights and without roll.")
     if id == "second" and second_shafts(imbalance) is not None:
         if best == "second":
-            return Text(
-                "Order 1 cancels; the force of order 2 is what is felt. Bearings and train are not designed for it "
-                "here."
-            )
-        return Text(
-            "It takes order 2, where the comfort is worth it, and no more of order 1 than the crank; without bearings "
-            "and train here."
-        )
+            return Text("Order 1 cancels; the force of order 2 is what is felt.")
+        return Text("It takes order 2, where the comfort is worth it, and no more of order 1 than the crank.")
     if id in ("pair", "second"):
-        return Text("Shafts that are no mirror images would take it; they are not designed here.")
-    return Text("Four shafts leave nothing of order 1 or 2; they are not designed here.")
+        return Text("Shafts that are no mirror images would take it: write each as a shaft of its own.")
+    return Text("Four shafts leave nothing of order 1 or 2.")
 
 
 def _forward_left(imbalance: ImbalanceResult) -> bool:

@@ -21,13 +21,13 @@ from ...mounting.inputs import Mount, MountingInputs, Point
 from ...mounting.result import MountingResult
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.quantity import dotted, keys
-from ...sheet.text import EMPTY, Amount, Text
+from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
 from ...sheet.value import recorded
 from ...solve import Results, solve
-from ..ready import APART, CRANK_ALONE, NO_PLAIN, NONE, NOTHING, ROLLING
+from ..ready import CRANK_ALONE, NO_PLAIN, NO_TRAIN, NONE, NOTHING, ROLLING
 from . import balancing as which
-from . import shaft, train
+from . import several, shaft, train
 from .writing import Rows, Section, completed, head, mm, parted, table, up, written
 
 # --- the engine on four mounts at its corners
@@ -104,7 +104,14 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 TABLES = (dotted(Design.shafts), *SHAFT_STEPS[1:])
 ROWS, NAME = dotted(ShaftInputs.bearings), dotted(BearingRow.name)
-KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
+KEPT = {
+    "none": 0.0,
+    "half": 0.5,
+    "shaft": 0.5,
+    "repeat": 0.5,
+    "pair": 0.0,
+    "pair_and_second": 0.0,
+}  # the share of the reciprocating masses on the crank
 LEFT = "left to the mounts by the balancing that was chosen"
 TAKEN = "the pair of shafts at crank speed takes it"
 
@@ -138,11 +145,8 @@ def hindrance(document: Document, step: str) -> Text:
     against it."""
     if step not in SHAFT_STEPS[1:]:
         return EMPTY
-    if given := own_shaft(document.data):
-        ratio = given.get(dotted(ShaftInputs.speed_ratio))
-        if isinstance(ratio, (int, float)) and ratio != -1:
-            speed = Amount(ratio, form="g")
-            return Text("for a shaft that turns at {ratio} times crank speed no rules are known here", ratio=speed)
+    if own_shaft(document.data):
+        pass
     elif step == "bearings" or "countershaft" in as_table(document.data.get("without")):
         return Text("there is no shaft yet: the step Counter-shaft comes first")
     if step == "friction" and "gears" not in document.data:
@@ -150,29 +154,46 @@ def hindrance(document: Document, step: str) -> Text:
     return EMPTY
 
 
-def begun(document: Document) -> str:
+def begun(document: Document, balancing: str = "", why: str = "") -> str:
     """The text of all tables after engine and imbalance that a design to begin with has, what it does without among
-    them."""
+    them.
+
+    `balancing`: the id of one of `options`, left out the one that the engine calls for; `why`: of an engine that has no
+    shaft, the reason.  Raises NoSolution where the engine has nothing that it takes."""
     results = _results(document)
-    best = which.called_for(results)
-    if best != "shaft":
-        return written([("[without]", {step: (_none_reason(results, best), "") for step in SHAFT_STEPS})])
-    own = shaft.countershaft(document, results, -1)
+    balancing = _option(results, balancing or which.called_for(results)).id
+    if why or balancing in ("none", "half"):
+        none: list[Section] = [
+            ("[without]", {step: (why or _none_reason(results, balancing), "") for step in SHAFT_STEPS})
+        ]
+        return written([*none, *_accepting(document, LEFT)])
+    if balancing == "shaft":
+        own = shaft.countershaft(document, results, -1)
+    else:
+        own = several.shafts(document, results, _arranged(balancing, results))
     text: list[list[Section]] = []
-    without: list[Section] = []
+    accepted = [] if balancing in ("shaft", "repeat") else _accepting(document, TAKEN if "pair" in balancing else LEFT)
+    missing: Rows = {}
     document = _with(document, own)
     results = _results(document, results)
     try:
-        rows, shared = parted(carried := shaft.bearings(document, results))
-    except NoSolution as none:
-        why = ROLLING if isinstance(none, shaft.TooFast) else NO_PLAIN
-        without = [("[without]", {"bearings": (why, "")})]
-        document = _without(document, {"bearings": why})
-    else:
-        document, own = shaft.with_bearings(document, carried), completed(own, rows)
-        text.append(shared)
-    text.append(train.gears_and_friction(document, _results(document, results)))
-    return "".join(written(sections) for sections in (without, own, *text))
+        if balancing == "shaft":
+            rows, shared = parted(carried := shaft.bearings(document, results))
+            document, own = shaft.with_bearings(document, carried), completed(own, rows)
+            text.append(shared)
+        else:
+            document = several.bearings(document, results)
+            own = several.completed(own, document)
+    except NoSolution as none_found:
+        reason = ROLLING if isinstance(none_found, shaft.TooFast) else NO_PLAIN
+        missing["bearings"] = (reason, "")
+        document = _without(document, {"bearings": reason})
+    try:
+        text.append(train.gears_and_friction(document, _results(document, results)))
+    except NoSolution:
+        missing |= {"gears": (NO_TRAIN, ""), "friction": (NO_TRAIN, "")}
+    without = [("[without]", missing)] if missing else []
+    return "".join(written(sections) for sections in (accepted, without, own, *text))
 
 
 def own_shaft(data: Table) -> Table:
@@ -183,9 +204,13 @@ def own_shaft(data: Table) -> Table:
 
 def choice_made(document: Document) -> str:
     """The id of the balancing that the design has now; "" where nothing is chosen yet."""
-    if given := own_shaft(document.data):
-        ratio = given.get(dotted(ShaftInputs.speed_ratio))
-        return "shaft" if ratio == -1 else "pair" if ratio == 1 else "second"
+    shafts = own_shafts(document.data).values() if own_shaft(document.data) else ()
+    ratios = {shaft.get(dotted(ShaftInputs.speed_ratio)) for shaft in shafts}
+    if ratios == {-1}:
+        twins = map(as_table, as_list(document.data.get(dotted(Design.shafts))))
+        return "repeat" if any(dotted(ShaftInputs.repeats) in shaft for shaft in twins) else "shaft"
+    if ratios:
+        return "pair_and_second" if len(ratios) > 1 else "pair" if ratios == {1} else "second"
     if "countershaft" not in as_table(document.data.get("without")):
         return ""
     return "half" if as_table(document.data.get("imbalance")).get(which.ON_CRANK, 0.5) else "none"
@@ -227,14 +252,15 @@ def _balanced(document: Document, balancing: str) -> Document:
     if balancing in ("none", "half"):
         why = NONE if balancing == "none" else _none_reason(known, balancing)
         return _accepted(_without(document, dict.fromkeys(SHAFT_STEPS, why)), LEFT)
-    ratio, pair = _speed(balancing, known)
     bare = _put(document, dict.fromkeys(TABLES), SHAFT_STEPS)
-    bare = _with(bare, shaft.countershaft(bare, which.with_imbalance(bare), ratio, pair))
-    if ratio == -1:
-        there = _carried(bare, document) if dotted(Design.bearings) in document.data else bare
-        kept = _put(there, {step: document.data[step] for step in SHAFT_STEPS[1:] if step in document.data})
-        return kept if _holds(kept) else bare
-    return _accepted(_without(bare, dict.fromkeys(SHAFT_STEPS[1:], APART)), TAKEN if balancing == "pair" else LEFT)
+    imbalanced = which.with_imbalance(bare)
+    if balancing != "shaft":
+        bare = _with(bare, several.shafts(bare, imbalanced, _arranged(balancing, known)))
+        return _accepted(bare, TAKEN if "pair" in balancing else LEFT) if balancing != "repeat" else bare
+    bare = _with(bare, shaft.countershaft(bare, imbalanced, -1))
+    there = _carried(bare, document) if dotted(Design.bearings) in document.data else bare
+    kept = _put(there, {step: document.data[step] for step in SHAFT_STEPS[1:] if step in document.data})
+    return kept if _holds(kept) else bare
 
 
 def _carried(document: Document, before: Document) -> Document:
@@ -245,18 +271,10 @@ def _carried(document: Document, before: Document) -> Document:
     return document.with_value(dotted(Design.shafts, 0, ShaftInputs.bearings), bearings)
 
 
-def _speed(balancing: str, known: Results) -> tuple[int, bool]:
-    """Of the shaft that the design has, and whether a mirrored one turns against it."""
+def _arranged(balancing: str, known: Results) -> tuple[several.Arranged, ...]:
     imbalance = known.result(ImbalanceResult)
     assert imbalance is not None
-    if balancing == "shaft":
-        return -1, False
-    if balancing == "pair" and which.first_pair(imbalance):
-        return 1, True
-    speed = which.second_shafts(imbalance) if balancing == "second" else None
-    if speed is None:
-        raise NoSolution(Text("a design has one shaft, or one and its mirror image; this balancing asks for others"))
-    return speed
+    return several.arrangement(balancing, imbalance)
 
 
 def _holds(document: Document) -> bool:
@@ -270,6 +288,13 @@ def _holds(document: Document) -> bool:
 
 def _bearings(document: Document) -> Document:
     """Plain bearings, or the word that rolling ones carry the shaft."""
+    if not _is_one_at_minus_one(document):
+        alone = _put(document, {"friction": None, "gears": None})
+        try:
+            found = several.bearings(alone, _results(alone))
+        except NoSolution:
+            return _without(document, {"bearings": NO_PLAIN})
+        return _put(found, {step: document.data[step] for step in ("gears", "friction") if step in document.data})
     # which asks for the oil of the bearings, as the wheels ask for their loss
     alone = document.with_value("friction", None)
     if "gears" in document.data:
@@ -281,6 +306,10 @@ def _bearings(document: Document) -> Document:
     return _put(shaft.with_bearings(document, sections), {}, (dotted(Design.bearings),))
 
 
+def _is_one_at_minus_one(document: Document) -> bool:
+    return len(as_list(document.data.get(dotted(Design.shafts)))) == 1 and choice_made(document) == "shaft"
+
+
 def _none_reason(known: Results, balancing: str) -> str:
     return NOTHING if which.called_for(known) != "shaft" else CRANK_ALONE if balancing == "half" else NONE
 
@@ -290,9 +319,19 @@ FIRST_ORDER = (BACKWARD_COUPLE, BACKWARD_FORCE, FORWARD_COUPLE, FORWARD_FORCE)
 
 def _accepted(document: Document, why: str) -> Document:
     """With what the balancing leaves, or takes otherwise, accepted for its reason: it was chosen."""
-    checks = _results(Document(shaft.before_shaft(document))).checks()
-    left = {c.id: why for c in checks if c.open and c.rule in FIRST_ORDER}
+    left = dict.fromkeys(_open_of_first(document), why)
     return _put(document, {"accepted": {**as_table(document.data.get("accepted")), **left} or None})
+
+
+def _accepting(document: Document, why: str) -> list[Section]:
+    """The same as a table to be written."""
+    rows: Rows = {f'"{id}"': (why, "") for id in _open_of_first(document)}
+    return [("[accepted]", rows)] if rows else []
+
+
+def _open_of_first(document: Document) -> list[str]:
+    checks = _results(Document(shaft.before_shaft(document))).checks()
+    return [c.id for c in checks if c.open and c.rule in FIRST_ORDER]
 
 
 # --- documents

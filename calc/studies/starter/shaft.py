@@ -235,8 +235,7 @@ def bearings(document: Document, results: Results) -> list[Section]:
     front, rear, room = _sizes(made)
     length = _cooled_length(load, made.engine.rated_speed, rear, room)
     narrowest = max(front, min(up(length / BEARING[1], 0.5e-3), rear))
-    given = made.friction.oil if made.friction is not None else None
-    oils = OILS if given is None else (given,)  # what the design has for its teeth
+    oils = oil_of(made, OILS)
     tried: list[Text] = []
     # closer fits with the oil that came nearest first
     for fits, oil in [*product(FITS[:1], oils), *product(FITS[1:], reversed(oils))]:
@@ -316,6 +315,23 @@ def _journal_sections(made: Design, oil: str, front: Metre, rear: Metre, length:
         BearingRow.housing_roughness: (0.4, "assumed: finely bored"),
     }
     through = f"assumed: 1 mm above the gear's tip, or l/d of {BEARING[1]:g}"
+    in_front: Rows = {
+        BearingRow.diameter: (mm(front), "assumed: that of the rear" if front == rear else through),
+        BearingRow.length: (mm(length), "assumed: that of the rear bearing"),
+    }
+    behind: Rows = {
+        BearingRow.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
+        BearingRow.length: (mm(length), why),
+    }
+    return [
+        *judged(made, oil),
+        (BEARING_ROW, {BearingRow.name: ("front", "")} | in_front | alike),
+        (BEARING_ROW, {BearingRow.name: ("rear", "")} | behind | alike),
+    ]
+
+
+def judged(made: Design, oil: str) -> list[Section]:
+    """The table of what all bearings share."""
     housing = (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
     if made.gears is not None and made.gears.housing_material:
         housing = (made.gears.housing_material, "as between the wheels")
@@ -327,16 +343,9 @@ def _journal_sections(made: Design, oil: str, front: Metre, rear: Metre, length:
         BearingsInputs.hole_diameter: (5.0, "assumed"),
         BearingsInputs.housing_material: housing,
     }
-    in_front: Rows = {
-        BearingRow.diameter: (mm(front), "assumed: that of the rear" if front == rear else through),
-        BearingRow.length: (mm(length), "assumed: that of the rear bearing"),
-    }
-    behind: Rows = {
-        BearingRow.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
-        BearingRow.length: (mm(length), why),
-    }
-    return [
-        (head(Design.bearings), both),
-        (BEARING_ROW, {BearingRow.name: ("front", "")} | in_front | alike),
-        (BEARING_ROW, {BearingRow.name: ("rear", "")} | behind | alike),
-    ]
+    return [(head(Design.bearings), both)]
+
+
+def oil_of(made: Design, oils: tuple[str, ...]) -> tuple[str, ...]:
+    """The oil that a design has for its teeth, else what engines run on."""
+    return oils if made.friction is None or made.friction.oil is None else (made.friction.oil,)

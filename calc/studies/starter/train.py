@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The train: three meshes, so that the shaft turns against the crank, with a wheel that goes through the shaft's seats;
-and its friction.
+"""The train: one shaft at −1 by three meshes, with a wheel that goes through its seats; several shafts, or others, by a
+tree: an odd number of wheels lies between crank and shaft, an even one where the shaft turns against the crank; and its
+friction.
 
 Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of
 teeth and losses."""
 
 import math
 from collections.abc import Iterator
-from itertools import pairwise, product
+from itertools import product
 
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
@@ -35,6 +36,8 @@ USUAL = 2.0e-3  # the largest of them where nothing asks for more
 SMALLEST = 1.25e-3
 # crank and shaft, central, idler; those of the R753IE4 first
 WHEELS = ((25, 36, 39), (25, 31, 33), (21, 31, 34), (21, 26, 29), (20, 23, 27))
+OF_TREE = (25, 21, 19)  # of the fastest shaft of a tree
+LARGEST = 34  # teeth of what lies between there: larger ones meet in their main resonance
 FACES = (7.5, 6.0)  # modules
 WIDER = (9.0, 10.5, 12.0)  # where no train is strong enough for what nobody knows of the engine's irregularity
 FLANKS = (0.8, 0.4, 0.3, 0.2)  # Ra in µm: ground, finely ground, and then polished
@@ -162,14 +165,18 @@ def _too_tight(results: Results) -> int:
 
 
 def _trains(design: Design) -> Iterator[Train]:
-    """Those whose wheel on the shaft goes through its front seat, and that reach from the crank to the shaft's axis."""
+    """Those of a tree by their teeth; else those whose wheel on the shaft goes through its front seat, and that reach
+    from the crank to the axis of the shaft."""
+    if _is_tree(design):
+        for module, fastest, face in product(MODULES[1:], OF_TREE, WIDER[::2]):
+            yield Train((fastest, 0, 0), module, face)
+        return
     shaft = design.countershaft
+    seat = math.inf
     if shaft is not None and shaft.journals:
         seat = shaft.journals[0][0]
     elif shaft is not None and shaft.outer_radius is not None:
         seat = 2 * shaft.outer_radius
-    else:
-        seat = math.inf
     away = math.hypot(*shaft.axis) if shaft is not None and shaft.axis is not None else 0.0
     sizes = range(len(MODULES) - 1), WHEELS
     for smaller, teeth, face in (*product(*sizes, FACES), *product(*sizes, WIDER)):
@@ -180,6 +187,11 @@ def _trains(design: Design) -> Iterator[Train]:
             yield Train(_reaching(teeth, modules[smaller], away), modules[smaller], face)
 
 
+def _is_tree(design: Design) -> bool:
+    """Whether a design asks for more than one shaft at −1."""
+    return len(design.shafts) > 1 or (design.own is not None and design.own.speed_ratio != -1)
+
+
 def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[int, int, int]:
     """With idlers large enough for the distance."""
     crank, central, idler = teeth
@@ -188,18 +200,60 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
     return crank, central, idler
 
 
-def _gears(design: Design, train: Train, power: float | None, allowance: tuple[int, int]) -> list[Section]:
+@record
+class Row:
+    """A wheel of a train, with the shaft that it carries and the wheel that drives it ("" where there is none)."""
+
+    name: str
+    teeth: int
+    why: str
+    driver: str = ""
+    shaft: str = ""
+
+
+def _wheels(design: Design, train: Train) -> list[Row]:
+    """All wheels, each after the one that drives it."""
     crank, central, idler = train.teeth
-    usual, module = (
-        "assumed: fewer, below the main resonance of the teeth",
-        "assumed: below the main resonance of the teeth",
+    usual = "assumed: fewer, below the main resonance of the teeth"
+    if (crank, central, idler) == WHEELS[0]:
+        usual = "assumed, as in the R753IE4"
+    if not _is_tree(design):
+        own = design.own.name if design.own is not None else ""
+        return [
+            Row("crank", crank, usual),
+            Row("central", central, usual, "crank"),
+            Row("idler", idler, usual, "central"),
+            Row("shaft", crank, "as many as on the crank: ratio −1 by three meshes", "idler", own),
+        ]
+    shafts = design.resolved
+    fastest = max(abs(shaft.inputs.speed_ratio) for shaft in shafts)
+    rows = [Row("crank", round(fastest * crank), f"assumed: {fastest:g} times those of the fastest shaft")]
+    for shaft in shafts:
+        ratio, axis = shaft.inputs.speed_ratio, shaft.inputs.axis
+        carried, driver = round(fastest * crank / abs(ratio)), "crank"
+        # their pitch circles together bridge the distance, which those of crank and shaft leave
+        apart = 2 * math.hypot(*axis) * math.cos(HELIX) / train.module if axis is not None else 0.0
+        missing = 1.06 * apart - rows[0].teeth - carried
+        count = next(n for n in range(1 if ratio > 0 else 2, 99, 2) if missing / 2 / n <= LARGEST)
+        teeth = max(crank, math.ceil(missing / 2 / count))
+        for n in range(1, count + 1):
+            name = f"{shaft.name}-{n}"
+            rows.append(Row(name, teeth + (teeth % 2 == 0), "assumed: bridges the distance to the crank", driver))
+            driver = name
+        rows.append(Row(shaft.name, carried, f"ratio {ratio:+g}", driver, shaft.name))
+    return rows
+
+
+def _gears(design: Design, train: Train, power: float | None, allowance: tuple[int, int]) -> list[Section]:
+    usual = train.teeth == WHEELS[0]
+    module = (
+        "the largest up to 2 whose wheel goes through the seats" if usual else "below the main resonance of the teeth"
     )
-    if train.teeth == WHEELS[0]:
-        usual, module = "assumed, as in the R753IE4", "assumed: the largest up to 2 whose wheel goes through the seats"
+    if _is_tree(design):
+        module = "a usual one"
     housing = design.bearings.housing_material if design.bearings is not None else HOUSING
-    own = design.own.name if design.own is not None else ""
     rows: Rows = {
-        GearsInputs.normal_module: (mm(train.module), module),
+        GearsInputs.normal_module: (mm(train.module), f"assumed: {module}"),
         GearsInputs.pressure_angle: (20.0, ""),
         GearsInputs.helix_angle: (round(math.degrees(HELIX), 6), "assumed"),
         GearsInputs.face_width: (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
@@ -212,28 +266,24 @@ def _gears(design: Design, train: Train, power: float | None, allowance: tuple[i
         assumed = "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW"
         rows[GearsInputs.power] = (power, assumed)
     sections: list[Section] = [(head(Design.gears), rows)]
-    wheels = (
-        ("crank", crank, usual, "assumed: sits on the crank"),
-        ("central", central, usual, "assumed: turns on a pin"),
-        ("idler", idler, usual, "assumed: turns on a pin"),
-        ("shaft", crank, "as many as on the crank: ratio −1 by three meshes", ""),
-    )
-    for name, teeth, why, bored in wheels:
+    wheels = _wheels(design, train)
+    for row in wheels:
         free = "assumed: free with the runout, cold, warm, and when the wheels are warmer"
-        carries: Rows = {Wheel.shaft: (own, "")} if name == "shaft" and own else {}
+        carries: Rows = {Wheel.shaft: (row.shaft, "")} if row.shaft else {}
         wheel: Rows = {
-            Wheel.name: (name, ""),
+            Wheel.name: (row.name, ""),
             **carries,
-            Wheel.teeth: (teeth, why),
+            Wheel.teeth: (row.teeth, row.why),
             Wheel.span_allowance: (allowance, free),
         }
-        if bored:
-            diameter = float(round(BORE * teeth * train.module * 1e3 / math.cos(HELIX)))
-            wheel[Wheel.bore_diameter] = (diameter, bored)
+        if row is not wheels[-1] and not row.shaft:
+            diameter = float(round(BORE * row.teeth * train.module * 1e3 / math.cos(HELIX)))
+            sits = "assumed: turns on a pin" if row.driver else "assumed: sits on the crank"
+            wheel[Wheel.bore_diameter] = (diameter, sits)
         sections.append((head(Design.gears, GearsInputs.wheels), wheel))
-    for (driver, *_), (driven, *_) in pairwise(wheels):
+    for row in wheels[1:]:
         tolerance = (TOLERANCE, "assumed: the allowances leave it a backlash")
-        mesh: Rows = {Mesh.driver: (driver, ""), Mesh.driven: (driven, ""), Mesh.tolerance: tolerance}
+        mesh: Rows = {Mesh.driver: (row.driver, ""), Mesh.driven: (row.name, ""), Mesh.tolerance: tolerance}
         sections.append((head(Design.gears, GearsInputs.meshes), mesh))
     return sections
 

@@ -5,7 +5,7 @@ import math
 from calc.design.toml_file import Document, design, read
 from calc.solve import solve
 from tests.calc.countershaft.bending import cases
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, SCREENED
 
 SIZES = {"diameter_mm": 60.0, "length_mm": 30.0, "clearance_um": 80.0, "load_N": 3000.0}
 ROUGHNESS = {"journal_roughness_um": 0.4, "housing_roughness_um": 0.4}
@@ -80,7 +80,7 @@ def on_bearings(name, *, speed_ratio=2.0, rows=(), **changes):
     shaft |= {"sector_effectiveness": case["eta"], "sections": sections, "bearings": [_given(row) for row in bearings]}
     steel = {"name": "as there", "E_GPa": case["E_GPa"], "poisson": case["nu"], "density_kgm3": rho}
     steel |= {"expansion_1e6_K": 11.0, "kind": "steel"}
-    engine = read(DESIGNS / "r754ie4_balance_shafts.toml").data["engine"]
+    engine = read(DESIGNS / f"{SCREENED}.toml").data["engine"]
     engine = engine | {"rated_speed_rpm": omega * 30 / math.pi / abs(speed_ratio)}
     films = {key: TABLE[key] for key in ("oil", "supply_temperature_C", "supply", "hole_diameter_mm")}
     films |= {"supply_pressure_bar": 4.0, "viscosity_mPas": case["laws"][0]["mu_mPas"], "housing_material": "as there"}

@@ -8,6 +8,7 @@ import pytest
 from calc.design.toml_file import design
 from calc.solve import solve
 from tests.calc.countershaft.shafts import ENVELOPE, FRONT, REAR, SEATED, outcome, rows, verdicts
+from tests.conftest import SCREENED
 
 SIZE = {"mode": "size", **ENVELOPE}
 SEATS = [{"diameter_mm": 59.5, "length_mm": 27.5}, {"diameter_mm": 86.4, "length_mm": 29.0}]
@@ -53,9 +54,9 @@ def test_both_faults_of_a_shaft_are_told():
 
 
 def test_of_a_shaft_at_twice_crank_speed_a_second_one_takes_the_rest():
-    check = found(outcome("r754ie4_balance_shafts", twin=False), "residual_force_share")
+    check = found(outcome(SCREENED, twin=False), "residual_force_share")
     assert "turn against the shaft" in check.advice and "a mirrored second shaft does (mirrors)" in check.advice
-    assert "turn against" not in found(outcome("r754ie4_balance_shafts"), "residual_force_share").advice
+    assert "turn against" not in found(outcome(SCREENED), "residual_force_share").advice
 
 
 def test_a_shaft_where_nothing_is_to_be_balanced_is_judged_by_one_cylinder():
@@ -65,7 +66,7 @@ def test_a_shaft_where_nothing_is_to_be_balanced_is_judged_by_one_cylinder():
 
 
 def test_second_order_is_a_matter_of_comfort():
-    made = outcome("r754ie4_balance_shafts")
+    made = outcome(SCREENED)
     couple, force = found(made, "residual_share"), found(made, "residual_force_share")
     assert (couple.kind, couple.verdict, force.kind, force.verdict) == ("advice", "pass", "advice", "note")
     assert force.value_id == "countershaft.residual_order_2_force"
@@ -76,7 +77,7 @@ def test_second_order_is_a_matter_of_comfort():
 def test_a_shaft_that_makes_the_second_order_worse_fails():
     """Turned by half a turn the pair adds to the engine's 10617.7 N what it should take from it."""
     masses = [{"name": "one", "mass_kg": 0.906, "radius_mm": 11.933, "angle_deg": 0.0, "z_mm": 0.0}]
-    made = outcome("r754ie4_balance_shafts", masses=masses)
+    made = outcome(SCREENED, masses=masses)
     check = found(made, "residual_force")
     assert (
         check.kind == "limit"
@@ -202,7 +203,7 @@ def test_a_mass_that_is_no_sector_leaves_the_bending_not_verified():
 # --- supports, outline, holes
 def test_journals_of_its_own_are_screened():
     """24 × 21 mm at 6000 rpm under 2847.6 N: 5.65 MPa and 813 600 N·rpm/mm are beyond 5 MPa and 500 000."""
-    made = verdicts(outcome("r754ie4_balance_shafts", twin=False))
+    made = verdicts(outcome(SCREENED, twin=False))
     assert made["support.2.specific_load"] == made["support.2.heat_index"] == "warn"
     assert made["support.1.specific_load"] == made["support.3.heat_index"] == "pass"
 

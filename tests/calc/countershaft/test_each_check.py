@@ -25,7 +25,7 @@ from calc.library.catalogue import materials
 from calc.sheet.check import RULES, stretched
 from calc.solve import solve
 from tests.calc.countershaft.shafts import bearing_rows, outcome
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, SCREENED
 
 mm, MPa, rpm = 1e-3, 1e6, 1 / 60
 ASKED = design(read(DESIGNS / "twin_drive.toml"))
@@ -823,8 +823,6 @@ def test_the_strength_of_a_casting_under_its_bolts_is_not_given():
     assert casting("bolt_stress", IRON, bolt_stress=1 * MPa).verdict == "not_verified"
 
 
-@pytest.mark.parametrize(
-    "name, state", [("r754ie4_balance_shafts", "NOT JUDGED: 2 cautions"), ("twin_force_shaft", "PASS")]
-)
+@pytest.mark.parametrize("name, state", [(SCREENED, "NOT JUDGED: 2 cautions"), ("twin_force_shaft", "PASS")])
 def test_states_of_shipped_designs(name, state):
     assert str(outcome(name).words()) == state

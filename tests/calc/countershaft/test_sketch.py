@@ -12,7 +12,7 @@ from calc.design.toml_file import Document, design, load, read
 from calc.draw.drawing import HIDDEN, Arc, Area, Polyline, Words
 from calc.solve import solve
 from tests.calc import sketches
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, SCREENED
 
 
 def made(document, **values):
@@ -64,7 +64,7 @@ def test_a_slope_beyond_its_target_marks_its_support(gamma):
     assert supports not in warned(made(gamma)) and supports in warned(made(gamma, core_radius_mm=9.0))
 
 
-@pytest.mark.parametrize("name", ["twin_force_shaft", "r754ie4_balance_shafts", "r753ie4_sized"])
+@pytest.mark.parametrize("name", ["twin_force_shaft", SCREENED, "r753ie4_sized"])
 def test_shafts_of_every_kind(name):
     document, asked = load(DESIGNS / f"{name}.toml")
     (seen,) = solve(asked).views.values()
@@ -97,7 +97,7 @@ def test_nothing_is_drawn_of_a_shaft_that_can_not_be_sized(gamma):
 # --- all of them beside the crank
 
 
-FOUR = read(DESIGNS / "r754ie4_balance_shafts.toml").data
+FOUR = read(DESIGNS / f"{SCREENED}.toml").data
 LEFT = FOUR["shafts"][0] | {"name": "left", "axis_mm": [-60.0, -95.0]}
 RIGHT = {"name": "right", "mirrors": "left"}
 FIRST = {

@@ -21,6 +21,7 @@ from tests.calc.countershaft.shafts import (
     rows,
     verdicts,
 )
+from tests.conftest import SCREENED
 
 SIZE = {"mode": "size", **ENVELOPE, "bearings": SEATED}
 
@@ -130,21 +131,19 @@ def test_the_couple_grows_with_the_square_of_the_shafts_speed(ratio):
 
 def test_the_pair_of_the_source_takes_four_times_its_force_off_the_second_order():
     """R754IE4: 10617.7 N (10325 with two terms), and 4 · 2134 N taken by two shafts; one alone leaves half of that."""
-    engine = result("r754ie4_balance_shafts", twin=False).sums.residual_order_2_force + 4268.13
+    engine = result(SCREENED, twin=False).sums.residual_order_2_force + 4268.13
     assert engine == pytest.approx(10617.73, abs=0.05)
-    assert result("r754ie4_balance_shafts").sums.residual_order_2_force == pytest.approx(
-        engine - 4 * 2134.0647, abs=0.05
-    )
-    assert result("r754ie4_balance_shafts", speed_ratio=-2).sums.residual_order_2_force == pytest.approx(
+    assert result(SCREENED).sums.residual_order_2_force == pytest.approx(engine - 4 * 2134.0647, abs=0.05)
+    assert result(SCREENED, speed_ratio=-2).sums.residual_order_2_force == pytest.approx(
         engine - 4 * 2134.0647, abs=0.05
     )
 
 
 def test_a_shaft_with_a_force_beside_the_crank_raises_a_roll_torque_that_a_twin_takes():
     """T = y·F for a force turning at the distance y = 95 mm (its largest, (x, y) = (0, 95)): 4268.1 N · 0.095 m."""
-    alone = result("r754ie4_balance_shafts", twin=False, axis_mm=[0.0, 95.0])
+    alone = result(SCREENED, twin=False, axis_mm=[0.0, 95.0])
     assert alone.roll_torque == pytest.approx(4268.1294 * 0.095, rel=1e-6)
-    pair = result("r754ie4_balance_shafts", axis_mm=[0.0, 95.0])
+    pair = result(SCREENED, axis_mm=[0.0, 95.0])
     assert [shaft.roll_torque for shaft in pair.shafts.values()] == [alone.roll_torque, alone.roll_torque]
     assert pair.sums.roll_torque_order_2 == pytest.approx(0, abs=1e-9 * alone.roll_torque)
 
@@ -214,7 +213,7 @@ def test_a_third_support_in_the_middle_of_an_antisymmetric_shaft_carries_nothing
 
 
 def test_supports_in_line_with_a_force_carry_it_together():
-    made = result("r754ie4_balance_shafts").shafts["shaft"]
+    made = result(SCREENED).shafts["shaft"]
     assert sum(s.reaction for s in made.support.values()) == pytest.approx(made.force, rel=1e-12)
     assert made.standing is None  # weight and gear force are given for two bearings alone
 
@@ -237,7 +236,7 @@ def test_what_is_left_grows_with_the_square_of_the_speed():
     assert curves["residual_force_over_speed"].limits[0][1] == pytest.approx(limits["countershaft.residual_force"])
 
 
-@pytest.mark.parametrize(("name", "order"), [("r753ie4_gamma", 1), ("r754ie4_balance_shafts", 2)])
+@pytest.mark.parametrize(("name", "order"), [("r753ie4_gamma", 1), (SCREENED, 2)])
 def test_the_locus_of_what_is_left_runs_with_the_crank(name, order):
     """The vectors of an order come round once in the crank angle that stands beside the points."""
     curves = {curve.id: curve for curve in outcome(name).curves}

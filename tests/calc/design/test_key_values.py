@@ -4,7 +4,7 @@ from calc.design.key_results import judged, key_results
 from calc.design.toml_file import load
 from calc.sheet.quantity import Published
 from calc.solve import solve
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, SCREENED
 
 
 def first_page(name: str) -> dict[str, Published]:
@@ -12,7 +12,7 @@ def first_page(name: str) -> dict[str, Published]:
 
 
 def test_a_pair_of_shafts_shows_what_it_leaves_of_the_second_order() -> None:
-    shown = first_page("r754ie4_balance_shafts")
+    shown = first_page(SCREENED)
     assert shown["countershaft.residual_order_2_couple"].shown == 0
     assert 2000 < shown["countershaft.residual_order_2_force"].shown < 2200
 

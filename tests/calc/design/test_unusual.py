@@ -19,9 +19,10 @@ from calc.sheet.value import recorded
 from calc.sheet.verdict import grouped
 from calc.solve import Results, solve
 from calc.studies.shipped import DESIGNS, engine_design, engine_inputs, engines
+from tests.conftest import SCREENED
 
 GAMMA, SIZED, TWIN, SET = "r753ie4_gamma", "r753ie4_sized", "twin_drive", "generating_set_mounting"
-BLOCK, MOUNTED = "r754ie4_balance_shafts", "twin_mounting"
+BLOCK, MOUNTED = SCREENED, "twin_mounting"
 
 REFUSED = "refused"  # the file is not taken: an error at its line
 NOTHING = ""  # passes without a word

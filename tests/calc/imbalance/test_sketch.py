@@ -10,7 +10,7 @@ from calc.draw.drawing import Polyline
 from calc.imbalance.sketch import sketch
 from calc.solve import solve
 from tests.calc import sketches
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, SCREENED
 
 
 def arrows(picture):
@@ -43,7 +43,7 @@ def test_the_shaft_turns_back_and_takes_what_the_crank_leaves(angle):
 
 @pytest.mark.parametrize("angle", [0.0, 0.7])
 def test_a_pair_at_twice_crank_speed_leaves_what_its_step_says(angle):
-    document, asked = load(DESIGNS / "r754ie4_balance_shafts.toml")
+    document, asked = load(DESIGNS / f"{SCREENED}.toml")
     results = solve(asked)
     picture = sketch(asked, results, angle=angle)
     sketches.check(picture, document)

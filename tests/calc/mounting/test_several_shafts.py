@@ -11,7 +11,7 @@ from calc.design.toml_file import Document, design, load, read
 from calc.mounting.solve import solve as on_mounts
 from calc.mounting.wrenches import ShaftOnEngine, drive
 from calc.solve import solve
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, SCREENED
 
 TAU = 2 * math.pi / 24
 F = -4268.1 + 0j  # of the left shaft; both carry no couple
@@ -23,7 +23,7 @@ LEVELS = ("work.{}.seat.weighted", "rated.{}.top-front.velocity")
 @pytest.fixture(scope="module")
 def four():
     """The mounts, the engine, and what the steps before give, with moments about the crank's axis."""
-    _, made = load(DESIGNS / "r754ie4_balance_shafts.toml")
+    _, made = load(DESIGNS / f"{SCREENED}.toml")
     mounting = load(DESIGNS / "r753ie4_mounting.toml")[1].mounting
     outcomes = solve(made).outcomes
     before = outcomes["engine"].result, outcomes["imbalance"].result
@@ -116,7 +116,7 @@ def test_the_design_of_two_shafts_says_which_tooth_is_the_worst(four):
 
 
 def test_a_pair_is_two_shafts_on_the_mounts():
-    data = dict(read(DESIGNS / "r754ie4_balance_shafts.toml").data)
+    data = dict(read(DESIGNS / f"{SCREENED}.toml").data)
     data["shafts"] = [dict(data["shafts"][0], axis_mm=[-60.0, -95.0]), *data["shafts"][1:]]
     other = read(DESIGNS / "r753ie4_mounting.toml").data
     data["engine"], data["mounting"] = data["engine"] | {"gas": other["engine"]["gas"]}, other["mounting"]

@@ -10,12 +10,13 @@ from calc.design.toml_file import design, read
 from calc.sheet.value import Line
 from calc.solve import solve
 from calc.studies.explain import Chains, chain, needs, origin
+from tests.conftest import SCREENED
 
 DESIGNS = Path(__file__).parents[3] / "designs"
 SHIPPED = sorted(path.stem for path in DESIGNS.glob("*.toml"))
-RESULTS = {name: solve(design(read(DESIGNS / f"{name}.toml"))) for name in SHIPPED}
+RESULTS = {name: solve(design(read(DESIGNS / f"{name}.toml"))) for name in (*SHIPPED, SCREENED)}
 CHAINS = {name: Chains(results) for name, results in RESULTS.items()}
-SIZED, R754 = "r753ie4_sized", "r754ie4_balance_shafts"
+SIZED, R754 = "r753ie4_sized", SCREENED
 ENGINE = {"engine.piston_mass_g", "engine.rod_length_mm", "engine.cylinder_pitch_mm", "engine.rated_speed_rpm"}
 OUTLINE = {
     "shafts.shaft.outer_radius_mm",

@@ -19,6 +19,7 @@ from tests.calc.friction.balance.test_tree import Rubbing, pair, solved
 from tests.calc.friction.documents import DESIGNS, changed, design, gamma, read
 from tests.calc.friction.losses.test_turning_masses import LOSSES, values
 from tests.calc.friction.pairs import friction, lubricant, shown
+from tests.conftest import SCREENED
 
 
 def document(shaft=(), **tables):
@@ -251,7 +252,7 @@ def test_what_can_not_be_is_said_at_its_key(shaft, words):
 
 
 def test_a_twin_has_its_own_loads_and_the_cover_of_its_original():
-    data = copy.deepcopy(read(DESIGNS / "r754ie4_balance_shafts.toml").data)
+    data = copy.deepcopy(read(DESIGNS / f"{SCREENED}.toml").data)
     own, twin = data["shafts"]
     own |= {"covered": "shell", "shell_gap_mm": 2.0, **pump()}
     twin["loads"] = [{"name": "other", "power_kW": 1.0}]

@@ -14,7 +14,7 @@ from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 from calc.studies.repair.nearest import nearest, remedy
 from calc.studies.repair.state import broken, state_of, warned
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, SCREENED
 
 
 def damaged(name: str, *changes: str) -> Document:
@@ -52,7 +52,7 @@ DAMAGED = [
     ("r753ie4_gamma", "shafts.shaft.masses.front.mass_kg=2.0"),
     ("r753ie4_gamma", "shafts.shaft.masses.front.angle_deg=180"),
     ("r753ie4_gamma", "shafts.shaft.masses.rear.z_mm=60"),
-    ("r754ie4_balance_shafts", "shafts.shaft.masses.0.mass_kg=5"),
+    (SCREENED, "shafts.shaft.masses.0.mass_kg=5"),
     ("r753ie4_gamma", "shafts.shaft.bolts.torque_Nm=5"),  # nothing is made for it: one number at a time
 ]
 

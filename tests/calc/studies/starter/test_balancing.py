@@ -80,6 +80,8 @@ def test_the_mass_is_about_that_of_the_shafts_that_are_built(name: str, id: str)
     results = solve(design(made))
     shaft = results.outcomes["countershaft"].result
     shafts = len(design(made).shafts)
+    if shafts > 1:
+        shaft = shaft.shafts["left"]  # type: ignore[attr-defined]
     assert choice_made(made) == id
     assert option.mass == pytest.approx(shafts * shaft.eccentric_mass, rel=0.1)  # type: ignore[attr-defined]
     assert {outcome.verdict for outcome in results.outcomes.values()} == {"computed", "pass", "not_asked"}
@@ -95,5 +97,5 @@ def test_what_shakes_is_said_in_few_words() -> None:
 def test_shafts_that_are_no_mirror_images_are_offered_and_not_built() -> None:
     """A flat-plane V8 at 90° shakes sideways: its shafts at ±2 are not one and its mirror image about the vertical."""
     second = next(one for one in options(engine("v8-flat")) if one.id == "second")
-    assert second.mass is None and "not designed here" in str(second.why)
+    assert second.mass is None and "write each as a shaft of its own" in str(second.why)
     assert {left.key: left.after for left in second.left} == {"order_2_force": 0}

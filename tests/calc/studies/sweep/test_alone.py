@@ -9,6 +9,7 @@ from calc.solve import solve
 from calc.studies.sweep import grid, varied
 from calc.studies.sweep.inputs import sampled
 from calc.studies.sweep.run import solved
+from tests.conftest import SCREENED
 
 DESIGNS = Path(__file__).parents[4] / "designs"
 SWEEPS = {
@@ -19,7 +20,7 @@ SWEEPS = {
     "shafts.shaft.masses.front.radius_mm=20:22"],
     "r753ie4_sized": ["shafts.shaft.overdesign_percent=0:10", "shafts.shaft.bearings.front.diameter_mm=54:58",
     "engine.bench.3.oil_temperature_C=80:90"],
-    "r754ie4_balance_shafts": ["engine.piston_mass_g=700:800", "shafts.shaft.masses.0.radius_mm=20:30"],
+    SCREENED: ["engine.piston_mass_g=700:800", "shafts.shaft.masses.0.radius_mm=20:30"],
     "thesis_temperatures": ["gears.wheels.0.profile_shift=0.1:0.2", "friction.oil_temperature_C=40:90"],
     "timing_pair": ["gears.speed_rpm=1000:3000", "gears.wheels.0.face_width_mm=18:22"],
     "twin_mounting": ["engine.rated_speed_rpm=2000:3000", "engine.cylinder_pitch_mm=90:100"],

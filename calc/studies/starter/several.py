@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Other shafts than one at −1: pairs at ±1 and ±2, one at ±2, two at −1.
+
+They lie in a module that is parted at their axes, so that nothing has to pass a seat: a journal is as thick as the
+core, and core and outer radius grow together until the bearings hold.  A force at twice crank speed gets three
+bearings, one cylinder pitch apart, all else two."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ...bearings.inputs import BearingsInputs
+from ...countershaft.inputs import ShaftInputs
+from ...countershaft.rows import BearingRow
+from ...countershaft.sizing.sectors import TooSmall
+from ...countershaft.sizing.stretches import gap_of, size_between
+from ...design.addresses import as_list, as_table, own_shafts
+from ...design.model import Design
+from ...design.toml_file import Document, design
+from ...engine.result import EngineResult
+from ...imbalance.result import ImbalanceResult
+from ...sheet.errors import NoSolution
+from ...sheet.quantity import dotted
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.units import Metre
+from ...sheet.value import untraced
+from ...solve import Results, solve
+from . import balancing as which
+from .shaft import (
+    BEARING,
+    BEARINGS,
+    FILLET,
+    NAME,
+    OILS,
+    OVERDESIGN,
+    SHAFT,
+    STEEL,
+    UTILISATION,
+    StarterTask,
+    judged,
+    oil_of,
+    task,
+)
+from .writing import BEARING_ROW, Rows, Section, down, head, mm, table, up
+
+ROWS, SHAFTS = dotted(ShaftInputs.bearings), dotted(Design.shafts)
+JOURNALS = tuple(2e-3 * n for n in range(10, 31))  # m: diameters that are tried
+WIDEST: Metre = 0.1  # outer radius
+FACTORS = (0.75, 1.0, 1.3)  # of the clearance: wider where a fast journal grows too hot
+FAILS = 1000  # more than there are cautions
+APART: Metre = 5e-3  # between what turns
+GEAR: Metre = 15e-3  # from the front journal to the middle of the widest wheel, and a fillet
+MIRRORS, REPEATS = dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
+
+
+@record
+class Arranged:
+    """One shaft that is built, its ratio to the crank, and the name and the kind of its twin ("" where it has none)."""
+
+    name: str
+    ratio: int
+    twin: str = ""
+    how: str = MIRRORS
+
+
+def arrangement(balancing: str, imbalance: ImbalanceResult) -> tuple[Arranged, ...]:
+    """The shafts of a balancing that asks for others than one at −1.  Raises NoSolution where they would be no mirror
+    images."""
+    second = which.second_shafts(imbalance) if "second" in balancing else None
+    if balancing == "repeat":
+        return (Arranged("left", -1, "right", REPEATS),)
+    first = (Arranged("left", 1, "right"),) if "pair" in balancing and which.first_pair(imbalance) else ()
+    if ("pair" in balancing and not first) or ("second" in balancing and second is None):
+        raise NoSolution(Text("the shafts of this balancing are no mirror images: write each as a shaft of its own"))
+    if second is None:
+        return first
+    ratio, mirrored = second
+    if not mirrored:
+        return (*first, Arranged("second" if first else NAME, ratio))
+    names = ("second-left", "second-right") if first else ("left", "right")
+    return (*first, Arranged(names[0], ratio, names[1]))
+
+
+def shafts(document: Document, results: Results, arranged: tuple[Arranged, ...]) -> list[Section]:
+    """The tables of all shafts, each with the thinnest core whose journals hold in plain bearings, or where none does
+    with the thickest.  Raises NoSolution where no envelope has room."""
+    sections = []
+    for one in arranged:
+        found: tuple[int, list[Section]] | None = None
+        for diameter in JOURNALS:
+            try:
+                tried = _shaft(results, one, diameter)
+            except NoSolution:
+                continue
+            with_it = Document({**document.data, **table(tried)})
+            worse, _ = _best(with_it, solve(design(with_it), results), OILS[:1])
+            if found is None or worse < found[0]:
+                found = worse, tried
+            if worse == 0:
+                break
+        if found is None:
+            raise NoSolution(SHAFT, Text("journals up to 60 mm, outer radii up to 100 mm"), Text("give [[shafts]]"))
+        sections += found[1]
+    return sections
+
+
+def bearings(document: Document, results: Results) -> Document:
+    """The document with plain bearings of all its shafts, whose journals are as thick as they have them, or their core.
+    Raises NoSolution where none keep every limit."""
+    worse, found = _best(document, results, OILS)
+    if worse >= FAILS:
+        raise NoSolution(BEARINGS, Text("clearances of usual size with usual oils"), Text("thicker cores"))
+    return found
+
+
+def _best(document: Document, results: Results, oils: tuple[str, ...]) -> tuple[int, Document]:
+    """With the oil and the clearance of which least is to be said, and how much that is: the cautions that are open,
+    FAILS where a limit fails."""
+    found: tuple[int, Document] | None = None
+    for oil in oil_of(results.design, oils):
+        for factor in FACTORS:
+            tried = judged_document(document, results.design, oil, factor)
+            solved = solve(design(tried), results)
+            outcomes = [solved.outcomes[step] for step in ("countershaft", "bearings")]
+            worse = sum(c.kind == "caution" and c.open for outcome in outcomes for c in outcome.checks)
+            if any(outcome.verdict not in ("pass", "warn") for outcome in outcomes):
+                worse += FAILS
+            if found is None or worse < found[0]:
+                found = worse, tried
+            if worse == 0:
+                return found
+    assert found is not None
+    return found
+
+
+def judged_document(document: Document, made: Design, oil: str, factor: float) -> Document:
+    """With [bearings], and with what the rows of all shafts that are no twins need there."""
+    for section in judged(made, oil):
+        document = replace(document, data={**document.data, **table([section])})
+    for n, shaft in own_shafts(document.data).items():
+        thick = 2 * float(shaft.get(dotted(ShaftInputs.core_radius), 15.0))  # type: ignore[arg-type]
+        sizes = {dotted(BearingRow.diameter): thick, dotted(BearingRow.length): mm(_length(thick * 1e-3))}
+        needed = {dotted(field): value for field, (value, _) in row_of(factor).items()}
+        rows = [{**sizes, **needed, **as_table(row)} for row in as_list(shaft.get(ROWS))]
+        document = document.with_value(dotted(SHAFTS, n, ROWS), [{**row, **needed} for row in rows])
+    return document
+
+
+def row_of(factor: float) -> Rows:
+    """What a row needs beside [bearings]."""
+    return {
+        BearingRow.clearance_factor: (factor, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"),
+        BearingRow.journal_roughness: (0.2, "assumed: ground and lapped"),
+        BearingRow.housing_roughness: (0.4, "assumed: finely bored"),
+    }
+
+
+def _length(diameter: Metre) -> Metre:
+    return down(BEARING[1] * diameter, 0.5e-3)
+
+
+def _task(results: Results, one: Arranged) -> StarterTask:
+    """What one shaft supplies: of two that repeat each other half."""
+    whole = task(results, one.ratio)
+    return replace(whole, F=whole.F / 2, C=whole.C / 2) if one.how == REPEATS and one.twin else whole
+
+
+def _places(results: Results, one: Arranged, todo: StarterTask) -> tuple[Metre, ...]:
+    engine, train = results.design.engine, results.result(EngineResult)
+    assert engine is not None and train is not None
+    pitch = train.crank.pitch
+    row = float(max(train.crank.z) - min(train.crank.z)) + pitch
+    if abs(one.ratio) == 2 and abs(todo.C) <= 0.01 * row * abs(todo.F):
+        apart = up(max(pitch, 0.75 * engine.bore), 1e-3)
+        return -apart, 0.0, apart
+    half = up(max(row, 1.5 * engine.bore), 2e-3) / 2
+    return -half, half
+
+
+def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
+    """The tables of a shaft and its twin, of the smallest outer radius whose utilisation is comfortable.  Raises
+    NoSolution."""
+    made, engine, todo = results.design, results.design.engine, _task(results, one)
+    assert engine is not None
+    places, length, core = _places(results, one, todo), _length(diameter), diameter / 2
+    half_length = down(places[-1] - length / 2 - 2 * FILLET, 0.5e-3)
+    rho = made.materials[STEEL].density
+    with untraced():
+        U, P = (-(1 + OVERDESIGN) * vector / todo.omega**2 for vector in (todo.F, todo.C))
+        gaps = tuple((z, gap_of(l=length, r=FILLET)) for z in places[1:-1])
+        for outer in _radii(core):
+            try:
+                sized = size_between(U, P, todo.omega, rho, outer, core, half_length, gaps, (), FILLET)
+            except TooSmall:
+                continue
+            if sized.utilisation <= UTILISATION:
+                break
+        else:
+            raise NoSolution(SHAFT, Text("outer radii up to 100 mm"))
+    side = up(max(outer + APART, core + 4 * APART, 0.75 * engine.bore), 5e-3)
+    beneath = up(2 * engine.crank_radius + outer, 5e-3)
+    axis = (-beneath, -side) if abs(one.ratio) == 2 else (0.0, -beneath)
+    why = "assumed: the smallest with a utilisation up to {limit:g}; here {used:.2f}"
+    rows: Rows = {
+        ShaftInputs.name: (one.name, ""),
+        ShaftInputs.mode: ("size", ""),
+        ShaftInputs.speed_ratio: (one.ratio, ""),
+        ShaftInputs.axis: ([mm(z) for z in axis], "assumed: clear of the crank, whose counterweights are not known"),
+        ShaftInputs.assembly: ("split", "assumed: a module that is parted at the axes"),
+        ShaftInputs.material: (STEEL, "assumed: a usual shaft steel"),
+        ShaftInputs.outer_radius: (mm(outer), why.format(limit=UTILISATION, used=sized.utilisation)),
+        ShaftInputs.core_radius: (mm(core), "assumed: the thinnest whose journals hold"),
+        ShaftInputs.half_length: (mm(half_length), "assumed: two fillets short of the journals"),
+        ShaftInputs.fillet_radius: (mm(FILLET), "assumed"),
+        ShaftInputs.overdesign: (OVERDESIGN * 100, "assumed: for what making leaves"),
+        ShaftInputs.gear_z: (
+            mm(places[0] - up(length / 2 + GEAR, 1e-3)),
+            "assumed: overhung, before the front bearing",
+        ),
+    }
+    sections: list[Section] = [(head(Design.shafts), rows)]
+    names = ("front", "middle", "rear") if len(places) == 3 else ("front", "rear")
+    for name, z in zip(names, places):
+        apart = "a cylinder pitch apart" if len(places) == 3 else "as long as the row of cylinders, or 1.5 bores"
+        bearing: Rows = {
+            BearingRow.name: (name, ""),
+            BearingRow.position: (mm(z), f"assumed: {apart}"),
+            BearingRow.diameter: (mm(diameter), "assumed: as thick as the core"),
+            BearingRow.length: (mm(length), f"assumed: l/d of {BEARING[1]:g}"),
+        }
+        sections.append((BEARING_ROW, bearing))
+    if one.twin:
+        opposite: Rows = {ShaftInputs.name: (one.twin, "")}
+        if one.how == REPEATS:
+            opposite[ShaftInputs.repeats] = (one.name, "a second one, alike, on the other side")
+            opposite[ShaftInputs.axis] = ([mm(axis[0]), mm(-axis[1])], "assumed")
+        else:
+            opposite[ShaftInputs.mirrors] = (one.name, "its mirror image, turning the other way")
+        sections.append((head(Design.shafts), opposite))
+    return sections
+
+
+def _radii(core: Metre) -> Iterator[Metre]:
+    for step in range(math.ceil((core + 1e-3) / 0.5e-3), round(WIDEST / 0.5e-3) + 1):
+        yield step * 0.5e-3
+
+
+def completed(sections: list[Section], document: Document) -> list[Section]:
+    """The sections of the shafts with what their bearings have in the document beside it."""
+    factor = next(
+        float(as_table(row)[dotted(BearingRow.clearance_factor)])  # type: ignore[arg-type]
+        for shaft in own_shafts(document.data).values()
+        for row in as_list(shaft.get(ROWS))
+    )
+    oil = as_table(document.data[dotted(Design.bearings)])[dotted(BearingsInputs.oil)]
+    rows = [(header, row | row_of(factor) if header == BEARING_ROW else row) for header, row in sections]
+    return [*rows, *judged(design(document), str(oil))]
