@@ -22,6 +22,7 @@ from ..library.contact import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendo
 from ..library.lubricant import Lubricant
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
+from ..sheet.functions import power
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Celsius, KilogramPerMetre3, Newton, Number, RevPerSecond, Watt
@@ -112,7 +113,7 @@ def with_masses(P: Watt, P_M: Watt) -> Watt:
     names={"n": "n_S", "m": "m_C"},
 )
 def power_of_load(P: Watt, n: RevPerSecond, n_0: RevPerSecond, m: Number) -> Watt:
-    return P * (n / n_0) ** m
+    return P * power(n / n_0, m)
 
 
 @formula("P_Σ", "energy: the wheel also drives what is carried on, which is not lost", names={"P": "P_Σ,0"})
