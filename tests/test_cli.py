@@ -387,11 +387,11 @@ def test_new_writes_a_complete_design_and_never_over_another(tmp_path):
 
 def test_a_shipped_engine_makes_a_design(tmp_path):
     listed = [line.split()[0] for line in run("new", "--list").stdout.splitlines()]
-    for name in (listed[0], "boxer-2", "v12-60"):
+    for name in (listed[0], "twin-180", "v12-60"):
         assert name in listed
         assert run("new", f"{name}.toml", "--engine", name, cwd=tmp_path).returncode == 0
         assert run("check", f"{name}.toml", "--step", "imbalance", cwd=tmp_path).returncode == 0
-    done = run("check", "boxer-2.toml", cwd=tmp_path)  # its couple turns backward: complete, and no limit fails
+    done = run("check", "twin-180.toml", cwd=tmp_path)  # its couple turns backward: complete, and no limit fails
     assert done.returncode == 0 and "not used" not in done.stdout
 
 

@@ -2,14 +2,15 @@
 """How far a design is: the state of each step, whether the whole is ready, and what was left out by whom."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING
 
 from ..design.addresses import Table, as_table, asks, step_at
 from ..design.model import STEPS
+from ..library.table_file import parsed, text_of_table
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Small, Text, plural
-from .shipped import reasons
 
 if TYPE_CHECKING:
     from ..solve import Results
@@ -145,6 +146,13 @@ NONE = "no shaft: what shakes is left to the mounts"
 NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
 CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
 OF_PROGRAM = (ROLLING, NO_PLAIN, NO_TRAIN, NONE, NOTHING, CRANK_ALONE)
+
+
+@cache
+def reasons() -> tuple[str, ...]:
+    """Why engines that are built without a shaft have none, as their designs say it."""
+    rows = parsed("engines.toml", text_of_table("engines.toml")).values()
+    return tuple(row["arrangement"]["without"] for row in rows if "without" in row.get("arrangement", {}))
 
 
 def by_program(reason: str) -> bool:

@@ -81,11 +81,6 @@ def engine_inputs(name: str) -> "EngineInputs":
     return engine
 
 
-def reasons() -> tuple[str, ...]:
-    """Why engines that have no shaft have none, as their designs say it."""
-    return tuple(row["arrangement"]["without"] for row in _rows().values() if "without" in row.get("arrangement", {}))
-
-
 def engine_design(
     name: str, balancing: str = "", changes: "Mapping[str, object] | None" = None, mounts: bool = False
 ) -> str:

@@ -14,6 +14,7 @@ from ...sheet.record import record
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Kilogram
 from ...solve import Results, solve
+from .several import arrangement, estimated_mass, first_pair, second_shafts
 from .shaft import before_shaft, envelope, task
 
 REMEDIES = {  # the remedy of the imbalance step behind each balancing
@@ -140,25 +141,6 @@ def with_imbalance(document: Document, results: Results | None = None) -> Result
     return solve(design(Document({"imbalance": IMBALANCE, **before_shaft(document)})))
 
 
-def second_shafts(imbalance: ImbalanceResult) -> tuple[int, bool] | None:
-    """Speed ratio of the shaft against the second order, and whether it has a mirrored twin; None where two unlike ones
-    would be needed."""
-    shafts = imbalance.remedy["second_order_shafts"].shafts
-    if len(shafts) == 1:
-        return round(next(iter(shafts.values())).speed_ratio), False
-    return (2, True) if _mirrored(*imbalance.orders["order_2"].vectors) else None
-
-
-def first_pair(imbalance: ImbalanceResult) -> bool:
-    """Whether one shaft at crank speed and its mirrored twin take the first order."""
-    return "first_order_pair" in imbalance.remedy and _mirrored(*imbalance.orders["order_1"].unbalanced)
-
-
-def _mirrored(F_f: complex, F_b: complex, C_f: complex, C_b: complex) -> bool:
-    """Whether what turns backward is the mirror image of what turns forward, within what a good shaft may leave."""
-    return all(abs(b.conjugate() - f) <= FIRST * abs(f) for f, b in ((F_f, F_b), (C_f, C_b)))
-
-
 # --- the numbers
 
 
@@ -193,23 +175,12 @@ def _mass(results: Results, id: str) -> Kilogram | None:
     """Of the eccentric masses of all shafts, in the envelope that they would get."""
     imbalance = results.result(ImbalanceResult)
     assert imbalance is not None
-    second = second_shafts(imbalance) if "second" in id else None
-    shafts = {
-        "shaft": (-1,),
-        "repeat": (-1,),
-        "pair": (1, -1),
-        "second": _both(second),
-        "pair_and_second": (1, -1, *_both(second)) if second else (),
-    }.get(id, ())
     try:
-        masses = [envelope(results.design, results, task(results, ratio)).sized.mass for ratio in shafts]
+        if id == "shaft":
+            return float(envelope(results.design, results, task(results, -1)).sized.mass)
+        return sum(estimated_mass(results, one) for one in arrangement(id, imbalance)) or None
     except NoSolution:
         return None
-    return float(sum(masses)) if masses else None
-
-
-def _both(second: tuple[int, bool] | None) -> tuple[int, ...]:
-    return () if second is None else (second[0], -second[0]) if second[1] else (second[0],)
 
 
 # --- what is called for

@@ -12,21 +12,21 @@ from dataclasses import replace
 from ...bearings.inputs import BearingsInputs
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
-from ...countershaft.sizing.sectors import TooSmall
-from ...countershaft.sizing.stretches import gap_of, size_between
-from ...design.addresses import as_list, as_table, own_shafts
+from ...countershaft.sizing.sectors import Sized, TooSmall
+from ...countershaft.sizing.stretches import SizedStretches, gap_of, size_between
+from ...design.addresses import Table, as_list, as_table, own_shafts
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...engine.result import EngineResult
+from ...imbalance.checks import FIRST
 from ...imbalance.result import ImbalanceResult
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Metre
+from ...sheet.units import Kilogram, Metre
 from ...sheet.value import untraced
 from ...solve import Results, solve
-from . import balancing as which
 from .shaft import (
     BEARING,
     BEARINGS,
@@ -48,6 +48,7 @@ ROWS, SHAFTS = dotted(ShaftInputs.bearings), dotted(Design.shafts)
 JOURNALS = tuple(2e-3 * n for n in range(10, 31))  # m: diameters that are tried
 WIDEST: Metre = 0.1  # outer radius
 FACTORS = (0.75, 1.0, 1.3)  # of the clearance: wider where a fast journal grows too hot
+PRESSURE = 3.5e6  # Pa: about what the journals carry that are found
 FAILS = 1000  # more than there are cautions
 APART: Metre = 5e-3  # between what turns
 GEAR: Metre = 15e-3  # from the front journal to the middle of the widest wheel, and a fillet
@@ -64,13 +65,32 @@ class Arranged:
     how: str = MIRRORS
 
 
+def second_shafts(imbalance: ImbalanceResult) -> tuple[int, bool] | None:
+    """Speed ratio of the shaft against the second order, and whether it has a mirrored twin; None where two unlike ones
+    would be needed."""
+    shafts = imbalance.remedy["second_order_shafts"].shafts
+    if len(shafts) == 1:
+        return round(next(iter(shafts.values())).speed_ratio), False
+    return (2, True) if _mirrored(*imbalance.orders["order_2"].vectors) else None
+
+
+def first_pair(imbalance: ImbalanceResult) -> bool:
+    """Whether one shaft at crank speed and its mirrored twin take the first order."""
+    return "first_order_pair" in imbalance.remedy and _mirrored(*imbalance.orders["order_1"].unbalanced)
+
+
+def _mirrored(F_f: complex, F_b: complex, C_f: complex, C_b: complex) -> bool:
+    """Whether what turns backward is the mirror image of what turns forward, within what a good shaft may leave."""
+    return all(abs(b.conjugate() - f) <= FIRST * abs(f) for f, b in ((F_f, F_b), (C_f, C_b)))
+
+
 def arrangement(balancing: str, imbalance: ImbalanceResult) -> tuple[Arranged, ...]:
     """The shafts of a balancing that asks for others than one at −1.  Raises NoSolution where they would be no mirror
     images."""
-    second = which.second_shafts(imbalance) if "second" in balancing else None
+    second = second_shafts(imbalance) if "second" in balancing else None
     if balancing == "repeat":
         return (Arranged("left", -1, "right", REPEATS),)
-    first = (Arranged("left", 1, "right"),) if "pair" in balancing and which.first_pair(imbalance) else ()
+    first = (Arranged("left", 1, "right"),) if "pair" in balancing and first_pair(imbalance) else ()
     if ("pair" in balancing and not first) or ("second" in balancing and second is None):
         raise NoSolution(Text("the shafts of this balancing are no mirror images: write each as a shaft of its own"))
     if second is None:
@@ -139,12 +159,26 @@ def judged_document(document: Document, made: Design, oil: str, factor: float) -
     for section in judged(made, oil):
         document = replace(document, data={**document.data, **table([section])})
     for n, shaft in own_shafts(document.data).items():
-        thick = 2 * float(shaft.get(dotted(ShaftInputs.core_radius), 15.0))  # type: ignore[arg-type]
-        sizes = {dotted(BearingRow.diameter): thick, dotted(BearingRow.length): mm(_length(thick * 1e-3))}
-        needed = {dotted(field): value for field, (value, _) in row_of(factor).items()}
-        rows = [{**sizes, **needed, **as_table(row)} for row in as_list(shaft.get(ROWS))]
-        document = document.with_value(dotted(SHAFTS, n, ROWS), [{**row, **needed} for row in rows])
+        sizes, needed = _in_tables(_sizes(2e-3 * _core(shaft))), _in_tables(row_of(factor))
+        rows = [{**sizes, **as_table(row), **needed} for row in as_list(shaft.get(ROWS))]
+        document = document.with_value(dotted(SHAFTS, n, ROWS), rows)
     return document
+
+
+def _core(shaft: Table) -> float:
+    """In mm; where it is not given that of a journal of 30 mm."""
+    return float(shaft.get(dotted(ShaftInputs.core_radius), 15.0))  # type: ignore[arg-type]
+
+
+def _in_tables(rows: Rows) -> Table:
+    return {dotted(field): value for field, (value, _) in rows.items()}
+
+
+def _sizes(diameter: Metre) -> Rows:
+    return {
+        BearingRow.diameter: (mm(diameter), "assumed: as thick as the core"),
+        BearingRow.length: (mm(_length(diameter)), f"assumed: l/d of {BEARING[1]:g}"),
+    }
 
 
 def row_of(factor: float) -> Rows:
@@ -178,14 +212,24 @@ def _places(results: Results, one: Arranged, todo: StarterTask) -> tuple[Metre, 
     return -half, half
 
 
-def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
-    """The tables of a shaft and its twin, of the smallest outer radius whose utilisation is comfortable.  Raises
-    NoSolution."""
-    made, engine, todo = results.design, results.design.engine, _task(results, one)
-    assert engine is not None
+def estimated_mass(results: Results, one: Arranged) -> Kilogram:
+    """Of the eccentric masses of a shaft and its twin, with journals by their load alone."""
+    todo = _task(results, one)
+    lever = abs(todo.C) / (2 * _places(results, one, todo)[-1])
+    load = abs(todo.F) / 2 + lever
+    diameter = up(math.sqrt(load / (BEARING[1] * PRESSURE)), JOURNALS[1] - JOURNALS[0])
+    return float(_sized(results, one, max(diameter, JOURNALS[0]))[-1].mass) * (2 if one.twin else 1)
+
+
+def _sized(
+    results: Results, one: Arranged, diameter: Metre
+) -> tuple[tuple[Metre, ...], Metre, Metre, Sized | SizedStretches]:
+    """The places of the bearings, half the length of the sectors, the smallest outer radius whose utilisation is
+    comfortable, and the sectors.  Raises NoSolution."""
+    todo = _task(results, one)
     places, length, core = _places(results, one, todo), _length(diameter), diameter / 2
     half_length = down(places[-1] - length / 2 - 2 * FILLET, 0.5e-3)
-    rho = made.materials[STEEL].density
+    rho = results.design.materials[STEEL].density
     with untraced():
         U, P = (-(1 + OVERDESIGN) * vector / todo.omega**2 for vector in (todo.F, todo.C))
         gaps = tuple((z, gap_of(l=length, r=FILLET)) for z in places[1:-1])
@@ -195,9 +239,15 @@ def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
             except TooSmall:
                 continue
             if sized.utilisation <= UTILISATION:
-                break
-        else:
-            raise NoSolution(SHAFT, Text("outer radii up to 100 mm"))
+                return places, half_length, outer, sized
+    raise NoSolution(SHAFT, Text("outer radii up to 100 mm"))
+
+
+def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
+    """The tables of a shaft and its twin.  Raises NoSolution."""
+    engine, length, core = results.design.engine, _length(diameter), diameter / 2
+    assert engine is not None
+    places, half_length, outer, sized = _sized(results, one, diameter)
     side = up(max(outer + APART, core + 4 * APART, 0.75 * engine.bore), 5e-3)
     beneath = up(2 * engine.crank_radius + outer, 5e-3)
     axis = (-beneath, -side) if abs(one.ratio) == 2 else (0.0, -beneath)
@@ -219,6 +269,8 @@ def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
             "assumed: overhung, before the front bearing",
         ),
     }
+    if len(places) > 2:
+        rows[ShaftInputs.gap] = (mm(gap_of(l=length, r=FILLET)), "assumed: the journal and two fillets on either side")
     sections: list[Section] = [(head(Design.shafts), rows)]
     names = ("front", "middle", "rear") if len(places) == 3 else ("front", "rear")
     for name, z in zip(names, places):
@@ -226,8 +278,6 @@ def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
         bearing: Rows = {
             BearingRow.name: (name, ""),
             BearingRow.position: (mm(z), f"assumed: {apart}"),
-            BearingRow.diameter: (mm(diameter), "assumed: as thick as the core"),
-            BearingRow.length: (mm(length), f"assumed: l/d of {BEARING[1]:g}"),
         }
         sections.append((BEARING_ROW, bearing))
     if one.twin:
@@ -254,5 +304,10 @@ def completed(sections: list[Section], document: Document) -> list[Section]:
         for row in as_list(shaft.get(ROWS))
     )
     oil = as_table(document.data[dotted(Design.bearings)])[dotted(BearingsInputs.oil)]
-    rows = [(header, row | row_of(factor) if header == BEARING_ROW else row) for header, row in sections]
-    return [*rows, *judged(design(document), str(oil))]
+    whole: list[Section] = []
+    sizes: Rows = {}
+    for header, rows in sections:
+        if ShaftInputs.core_radius in rows:
+            sizes = _sizes(2e-3 * float(rows[ShaftInputs.core_radius][0]))  # type: ignore[arg-type]
+        whole.append((header, rows | sizes | row_of(factor) if header == BEARING_ROW else rows))
+    return [*whole, *judged(design(document), str(oil))]
