@@ -423,8 +423,9 @@ def _joined(design: Design, bearings: dict[str, Outcome[object]]) -> Outcome[obj
 
 def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcome[R]]:
     """The outcomes with their checks by the keys of this design."""
+    keys_of = cache(design.in_place)  # many checks are moved by the same keys
     for outcome in outcomes:
-        yield replace(outcome, checks=tuple([check.in_place(design.in_place) for check in outcome.checks]))
+        yield replace(outcome, checks=tuple([check.in_place(keys_of) for check in outcome.checks]))
 
 
 def _on_engine(g: Outcome[TrainResult], design: Design, c: Shafts) -> Outcome[TrainResult]:
