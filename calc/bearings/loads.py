@@ -31,13 +31,14 @@ from .as_supports import runs_centred
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
 from .inputs import BearingsInputs
-from .result import BearingResult, BearingsResult, StandingResult
+from .result import BearingResult, BearingsResult, StandingResult, TwinBearing, TwinBearings
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, settled
 from .suitability import DIAMETER, LENGTH
 
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
+ALIKE = 1e-3  # of a standing load: so much more of it makes no other film
 
 
 START_LOAD = CheckRule(
@@ -86,6 +87,23 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
         lines=(*outcome.lines, *lines),
         notes=outcome.notes + tuple(notes),
     )
+
+
+def of_twin(
+    original: Outcome[BearingsResult], stands: Standing | None, theirs: Standing | None
+) -> Outcome[BearingsResult] | None:
+    """The bearings of a twin with the standing part of their loads, and what is judged of that; None where nowhere more
+    stands than on its original's (`theirs`), by which they are judged."""
+    if stands is None or theirs is None or original.result is None:
+        return None
+    more = (load > theirs.stationary[place] * (1 + ALIKE) for place, load in stands.stationary.items())
+    return with_standing(Outcome("bearings", result=original.result), stands) if any(more) else None
+
+
+def told(twin: BearingsResult) -> TwinBearings:
+    """What is not its original's."""
+    stands = {place: bearing.standing for place, bearing in twin.bearings.items()}
+    return TwinBearings(bearings={place: TwinBearing(standing=part) for place, part in stands.items() if part})
 
 
 def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text]) -> StandingResult:

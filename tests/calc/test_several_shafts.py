@@ -321,6 +321,25 @@ def test_a_shaft_without_solution_stops_what_needs_all_of_them_and_keeps_the_oth
     assert not any(id.startswith("countershaft.") for id in results.values())
 
 
+PUMP = {"name": "pump", "power_kW": 1.0}
+
+
+def test_what_stands_on_the_bearings_of_a_twin_is_judged_where_it_is_more():
+    """Of a mirror image that drives a pump the bearings carry what its original's do not."""
+    second = {"repeats": "left", "name": "right", "axis_mm": [0.0, 66.5]}
+    alike, loaded = solved(two(second)), solved(two(second | {"loads": [PUMP]}))
+    assert not any(id.startswith("bearings.right.") for id in (*alike.values(), *(c.id for c in alike.checks())))
+    values = loaded.values()
+    for row in ("front", "rear"):
+        stands = values[f"bearings.right.{row}.standing_load"].inside
+        assert stands == pytest.approx(values[f"friction.journals.right.{row}.standing_load"].inside)
+        assert stands == pytest.approx(values[f"countershaft.right.stationary_{row}"].inside)
+        assert stands > 1.1 * values[f"bearings.left.{row}.standing_load"].inside
+        mine, other = (loaded.check(f"bearings.{name}.{row}.film_edge_standing") for name in ("right", "left"))
+        assert mine.value < other.value and mine.moved_by == other.moved_by
+    assert not any(id.startswith("bearings.right.") and id.endswith(".film_edge") for id in values)
+
+
 def test_a_shaft_that_is_sized_takes_what_a_given_one_leaves():
     results = of_case("twin-270-beside")
     assert list(results.of_shafts) == ["small", "rest"]
