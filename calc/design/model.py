@@ -58,6 +58,7 @@ NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")
 Problems = Iterable[tuple[str, Text]]  # keys, each with what is wrong there
 MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
+CARRIED = Text("is carried by the balance that [bearings] begin: add that table, or leave it out")
 # of a bearing that [bearings] does not judge
 SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore", "offset")
 
@@ -289,6 +290,9 @@ class Design:
             yield from self._mounting(self.mounting)
         if self.friction is not None:
             yield from _within("friction", self._friction(self.friction))
+            for n, shaft in enumerate(self.shafts if self.bearings is None else ()):
+                if shaft.loads:
+                    yield dotted(Design.shafts, n, ShaftInputs.loads), CARRIED
         if self.gears is not None:
             yield from _within("gears", self._gears(self.gears))
 
@@ -426,10 +430,7 @@ class Design:
             for key, row in rows:
                 for entry in keys(BearingRow).values():
                     if entry.attribute not in SCREENED and getattr(row, entry.attribute) != entry.field.default:
-                        yield (
-                            f"{key}.{entry.key}",
-                            Text("is for bearings that are judged: add [bearings], or leave it out"),
-                        )
+                        yield f"{key}.{entry.key}", JUDGED
             return
         for key, row in rows:
             yield from _within(key, self.bearings.asked_of(row))
