@@ -284,6 +284,15 @@ def test_without_an_outline_the_share_is_not_verified():
     assert not share.holds and share.missing == ("shafts.shaft.sections",)
 
 
+def test_without_an_outline_bores_out_of_line_are_not_verified():
+    for rows, zone in (({"middle": {"offset_um": [20.0, 0.0]}}, 0.0), ({}, 20.0)):
+        document = on_bearings("r754-films", rows=rows, coaxiality_um=zone)
+        shaft = {key: x for key, x in document.data["shafts"][0].items() if key != "sections"}
+        results = solve(design(replace(document, data=document.data | {"shafts": [shaft]})))
+        for name in NAMES:
+            assert results.check(f"bearings.{name}.alignment").verdict == "not_verified"
+
+
 def test_a_film_that_can_not_carry_its_share_ends_the_step():
     found = solved("couple-middle-films", rows={name: {"clearance_um": 500.0} for name in NAMES}).outcomes["bearings"]
     assert found.state == "no_solution" and found.reason
