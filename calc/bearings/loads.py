@@ -124,7 +124,7 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
         notes.append(words)
     if bearing.seat.inputs.load_speed_ratio == 1.0 and bearing.load > 0:
         equal = f.speed_of_equal_loads(n=bearing.duty.speed, R_0=R_0, R=bearing.load)
-    if R_0 < SMALL * bearing.load:
+    if R_0 < SMALL * bearing.load or _share_is_judged(bearing):
         path = orbit(bearing.dynamics, R_0, bearing.attitude_angle, bearing.duty, bearing.seat)
         amplitude, film_orbit = path.amplitude, f.film_over_turn(h_0=bearing.film, a_n=path.film_loss)
     return StandingResult(
@@ -138,10 +138,16 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
     )
 
 
+def _share_is_judged(bearing: BearingResult) -> bool:
+    """Whether a check says that a standing load is too large for an orbit of first order, which is then shown all the
+    same: without it more load would seem to leave more film."""
+    shared = bearing.on_shaft is not None and bearing.on_shaft.standing_stiffness is not None
+    return shared and not bearing.seat.centred
+
+
 def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield on_bearing(START_LOAD, place, part.load_at_start, rules.TRUMPLER_START_LOAD)
-    shared = bearing.on_shaft is not None and bearing.on_shaft.standing_stiffness is not None
-    if shared and not bearing.seat.centred:
+    if _share_is_judged(bearing):
         yield on_bearing(STANDING_SHARE, place, part.standing_load / bearing.load, SMALL)
     edge = None  # where no film carries the largest load, the check fails
     if part.film_load_peak is not None:

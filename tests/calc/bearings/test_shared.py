@@ -9,6 +9,7 @@ import pytest
 
 from calc.bearings.as_supports import on_films, shared, support_checks
 from calc.bearings.loads import _checks as standing_checks
+from calc.bearings.loads import _standing as standing_part
 from calc.bearings.result import BearingsResult
 from calc.bearings.selection.search import search
 from calc.countershaft.bending.condensed import of_beam
@@ -361,6 +362,15 @@ def test_standing_share(three, part, verdict):
     standing = replace(row.standing, standing_load=part * row.load)
     found = {c.id: c.verdict for c in standing_checks("front", row, standing)}
     assert found["bearings.front.standing_share"] == verdict
+
+
+def test_more_standing_load_never_leaves_more_film(three):
+    """Past what an orbit of first order is for, too: then the share is noted, and the film is not better for it."""
+    front, edges = rows_of(three)["front"], []
+    for part in (0.3, 0.45, 0.499, 0.501, 0.55, 0.7):
+        standing = standing_part(front, part * front.load, "front", [])
+        edges.append(next(c.value for c in standing_checks("front", front, standing) if "film_edge" in c.id))
+    assert edges == sorted(edges, reverse=True)
 
 
 def _films(results):
