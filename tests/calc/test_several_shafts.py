@@ -11,6 +11,8 @@ from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from calc.sheet.step import OF_SHAFTS
 from calc.solve import Results, solve
+from calc.studies.repair.levers import free_keys
+from calc.studies.repair.state import state_of
 from tests.calc.countershaft.systems import called, document, rows, tolerance
 from tests.conftest import DESIGNS, GAMMA
 
@@ -338,6 +340,16 @@ def test_what_stands_on_the_bearings_of_a_twin_is_judged_where_it_is_more():
         mine, other = (loaded.check(f"bearings.{name}.{row}.film_edge_standing") for name in ("right", "left"))
         assert mine.value < other.value and mine.moved_by == other.moved_by
     assert not any(id.startswith("bearings.right.") and id.endswith(".film_edge") for id in values)
+
+
+def test_what_is_wrong_with_a_twin_is_mended_at_its_original():
+    second = {"repeats": "left", "name": "right", "axis_mm": [0.0, 66.5], "loads": [PUMP]}
+    state = state_of(Document(two(second)))
+    mine, other = (f"bearings.{name}.front.film_edge_standing" for name in ("right", "left"))
+    near, _ = free_keys(state, "bearings", [state.results.check(mine)])
+    assert near == free_keys(state, "bearings", [state.results.check(other)])[0]
+    assert "shafts.left.bearings.front.length_mm" in near
+    assert state.view(mine).own.name == "left"
 
 
 def test_a_shaft_that_is_sized_takes_what_a_given_one_leaves():
