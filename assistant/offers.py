@@ -113,7 +113,7 @@ def _countershaft(design: Design, file: str, progress: Progress | None = None, n
 
 def _beside(design: Design, name: str) -> tuple[SystemShaft, ...]:
     """The given shafts beside one that is to be sized."""
-    if len(design.views) == 1:
+    if len(design.originals) == 1:
         return ()
     return given_beside(
         design, name, {other: view.outcomes["countershaft"] for other, view in solve(design).views.items()}
@@ -279,7 +279,7 @@ def offer(step: str, design: Design, file: str, progress: Progress | None = None
     if step not in OF_SHAFTS:
         return search(design, file, progress)
     found = search(design, file, progress, name := shaft or _worst(step, design))
-    if len(design.views) == 1:
+    if len(design.originals) == 1:
         return found
     twins = [Name(twin.name) for twin in design.shafts if name in (twin.mirrors, twin.repeats)]
     names = Text(" and ").join([Name(name), *twins])
@@ -291,7 +291,7 @@ def offer(step: str, design: Design, file: str, progress: Progress | None = None
 
 def _worst(step: str, design: Design) -> str:
     """The shaft whose step has no solution, else the worst limit."""
-    first, *others = design.views
+    first, *others = design.originals
     if not others:
         return first
 
@@ -310,8 +310,8 @@ def _known(step: str, design: Design, shaft: str) -> None:
         why = Text("is for countershaft and bearings alone")
     elif twin is not None:
         why = Text("is as {name}: choose for that", name=Name(twin.mirrors or twin.repeats or ""))
-    elif shaft not in design.views:
-        why = Text("is no shaft of this design; there are {names}", names=", ".join(design.views))
+    elif shaft not in design.originals:
+        why = Text("is no shaft of this design; there are {names}", names=", ".join(design.originals))
     else:
         return
     raise BadInput("contralbero choose", [InputError(0, "--shaft", shaft, why)])

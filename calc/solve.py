@@ -14,6 +14,8 @@ from functools import cache, partial
 from typing import TypeVar, cast
 
 from .bearings import solve as bearings
+from .bearings.loads import of_twin as bearings_of_twin
+from .bearings.loads import told as bearings_told
 from .bearings.loads import with_standing as bearings_with_standing
 from .bearings.result import BearingsOfShafts, BearingsResult
 from .countershaft import left_over, shafts
@@ -363,7 +365,8 @@ def _standing(
     train: TrainResult | None,
     f: Outcome[FrictionResult],
 ) -> tuple[Shafts, dict[str, Outcome[BearingsResult]]]:
-    """Shafts and bearings with what stands still on them, once the balance has the power at each wheel."""
+    """Shafts and bearings with what stands still on them, once the balance has the power at each wheel; of twins those
+    bearings that are not judged by their originals'."""
     housing = design.bearings.housing_stiffness if design.bearings else None
     for shaft in h.turning(design):
         name = shaft.name
@@ -372,10 +375,14 @@ def _standing(
             carried = b[name].result if name in b else None
             of_shaft = with_standing(c[name], shaft.inputs, gear, drive, carried)
             of_shaft = with_oil_level(of_shaft, shaft.inputs, design.friction)
-            if name in b:
-                b = b | {name: bearings_with_standing(b[name], of_shaft.solution.standing)}
-                carried = b[name].result
+            stands = of_shaft.solution.standing
+            if shaft.of is not None and name in b:
+                twin = bearings_of_twin(b[name], stands, c[shaft.of].solution.standing)
+                b = {other: each for other, each in b.items() if other != name} | ({name: twin} if twin else {})
             if shaft.of is None:
+                if name in b:
+                    b = b | {name: bearings_with_standing(b[name], stands)}
+                    carried = b[name].result
                 of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
             c = c | {name: of_shaft}
     return c, b
@@ -402,29 +409,36 @@ def _told(
     }
     ratios = {shaft.name: shaft.inputs.speed_ratio for shaft in h.turning(design)}
     twins = dict[str, Outcome[CountershaftResult]]()
+    twins_b = dict[str, Outcome[BearingsResult]]()
     for shaft in h.turning(design):
         if shaft.of is not None and shaft.name in c:
             (twins[shaft.name],) = _in_place(replace(design, shafts=(shaft.inputs,)), (c[shaft.name],))
+        if shaft.of is not None and shaft.name in b:
+            (twins_b[shaft.name],) = _in_place(design.views[shaft.of], (b[shaft.name],))
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
-    carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()})
+    carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()}, twins_b)
     of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
     accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)
     return Solved(every, of_shafts)
 
 
-def _joined(design: Design, bearings: dict[str, Outcome[object]]) -> Outcome[object]:
-    """The bearings of the one shaft, or of all of them by their names."""
+def _joined(
+    design: Design, bearings: dict[str, Outcome[object]], twins: dict[str, Outcome[BearingsResult]]
+) -> Outcome[object]:
+    """The bearings of the one shaft, or of all of them by their names; `twins` that are not as their originals."""
     named = len(design.shafts) > 1
     solved = {name: each.result for name, each in bearings.items() if isinstance(each.result, BearingsResult)}
-    every = BearingsOfShafts(shafts=solved) if named and len(solved) == len(bearings) else None
-    return joined("bearings", bearings, every, named=named)
+    told = {name: bearings_told(each.solution) for name, each in twins.items()}
+    every = BearingsOfShafts(shafts={**solved, **told}) if named and len(solved) == len(bearings) else None
+    return joined("bearings", {**bearings, **twins}, every, named=named)
 
 
 def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcome[R]]:
     """The outcomes with their checks by the keys of this design."""
+    keys_of = cache(design.in_place)  # many checks are moved by the same keys
     for outcome in outcomes:
-        yield replace(outcome, checks=tuple([check.in_place(design.in_place) for check in outcome.checks]))
+        yield replace(outcome, checks=tuple([check.in_place(keys_of) for check in outcome.checks]))
 
 
 def _on_engine(g: Outcome[TrainResult], design: Design, c: Shafts) -> Outcome[TrainResult]:

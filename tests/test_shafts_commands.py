@@ -153,6 +153,15 @@ def test_a_sum_lists_its_shafts_and_a_twin_is_its_original(pair):
     assert "that of left" in masses and "shafts.left.masses.front.mass_kg = 0.248   an input" in masses
 
 
+def test_what_is_judged_of_a_twin_by_itself_is_its_own(pair):
+    pumps = pair.with_name("pumps.toml")
+    mirror = 'mirrors = "left"\n'
+    load = 'loads = [{ name = "pump", power_kW = 2.0 }]\n'
+    pumps.write_text(pair.read_text().replace(mirror, mirror + load))
+    said = run("explain", pumps, "bearings.right.front.film_edge_standing").stdout
+    assert said.startswith("bearings.right.front.film_edge_standing: right: film at the edge over a turn")
+
+
 def test_a_drawing_for_each_that_is_no_twin(two, pair, tmp_path):
     assert run("export", two, "-o", tmp_path / "x.dxf").returncode == 0
     assert run("export", pair, "-o", tmp_path / "y.dxf").returncode == 0

@@ -60,15 +60,16 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
 def _explain(asked: Namespace, document: Document, design: Design) -> int:
     results = solve(design)
     values = results.values()
-    if asked.value not in values and (known := _input(document.data, asked.value)) is not None:
-        about, given = known
+    if asked.value not in values and (an_input := _input(document.data, asked.value)) is not None:
+        about, given = an_input
         for key, content in given.items():
             print(f"{key} = {content}   an input" if content is not None else f"{key}   an input, left out")
         told = f"{about.label}{f', {about.unit}' if about.unit else ''}. {about.help}"
         print(fill(told, 116, initial_indent="    ", subsequent_indent="    "))
         return 0
     of_shaft = asked.value.startswith(dotted(Design.shafts))
-    if asked.value not in values and (own := design.of_original(asked.value)) != asked.value:
+    known = asked.value in values or results.check(asked.value) is not None
+    if not known and (own := design.of_original(asked.value)) != asked.value:
         name, original = asked.value.split(".")[1], own.split(".")[1]
         mirrored = any(shaft.name == name and shaft.mirrors for shaft in design.shafts)
         if not asked.json:

@@ -298,7 +298,7 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
         session = self.session
-        shaft = session.original if self.step in OF_SHAFTS and session.original in session.design.views else None
+        shaft = session.original if self.step in OF_SHAFTS and session.original in session.design.originals else None
         result = offer(self.step, session.design, session.name, progress, shaft=shaft)
         # made here: some solve once more, for which the screen must neither wait nor end
         table, beside = result.table(TOP), result.beside(TOP)

@@ -397,6 +397,8 @@ ALIGNMENT = CheckRule(
 def support_checks(found: BearingsResult, films: Shared | None, shaft: CountershaftResult | None) -> Iterator[Check]:
     """What is asked of bearings that carry one shaft together."""
     loads = {place: r.load for place, r in found.bearings.items()}
+    seats = [r.seat for r in found.bearings.values()]
+    out_of_line = any(seat.inputs.coaxiality or any(seat.bearing.offset or ()) for seat in seats)
     if films is not None:
         yield SHARE_SETTLED(films.moved, SETTLED)
     for place, r in found.bearings.items():
@@ -410,6 +412,8 @@ def support_checks(found: BearingsResult, films: Shared | None, shaft: Countersh
             if len(loads) > 2 and shaft is not None and shaft.bending is None:
                 outline = Missing((dotted(SHAFT, ShaftInputs.sections),), (), "none", "none")
                 yield on_bearing(SHARE, place, None, SHARES, missing=outline)
+                if out_of_line:
+                    yield on_bearing(ALIGNMENT, place, None, r.kreisle_film, missing=outline)
             continue
         if lies.share is not None:
             yield on_bearing(SHARE, place, lies.share, SHARES)

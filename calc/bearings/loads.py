@@ -31,13 +31,14 @@ from .as_supports import runs_centred
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
 from .inputs import BearingsInputs
-from .result import BearingResult, BearingsResult, StandingResult
+from .result import BearingResult, BearingsResult, StandingResult, TwinBearing, TwinBearings
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, settled
 from .suitability import DIAMETER, LENGTH
 
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
+ALIKE = 1e-3  # of a standing load: so much more of it makes no other film
 
 
 START_LOAD = CheckRule(
@@ -88,6 +89,23 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
     )
 
 
+def of_twin(
+    original: Outcome[BearingsResult], stands: Standing | None, theirs: Standing | None
+) -> Outcome[BearingsResult] | None:
+    """The bearings of a twin with the standing part of their loads, and what is judged of that; None where nowhere more
+    stands than on its original's (`theirs`), by which they are judged."""
+    if stands is None or theirs is None or original.result is None:
+        return None
+    more = (load > theirs.stationary[place] * (1 + ALIKE) for place, load in stands.stationary.items())
+    return with_standing(Outcome("bearings", result=original.result), stands) if any(more) else None
+
+
+def told(twin: BearingsResult) -> TwinBearings:
+    """What is not its original's."""
+    stands = {place: bearing.standing for place, bearing in twin.bearings.items()}
+    return TwinBearings(bearings={place: TwinBearing(standing=part) for place, part in stands.items() if part})
+
+
 def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text]) -> StandingResult:
     peak = f.load_peak(F=bearing.load, R_0=R_0)
     at_start = f.load_at_start(R_0=R_0, d=bearing.seat.bearing.diameter, l=bearing.seat.bearing.length)
@@ -106,7 +124,7 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
         notes.append(words)
     if bearing.seat.inputs.load_speed_ratio == 1.0 and bearing.load > 0:
         equal = f.speed_of_equal_loads(n=bearing.duty.speed, R_0=R_0, R=bearing.load)
-    if R_0 < SMALL * bearing.load:
+    if R_0 < SMALL * bearing.load or _share_is_judged(bearing):
         path = orbit(bearing.dynamics, R_0, bearing.attitude_angle, bearing.duty, bearing.seat)
         amplitude, film_orbit = path.amplitude, f.film_over_turn(h_0=bearing.film, a_n=path.film_loss)
     return StandingResult(
@@ -120,10 +138,16 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
     )
 
 
+def _share_is_judged(bearing: BearingResult) -> bool:
+    """Whether a check says that a standing load is too large for an orbit of first order, which is then shown all the
+    same: without it more load would seem to leave more film."""
+    shared = bearing.on_shaft is not None and bearing.on_shaft.standing_stiffness is not None
+    return shared and not bearing.seat.centred
+
+
 def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield on_bearing(START_LOAD, place, part.load_at_start, rules.TRUMPLER_START_LOAD)
-    shared = bearing.on_shaft is not None and bearing.on_shaft.standing_stiffness is not None
-    if shared and not bearing.seat.centred:
+    if _share_is_judged(bearing):
         yield on_bearing(STANDING_SHARE, place, part.standing_load / bearing.load, SMALL)
     edge = None  # where no film carries the largest load, the check fails
     if part.film_load_peak is not None:

@@ -186,7 +186,21 @@ class BearingsResult:
 
 
 @result
+class TwinBearing:
+    """Of a bearing of a twin what is not its original's."""
+
+    standing: StandingResult = group(spread=True)
+
+
+@result
+class TwinBearings:
+    """The bearings of a twin on which more stands than on those of its original."""
+
+    bearings: dict[str, TwinBearing] = group(spread=True, key_words=IN_WORDS)
+
+
+@result
 class BearingsOfShafts:
     """Those of several shafts."""
 
-    shafts: dict[str, BearingsResult] = group(spread=True)
+    shafts: dict[str, BearingsResult | TwinBearings] = group(spread=True)

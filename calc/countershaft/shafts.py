@@ -11,7 +11,7 @@ from ..sheet.functions import total
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import group, result, value
 from ..sheet.step import Outcome, beside, joined
-from ..sheet.text import Name
+from ..sheet.text import Name, Text
 from ..sheet.units import (
     Kilogram,
     KilogramMetre2,
@@ -97,6 +97,12 @@ def inertia_at_crank(i: Numbers, J: KilogramMetres2) -> KilogramMetre2:
     return total(i**2 * J)
 
 
+HELD_ALONE = Text(
+    "Bolts: each support is judged with what its own shaft puts on it; what one support has of several shafts is not "
+    "added up."
+)
+
+
 def whole(
     shafts: Mapping[str, Outcome[CountershaftResult]],
     twins: Mapping[str, Outcome[CountershaftResult]],
@@ -124,4 +130,6 @@ def whole(
             if len(inertias) == len(every)
             else None,
         )
+    if len(every) > 1 and any(shaft.bolts is not None for shaft in every.values()):
+        sums = replace(sums, notes=(*sums.notes, HELD_ALONE))
     return beside(sums, joined("countershaft", {**shafts, **twins}, together, named=True))

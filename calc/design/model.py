@@ -59,6 +59,7 @@ NEEDS_ENGINE = Text("needed where there is no [engine] table to take it from")
 Problems = Iterable[tuple[str, Text]]  # keys, each with what is wrong there
 MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
+CARRIED = Text("is carried by the balance that [bearings] begin: add that table, or leave it out")
 # of a bearing that [bearings] does not judge
 SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore", "offset")
 
@@ -131,7 +132,7 @@ class Design:
     @property
     def own_name(self) -> str:
         """The name of the shaft that is no twin; empty where there is none."""
-        return self.own.name if self.own is not None else ""
+        return next(iter(self.originals), "")
 
     @property
     def resolved(self) -> tuple[Resolved, ...]:
@@ -141,13 +142,18 @@ class Design:
     @cached_property
     def views(self) -> "dict[str, Design]":
         """The design with one of its shafts alone, and the twins of that, by the name of each that is no twin."""
-        own = [shaft.name for shaft in self.shafts if not shaft.is_twin]
-        if len(own) == 1:
-            return {own[0]: self}
+        originals = self.originals
+        if len(originals) == 1:
+            return {originals[0]: self}
         return {
             name: replace(self, shafts=tuple(s for s in self.shafts if name in (s.name, s.mirrors, s.repeats)))
-            for name in own
+            for name in originals
         }
+
+    @property
+    def originals(self) -> tuple[str, ...]:
+        """The names of the shafts that are no twins."""
+        return tuple(shaft.name for shaft in self.shafts if not shaft.is_twin)
 
     def shaft_of(self, id: str) -> str:
         """The name of the shaft, no twin, that a key or the id of a value or a check is of; empty where it is of none,
@@ -155,7 +161,7 @@ class Design:
         step, _, rest = id.partition(".")
         name = rest.partition(".")[0]
         named = step == dotted(Design.shafts) or (len(self.shafts) > 1 and step in OF_SHAFTS)
-        return name if named and name in self.views else ""
+        return name if named and name in self.originals else ""
 
     def of_original(self, id: str) -> str:
         """The key or the id that a twin has of its original; the same where it is of no twin."""
@@ -174,8 +180,8 @@ class Design:
         """What a value or check of the one shaft that is no twin was called while its name stood in no id, and what one
         of a wheel was while that had another name; the id itself where nothing of it was otherwise."""
         step, _, rest = id.partition(".")
-        if len(self.shafts) > 1 == len(self.views) and step in OF_SHAFTS:
-            id = f"{step}.{rest.removeprefix(f'{next(iter(self.views))}.')}"
+        if step in OF_SHAFTS and len(self.shafts) > 1 == len(self.originals):
+            id = f"{step}.{rest.removeprefix(f'{self.own_name}.')}"
         return self.gears.former_id(id) if self.gears is not None else id
 
     @property
@@ -246,8 +252,8 @@ class Design:
         each of that shaft's bearings."""
         if not f"{key}.".startswith(f"{SHAFT}.") or self.own is None:
             return (key,)
-        if len(views := self.views) > 1:
-            return tuple(each for view in views.values() for each in view.in_place(key))
+        if len(self.originals) > 1:
+            return tuple(each for view in self.views.values() for each in view.in_place(key))
         key = f"{self.own_key()}{key.removeprefix(SHAFT)}"
         each = f"{self.own_key(ShaftInputs.bearings)}.*"
         if not key.startswith(each):
@@ -287,6 +293,9 @@ class Design:
             yield from self._mounting(self.mounting)
         if self.friction is not None:
             yield from _within("friction", self._friction(self.friction))
+            for n, shaft in enumerate(self.shafts if self.bearings is None else ()):
+                if shaft.loads:
+                    yield dotted(Design.shafts, n, ShaftInputs.loads), CARRIED
         if self.gears is not None:
             yield from _within("gears", self._gears(self.gears))
 
@@ -375,6 +384,8 @@ class Design:
                 yield key, Text("stands below; a twin comes behind its original")
             elif name not in own:
                 yield key, _unknown_name(name, own)
+            elif next(other for other in self.shafts if other.name == name).mode == "bearings":
+                yield key, Text("asks its bearings alone: there is nothing that turns to be a twin of")
         yield from self._axes()
 
     def _shares(self) -> Problems:
@@ -422,10 +433,7 @@ class Design:
             for key, row in rows:
                 for entry in keys(BearingRow).values():
                     if entry.attribute not in SCREENED and getattr(row, entry.attribute) != entry.field.default:
-                        yield (
-                            f"{key}.{entry.key}",
-                            Text("is for bearings that are judged: add [bearings], or leave it out"),
-                        )
+                        yield f"{key}.{entry.key}", JUDGED
             return
         for key, row in rows:
             yield from _within(key, self.bearings.asked_of(row))
@@ -476,21 +484,30 @@ class Design:
             yield dotted(Design.bearings, BearingsInputs.application), wrong
         if self.engine is None and bearings.speed is None:
             yield dotted(Design.bearings, BearingsInputs.speed), NEEDS_ENGINE
-        unloaded = [i for i, row in enumerate(self.rows) if row.load is None]
         if not self.shafts:
             yield dotted(Design.shafts), Text("needs [[shafts]] with a row [[shafts.bearings]] for each bearing")
-        elif self.countershaft is None:
-            if bearings.journal_material is None:
-                needed = Text("needed where no shaft has a material to take it from")
-                yield dotted(Design.bearings, BearingsInputs.journal_material), needed
-            for i in unloaded:
+            return
+        own = [(n, shaft) for n, shaft in enumerate(self.shafts) if not shaft.is_twin]
+        alone = [(n, shaft) for n, shaft in own if shaft.mode == "bearings"]
+        if bearings.journal_material is None and any(shaft.material is None for _, shaft in alone):
+            needed = Text("needed where a shaft has no material to take it from")
+            yield dotted(Design.bearings, BearingsInputs.journal_material), needed
+        for n, shaft in alone:
+            for i in _unloaded(shaft):
                 needed = Text("needed where there is no shaft whose reactions it carries")
-                yield dotted(Design.shafts, 0, ShaftInputs.bearings, i, BearingRow.load), needed
-        elif self.engine is not None and bearings.speed is not None and unloaded:
-            ratios = {abs(shaft.speed_ratio or 1.0) for shaft in self.shafts if not shaft.is_twin}
-            speeds = sorted(ratio * self.engine.rated_speed for ratio in ratios)
-            if speeds == [bearings.speed]:
-                return
+                yield dotted(Design.shafts, n, ShaftInputs.bearings, i, BearingRow.load), needed
+        yield from self._speeds(bearings, [shaft for _, shaft in own if shaft.mode != "bearings"])
+
+    def _speeds(self, bearings: BearingsInputs, turning: list[ShaftInputs]) -> Problems:
+        """Those given of the journals, of which shafts at other ratios have others."""
+        if self.engine is None or not turning:
+            return
+        ratios = {abs(shaft.speed_ratio or 1.0) for shaft in turning}
+        if bearings.speed_range is not None and len(ratios) > 1:
+            unlike = Text("is that of the journals, and the shafts turn at unlike ratios; leave it out")
+            yield dotted(Design.bearings, BearingsInputs.speed_range), unlike
+        speeds = sorted(ratio * self.engine.rated_speed for ratio in ratios)
+        if bearings.speed is not None and any(map(_unloaded, turning)) and speeds != [bearings.speed]:
             at = listed(Text("{rated_speed} rpm", rated_speed=Amount(n * 60, form="g")) for n in speeds)
             theirs = Text(
                 "the shaft's reactions are those of {at}; leave it out, or give load_N of all bearings", at=at
@@ -574,6 +591,11 @@ def step_of(key: str, *, judged: bool) -> str:
         return first
     of_row = len(parts) > 3 and parts[1] == dotted(ShaftInputs.bearings) and parts[3] not in PLACES_OF_ROWS
     return dotted(Design.bearings) if judged and of_row else "countershaft"
+
+
+def _unloaded(shaft: ShaftInputs) -> list[int]:
+    """Which of its bearings have no given load."""
+    return [i for i, row in enumerate(shaft.bearings) if row.load is None]
 
 
 def _within(step: str, problems: Problems) -> Problems:

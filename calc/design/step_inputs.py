@@ -197,7 +197,7 @@ def driven(design: Design) -> tuple[str, ...]:
     if len(names) < 2 or design.gears is None:
         return tuple(names) or (ONLY,)
     on = {wheel.shaft for wheel in design.gears.wheels} | set(design.gears.along)
-    return tuple(name for name in names if name in on) or tuple(list(design.views)[:1])
+    return tuple(name for name in names if name in on) or design.originals[:1]
 
 
 def shaft_teeth(design: Design, name: str | None) -> int | None:
@@ -483,7 +483,7 @@ def bearings_case(
     gear = shaft_gear(design, done.result(TrainResult), own.name)
 
     def with_bearings(bearings: BearingsInputs, rows: tuple[BearingRow, ...], *, last: bool = False) -> Any:
-        solved = iter(design.views)  # one by one, in this order
+        solved = iter(design.originals)  # one by one, in this order
         enough = (lambda outcome: outcome.key == "bearings" and next(solved) == own.name) if last else None
         changed = replace(design, bearings=bearings).with_shaft(replace(own, bearings=rows))
         with recorded(False):

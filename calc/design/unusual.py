@@ -80,7 +80,7 @@ def unusual(design: Design, steps: Iterable[str] = STEP_KEYS, checks: Iterable[C
     """The furthest outside first, without what one of the `checks` says already.  Ranges are those that the form shows
     beside a field."""
     known = {check.id for check in checks if check.rule.of_input}
-    several = len(design.views) > 1
+    several = len(design.originals) > 1
     outliers = {x.key: x for step in steps for x in _of_step(design, step) if _id(design, step, x) not in known}
     found = [replace(x, shaft=design.shaft_of(x.key)) if several else x for x in outliers.values()]
     return sorted(found, key=lambda outlier: -outlier.beyond)

@@ -264,13 +264,13 @@ def with_oil_level(
 
 
 def oil_level_checks(shaft: ShaftInputs, outline: Outline | None, level: Metre) -> Iterator[Check]:
-    """Of a shaft whose sectors are known; where its axis is not given, nobody knows."""
+    """Of a shaft; where its radius or its axis is not given, nobody knows."""
     radii = [piece.outer_radius for piece in outline.pieces if piece.what == "sector"] if outline is not None else []
     R = max(radii, default=shaft.outer_radius)
-    if R is None:
-        return
-    if shaft.axis is None:
-        yield OIL_LEVEL(None, level, scale=R, missing=Missing((dotted(SHAFT, ShaftInputs.axis),), (), "none", "none"))
+    if R is None or shaft.axis is None:
+        lacks = ((ShaftInputs.outer_radius, R), (ShaftInputs.axis, shaft.axis))
+        keys = tuple(dotted(SHAFT, field) for field, given in lacks if given is None)
+        yield OIL_LEVEL(None, level, scale=R or 1.0, missing=Missing(keys, (), "none", "none"))
     else:
         yield OIL_LEVEL(round(shaft.axis[0] - R, 9), level, scale=R)
 

@@ -15,7 +15,7 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..library.lubricant import Lubricant
 from ..sheet.deferred import Later
 from ..sheet.step import Curve, Further, Outcome, Table, finite
-from ..sheet.text import Text
+from ..sheet.text import Name, Text, listed
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt
 from ..sheet.value import about, based_on, trace, untraced
 from . import checks, curves
@@ -24,7 +24,7 @@ from .journals import OnShaft, journals_of
 from .mesh.film import oil_at
 from .mesh.geometry import Link, MeshGeometry, Sprocket, StageGeometry, WheelGeometry
 from .mesh.loss import MeshLoss, case, losses, solve_mesh
-from .power_balance import Forces, TrainDrive, balance, drive, end_of
+from .power_balance import Ends, Forces, TrainDrive, balance, drive, end_of
 from .result import FrictionResult, engine_share, torque
 from .studies import maps, scenarios, sensitivity
 
@@ -127,6 +127,7 @@ def solve(
         for name, end in ends.items():
             yield from end.journals.notes(result.journals[name])
         yield from _notes(gears, bool(on))
+        yield from _not_counted(friction, ends)
 
     return replace(
         outcome,
@@ -196,6 +197,20 @@ def _notes(gears: GearsInputs, closed: bool) -> Iterator[Text]:
         )
     elif gears.power is not None:
         yield Text("gears.power_kW rates the teeth only; the losses are those of the closed balance.")
+
+
+def _not_counted(friction: FrictionInputs, ends: Ends) -> Iterator[Text]:
+    """Turning masses whose loss is asked and not known."""
+    if friction.mass_loss == "none":
+        return
+    if not ends:
+        yield Text("What the turning masses lose is not counted: without [bearings] the power is given.")
+    lacking = [Name(name) for name, end in ends.items() if end.sectors is None]
+    if lacking:
+        yield Text(
+            "What the turning masses of {shafts} lose is not counted: no outline with sectors is known.",
+            shafts=listed(lacking),
+        )
 
 
 # --- from Python, in SI: `from calc import friction`

@@ -512,8 +512,9 @@ def _stretched(check: Check, missed: Sequence[Check]) -> Check:
 
 
 def _one_part(method: Check, check: str) -> bool:
-    """Whether both are of one bearing, mesh or wheel, or one is of all; a wheel is part of its meshes."""
+    """Whether both are of one bearing, mesh or wheel, or one is of all, or of the whole shaft; a wheel is part of its
+    meshes."""
     of, part = method.id.split(".")[1:-1], check.split(".")[1:-1]
     if method.rule.id.endswith("_W"):  # of one wheel of a mesh
         return method.id.endswith(f"_{part[0]}")
-    return not of or not part or "train" in of or of[0] == part[0] or part[0] in of[0].split("_")
+    return not of or not part or "train" in of or all(b == a or b in a.split("_") for a, b in zip(of, part))

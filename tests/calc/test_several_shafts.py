@@ -8,8 +8,11 @@ import pytest
 from calc import solve as recipe
 from calc.bearings.result import BearingResult
 from calc.design.toml_file import Document, design, read
+from calc.sheet.errors import BadInput
 from calc.sheet.step import OF_SHAFTS
 from calc.solve import Results, solve
+from calc.studies.repair.levers import free_keys
+from calc.studies.repair.state import state_of
 from tests.calc.countershaft.systems import called, document, rows, tolerance
 from tests.conftest import DESIGNS, GAMMA
 
@@ -320,6 +323,35 @@ def test_a_shaft_without_solution_stops_what_needs_all_of_them_and_keeps_the_oth
     assert not any(id.startswith("countershaft.") for id in results.values())
 
 
+PUMP = {"name": "pump", "power_kW": 1.0}
+
+
+def test_what_stands_on_the_bearings_of_a_twin_is_judged_where_it_is_more():
+    """Of a mirror image that drives a pump the bearings carry what its original's do not."""
+    second = {"repeats": "left", "name": "right", "axis_mm": [0.0, 66.5]}
+    alike, loaded = solved(two(second)), solved(two(second | {"loads": [PUMP]}))
+    assert not any(id.startswith("bearings.right.") for id in (*alike.values(), *(c.id for c in alike.checks())))
+    values = loaded.values()
+    for row in ("front", "rear"):
+        stands = values[f"bearings.right.{row}.standing_load"].inside
+        assert stands == pytest.approx(values[f"friction.journals.right.{row}.standing_load"].inside)
+        assert stands == pytest.approx(values[f"countershaft.right.stationary_{row}"].inside)
+        assert stands > 1.1 * values[f"bearings.left.{row}.standing_load"].inside
+        mine, other = (loaded.check(f"bearings.{name}.{row}.film_edge_standing") for name in ("right", "left"))
+        assert mine.value < other.value and mine.moved_by == other.moved_by
+    assert not any(id.startswith("bearings.right.") and id.endswith(".film_edge") for id in values)
+
+
+def test_what_is_wrong_with_a_twin_is_mended_at_its_original():
+    second = {"repeats": "left", "name": "right", "axis_mm": [0.0, 66.5], "loads": [PUMP]}
+    state = state_of(Document(two(second)))
+    mine, other = (f"bearings.{name}.front.film_edge_standing" for name in ("right", "left"))
+    near, _ = free_keys(state, "bearings", [state.results.check(mine)])
+    assert near == free_keys(state, "bearings", [state.results.check(other)])[0]
+    assert "shafts.left.bearings.front.length_mm" in near
+    assert state.view(mine).own.name == "left"
+
+
 def test_a_shaft_that_is_sized_takes_what_a_given_one_leaves():
     results = of_case("twin-270-beside")
     assert list(results.of_shafts) == ["small", "rest"]
@@ -343,6 +375,47 @@ def test_of_a_shaft_with_given_loads_only_the_bearings_are_judged():
     assert values["bearings.left.front.load"].shown == pytest.approx(values["countershaft.left.reaction_front"].shown)
     assert not any(id.startswith("countershaft.right.") for id in values)
     assert list(results.of_shafts["right"]) == ["bearings"]
+
+
+def beside_bearings(**of_bearings: object) -> dict:
+    """Two shafts, and one of which only the bearings are asked, without their loads."""
+    data = two(bearings=two()["bearings"] | of_bearings)
+    data.pop("gears"), data.pop("friction")
+    rows = [{key: x for key, x in row.items() if key != "load_N"} for row in data["shafts"][0]["bearings"]]
+    data["shafts"].append({"name": "pump", "mode": "bearings", "bearings": rows})
+    return data
+
+
+def wrong(data: dict) -> set[str]:
+    with pytest.raises(BadInput) as caught:
+        design(Document(data))
+    return {error.key for error in caught.value.errors}
+
+
+def test_bearings_alone_need_their_loads_and_a_material_wherever_they_stand():
+    needed = {f"shafts.2.bearings.{i}.load_N" for i in (0, 1)}
+    assert wrong(beside_bearings()) == needed | {"bearings.journal_material"}
+    data = beside_bearings(journal_material="42CrMo4")
+    assert wrong(data) == needed
+    data["shafts"].insert(0, data["shafts"].pop())
+    assert wrong(data) == {key.replace("shafts.2", "shafts.0") for key in needed}
+
+
+@pytest.mark.parametrize("twin", [{"mirrors": "pump"}, {"repeats": "pump", "axis_mm": [0.0, 90.0]}])
+def test_bearings_alone_have_no_twin(twin):
+    data = beside_bearings(journal_material="42CrMo4")
+    for row in data["shafts"][2]["bearings"]:
+        row["load_N"] = 500.0
+    assert wrong({**data, "shafts": [*data["shafts"], {"name": "image", **twin}]}) == {f"shafts.3.{next(iter(twin))}"}
+
+
+def test_the_speeds_of_the_journals_are_not_given_where_shafts_turn_at_unlike_ratios():
+    data = two({"speed_ratio": 2})
+    data.pop("gears"), data.pop("friction")
+    data["bearings"]["speed_range_rpm"] = [1000.0, 5000.0]
+    assert wrong(data) == {"bearings.speed_range_rpm"}
+    data["shafts"][1]["speed_ratio"] = -data["shafts"][0]["speed_ratio"]
+    design(Document(data))
 
 
 # --- what is solved again

@@ -104,9 +104,9 @@ def _is_there(data: Table, key: str) -> bool:
 def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[list[str], list[str]]:
     """Keys of numbers of a step that its maker is free to move: those in the same bearing, mesh or wheel as the checks,
     and all others, with the places of bearings, which move together."""
-    shafts = {state.design.shaft_of(check.id) for check in checks}
-    at = [1 + bool(state.design.shaft_of(check.id)) for check in checks]
-    near = {word for check, n in zip(checks, at) for word in check.id.split(".")[n].split("_")}
+    ids = [state.design.of_original(check.id) for check in checks]  # what a twin has is moved with its original
+    shafts = {state.design.shaft_of(id) for id in ids}
+    near = {word for id in ids for word in id.split(".")[1 + bool(state.design.shaft_of(id))].split("_")}
     free = [
         key
         for key, about in quantities(state.document.data)

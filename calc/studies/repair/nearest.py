@@ -216,7 +216,7 @@ def _by_shaft(state: RepairState, checks: Iterable[Check]) -> list[tuple[Check, 
     """The checks of each shaft, and those that are of none."""
     groups: dict[str, list[Check]] = {}
     for check in checks:
-        groups.setdefault(state.design.shaft_of(check.id), []).append(check)
+        groups.setdefault(state.design.shaft_of(state.design.of_original(check.id)), []).append(check)
     return [tuple(group) for group in groups.values()]
 
 

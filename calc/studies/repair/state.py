@@ -37,9 +37,11 @@ class RepairState:
         return self.results.design
 
     def view(self, key: str) -> Design:
-        """The design with the shaft in view that a key, or the id of a check, is of; of none the first."""
+        """The design with the shaft in view that a key, or the id of a check, is of, of a twin its original; of none
+        the first."""
         views = self.design.views
-        return views.get(self.design.shaft_of(key)) or next(iter(views.values()), self.design)
+        original = self.design.shaft_of(self.design.of_original(key))
+        return views.get(original) or next(iter(views.values()), self.design)
 
     def outcome(self, step: str) -> Outcome[object]:
         return self.results.outcomes[step]

@@ -9,6 +9,7 @@ import pytest
 
 from calc.bearings.as_supports import on_films, shared, support_checks
 from calc.bearings.loads import _checks as standing_checks
+from calc.bearings.loads import _standing as standing_part
 from calc.bearings.result import BearingsResult
 from calc.bearings.selection.search import search
 from calc.countershaft.bending.condensed import of_beam
@@ -284,6 +285,15 @@ def test_without_an_outline_the_share_is_not_verified():
     assert not share.holds and share.missing == ("shafts.shaft.sections",)
 
 
+def test_without_an_outline_bores_out_of_line_are_not_verified():
+    for rows, zone in (({"middle": {"offset_um": [20.0, 0.0]}}, 0.0), ({}, 20.0)):
+        document = on_bearings("r754-films", rows=rows, coaxiality_um=zone)
+        shaft = {key: x for key, x in document.data["shafts"][0].items() if key != "sections"}
+        results = solve(design(replace(document, data=document.data | {"shafts": [shaft]})))
+        for name in NAMES:
+            assert results.check(f"bearings.{name}.alignment").verdict == "not_verified"
+
+
 def test_a_film_that_can_not_carry_its_share_ends_the_step():
     found = solved("couple-middle-films", rows={name: {"clearance_um": 500.0} for name in NAMES}).outcomes["bearings"]
     assert found.state == "no_solution" and found.reason
@@ -294,7 +304,7 @@ def test_only_two_bearings_are_searched(three):
         search(bearings_case(three.design, solve, three))
     with pytest.raises(BadInput) as caught:
         problem(on_bearings("r754-films"), None)
-    assert any("two bearings" in str(error.reason) for error in caught.value.errors)
+    assert any("not searched whole yet" in str(error.reason) for error in caught.value.errors)
 
 
 # --- each check, just inside and just outside
@@ -352,6 +362,15 @@ def test_standing_share(three, part, verdict):
     standing = replace(row.standing, standing_load=part * row.load)
     found = {c.id: c.verdict for c in standing_checks("front", row, standing)}
     assert found["bearings.front.standing_share"] == verdict
+
+
+def test_more_standing_load_never_leaves_more_film(three):
+    """Past what an orbit of first order is for, too: then the share is noted, and the film is not better for it."""
+    front, edges = rows_of(three)["front"], []
+    for part in (0.3, 0.45, 0.499, 0.501, 0.55, 0.7):
+        standing = standing_part(front, part * front.load, "front", [])
+        edges.append(next(c.value for c in standing_checks("front", front, standing) if "film_edge" in c.id))
+    assert edges == sorted(edges, reverse=True)
 
 
 def _films(results):

@@ -9,7 +9,16 @@ import pytest
 
 from calc.countershaft.inputs import EccentricMass
 from calc.countershaft.result import CountershaftResult
-from calc.countershaft.shafts import ShaftsResult, TwinResult, inertia_at_crank, mass_of_all, of_twin, told, whole
+from calc.countershaft.shafts import (
+    HELD_ALONE,
+    ShaftsResult,
+    TwinResult,
+    inertia_at_crank,
+    mass_of_all,
+    of_twin,
+    told,
+    whole,
+)
 from calc.countershaft.sums import SystemResult
 from calc.countershaft.twins import Resolved
 from calc.design.toml_file import design
@@ -119,6 +128,19 @@ def test_several_are_told_by_their_names(original):
     bare = Outcome("countershaft", result=replace(original, mass=None, moment_of_inertia=None))
     some = whole(one | {"right": bare}, {}, ratios | {"right": -1.0}, SUMS, named=True).result
     assert some.shaft_mass is None and some.moment_of_inertia_at_crank is None
+
+
+def test_bolts_that_hold_one_of_several_are_said_to_do_so(original):
+    bolted = Outcome("countershaft", result=replace(original, bolts=object()))
+    image = {"image": Outcome("countershaft", result=of_twin(bolted.result, twin("mirrors")))}
+    ratios = {"left": 2.0, "image": -2.0}
+    assert HELD_ALONE in whole({"left": bolted}, image, ratios, SUMS, named=True).notes
+    assert HELD_ALONE not in whole({"left": bolted}, {}, ratios, SUMS, named=True).notes
+    bare = {"image": Outcome("countershaft", result=of_twin(original, twin("mirrors")))}
+    assert (
+        HELD_ALONE
+        not in whole({"left": Outcome("countershaft", result=original)}, bare, ratios, SUMS, named=True).notes
+    )
 
 
 def test_one_without_a_solution_leaves_no_result_of_all(original):

@@ -105,8 +105,7 @@ ENGINE, BEARINGS = "table to take it from", "where there is no [bearings] table"
         (
             "r753ie4_gamma",
             {"countershaft.bearing_positions_mm": [-167.5, 0, 167.5]},
-            {"shafts.0.bearings": "judges two bearings"}
-            | dict.fromkeys([f"shafts.0.bearings.1.{key}" for key in LACKED], "needs")
+            dict.fromkeys([f"shafts.0.bearings.1.{key}" for key in LACKED], "needs")
             | {"shafts.0.bearings.1.clearance_um": "give clearance_um"},
         ),
         (

@@ -132,7 +132,8 @@ def test_the_oil_stays_below_what_the_sectors_sweep():
     assert (dry.value, dry.limit) == (pytest.approx(78.0), pytest.approx(77.9))
     (unknown,) = sectors_over_oil(0.0, axis=None)
     assert unknown.verdict == "not_verified"
-    assert not sectors_over_oil(0.0, outline=None)
+    (nobody_knows,) = sectors_over_oil(0.0, outline=None)
+    assert nobody_knows.verdict == "not_verified" and nobody_knows.missing == ("shafts.S.outer_radius_mm",)
     (by_envelope,) = sectors_over_oil(0.0, outline=None, outer_radius=0.03)
     assert by_envelope.value == pytest.approx(70.0)
 

@@ -327,6 +327,16 @@ def test_what_is_weakened_goes_towards_its_limit(sense, worst):
     assert stretched((film(4.0, 4.0, at="rear"), oil(1.0, 2.0)))[0].at_worst == pytest.approx(worst)
 
 
+def test_of_several_shafts_a_bearing_weakens_its_own_checks():
+    film = rule("caution", id="bearings.B.film")
+    flow = rule("method", id="bearings.B.flow", weakens=((film, 1.3),))
+    checks = film(4.0, 2.0, at="front"), film(4.0, 2.0, at="rear"), flow(1.0, 2.0, at="rear")
+    of_two = [check.of_one(name, ["bearings"]) for name in ("left", "right") for check in checks]
+    worst = {check.id: check.at_worst for check in stretched((*of_two[:3], *of_two[3:5]))}
+    assert worst.pop("bearings.left.rear.film") == pytest.approx(4.0 / 1.3)
+    assert set(worst.values()) == {None}
+
+
 def test_one_wheel_of_a_mesh_weakens_its_own_checks():
     safety = rule("limit", id="gears.W.safety")
     notch = rule("method", id="gears.M.trial_W", weakens=((safety, 1.3),))

@@ -92,6 +92,15 @@ def notes(results):
     return [str(note) for note in results.outcomes["friction"].notes]
 
 
+def test_masses_that_nobody_knows_are_not_counted_and_that_is_said():
+    made = document(friction={"mass_loss": "bracket"})
+    for key in ("outer_radius_mm", "core_radius_mm"):
+        del made.data["shafts"][0][key]
+    bare = solve(design(made))
+    assert friction_of(bare).masses is None
+    assert any("turning masses of shaft lose is not counted: no outline" in note for note in notes(bare))
+
+
 def test_a_shell_counts_the_low_end_and_keeps_the_oil_out():
     shell = dict(covered="shell", shell_gap_mm=3.0, axis_mm=[10.0, 0.0])
     closed, open_ = (found(shaft, mass_loss="bracket", oil_level_mm=0.0) for shaft in (shell, {"axis_mm": [10.0, 0.0]}))
@@ -235,6 +244,14 @@ def test_a_shaft_and_the_same_once_more_lower_down():
 
 
 # --- what may be said
+
+
+def test_without_bearings_nothing_hangs_on_a_shaft():
+    made = document(pump())
+    train = {key: table for key, table in made.data.items() if key != "bearings"}
+    train["friction"] = train["friction"] | {"oil": "SAE 30", "oil_temperature_C": 90.0}
+    with pytest.raises(BadInput, match=r"loads: .*add that table, or leave it out"):
+        design(replace(made, data=train))
 
 
 @pytest.mark.parametrize(
