@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from reportlab.lib.utils import ImageReader
 
+from calc.design.addresses import as_list, as_table
 from calc.design.key_results import judged, outside
 from calc.design.limits import LOGO_BYTES, LOGO_SIDE
 from calc.design.model import STEPS, Design
@@ -275,10 +276,15 @@ class Context:
         return step not in OF_SHAFTS or name not in self.shafts
 
     def asks(self, key: str) -> bool:
-        """The same of an input."""
+        """The same of an input, by its shaft's name or place; those of a twin stand with its original's."""
         table, name, *_ = f"{key}.".split(".")
-        of_one = name if table == dotted(Design.shafts) else ""
-        return not (self.shaft or self.shafts) or of_one == self.shaft
+        of_one = ""
+        if table == dotted(Design.shafts):
+            shafts = list(map(as_table, as_list(self.document.data.get(table))))
+            of_one = str(shafts[int(name)].get("name", "")) if name.isdecimal() else name
+        if self.shaft:
+            return of_one in [shaft.name for shaft in self.results.design.shafts]
+        return not self.shafts or not of_one
 
     def whole_id(self, id: str) -> str:
         """The id of a value or check as the whole design has it."""

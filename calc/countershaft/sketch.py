@@ -232,7 +232,7 @@ def _together(design: "Design", results: "Results") -> Sketch | None:
     not solved."""
     every = [one for one in design.resolved if one.inputs.mode != "bearings"]
     engine = results.result(EngineResult)
-    if design.engine is None or engine is None or (len(every) < 2 and every[0].inputs.axis is None):
+    if design.engine is None or engine is None or not every or (len(every) < 2 and every[0].inputs.axis is None):
         return None
     own = design.own.name if design.own is not None else ""
     shafts: list[ShaftInFront] = []

@@ -481,7 +481,12 @@ def eccentricity(S: Number, b: Number) -> Number:
     return eccentricity_from(S, b)
 
 
-@formula("F_c", SOURCE, shows="μ·n·l·d/(S(ε, l/d)·ψ²) at ε = 0.02, where the table begins", names={"n_h": "n"})
+@formula(
+    "F_c",
+    Text("{source}: load of a journal that runs nearly centred", source=SOURCE),
+    shows="μ·n·l·d/(S(ε, l/d)·ψ²) at ε = 0.02, where the table begins",
+    names={"n_h": "n"},
+)
 def centred_load(mu: PascalSecond, n_h: RevPerSecond, d: Metre, l: Metre, psi: Number, b: Number) -> Newton:
     """The most that a journal carries which runs nearly centred: there the film is a spring.  `l`: of one land."""
     return mu * n_h * d * l / (traced_film_at(CENTRED, b).sommerfeld * psi**2)
