@@ -347,8 +347,7 @@ def _left_over(
         e.angular_speed,
         h.made_shafts(design, c, shafts),
     )
-    counterweights = design.imbalance.counterweight_radius if design.imbalance is not None else None
-    return replace(left, checks=(*left.checks, *shafts_clear(h.in_place(design, c), counterweights)))
+    return replace(left, checks=(*left.checks, *shafts_clear(h.in_place(design, c), h.crank_sweeps(design))))
 
 
 def _with_shafts(i: Outcome[ImbalanceResult], design: Design, left: Outcome[SystemResult]) -> Outcome[ImbalanceResult]:

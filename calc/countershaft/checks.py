@@ -8,7 +8,6 @@ from itertools import combinations
 
 from ..gears.inputs import GearsInputs
 from ..gears.layout.room import ASSEMBLY
-from ..imbalance.inputs import ImbalanceInputs
 from ..library import fatigue
 from ..library.catalogue import WEAKEST_TENSILE, Material, proof_of
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
@@ -268,7 +267,6 @@ SHAFTS_CLEAR = CheckRule(
     role="chosen",
 )
 OUTER = dotted(SHAFT, ShaftInputs.outer_radius)
-CRANK = dotted("imbalance", ImbalanceInputs.counterweight_radius)
 APART = 2e-3  # m between what two shafts sweep; rule of this program
 SUPPORT_SPECIFIC_LOAD = CheckRule(
     "countershaft.support.N.specific_load",
@@ -408,19 +406,21 @@ def swept(shaft: ShaftInputs, outline: Outline | None) -> Metre | None:
     return max(*radii, *(d / 2 for d, _ in shaft.journals), 0.0) if radii else None
 
 
-def shafts_clear(shafts: Mapping[str, InPlace], counterweights: Metre | None) -> Iterator[Check]:
-    """Whether all shafts of a design, twins too, turn clear of each other and of the crank's counterweights, whose
-    radius that is: the pair that comes nearest.
+def shafts_clear(shafts: Mapping[str, InPlace], crank_sweeps: Metre) -> Iterator[Check]:
+    """Whether all shafts of a design, twins too, turn clear of each other and of what the crank sweeps at least: the
+    pair that comes nearest.
 
     Not verified where a place or a radius is not known, and of two shafts about one axis, of which one is not placed
     yet; of a single shaft nothing is asked then."""
     bodies = [(Name(name), one, dotted("shafts", name, ShaftInputs.axis)) for name, one in shafts.items()]
-    crank = InPlace(0j, counterweights)
+    crank = InPlace(0j, crank_sweeps)
     found: list[tuple[Metre, Metre, Text, tuple[str, ...]]] = []
     lacking: list[str] = []
-    for (name, one, key), (name_2, other, key_2) in combinations([*bodies, (Text("the crank"), crank, "")], 2):
+    for (name, one, key), (name_2, other, key_2) in combinations(
+        [*bodies, (Text("the crank (at least its pins)"), crank, "")], 2
+    ):
         lacking += [axis for axis, body in ((key, one), (key_2, other)) if body.axis is None]
-        lacking += [CRANK if body is crank else OUTER for body in (one, other) if body.radius is None]
+        lacking += [OUTER for body in (one, other) if body.radius is None]
         if one.axis is None or other.axis is None or one.radius is None or other.radius is None:
             continue
         if one.axis == other.axis and other is not crank:

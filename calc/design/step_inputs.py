@@ -116,6 +116,14 @@ def in_place(design: Design, solved: Mapping[str, Outcome[CountershaftResult]]) 
     }
 
 
+def crank_sweeps(design: Design) -> float:
+    """The least radius that the crank sweeps: that of its pins' axes, or of its counterweights' centres of gravity."""
+    known = [design.engine.crank_radius] if design.engine is not None else []
+    if design.imbalance is not None and design.imbalance.counterweight_radius is not None:
+        known.append(design.imbalance.counterweight_radius)
+    return max(known, default=0.0)
+
+
 def beside(
     design: Design, shaft: Resolved, solved: Mapping[str, Outcome[CountershaftResult]]
 ) -> tuple[SystemShaft, ...]:

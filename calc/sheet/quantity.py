@@ -529,9 +529,15 @@ def result(cls: type[T]) -> type[T]:
     field_specifiers=(quantity, integer, text, day, choice, series, integers, table, tables, open_),
 )
 def inputs(cls: type[T]) -> type[T]:
-    """A class of inputs: frozen, made by keywords, equal when all its values are."""
-    cls.__eq__ = lambda self, other: type(self) is type(other) and vars(self) == vars(other)  # type: ignore[method-assign]
+    """A class of inputs: frozen, made by keywords, equal when all its values are (not what is cached beside them)."""
+    cls.__eq__ = lambda self, other: type(self) is type(other) and given_of(self) == given_of(other)  # type: ignore[method-assign]
     kind: type = frozen(cls, kw_only=True)
+    names = [field.name for field in fields(kind)]
+
+    def given_of(self: object) -> list[object]:
+        mine = vars(self)
+        return [mine[name] for name in names]
+
     for key in keys(kind).values():
         setattr(kind, key.attribute, key)
     return cls

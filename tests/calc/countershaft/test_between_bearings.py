@@ -20,7 +20,7 @@ from calc.design.step_inputs import sized_alike
 from calc.design.toml_file import Document, design
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-from calc.studies.drawings import shaft as drawn
+from calc.studies.drawings import shafts as drawn
 from calc.studies.drawings import sheets
 from tests.conftest import ROOT
 
@@ -292,13 +292,13 @@ def test_a_shaft_of_heavy_sectors_vibrates_between_a_light_and_a_heavy_one():
 
 def test_a_bore_is_drawn():
     hollow = solve(design(document(core_radius_mm=13.0, bore_diameter_mm=20.0, outer_radius_mm=34.0)))
-    lines = [mark for mark in drawn(hollow) if mark.layer == "HIDDEN"]
+    lines = [mark for mark in drawn(hollow)[0] if mark.layer == "HIDDEN"]
     assert [line.points[0][1] for line in lines] == pytest.approx([0.01, -0.01])
     (sheet,) = sheets(hollow)
     words = " ".join(str(getattr(mark, "text", "")) for mark in sheet.marks)
     assert "Bored through, ⌀20" in words
     solid = solve(design(document(core_radius_mm=13.0, outer_radius_mm=34.0)))
-    assert not [mark for mark in drawn(solid) if mark.layer == "HIDDEN"]
+    assert not [mark for mark in drawn(solid)[0] if mark.layer == "HIDDEN"]
 
 
 def test_a_bore_that_a_journal_does_not_hold_leaves_no_outline():
@@ -359,8 +359,8 @@ def test_given_sectors_keep_one_fillet_from_an_inner_bearing():
 
 
 # --- several shafts beside the crank
-def clear(counterweights, **shafts):
-    found = list(shafts_clear({name: InPlace(*one) for name, one in shafts.items()}, counterweights))
+def clear(crank, **shafts):
+    found = list(shafts_clear({name: InPlace(*one) for name, one in shafts.items()}, crank))
     return found[0] if found else None
 
 
@@ -377,12 +377,11 @@ def test_shafts_turn_clear_of_each_other_and_of_the_crank():
 
 def test_what_is_not_known_is_not_verified_unless_something_fails():
     left, right = (-0.06 - 0.095j, 0.03), (-0.06 + 0.095j, 0.03)
-    assert clear(None, left=left, right=right).verdict == "not_verified"
     assert clear(0.07, left=left, right=(None, 0.03)).missing == ("shafts.right.axis_mm",)
     assert clear(0.07, left=left, right=left).verdict == "not_verified"  # a mirror image that has no place yet
-    assert clear(None, left=left, right=(-0.06 - 0.1j, 0.03)).verdict == "fail"
+    assert clear(0.05, left=left, right=(-0.06 - 0.1j, 0.03), third=(None, 0.03)).verdict == "fail"
     assert clear(0.07, left=left, right=(right[0], None)).missing == ("shafts.S.outer_radius_mm",)
-    assert clear(None, left=left) is None and clear(0.07, left=(None, 0.03)) is None
+    assert clear(0.05, left=(None, 0.03)) is None and clear(0.05, left=left).verdict == "pass"
     assert clear(0.1, left=left).verdict == "fail"
 
 
