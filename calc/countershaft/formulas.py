@@ -278,6 +278,12 @@ def lever_gear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_o:
     return sqrt((F_t * (z_G - z_o)) ** 2 + (F_r * abs(z_G - z_o) + F_a * d / 2) ** 2) / abs(z_B - z_o)
 
 
+@formula("G_B", "statics: what the weight puts on a bearing, by the stiffness of shaft and films", names={"G_u": "G_u"})
+def weight_shared(G_u: Newton) -> Newton:
+    """`G_u`: of the bearing on the shaft, positive up; the other way round."""
+    return -G_u
+
+
 @formula("R_0", "statics, weight and tooth force in line: a bound, since the wheels' places are not known")
 def stationary(G_B: Newton, R_G: Newton) -> Newton:
     return abs(G_B) + R_G

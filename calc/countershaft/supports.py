@@ -28,7 +28,7 @@ from ..sheet.units import (
     RevPerSecond,
     Watt,
 )
-from ..sheet.value import about, trace, untraced
+from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .bending.condensed import OnSupports, at_rest, standing_on
 from .bending.formulas import wheel_load
@@ -255,8 +255,11 @@ def _shared(
     """Of more than two bearings, which share by their stiffness and the shaft's."""
     gear_forces = _gear_forces(gear, drive) if stands.force is not None else {}
     on_bores = stands.offset(np.array([complex(*(row.offset or (0.0, 0.0))) for row in rows]))
-    still, peaks = {}, {}
+    still, peaks, weights = {}, {}, {}
+    weight = None if result.mass is None else f.weight(m_S=result.mass)
     for i, row in enumerate(rows):
+        G_u = based_on(stands.weight[i].item(), weight, row.position)
+        weights[row.name] = f.weight_shared(G_u=G_u)
         R_G: Newton = 0.0
         if gear_forces and gear is not None and stands.force is not None and stands.couple is not None:
             _, F_t, F_r, F_a = gear_forces.values()
@@ -267,14 +270,12 @@ def _shared(
             load = bearings.bearings[row.name].load
             on_shaft = bearings.bearings[row.name].on_shaft
             aligned = on_shaft.alignment_load if on_shaft is not None else None
-        still[row.name] = f.stationary_shared(
-            G_B=stands.weight[i].item(), R_o=on_bores[i].item(), R_G=R_G, R_c=aligned or 0.0
-        )
+        still[row.name] = f.stationary_shared(G_B=G_u, R_o=on_bores[i].item(), R_G=R_G, R_c=aligned or 0.0)
         peaks[row.name] = f.reaction_peak(R=load, R_0=still[row.name])
     return Standing(
         **gear_forces,
-        weight=None if result.mass is None else f.weight(m_S=result.mass),
-        weights={row.name: -G_u for row, G_u in zip(rows, stands.weight.tolist())},
+        weight=weight,
+        weights=weights,
         stationary=still,
         peaks=peaks,
     )
