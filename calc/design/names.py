@@ -102,6 +102,7 @@ def written(value: object, unit: str = "") -> Text | Amount:
 NUMBERED_ID = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the order 1.5
 NUMBERED_STEPS = ("imbalance", "countershaft", "mounting")
 CHECKED = {  # parts that only checks have, and tables of inputs
+    "countershaft.shafts": Text("all shafts"),
     "engine.crank": Text("crank"),
     "engine.firing": Text("firing"),
     dotted(Design.engine, EngineInputs.gas): Text("gas"),

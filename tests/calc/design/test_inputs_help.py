@@ -75,7 +75,9 @@ def test_what_is_shipped_is_usual(path: Path) -> None:
 
 @pytest.mark.parametrize("name", [name for name in engines() if name != "r753ie4"])
 def test_what_a_design_is_begun_with_is_usual(name: str) -> None:
-    assert unusual_of(engine_design(name)) == {}
+    """But for the clearance of fast journals, which are wider than usual so as not to grow hot; `check` says it."""
+    wide = "clearance_factor"
+    assert {key: number for key, number in unusual_of(engine_design(name)).items() if not key.endswith(wide)} == {}
 
 
 def test_what_is_unusual_is_found() -> None:
