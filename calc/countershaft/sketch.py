@@ -241,7 +241,7 @@ def _together(design: "Design", results: "Results") -> Sketch | None:
         if not isinstance(original, CountershaftResult):
             return None
         key = SHAFT if one.name == own else dotted(SHAFT.partition(".")[0], one.name)
-        shafts.append(_in_front(one, original, key))
+        shafts.append(_beside_crank(one, original, key))
     train = results.train
     laid = train.layout.wheels if train is not None and train.layout is not None else {}
     wheels = [
@@ -253,7 +253,7 @@ def _together(design: "Design", results: "Results") -> Sketch | None:
     return replace(picture, of_all=1)
 
 
-def _in_front(one: Resolved, original: CountershaftResult, key: str) -> ShaftInFront:
+def _beside_crank(one: Resolved, original: CountershaftResult, key: str) -> ShaftInFront:
     """A shaft with what it sweeps; the mirror image of a sector stands at −γ."""
     result = original if one.of is None else of_twin(original, one)
     mirrored, axis = one.how == "mirrors", one.inputs.axis
