@@ -151,12 +151,12 @@ async def test_a_bearing_by_another_name_has_that_name_above_its_column(screen: 
 
 # --- several shafts, one in view
 
-FOUR = DESIGNS / "r754ie4_balance_shafts.toml"
+FOUR = "../tests/data/upgraded/r754ie4_balance_shafts"  # screened, with its mirror image
 
 
 def two_of_their_own(memory: Memory, tmp_path: Path) -> Session:
     """The pair with its twin as a shaft of its own, a little lighter."""
-    session = opened(FOUR.stem, memory, tmp_path)
+    session = opened(FOUR, memory, tmp_path)
     session.remove(SHAFTS, 1)
     session.add_shaft("shaft", "own")
     session.apply(["shafts.shaft-2.speed_ratio=-2", "shafts.shaft-2.masses.front.mass_kg=0.44"])
@@ -167,7 +167,7 @@ def two_of_their_own(memory: Memory, tmp_path: Path) -> Session:
 
 
 def test_the_view_is_of_the_shaft_in_view_or_of_the_original_of_a_twin(memory: Memory, tmp_path: Path) -> None:
-    pair = opened(FOUR.stem, memory, tmp_path)
+    pair = opened(FOUR, memory, tmp_path)
     pair.solve()
     first = pair.view
     pair.shaft = 1

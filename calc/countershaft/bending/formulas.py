@@ -400,7 +400,7 @@ def cone(x_f: PhasorMetre, x_r: PhasorMetre, z_f: Metre, z_r: Metre) -> Radian:
     return modulus((x_r - x_f) / (z_r - z_f))
 
 
-@formula("k", MEAN_TANGENT, names={"k_t": "d|P|/de", "k_s": "|P|/e"})
+@formula("k_m", MEAN_TANGENT, names={"k_t": "d|P|/de", "k_s": "|P|/e"})
 def mean_stiffness(k_t: NewtonPerMetre, k_s: NewtonPerMetre) -> NewtonPerMetre:
     """>>> mean_stiffness(k_t=9e7, k_s=3e7)
     60000000.0
