@@ -120,7 +120,7 @@ def test_what_a_row_makes_worse_in_the_whole_design_is_said(tmp_path, monkeypatc
     path.write_text(engine_design("inline-3"), encoding="utf-8")
     shifts = {f"gears.wheels.{wheel}.profile_shift": 0.8 for wheel in ("crank", "central", "idler", "shaft")}
     row = Offer(1, lambda top: None, lambda n: shifts, lambda n: "now has other gears", "")
-    monkeypatch.setattr(choose, "offer_for", lambda *asked: row)
+    monkeypatch.setattr(choose, "offer_for", lambda *asked, **_: row)
     done = run("choose", path, "gears", "--apply", 1)
     state, *lines = done.stdout.partition("\n\n")[2].splitlines()
     assert state.startswith("NOT VERIFIED: ") and state.endswith(" (before: PASS)")

@@ -456,7 +456,7 @@ def test_validate_compares_with_published_values(validation, monkeypatch):
     assert done.returncode == 0, done.stdout
     found = json.loads(run("validate", "--json").stdout)
     assert len(found["rows"]) > 300
-    assert {"countershaft.bolt_preload_source", "countershaft.support.2.reaction", "countershaft.sector_mass"} <= {
+    assert {"countershaft.bolt_preload_source", "countershaft.left.reaction_middle", "countershaft.sector_mass"} <= {
         r["what"] for r in found["rows"]
     }
     assert all(row["source"] and row["verdict"] == "pass" for row in found["rows"])

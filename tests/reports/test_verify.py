@@ -132,7 +132,7 @@ def test_a_report_of_an_older_program_is_compared(
 def test_a_report_of_an_older_program_with_a_design_of_schema_1_is_compared_with_it_in_schema_2() -> None:
     """No value differs by that; one that is new since is said to be."""
     raw = (ROOT / "tests" / "data" / "designs_0_1" / "r754ie4_balance_shafts.toml").read_bytes()
-    design, middle = solved(raw), "countershaft.reaction_middle"
+    design, middle = solved(raw), "countershaft.shaft.reaction_middle"
     made = render(design.document, design.results, raw, depth="summary")
     kept = json.loads(PdfReader(io.BytesIO(made)).attachments[RESULTS][0])
     del kept["values"][middle]
