@@ -115,6 +115,7 @@ def test_a_check_says_the_sums_then_each_shaft(two):
     assert done.stdout.splitlines()[-1].split()[:2] == ["Balance", "shafts"]
 
 
+@pytest.mark.slow
 def test_its_remedies_are_of_each_shaft(two):
     """Films that fail on one shaft are mended there; the other stays as it is."""
     done = run("check", two, "--step", "bearings", "--set", "shafts.right.bearings.*.journal_roughness_um=3")
@@ -124,6 +125,7 @@ def test_its_remedies_are_of_each_shaft(two):
     assert "to pass: right: " in done.stdout or "for no limit to fail: right: " in done.stdout
 
 
+@pytest.mark.slow
 def test_bearings_are_chosen_for_one_shaft_and_its_twins(two, pair):
     done = run("choose", two, "bearings", "--shaft", "right", "--apply", "1")
     assert done.returncode == 0, done.stderr

@@ -7,9 +7,9 @@ from typing import Any
 # what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
 OFFERED = {
     "OrderVectors": ".sums",
-    "SystemShaft": ".sums",
     "Rigid": ".bending.carried",
     "Spring": ".bending.carried",
+    "SystemShaft": ".sums",
     "at_rest": ".bending.condensed",
     "carried": ".bending.carried",
     "condensed": ".bending.condensed",

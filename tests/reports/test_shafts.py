@@ -76,6 +76,7 @@ def test_a_twin_is_told_in_few_words(engineer: list[str]) -> None:
     assert squeezed("Rotating force of the shaft 4901 N") in told
 
 
+@pytest.mark.slow
 def test_the_audit_names_checks_and_values_as_the_design_has_them(single: Solved) -> None:
     read = squeezed(text_of(single.report("audit")))
     assert squeezed("countershaft.a.mass") in read and squeezed("countershaft.mass") not in read
