@@ -118,9 +118,9 @@ def test_a_choice_is_not_written_over_what_another_program_wrote_meanwhile(
     path = shutil.copy(GAMMA, tmp_path / "d.toml")
     offer_for = choose.offer_for
 
-    def slow(*given: object) -> object:
+    def slow(*given: object, **more: object) -> object:
         path.write_bytes(path.read_bytes() + b"# of another\n")
-        return offer_for(*given)
+        return offer_for(*given, **more)
 
     monkeypatch.setattr(choose, "offer_for", slow)
     done = run("choose", path, "engine", "--apply", "1")

@@ -23,6 +23,7 @@ from ...library.journal_rules import RISE, heat_index, specific_load, speed_fact
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, Num
 from ...sheet.check import DEGREES, Check, CheckRule
+from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column
 from ...sheet.record import record
 from ...sheet.search import Judged, judged
@@ -140,8 +141,13 @@ def check_of(judgement: Judged, index: Index) -> Check:
 
 
 def rules(place: str, checks: Iterable[Check]) -> dict[CheckRule, BearingRule]:
-    """The constraints of one bearing, by the declarations of their checks, from the checks of a solved design."""
+    """The constraints of one bearing, by the declarations of their checks, from the checks of a solved design.
+
+    Raises NoSolution where it carries next to nothing, so that nothing of its film is judged."""
     by_id = {c.id: c for c in checks}
+    if any(rule.of(place) not in by_id for rule in READ):
+        idle = Text("the {row} bearing carries next to nothing", row=called(place))
+        raise NoSolution(idle, Text("its film is not judged"), Text("look at the masses of the shaft first"))
     known = {rule: by_id[rule.of(place)].but(missing=(), taken=(), at_best=None, at_worst=None) for rule in READ}
     known[CLEARANCE_COLD] = known[CLEARANCE_COLD].but(sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN)
     trumpler, nought = known[FILM_DOUBLE_LOAD].nearest[1], math.nan  # what is judged are the candidates

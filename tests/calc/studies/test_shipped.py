@@ -24,6 +24,8 @@ from calc.studies.shipped import DESIGNS, _rows, engine_design, engines
 from calc.studies.starter.balancing import what_shakes
 
 ENGINES = engines()
+SLOW = ("inline-4-cross",)  # whose rules look at many trains
+EACH = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ENGINES]
 ROWS = tomllib.loads((Path(__file__).parents[2] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
 PUBLISHED = {row["engine"]: (row["first"], row["second"]) for row in ROWS}
 
@@ -119,7 +121,7 @@ def test_the_list_is_aligned_and_fits_the_screen(capsys):
         assert line.endswith(engine.source)
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_design_solves_and_nothing_fails(name):
     """These two steps are there for their numbers; what is open in them is what γ leaves to pulley and flywheel."""
     made, results = solved(name)
@@ -140,7 +142,7 @@ def test_every_engine_has_its_vectors():
     assert set(LAYOUT.values()) == set(PUBLISHED), "a published engine is not shipped"
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", EACH)
 def test_what_is_left_is_what_is_published(name):
     """Without a share on the crank, two-term kinematics, about mid-engine: it takes the pins, the banks and the
     positions."""
@@ -155,7 +157,7 @@ def test_what_is_left_is_what_is_published(name):
         assert found == pytest.approx(list(expected), abs=1e-4), order
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_crank_carries_half_unless_its_throws_cancel(name):
     """Half of the reciprocating mass on the crank takes all that turns forward; a crank that is even already carries
     none."""
@@ -171,7 +173,7 @@ def test_the_crank_carries_half_unless_its_throws_cancel(name):
     assert first.force_forward == pytest.approx(0) and first.couple_forward == pytest.approx(0)
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_dead_centres_fit_even_firing_just_where_it_is_claimed(name):
     made, _ = solved(name)
     n = made.engine.cylinders
@@ -219,7 +221,7 @@ def test_the_split_pin_of_bank_1_lags(name, split):
         assert math.degrees(lead - lag) % 360 == pytest.approx(split)
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", EACH)
 def test_dimensions_and_masses_are_plausible(name):
     engine = solved(name)[0].engine
     assert 0.22 <= engine.crank_radius / engine.rod_length <= 0.33
@@ -428,7 +430,7 @@ def test_a_long_shaft_gets_a_thicker_core():
     assert max(thinner.result.slopes.values()) > 0.2e-3
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", EACH)
 def test_the_text_is_toml_that_goes_round(name):
     """Written afresh, and edited in place with its comments."""
     text = written(name)

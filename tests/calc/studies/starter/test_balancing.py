@@ -71,7 +71,10 @@ def test_what_offsets_turn_from_the_pins_is_not_said_to_be_taken() -> None:
     assert "leaves much" not in "".join(one.why for one in options(engine("inline-3")))
 
 
-@pytest.mark.parametrize("name, id", [("inline-3", "shaft"), ("inline-4", "second"), ("twin-360", "pair")])
+SLOW_PAIR = pytest.param("twin-360", "pair", marks=pytest.mark.slow)
+
+
+@pytest.mark.parametrize("name, id", [("inline-3", "shaft"), ("inline-4", "second"), SLOW_PAIR])
 def test_the_mass_is_about_that_of_the_shafts_that_are_built(name: str, id: str) -> None:
     """About, because the core that bending asks for is thicker than the one that is estimated with."""
     there = engine(name)
