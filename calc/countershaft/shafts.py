@@ -23,7 +23,7 @@ from ..sheet.units import (
     Numbers,
     Radian,
 )
-from ..sheet.value import about, based_on
+from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from .result import CountershaftResult, Standing
 from .sums import SystemResult
@@ -122,14 +122,18 @@ def whole(
     if sums.result is not None and len(every) == len(shafts) + len(twins):
         masses = [shaft.mass for shaft in every.values() if shaft.mass is not None]
         inertias = [shaft.moment_of_inertia for shaft in every.values() if shaft.moment_of_inertia is not None]
+        with trace() as lines:
+            m, J = None, None
+            if len(masses) == len(inertias) == len(every):
+                m = mass_of_all(m=gathered(masses))
+                J = inertia_at_crank(i=gathered(list(ratios.values())), J=gathered(inertias))
         together = ShaftsResult(
             sums=sums.result,
             shafts={name: told(shaft) if name in twins else shaft for name, shaft in every.items()},
-            shaft_mass=mass_of_all(m=gathered(masses)) if len(masses) == len(every) else None,
-            moment_of_inertia_at_crank=inertia_at_crank(i=gathered(list(ratios.values())), J=gathered(inertias))
-            if len(inertias) == len(every)
-            else None,
+            shaft_mass=m,
+            moment_of_inertia_at_crank=J,
         )
+        sums = replace(sums, lines=(*sums.lines, *lines))
     if len(every) > 1 and any(shaft.bolts is not None for shaft in every.values()):
         sums = replace(sums, notes=(*sums.notes, HELD_ALONE))
     return beside(sums, joined("countershaft", {**shafts, **twins}, together, named=True))

@@ -37,7 +37,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.linked_array import item
 from ..sheet.step import Outcome
 from ..sheet.text import Text
-from ..sheet.value import based_on, recorded
+from ..sheet.value import based_on, recorded, trace
 from .model import STEPS, Design
 
 if TYPE_CHECKING:
@@ -87,10 +87,12 @@ def twins(
     """What the twins of a shaft have of it, where it is solved."""
     if solved.result is None:
         return {}
-    return {
-        name: Outcome("countershaft", result=of_twin(solved.result, twin))
-        for name, twin in twins_of(design, original.name).items()
-    }
+    twins = {}
+    for name, twin in twins_of(design, original.name).items():
+        with trace() as lines:
+            result = of_twin(solved.result, twin)
+        twins[name] = Outcome("countershaft", result=result, lines=tuple(lines))
+    return twins
 
 
 def twins_of(design: Design, original: str) -> dict[str, Resolved]:

@@ -115,6 +115,6 @@ def test_each_line_of_the_shafts_stands_with_all_with_its_shaft_or_with_its_twin
     _, step, outcome = context.steps()[2]
     own = {line for view in single.results.views.values() for line in view.outcomes[step.key].lines}
     together = of_all(context, step, outcome).lines
-    assert {str(line.about).partition(":")[0] for line in together} == {"order 1", "order 2"}
+    assert {str(line.about).partition(":")[0] for line in together} == {"", "order 1", "order 2"}
     of_twins = [line for line in outcome.lines if line not in own and line not in together]
-    assert {str(line.about) for line in of_twins} == {"standing part of the load"}
+    assert {str(line.about) for line in of_twins} == {"b", "d", "standing part of the load"}
