@@ -87,12 +87,12 @@ def twins(
     """What the twins of a shaft have of it, where it is solved."""
     if solved.result is None:
         return {}
-    twins = {}
+    found = {}
     for name, twin in twins_of(design, original.name).items():
         with trace() as lines:
             result = of_twin(solved.result, twin)
-        twins[name] = Outcome("countershaft", result=result, lines=tuple(lines))
-    return twins
+        found[name] = Outcome("countershaft", result=result, lines=tuple(lines))
+    return found
 
 
 def twins_of(design: Design, original: str) -> dict[str, Resolved]:
