@@ -87,7 +87,7 @@ def _countershaft(design: Design, file: str, progress: Progress | None = None, n
     room = sizing.envelope(shaft, file)
     materials = sizing.candidates(shaft, design.materials, file)
     e = engine.values(design.engine)
-    i, alike = imbalance.values(design.imbalance, design.engine, e), sized_alike(design, shaft)
+    i, alike = imbalance.values(design.imbalance, design.engine, e), sized_alike(design, shaft.name)
     beside = _beside(design, name)
     selection = sizing.choices(shaft, i, e.angular_speed, room, materials, progress, alike, beside)
 

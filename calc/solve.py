@@ -256,7 +256,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.overrun(design),
                 h.beside(design, shaft, c),
                 judged=design.bearings is not None,
-                alike=h.sized_alike(design, shaft.inputs),
+                alike=h.sized_alike(design, shaft.name),
                 shared=h.shares(design, shaft.inputs),
             )
             c |= h.twins(design, shaft, c[shaft.name])

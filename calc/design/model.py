@@ -398,8 +398,8 @@ class Design:
         ]
         alike = Counter(ratio for ratio, _ in sized)
         for n, shaft in enumerate(self.shafts):
-            shares = [one.share or 1 / alike[one.speed_ratio] for ratio, one in sized if ratio == shaft.speed_ratio]
-            if shaft.share is not None and (together := sum(shares)) > 1 + 1e-9:
+            together = max((taken[ratio] for ratio, original in sized if original is shaft), default=0.0)
+            if shaft.share is not None and together > 1 + 1e-9:
                 whole = Text(
                     "the sized shafts of this ratio, twins counted, take {together} of it, more than all",
                     together=Amount(together * 100, "%", form=".4g"),
@@ -407,6 +407,10 @@ class Design:
                 yield dotted(Design.shafts, n, ShaftInputs.share), whole
 
     def _axes(self) -> Problems:
+        taken = dict.fromkeys(alike, 0.0)
+        for ratio, original in sized:
+            most = max(alike[other] for other, one in sized if one is original)
+            taken[ratio] += original.share or 1 / most
         """Two shafts about one axis; a mirror image that lies on its original is judged, since both may be meant to be
         given their place later."""
         placed: dict[tuple[float, ...], str] = {}

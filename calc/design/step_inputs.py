@@ -2,6 +2,7 @@
 """What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the
 next."""
 
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import hypot
@@ -100,9 +101,11 @@ def twins_of(design: Design, original: str) -> dict[str, Resolved]:
     return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
 
 
-def sized_alike(design: Design, shaft: ShaftInputs) -> int:
-    """How many shafts are sized for the ratio of this one, twins counted."""
-    return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == shaft.speed_ratio for one in design.resolved)
+def sized_alike(design: Design, name: str) -> int:
+    """Of how many equal shares a sized shaft, no twin, takes one: as many as are sized for its ratio, twins counted, or
+    for that of its mirror images, which take as much, where these are more."""
+    sized = Counter(shaft.inputs.speed_ratio for shaft in design.resolved if shaft.inputs.mode == "size")
+    return max(sized[shaft.inputs.speed_ratio] for shaft in design.resolved if name in (shaft.name, shaft.of))
 
 
 def shares(design: Design, shaft: ShaftInputs) -> bool:

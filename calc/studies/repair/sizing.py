@@ -241,7 +241,7 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
         materials = candidates(shaft, design.materials, state.document.place)
     except BadInput as bad:
         raise NoSolution(Text("{key} {reason}", key=bad.errors[0].key, reason=bad.errors[0].reason)) from None
-    ids, alike = [c.id for c in failing], sized_alike(design, shaft)
+    ids, alike = [c.id for c in failing], sized_alike(design, shaft.name)
     beside = given_beside(design, shaft.name, outcomes)
     try:
         own = {shaft.of_sectors: materials[shaft.of_sectors]}

@@ -191,13 +191,22 @@ def test_what_would_help_a_small_envelope_helps():
 
 
 # --- a share, and twins
-def test_each_of_two_sized_shafts_takes_its_share():
-    """By default as many as are sized for the ratio, twins counted; the mirror image counts for the other sense."""
-    twice = [{"name": "again", "repeats": "left", "axis_mm": [-50.0, 90.0]}, {"name": "right", "mirrors": "left"}]
-    made = design(document(axis_mm=[-50.0, -90.0], others=twice))
-    shares = [share_of(one.inputs, sized_alike(made, one.inputs)) for one in made.resolved]
-    assert shares == [0.5, 0.5, 1.0]
-    assert share_of(replace(made.own, share=0.3), 2) == 0.3
+@pytest.mark.parametrize(
+    ("repeats", "mirrors", "like", "against"),
+    [(0, 0, 1, 0), (0, 1, 1, 1), (1, 0, 1, 0), (1, 2, 1, 1), (1, 1, 1, 0.5), (0, 2, 0.5, 1), (0, 3, 1 / 3, 1)],
+)
+def test_sized_shafts_and_their_twins_take_all_of_one_sense_and_no_more_of_any(repeats, mirrors, like, against):
+    """By default equal shares, by the sum of their vectors: what turns like the shaft, and its mirror image."""
+    twins = [{"name": f"again-{n}", "repeats": "left", "axis_mm": [-50.0, 90.0 + n]} for n in range(repeats)]
+    twins += [{"name": f"mirror-{n}", "mirrors": "left", "axis_mm": [-150.0, 90.0 + n]} for n in range(mirrors)]
+    made = design(document(axis_mm=[-50.0, -90.0], others=twins))
+    own, V = made.shafts[0], 3 + 4j
+    taken = {own.speed_ratio: 0j, -own.speed_ratio: 0j}
+    for shaft in made.resolved:
+        part = share_of(own, sized_alike(made, own.name)) * V
+        taken[shaft.inputs.speed_ratio] += part.conjugate() if shaft.how == "mirrors" else part
+    assert list(taken.values()) == pytest.approx([like * V, against * V.conjugate()])
+    assert share_of(replace(own, share=0.3), 2) == 0.3
 
 
 def test_a_share_scales_force_and_couple_of_what_is_asked():
@@ -435,6 +444,8 @@ def test_shares_of_one_ratio_stay_within_the_whole():
     design(document(share_percent=60.0, others=[{**second, "share_percent": 40.0}]))
     twin = {"name": "again", "repeats": "left", "axis_mm": [1.0, 2.0]}
     assert "120 %" in errors(share_percent=60.0, others=[twin])["shafts.0.share_percent"]
+    mirrors = [{"name": name, "mirrors": "left", "axis_mm": [1.0, y]} for name, y in (("one", 2.0), ("two", 3.0))]
+    assert "120 %" in errors(share_percent=60.0, others=mirrors)["shafts.0.share_percent"]  # of the other sense
     design(document(share_percent=60.0, others=[{"name": "right", "mirrors": "left"}]))
     for key, value in (("share_percent", 50.0), ("gap_mm", 3.0), ("bore_diameter_mm", 3.0), ("assembly", "split")):
         found = errors(others=[{"name": "right", "mirrors": "left", key: value}])
