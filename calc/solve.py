@@ -308,6 +308,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
             materials,
             oils,
             compared=compared,
+            undriven=h.undriven(design),
         )
     else:
         f = part.absent("friction", design.friction, (g, *late))

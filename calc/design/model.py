@@ -299,6 +299,16 @@ class Design:
         if self.gears is not None:
             yield from _within("gears", self._gears(self.gears))
 
+    def undriven(self) -> Problems:
+        """Of several shafts those that the train does not turn, where there is one."""
+        if self.gears is None or len(self.shafts) < 2:
+            return
+        turned = {wheel.shaft for wheel in self.gears.wheels} | set(self.gears.along)
+        for n, shaft in enumerate(self.shafts):
+            if shaft.name not in turned:
+                way = 'no wheel of the train turns it: give shaft = "{name}" under its wheel in [[gears.wheels]]'
+                yield dotted(Design.shafts, n, ShaftInputs.name), Text(way, name=shaft.name)
+
     def _reasons(self) -> Problems:
         """Of what is accepted, locked and left out: whether there is such a thing, and whether that can be."""
         for key, _ in self.locked:
@@ -397,20 +407,20 @@ class Design:
             if (original := own.get(shaft.mirrors or shaft.repeats or shaft.name)) is not None
         ]
         alike = Counter(ratio for ratio, _ in sized)
+        taken = dict.fromkeys(alike, 0.0)
+        for ratio, original in sized:
+            most = max(alike[other] for other, one in sized if one is original)
+            taken[ratio] += original.share or 1 / most
         for n, shaft in enumerate(self.shafts):
             together = max((taken[ratio] for ratio, original in sized if original is shaft), default=0.0)
             if shaft.share is not None and together > 1 + 1e-9:
                 whole = Text(
-                    "the sized shafts of this ratio, twins counted, take {together} of it, more than all",
+                    "the sized shafts of one ratio, twins counted, take {together} of what they are for, more than all",
                     together=Amount(together * 100, "%", form=".4g"),
                 )
                 yield dotted(Design.shafts, n, ShaftInputs.share), whole
 
     def _axes(self) -> Problems:
-        taken = dict.fromkeys(alike, 0.0)
-        for ratio, original in sized:
-            most = max(alike[other] for other, one in sized if one is original)
-            taken[ratio] += original.share or 1 / most
         """Two shafts about one axis; a mirror image that lies on its original is judged, since both may be meant to be
         given their place later."""
         placed: dict[tuple[float, ...], str] = {}

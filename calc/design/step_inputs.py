@@ -223,6 +223,12 @@ def shaft_teeth(design: Design, name: str | None) -> int | None:
 def axis_of(shaft: ShaftInputs) -> complex | None:
     """Where a shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
     return based_on(complex(*shaft.axis), shaft.axis) if shaft.axis is not None else None
+def undriven(design: Design) -> tuple[str, ...]:
+    """The names of the others, which a file of schema 1 may have."""
+    turned = driven(design)
+    return tuple(shaft.name for shaft in design.resolved if shaft.name not in turned)
+
+
 
 
 def shaft_axes(design: Design) -> dict[str, complex]:

@@ -101,12 +101,13 @@ def solve(
     materials: Mapping[str, Material],
     oils: Mapping[str, Oil],
     *,
+    undriven: tuple[str, ...] = (),
     compared: bool = True,
 ) -> Outcome[FrictionResult]:
     """Losses of all meshes and the closed power balance.  `on`: the shafts by their names; none: a train alone, whose
     first driver's power is given.
 
-    `compared`: with the source's model beside the one that judges.
+    `undriven`: shafts that the train does not turn; `compared`: with the source's model beside the one that judges.
     """
     links = links_of(gears, train, materials)
     with QUIET(), trace() as lines:
@@ -127,7 +128,7 @@ def solve(
         for name, end in ends.items():
             yield from end.journals.notes(result.journals[name])
         yield from _notes(gears, bool(on))
-        yield from _not_counted(friction, ends)
+        yield from _not_counted(friction, ends, undriven)
 
     return replace(
         outcome,
@@ -199,8 +200,13 @@ def _notes(gears: GearsInputs, closed: bool) -> Iterator[Text]:
         yield Text("gears.power_kW rates the teeth only; the losses are those of the closed balance.")
 
 
-def _not_counted(friction: FrictionInputs, ends: Ends) -> Iterator[Text]:
-    """Turning masses whose loss is asked and not known."""
+def _not_counted(friction: FrictionInputs, ends: Ends, undriven: tuple[str, ...]) -> Iterator[Text]:
+    """Shafts without a wheel, and turning masses whose loss is asked and not known."""
+    if undriven:
+        yield Text(
+            "No wheel of the train turns {shafts}: journals, turning masses and pumps there are not counted.",
+            shafts=listed(map(Name, undriven)),
+        )
     if friction.mass_loss == "none":
         return
     if not ends:
