@@ -77,6 +77,8 @@ def not_closed(design: Design, results: Results) -> Text:
         return Text("the shaft has more than two supports")
     if shaft.sections:
         return Text("the sections of the shaft are given")
+    if not shaft.passes_seats:
+        return Text("the shaft passes no seat that its outer radius would follow from")
     if shaft.extras or (
         shaft.gear_z is not None and shaft.bearing_positions[0] < shaft.gear_z < shaft.bearing_positions[1]
     ):

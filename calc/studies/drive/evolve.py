@@ -11,13 +11,16 @@ from typing import Any
 
 import numpy as np
 
+from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import WIDEST
 from ...countershaft.rows import BearingRow
+from ...design.toml_file import design
 from ...library.journal_rules import USUAL_LENGTH_RATIO
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.text import Text
-from ...solve import Results
+from ...sheet.value import recorded
+from ...solve import Results, solve
 from .combinations import no_rows
 from .front import front, representatives
 from .problem import Problem
@@ -28,6 +31,7 @@ POPULATION = 40
 EVALUATIONS = 1600  # whole solutions; the command line has its own
 LENGTH_STEP, CLEARANCE_STEP = 0.5, 5.0  # mm, µm
 NARROWEST = 0.5e-3  # of the diameter
+ABOUT = 0.1  # of the range of each variable: how far half of the first points lie about the design as it is
 NEEDS = Text("pymoo, which the extra `contralbero[search]` installs")
 
 
@@ -85,7 +89,11 @@ def evolved(
                 progress(len(space.known), evaluations, len(space.passing))
 
     algorithm = NSGA2(
-        pop_size=POPULATION, crossover=SBX(prob=0.9, eta=10), mutation=PM(eta=15), eliminate_duplicates=True
+        pop_size=POPULATION,
+        sampling=space.first(np.random.default_rng(seed)),
+        crossover=SBX(prob=0.9, eta=10),
+        mutation=PM(eta=15),
+        eliminate_duplicates=True,
     )
     try:
         minimize(_Drives(), algorithm, ("n_eval", evaluations), seed=seed)
@@ -125,6 +133,41 @@ class _Space:
         widths = (bearings.hole_diameter, bearings.groove_width, bearings.pocket_width, bearings.axial_groove_length)
         return max(x or 0.0 for x in widths) * 1e3
 
+    def first(self, by_chance: np.random.Generator) -> Array:
+        """The points to begin with: the design as it is, some about it, and as many anywhere."""
+        points = by_chance.random((POPULATION, self.variables))
+        near = self.own() + ABOUT * (2 * by_chance.random((POPULATION // 2, self.variables)) - 1)
+        points[: len(near)] = np.clip(near, 0.0, 1.0)
+        points[0] = self.own()
+        return points
+
+    def own(self) -> Array:
+        """The point that comes nearest to the design as it is, with the first of its choices."""
+        problem, sizes, keys = self.problem, self.problem.sizes, self.problem.keys
+        with recorded(False):
+            self.before = solve(design(problem.start), self.before)
+        seen = problem.seen(self.before).result(BearingsResult)
+        rows = {row.name: row for row in problem.base.rows}
+        seats = sizes[keys.of_bearing(problem.seat, BearingRow.diameter)] or ()
+        seat, small = (rows[place].diameter * 1e3 for place in (problem.seat, problem.small))
+        below = tuple(d for d in sizes[keys.of_bearing(problem.small, BearingRow.diameter)] or () if d <= seat + 1e-9)
+        core = (problem.shaft.core_radius or 0.0) * 1e3
+        point = [0.0, 0.0, _share(sizes[keys.core] or (), core), _share(seats, seat), _share(below, small)]
+        for place in keys.places:
+            d, l = rows[place].diameter * 1e3, rows[place].length * 1e3
+            given, (low, high) = sizes[keys.of_bearing(place, BearingRow.length)], self._lengths(d)
+            psi = NARROWEST if seen is None else seen.bearings[place].clearance / rows[place].diameter
+            point += [
+                _share(given, l) if given else (l - low) / (high - low),
+                (psi - NARROWEST) / (WIDEST - NARROWEST),
+            ]
+        return np.clip(point, 0.0, 1.0)
+
+    def _lengths(self, d: float) -> tuple[float, float]:
+        """The shortest and the longest journal of a diameter, mm."""
+        low, high = (ratio * d for ratio in USUAL_LENGTH_RATIO)
+        return max(low, self.width + LENGTH_STEP), high
+
     def sized(self, x: Array) -> Sized:
         """The drive at a point: class, surfaces, core, diameters, then of each journal l/d and clearance over
         diameter."""
@@ -135,9 +178,9 @@ class _Space:
         length, clearance = {}, {}
         for place, (u, v) in zip(keys.places, ((x[5], x[6]), (x[7], x[8]))):
             d, given = diameter[place], sizes[keys.of_bearing(place, BearingRow.length)]
-            low, high = (ratio * d for ratio in USUAL_LENGTH_RATIO)
-            low = max(low, self.width + LENGTH_STEP)
-            length[place] = _at(given, u) if given else round((low + u * (high - low)) / LENGTH_STEP) * LENGTH_STEP
+            low, high = self._lengths(d)
+            steps = min(round((low + u * (high - low)) / LENGTH_STEP), int(high / LENGTH_STEP + 1e-9))
+            length[place] = _at(given, u) if given else steps * LENGTH_STEP
             clearance[place] = round((NARROWEST + v * (WIDEST - NARROWEST)) * d * 1e3 / CLEARANCE_STEP) * CLEARANCE_STEP
         return Sized(
             _at(tuple(problem.classes), x[0]),
@@ -185,6 +228,11 @@ class _Space:
 
 def _at(values: tuple[Any, ...], share: float) -> Any:
     return values[min(int(share * len(values)), len(values) - 1)]
+
+
+def _share(values: tuple[float, ...], there: float) -> float:
+    """The middle of the place among the values that is nearest to one."""
+    return (min(range(len(values)), key=lambda n: abs(values[n] - there)) + 0.5) / len(values) if values else 0.0
 
 
 def _row(problem: Problem, drive: Whole) -> Array:

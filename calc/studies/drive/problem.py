@@ -55,6 +55,7 @@ SEAT_REACH = 6.0  # mm beyond the design's; rule of this program
 LEAST_SEAT = 0.75  # of the design's; rule of this program
 STEP = 0.5  # mm
 ROOM = 0.1  # mm about the gear's tip in its seat
+WIDER = (1.0, 1.1, 1.2, 1.3, 1.4)  # times its outer radius, of a shaft that passes no seat; rule of this program
 LEAST_SHARE = 0.6  # of the design's smaller journal, where no gear goes through its seat; rule of this program
 MOST_CLASSES = 500
 MOST_VALUES = 1000  # of one range
@@ -92,6 +93,10 @@ class DriveKeys:
         return self.design.own_key(ShaftInputs.core_radius)
 
     @property
+    def outer(self) -> str:
+        return self.design.own_key(ShaftInputs.outer_radius)
+
+    @property
     def material(self) -> str:
         return self.design.own_key(ShaftInputs.material)
 
@@ -105,7 +110,7 @@ class DriveKeys:
         """What follows from other sizes, and how."""
         largest = Text("follows from the largest journal, less the clearance for threading in")
         return {
-            self.design.own_key(ShaftInputs.outer_radius): largest,
+            **({self.outer: largest} if self.design.own is not None and self.design.own.passes_seats else {}),
             self.design.own_key(ShaftInputs.half_length): Text("follows from the longer journal, less two fillets"),
             **{self.of_bearing(place, BearingRow.clearance): IN_STEPS for place in self.places},
         }
@@ -206,9 +211,8 @@ class Variables:
 
     def sizes(self) -> dict[str, tuple[float, ...] | None]:
         d_seat, d_small = self.seat.diameter * 1e3, self.small.diameter * 1e3
-        threaded = (THREADED if self.shaft.radial_clearance is None else self.shaft.radial_clearance) * 1e3
-        R = d_seat / 2 - threaded
-        core = (self.shaft.core_radius or 0.0) * 1e3 / R
+        R = self._outer * 1e3
+        core, widest = (self.shaft.core_radius or 0.0) * 1e3 / R, max(self._radii())
         most = min(d_seat + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
         through = self._gear_through_small
         least = through + 2 * ROOM if through is not None else LEAST_SHARE * d_small
@@ -218,7 +222,9 @@ class Variables:
         sizes: dict[str, tuple[float, ...] | None] = {
             self.keys.core: self.values(
                 self.keys.core,
-                _steps(max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * R),
+                _steps(
+                    max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * widest
+                ),
             ),
             seat_key: seats,
             small_key: self.values(small_key, _steps(least, max(seats, default=0.0))),
@@ -231,6 +237,23 @@ class Variables:
                 sizes[key] = self.values(key, ()) if self.vary.setdefault(key, "fixed") else None
                 self.notes.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
         return sizes
+
+    @property
+    def _outer(self) -> float:
+        """The outer radius of the sectors as designed, m."""
+        if not self.shaft.passes_seats and self.shaft.outer_radius is not None:
+            return self.shaft.outer_radius
+        threaded = THREADED if self.shaft.radial_clearance is None else self.shaft.radial_clearance
+        return self.seat.diameter / 2 - threaded
+
+    def _radii(self) -> list[float]:
+        """The outer radii that are looked at, mm: of a shaft that passes its seats that which follows from them."""
+        R, given = self._outer * 1e3, self.vary.get(self.keys.outer)
+        if self.shaft.passes_seats or given == "fixed":
+            return [R]
+        if given is None:
+            return [R, *(r for r in (round(R * share / STEP) * STEP for share in WIDER[1:]) if r > R)]
+        return [x for x in (given if isinstance(given, list) else _range(given)) if isinstance(x, (int, float))] or [R]
 
     def bounded(self) -> dict[str, tuple[bool, bool]]:
         seat_key, small_key = self._diameters()
@@ -247,7 +270,7 @@ class Variables:
     def _gear_through_small(self) -> float | None:
         """The tip diameter of the gear, mm, where it goes through the smaller journal's seat: it comes from the
         front."""
-        return self.tip if self.small is self.rows[0] else None
+        return self.tip if self.shaft.passes_seats and self.small is self.rows[0] else None
 
     def _widest_seat(self) -> float:
         support = self.shaft.support
@@ -281,6 +304,8 @@ class Variables:
             SUPPLY_KEY: [bearings.supply, *supplies],
             FITS: [fits, *(p.value for p in self.own.price if p.what == "fit" and p.value != fits)],
         }
+        if not shaft.passes_seats:
+            by_rule[self.keys.outer] = self._radii()
         for key, values in by_rule.items():
             if key != FITS and (why := locked(self.start.data, key)):
                 del values[1:]
@@ -362,7 +387,8 @@ def _steps(low: float, high: float) -> tuple[float, ...]:
 #
 # A class is one choice of everything that changes films or loads as a whole: material, oil, supply, fits, and any other
 # key that is varied. Within it core, diameters, lengths, clearances and surfaces are combined.  Outer radius and
-# half-length of the sectors follow from the journals (ties).
+# half-length of the sectors follow from the journals (ties); the outer radius of a shaft that passes no seat is one of
+# the choices that make classes.
 
 # what is no limit, or one of the corners alone, and is to be kept all the same
 LIMITS = tuple(
@@ -561,9 +587,8 @@ def problem(
         as_searched = (
             (ShaftInputs.bore_diameter, not own.bore_diameter),
             (ShaftInputs.sector_material, own.sector_material is None),
-            (ShaftInputs.assembly, own.passes_seats),
         )
-        alone = Text("is not searched: its shafts are solid, of one material, and threaded through the largest seat")
+        alone = Text("is not searched: its shafts are solid, of one material")
         errors += [InputError(0, base.own_key(field), "", alone) for field, holds in as_searched if not holds]
     if len(base.rows) > 2:
         three = Text("has {n} rows: a drive is searched whole on two bearings alone", n=len(base.rows))
@@ -668,6 +693,8 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
     start: Changes = {}
     seat = max(row.diameter for row in design.rows)
     R = seat / 2 - (THREADED if shaft.radial_clearance is None else shaft.radial_clearance)
+    if not shaft.passes_seats and shaft.outer_radius is not None:
+        R = shaft.outer_radius
     half = min(abs(row.position) - row.length / 2 for row in design.rows)
     if shaft.mode != "size" and not shaft.sections:
         start[design.own_key(ShaftInputs.outer_radius)] = round(R * 1e3, 6)

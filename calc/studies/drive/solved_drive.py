@@ -69,9 +69,9 @@ def changes(problem: Problem, sized: Sized) -> Changes:
     """Every key that makes the design this drive; the ties are followed here."""
     changed, keys, base = chosen(sized.choices), problem.keys, problem.base
     changed[keys.core] = digits(sized.core)
-    R = max(sized.diameter.values()) / 2 - problem.threaded
     half = min(abs(row.position) * 1e3 - sized.length[row.name] / 2 for row in base.rows) - 2 * problem.fillet
-    changed[base.own_key(ShaftInputs.outer_radius)] = digits(R)
+    if problem.shaft.passes_seats:
+        changed[keys.outer] = digits(max(sized.diameter.values()) / 2 - problem.threaded)
     changed[base.own_key(ShaftInputs.half_length)] = digits(half)
     for place in keys.places:
         here: dict[object, float | None] = {
