@@ -50,7 +50,8 @@ from .sheet.record import record
 from .sheet.reuse import Enough, Kept, Parts
 from .sheet.step import Outcome, joined, judged
 from .sheet.text import Text
-from .sheet.value import recorded, recording
+from .sheet.units import Watt
+from .sheet.value import recorded, recording, trace
 from .sheet.verdict import Counts, State, colour_state, counts, design_state, verdict_words
 
 R = TypeVar("R")
@@ -307,16 +308,19 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
             oil,
             materials,
             oils,
-            compared=compared,
             undriven=h.undriven(design),
+            compared=compared,
         )
     else:
         f = part.absent("friction", design.friction, (g, *late))
     f = friction.with_rated_power(f, h.rated_power(design))
 
-    c, b = _standing(design, c, b, g.result, f)
+    with trace() as lines:
+        parts = h.parts_of_power(design, g.result, f)
+    g = replace(g, lines=(*g.lines, *lines))
+    c, b = _standing(design, c, b, g.result, f, parts)
     if g.result is not None and design.gears is not None:
-        g = _rated(part, g, design.gears, design, e, c, f)
+        g = _rated(part, g, design.gears, design, e, c, f, parts)
         g = _on_engine(g, design, c)
         if i.result is not None and e.result is not None:
             g = part(
@@ -364,6 +368,7 @@ def _standing(
     b: dict[str, Outcome[BearingsResult]],
     train: TrainResult | None,
     f: Outcome[FrictionResult],
+    parts: dict[str, Watt],
 ) -> tuple[Shafts, dict[str, Outcome[BearingsResult]]]:
     """Shafts and bearings with what stands still on them, once the balance has the power at each wheel; of twins those
     bearings that are not judged by their originals'."""
@@ -371,7 +376,7 @@ def _standing(
     for shaft in h.turning(design):
         name = shaft.name
         if name in c and c[name].result is not None:
-            gear, drive = h.shaft_gear(design, train, name), h.shaft_drive(design, train, f, name)
+            gear, drive = h.shaft_gear(design, train, name), h.shaft_drive(design, train, f, parts, name)
             carried = b[name].result if name in b else None
             of_shaft = with_standing(c[name], shaft.inputs, gear, drive, carried)
             of_shaft = with_oil_level(of_shaft, shaft.inputs, design.friction)
@@ -485,9 +490,10 @@ def _rated(
     e: Outcome[EngineResult],
     c: Shafts,
     f: Outcome[FrictionResult],
+    parts: dict[str, Watt],
 ) -> Outcome[TrainResult]:
     """Its rating and its forces, once the closed balance has the power of every mesh."""
-    power = h.power(inputs, f)
+    power = h.power(inputs, f, parts)
     if power is None:
         return gears.not_rated(g, h.not_rated(f))
     rated = part("gears", gears.rating, inputs, g.solution, power, design.materials, h.around_gears(design, e, c))

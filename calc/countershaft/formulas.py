@@ -278,6 +278,42 @@ def lever_gear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_o:
     return sqrt((F_t * (z_G - z_o)) ** 2 + (F_r * abs(z_G - z_o) + F_a * d / 2) ** 2) / abs(z_B - z_o)
 
 
+PULL = Text("statics, all in line: a bound, since the strands' directions are not known")
+
+
+@formula("F_K", Text("{pull}; what pulls, and the force of the tensioner in both strands", pull=PULL))
+def strands_pull(F_t: Newton, F_S: Newton) -> Newton:
+    """Of a chain or belt on the shaft of its sprocket.  What its own mass does as it turns its strands carry
+    themselves.
+
+    >>> strands_pull(F_t=120.0, F_S=50.0)
+    220.0
+    """
+    return F_t + 2 * F_S
+
+
+@formula("F_K", PULL, names={"F": "F_K,0", "F_K": "F_K,i"})
+def pulls_together(F: Newton, F_K: Newton) -> Newton:
+    return F + F_K
+
+
+@formula("R_K", "statics: lever of the pull of chains and belts about the other bearing")
+def lever_pull(F_K: Newton, z_G: Metre, z_o: Metre, z_B: Metre) -> Newton:
+    """On the bearing at z_B, of two, the other one at z_o."""
+    return F_K * abs(z_G - z_o) / abs(z_B - z_o)
+
+
+@formula("R_K", "statics: what the pull puts on a bearing, by the stiffness of shaft and films")
+def pull_shared(G_F: Number, F_K: Newton) -> Newton:
+    """`G_F`: what 1 N at the wheel puts there."""
+    return G_F * F_K
+
+
+@formula("R_G", Text("{pull}; tooth force and pull", pull=PULL), names={"R": "R_T"})
+def with_pull(R: Newton, R_K: Newton) -> Newton:
+    return R + R_K
+
+
 @formula("G_B", "statics: what the weight puts on a bearing, by the stiffness of shaft and films", names={"G_u": "G_u"})
 def weight_shared(G_u: Newton) -> Newton:
     """`G_u`: of the bearing on the shaft, positive up; the other way round."""

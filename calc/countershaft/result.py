@@ -45,6 +45,7 @@ class Standing:
     gear_force_tangential: Newton | None = value("Tooth force, tangential", "N", "F_t", default=None)
     gear_force_radial: Newton | None = value("Tooth force, radial", "N", "F_r", default=None)
     gear_force_axial: Newton | None = value("Tooth force, axial", "N", "F_a", default=None)
+    chain_pull: Newton | None = value("Pull of chains and belts on the shaft, at most", "N", "F_K", default=None)
     stationary: dict[str, Newton] = values(
         "Standing part at the {row} bearing, at most",
         "N",

@@ -8,6 +8,7 @@ supports come out below zero (hogging)."""
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import reduce
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -141,11 +142,22 @@ class Gear(NamedTuple):
     helix_angle: Radian
 
 
-class ShaftDrive(NamedTuple):
-    """What the wheel takes from the train."""
+class Sprocket(NamedTuple):
+    """One on the shaft, of the chain or belt `stage`; `tension`: what its tensioner gives both strands, 0 where that is
+    not known."""
 
-    power: Watt
+    stage: str
+    diameter: Metre
+    tension: Newton
+
+
+class ShaftDrive(NamedTuple):
+    """What the shaft takes from the train: by the teeth of its wheel, None where it has none, and what the chains and
+    belts on its sprockets carry."""
+
+    power: Watt | None
     speed: RevPerSecond
+    strands: tuple[tuple[Sprocket, Watt], ...] = ()
 
 
 def standing(
@@ -159,6 +171,7 @@ def standing(
     """Of two bearings, by their names: `loads` turn with the shaft; `weight`: of the shaft, and where its centre of
     gravity lies; `drive` at its gear."""
     of_gear: dict[str, Newton] = dict.fromkeys(places, 0.0)
+    pull = None if z_G is None else _pull(drive)
     of_weight: dict[str, Newton] = dict.fromkeys(places, 0.0)
     (one, z_1), (other, z_2) = places.items()
     ends = ((one, z_1, z_2), (other, z_2, z_1))
@@ -169,14 +182,19 @@ def standing(
             row: f.lever_gear(F_t=F_t, F_r=F_r, F_a=F_a, d=gear.diameter, z_G=z_G, z_o=z_o, z_B=z_B)
             for row, z_B, z_o in ends
         }
+    if pull is not None and z_G is not None:
+        for row, z_B, z_o in ends:
+            R_K = f.lever_pull(F_K=pull, z_G=z_G, z_o=z_o, z_B=z_B)
+            of_gear[row] = f.with_pull(R=of_gear[row], R_K=R_K)
     if weight is not None:
         G_S, z_S = weight
         of_weight = {row: f.lever_weight(G_S=G_S, z_S=z_S, z_o=z_o, z_B=z_B) for row, z_B, z_o in ends}
-    if weight is None and not gear_forces:
+    if weight is None and not gear_forces and pull is None:
         return Standing(weights={}, stationary={}, peaks={})
     still = {row: f.stationary(G_B=of_weight[row], R_G=of_gear[row]) for row in places}
     return Standing(
         **gear_forces,
+        chain_pull=pull,
         weight=None if weight is None else weight[0],
         weights={} if weight is None else of_weight,
         stationary=still,
@@ -186,13 +204,25 @@ def standing(
 
 def _gear_forces(gear: Gear | None, drive: ShaftDrive | None) -> dict[str, Newton]:
     """Torque, and the tooth force tangential, radial and axial; none where the gear or its drive is not known."""
-    if gear is None or drive is None:
+    if gear is None or drive is None or drive.power is None:
         return {}
     torque = f.gear_torque(P=drive.power, n=drive.speed)
     F_t = f.gear_tangential(T=torque, d=gear.diameter)
     F_r = f.gear_radial(F_t=F_t, alpha_n=gear.normal_pressure_angle, beta=gear.helix_angle)
     F_a = f.gear_axial(F_t=F_t, beta=gear.helix_angle)
     return dict(gear_torque=torque, gear_force_tangential=F_t, gear_force_radial=F_r, gear_force_axial=F_a)
+
+
+def _pull(drive: ShaftDrive | None) -> Newton | None:
+    """Of all chains and belts on the shaft, as if all pulled one way; None where there are none."""
+    if drive is None or not drive.strands:
+        return None
+    pulls = []
+    for sprocket, power in drive.strands:
+        with about(Text("stage {name}", name=sprocket.stage)):
+            F_t = f.gear_tangential(T=f.gear_torque(P=power, n=drive.speed), d=sprocket.diameter)
+            pulls.append(f.strands_pull(F_t=F_t, F_S=sprocket.tension))
+    return reduce(lambda F, F_K: f.pulls_together(F=F, F_K=F_K), pulls)
 
 
 def on_supports(
@@ -253,7 +283,7 @@ def _shared(
     bearings: "BearingsResult | None",
 ) -> Standing:
     """Of more than two bearings, which share by their stiffness and the shaft's."""
-    gear_forces = _gear_forces(gear, drive) if stands.force is not None else {}
+    gear_forces, pull = ({}, None) if stands.force is None else (_gear_forces(gear, drive), _pull(drive))
     on_bores = stands.offset(np.array([complex(*(row.offset or (0.0, 0.0))) for row in rows]))
     still, peaks, weights = {}, {}, {}
     weight = None if result.mass is None else f.weight(m_S=result.mass)
@@ -265,6 +295,8 @@ def _shared(
             _, F_t, F_r, F_a = gear_forces.values()
             G_F, G_C = abs(stands.force[i].item()), abs(stands.couple[i].item())
             R_G = wheel_load(G_F=G_F, G_C=G_C, F_t=F_t, F_r=F_r, F_a=F_a, d=gear.diameter)
+        if pull is not None and stands.force is not None:
+            R_G = f.with_pull(R=R_G, R_K=f.pull_shared(G_F=abs(stands.force[i].item()), F_K=pull))
         load, aligned = result.loads[row.name], None
         if bearings is not None:
             load = bearings.bearings[row.name].load
@@ -274,6 +306,7 @@ def _shared(
         peaks[row.name] = f.reaction_peak(R=load, R_0=still[row.name])
     return Standing(
         **gear_forces,
+        chain_pull=pull,
         weight=weight,
         weights=weights,
         stationary=still,
@@ -281,12 +314,12 @@ def _shared(
     )
 
 
-def gear_place(shaft: ShaftInputs, outline: Outline | None, gear: Gear | None) -> Metre | None:
-    """The middle of the gear: given, or as the outline has it; else the front bearing's."""
-    if gear is None:
-        return None
-    if shaft.gear_z is not None:
-        return shaft.gear_z
+def gear_place(shaft: ShaftInputs, outline: Outline | None, gear: Gear | None) -> Metre:
+    """The middle of the gear, or of a sprocket that turns the shaft: given, or as the outline has it; else the front
+    bearing's."""
     pieces = outline.pieces if outline is not None else ()
+    on_shaft = not pieces or gear is not None
+    if (z := shaft.gear_z) is not None and (on_shaft or pieces[0].start <= z <= pieces[-1].end):
+        return z
     places = (middles(z_1=piece.start, z_2=piece.end) for piece in pieces if piece.what == "gear")
     return next(places, shaft.bearing_positions[0])

@@ -19,7 +19,7 @@ from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
 from ..countershaft.shafts import of_twin
 from ..countershaft.sums import SystemShaft
-from ..countershaft.supports import Gear, ShaftDrive
+from ..countershaft.supports import Gear, ShaftDrive, Sprocket
 from ..countershaft.twins import Resolved
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
@@ -29,7 +29,16 @@ from ..friction.solve import MeshOil
 from ..gears.inputs import ONLY, GearsInputs
 from ..gears.layout.formulas import angular_pitch
 from ..gears.layout.solve import ShaftInTrain
-from ..gears.rating.load import Irregularity, Power, ShaftInertia, Surroundings, Swing, firing_order
+from ..gears.rating.load import (
+    Irregularity,
+    Power,
+    ShaftInertia,
+    Surroundings,
+    Swing,
+    firing_order,
+    power_by_balance,
+    power_by_shafts,
+)
 from ..gears.result import TrainResult
 from ..gears.solve import NOT_RATED, Balanced
 from ..library.lubricant import Lubricant
@@ -38,7 +47,8 @@ from ..sheet.errors import NoSolution
 from ..sheet.linked_array import item
 from ..sheet.step import Outcome
 from ..sheet.text import Text
-from ..sheet.value import based_on, recorded, trace
+from ..sheet.units import Watt
+from ..sheet.value import about, based_on, recorded, trace
 from .model import STEPS, Design
 
 if TYPE_CHECKING:
@@ -213,6 +223,12 @@ def driven(design: Design) -> tuple[str, ...]:
     return tuple(name for name in names if name in on) or design.originals[:1]
 
 
+def undriven(design: Design) -> tuple[str, ...]:
+    """The names of the others, which a file of schema 1 may have."""
+    turned = driven(design)
+    return tuple(shaft.name for shaft in design.resolved if shaft.name not in turned)
+
+
 def shaft_teeth(design: Design, name: str | None) -> int | None:
     """The teeth by which the train turns a shaft: of its wheel, or of the sprocket beside that."""
     if design.gears is None or name is None or name not in driven(design):
@@ -223,12 +239,6 @@ def shaft_teeth(design: Design, name: str | None) -> int | None:
 def axis_of(shaft: ShaftInputs) -> complex | None:
     """Where a shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
     return based_on(complex(*shaft.axis), shaft.axis) if shaft.axis is not None else None
-def undriven(design: Design) -> tuple[str, ...]:
-    """The names of the others, which a file of schema 1 may have."""
-    turned = driven(design)
-    return tuple(shaft.name for shaft in design.resolved if shaft.name not in turned)
-
-
 
 
 def shaft_axes(design: Design) -> dict[str, complex]:
@@ -296,15 +306,40 @@ def mesh_oil(design: Design) -> MeshOil | None:
     return MeshOil(oil=design.oils[name], viscosity_law=law, temperature=temperature)
 
 
-def power(gears: GearsInputs, f: Outcome[FrictionResult]) -> Power | None:
-    """The power that loads the teeth: the given one, else that of each mesh in the closed balance; None where neither
-    is known."""
+def parts_of_power(design: Design, train: TrainResult | None, f: Outcome[FrictionResult]) -> dict[str, Watt]:
+    """Of a power that is given for the drive of several shafts, what each mesh, chain and belt takes in; none where it
+    is not given, or turns one shaft."""
+    P = design.gears.power if design.gears is not None else None
+    if P is None or train is None or len(train.shafts) < 2:
+        return {}
+    links, parts = train.tree.links, {}
+    taken = powers_in(f.result) if f.result is not None else {}
+    first = [taken[link.key] for link in links if taken and link.driver == train.tree.first]
+    P_1, n = based_on(sum(first), *first), len(train.shafts)
+    for link in links:
+        with about(Text("mesh {pair}", pair=link.title)):
+            if taken:
+                parts[link.key] = power_by_balance(P=P, P_i=taken[link.key], P_1=P_1)
+            else:  # where no shaft lies behind, nobody knows what does: all of it at most
+                k = sum(link in train.tree.way(turn.wheel) for turn in train.shafts.values()) or n
+                parts[link.key] = power_by_shafts(P=P, k=float(k), n=float(n))
+    return parts
+
+
+def powers_in(friction: FrictionResult) -> dict[str, Watt]:
+    """What each mesh, chain and belt takes in in the closed balance."""
+    of_meshes = {key: mesh.power_in for key, mesh in friction.meshes.items()}
+    return of_meshes | {key: stage.power_in for key, stage in friction.stages.items()}
+
+
+def power(gears: GearsInputs, f: Outcome[FrictionResult], parts: dict[str, Watt]) -> Power | None:
+    """The power that loads the teeth: the given one or its parts, else that of each mesh in the closed balance; None
+    where neither is known."""
     if gears.power is not None:
-        return Power(gears.power)
+        return Power(parts or gears.power)
     if f.result is None:
         return None
-    of_meshes = {key: mesh.power_in for key, mesh in f.result.meshes.items()}
-    return Power(of_meshes | {key: stage.power_in for key, stage in f.result.stages.items()})
+    return Power(powers_in(f.result))
 
 
 def not_rated(f: Outcome[FrictionResult]) -> Text:
@@ -328,22 +363,49 @@ def on_shafts(
         if carried is not None and carried.result is not None and shaft.name in train.shafts:
             gear = shaft_gear(design, train, shaft.name) if solved is not None else None
             result = solved.result if solved is not None else None
-            on[shaft.name] = OnShaft(carried.result, result, shaft.inputs, gear)
+            chained = sprockets(design, train, shaft.name)
+            on[shaft.name] = OnShaft(carried.result, result, shaft.inputs, gear, chained)
     return on
 
 
-def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult], name: str) -> ShaftDrive | None:
-    """What drives a shaft's gear: the given power, else what its teeth carry in the closed balance."""
+def sprockets(design: Design, train: TrainResult, name: str) -> tuple[Sprocket, ...]:
+    """Those on a shaft, alone or beside its wheel."""
+    wheel, on = train.shafts[name].wheel, []
+    for stage in design.gears.stages if design.gears is not None else ():
+        sizes, tension = train.stages[stage.name], stage.tensioner or 0.0
+        if stage.driver == wheel:
+            on.append(Sprocket(stage.name, sizes.pitch_diameter_driver, tension))
+        if stage.driven == wheel:
+            on.append(Sprocket(stage.name, sizes.pitch_diameter_driven, tension))
+    return tuple(on)
+
+
+def shaft_drive(
+    design: Design, train: TrainResult | None, f: Outcome[FrictionResult], parts: dict[str, Watt], name: str
+) -> ShaftDrive | None:
+    """What drives a shaft by its gear and its sprockets: the given power or its `parts`, else what they carry in the
+    closed balance."""
     if train is None or design.gears is None or name not in train.shafts:
         return None
-    wheel = train.wheels.get(train.shafts[name].wheel)
-    if wheel is None:
+    own, given = train.shafts[name].wheel, design.gears.power
+    speed = train.speeds.get(own)
+    if not speed:
         return None
-    power = design.gears.power
-    if power is None and f.result is not None:
-        power = f.result.at_teeth(wheel.name)
-    speed = based_on(abs(wheel.speed), wheel.speed)
-    return ShaftDrive(power, speed) if power is not None and speed else None
+    meshes = [link.key for link in train.tree.links if link.toothed and own in (link.driver, link.driven)]
+    power = given if own in train.wheels else None
+    if parts:
+        mine = [parts[key] for key in meshes]
+        power = based_on(sum(mine), *mine) if mine else None
+    elif given is None and f.result is not None:
+        power = f.result.at_teeth(own)
+    taken = parts or (powers_in(f.result) if given is None and f.result is not None else {})
+    strands = []
+    for sprocket in sprockets(design, train, name):
+        if (carried := taken.get(sprocket.stage, given)) is not None:
+            strands.append((sprocket, carried))
+    if power is None and not strands:
+        return None
+    return ShaftDrive(power, based_on(abs(speed), speed), tuple(strands))
 
 
 def irregularity(

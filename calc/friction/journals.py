@@ -6,7 +6,7 @@ The eccentric masses load them with a force that turns; weight and gear force st
 load is that of the bearings step; what the standing part adds over a turn closes with the power of the train, which
 makes the gear force."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -19,7 +19,7 @@ from ..bearings.speeds import TURNING
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult, Standing
 from ..countershaft.rows import called, titled
-from ..countershaft.supports import Gear, standing_of
+from ..countershaft.supports import Gear, Sprocket, standing_of
 from ..countershaft.supports import ShaftDrive as GearDrive
 from ..library.lubricant import Lubricant
 from ..sheet.arrays import BoolArray, Num
@@ -31,6 +31,8 @@ from ..sheet.units import Newton, RevPerSecond, Watt
 from ..sheet.value import about, untraced
 from .result import JournalResult
 
+NO_LOADS: Mapping[str, Watt] = {}
+
 
 class OnShaft(NamedTuple):
     """What the friction step is told of the counter-shaft; without `shaft`, of bearings whose loads are given."""
@@ -39,6 +41,7 @@ class OnShaft(NamedTuple):
     shaft: CountershaftResult | None
     inputs: ShaftInputs | None
     gear: Gear | None
+    sprockets: tuple[Sprocket, ...] = ()
 
     @property
     def speed(self) -> RevPerSecond:
@@ -75,11 +78,12 @@ class Journals:
         }
         return Journals(self.on, parts, self.speed[some])
 
-    def standing(self, P: Watt | None) -> Standing | None:
-        """What stands still where the shaft's gear takes in the power P."""
+    def standing(self, P: Watt | None, loads: Mapping[str, Watt]) -> Standing | None:
+        """What stands still where the shaft's gear takes in the power P, meshes, chains and belts the `loads`."""
         if not self.on.turns or self.on.inputs is None or self.on.shaft is None:
             return None
-        drive = None if P is None else GearDrive(P, self.speed)
+        strands = tuple((one, loads[one.stage]) for one in self.on.sprockets if one.stage in loads)
+        drive = None if P is None and not strands else GearDrive(P, self.speed, strands)
         with about(Text("standing part of the load, in the balance")):
             b = self.on.bearings
             return standing_of(self.on.shaft, self.on.inputs, self.on.gear, drive, b.stands, b)
@@ -91,8 +95,8 @@ class Journals:
         P_B: Watt = bearing_loss(P=P)
         return P_B
 
-    def journals(self, P: Watt | None) -> dict[str, JournalResult]:
-        stands = self.standing(P)
+    def journals(self, P: Watt | None, loads: Mapping[str, Watt] = NO_LOADS) -> dict[str, JournalResult]:
+        stands = self.standing(P, loads)
         journals = {}
         for place, answer in self.responses.items():
             R_0: Newton | None = None

@@ -29,7 +29,7 @@ from ..sheet.units import Celsius, KilogramPerMetre3, Newton, Number, RevPerSeco
 from ..sheet.value import about, based_on, converged, unlinked, untraced
 from . import models
 from .inputs import FrictionInputs
-from .journals import Journals, OnShaft
+from .journals import NO_LOADS, Journals, OnShaft
 from .losses import sums
 from .losses.turning_masses import MassLoss, Sectors, dip_loss_most, mass_loss, sectors_of
 from .losses.wheels import WheelResult, carrying, has_bearings, unloaded
@@ -286,9 +286,9 @@ def end_of(friction: FrictionInputs, wheel: str, on: OnShaft, journals: Journals
     return End(wheel, journals, tuple(hung), sectors, rho_oil)
 
 
-def shaft_loss(shaft: Journals, P: Watt | None) -> Watt:
-    """What the journals of a shaft lose when the teeth of its gear carry P."""
-    return shaft.sum(shaft.journals(P))
+def shaft_loss(shaft: Journals, P: Watt | None, loads: Mapping[str, Watt] = NO_LOADS) -> Watt:
+    """What the journals of a shaft lose when the teeth of its gear carry P, meshes, chains and belts the `loads`."""
+    return shaft.sum(shaft.journals(P, loads))
 
 
 @record
@@ -452,7 +452,7 @@ def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt],
             needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
         for name, end in shafts:
             what = Text("losses of the counter-shaft's bearings")
-            needed[end.wheel] += require(what, shaft_loss(end.journals, teeth[name]), zero=True)
+            needed[end.wheel] += require(what, shaft_loss(end.journals, teeth[name], loads), zero=True)
             needed[end.wheel] += d.masses[name].mass_loss if name in d.masses else 0.0
         for hung in d.hung:
             needed[hung.wheel] += hung.power
@@ -491,7 +491,8 @@ def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
             mesh=sum(d.loss(name, P) for name, P in loads.items()),
             wheels=sum(of_wheels) + sum(P for _, P in d.bearings(loads).values()),
             journals=sum(
-                shaft_loss(end.journals, d.at_teeth(end.wheel, needed[end.wheel], loads)) for end in d.ends.values()
+                shaft_loss(end.journals, d.at_teeth(end.wheel, needed[end.wheel], loads), loads)
+                for end in d.ends.values()
             ),
             masses=sum(masses.mass_loss for masses in d.masses.values()),
         )
@@ -632,7 +633,7 @@ def _shaft(
             wheel_need = with_masses(P=wheel_need, P_M=masses.mass_loss)
 
     def last(P: Watt | None) -> TurningShaft:
-        journals = end.journals.journals(P)
+        journals = end.journals.journals(P, loads)
         P_B = end.journals.sum(journals)
         with about(Text("wheel {last}", last=end.wheel)):
             needed[end.wheel] = with_bearings(P=wheel_need, P_B=P_B)

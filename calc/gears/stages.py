@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Chains and toothed belts between two axes of the train: what they are to its speeds, its phase and its smoothness.
 
-Its inside turns both sprockets in one sense; a sprocket on its outside turns against the other.  Its strength, its
-noise and the pull on its axes are not computed."""
+Its inside turns both sprockets in one sense; a sprocket on its outside turns against the other.  Its pull stands on the
+bearings of the shafts (countershaft/supports.py); its strength and its noise are not computed."""
 
 from collections.abc import Iterator, Mapping
 
@@ -163,10 +163,14 @@ def slack_checks(gears: GearsInputs, least: Mapping[str, Newton]) -> Iterator[Ch
 def notes(gears: GearsInputs) -> Iterator[Text]:
     for stage in gears.stages:
         yield Text(
-            "{name} is a {kind}: its strength, its noise and its pull on both axes are not computed.",
+            "{name} is a {kind}: its strength and its noise are not computed, nor what it pulls at wheels between.",
             name=stage.name,
             kind=KINDS[stage.kind],
         )
+        if stage.tensioner is None:
+            yield Text(
+                "The pull of {name} is that of its power alone: give gears.stages.{name}.tensioner_N.", name=stage.name
+            )
         if stage.span is None:
             yield Text(
                 "What its elongation leaves of the phase behind {name} is not known: give gears.stages.{name}.span_mm.",

@@ -2,14 +2,17 @@
 
 import copy
 import functools
+import math
+from dataclasses import replace
 
 import pytest
 
 from calc import solve as recipe
 from calc.bearings.result import BearingResult
+from calc.design.step_inputs import parts_of_power, power, shaft_drive
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
-from calc.sheet.step import OF_SHAFTS
+from calc.sheet.step import OF_SHAFTS, Outcome
 from calc.solve import Results, solve
 from calc.studies.repair.levers import free_keys
 from calc.studies.repair.state import state_of
@@ -135,8 +138,9 @@ def test_the_name_of_the_only_shaft_changes_nothing():
 
 @functools.cache
 def gamma_and_its_image() -> Results:
-    """The shaft of the R753IE4 with a mirror image, which the train does not turn."""
-    data = copy.deepcopy(read(GAMMA).data)
+    """The shaft of the R753IE4 with a mirror image, which the train does not turn, as a file of schema 1 may have it."""
+    document = read(GAMMA)
+    data = copy.deepcopy(document.data)
     data["accepted"] = {
         "countershaft.residual": "the image leaves as much",
         "bearings.front.film_edge": "as the source has it",
@@ -144,7 +148,7 @@ def gamma_and_its_image() -> Results:
     }
     data["measured"] = [{"value": "bearings.front.outlet_temperature", "is": 130.0, "unit": "°C"}]
     data["shafts"].append({"name": "image", "mirrors": "shaft"})
-    return solved(data)
+    return solve(design(replace(document, data=data)))
 
 
 def test_the_ids_of_a_shaft_with_a_twin_have_its_name_and_are_found_by_the_old_ones():
@@ -232,8 +236,13 @@ def masses(front: float, rear: float) -> list[dict]:
 ALIKE = {"masses": masses(0.3, 0.3)}
 
 
+@functools.cache
+def of_two() -> Results:
+    return solved(two())
+
+
 def test_two_shafts_each_on_bearings_with_a_wheel():
-    results = solved(two())
+    results = of_two()
     assert {key: outcome.state for key, outcome in results.outcomes.items() if outcome.state != "solved"} == {
         "mounting": "not_asked"
     }
@@ -252,6 +261,50 @@ def test_two_shafts_each_on_bearings_with_a_wheel():
             assert values[f"bearings.{name}.{row}.load"].inside == pytest.approx(of_shaft)
     assert results.check("bearings.left.front.film_edge") is not None
     assert results.check("bearings.front.film_edge") is None  # there are several
+
+
+def test_a_given_power_is_that_of_the_whole_drive():
+    """Shared as the powers of the balance stand to each other; where there is none, in equal parts."""
+    results = of_two()
+    train, f, none = results.train, results.outcomes["friction"], Outcome("friction", "not_asked")
+    asked = replace(results.design, gears=replace(results.design.gears, power=3000.0))
+    parts, equal = parts_of_power(asked, train, f), parts_of_power(asked, train, none)
+    taken = {key: mesh.power_in for key, mesh in f.result.meshes.items()}
+    whole = sum(taken.values())
+    assert parts == pytest.approx({key: 3000.0 * power / whole for key, power in taken.items()})
+    assert len(set(parts.values())) == 2 and list(equal.values()) == [1500.0, 1500.0]
+    assert shaft_drive(asked, train, f, parts, "left").power == parts["crank_wheel-left"]
+    assert power(asked.gears, f, parts).of == parts
+    assert parts_of_power(results.design, train, f) == {}  # not given
+    alone = replace(train, shafts={"left": train.shafts["left"]})
+    assert parts_of_power(asked, alone, none) == {}  # which takes it whole
+
+
+def test_a_shaft_without_a_wheel_is_an_error_at_the_shaft():
+    data = two()
+    del data["gears"]["wheels"][-1]["shaft"]
+    with pytest.raises(BadInput) as caught:
+        design(Document(data))
+    (error,) = caught.value.errors
+    assert error.key == "shafts.1.name" and 'give shaft = "right"' in str(error.reason)
+    notes = " ".join(map(str, gamma_and_its_image().outcomes["friction"].notes))
+    assert "No wheel of the train turns image" in notes  # which schema 1 has no words for
+
+
+def test_the_pull_of_a_chain_stands_on_the_bearings_of_its_shaft():
+    data = two(ALIKE)
+    data["gears"]["wheels"].pop(), data["gears"]["meshes"].pop()
+    chain = {"name": "chain", "driver": "crank", "driven": "right", "driver_teeth": 25, "driven_teeth": 25}
+    data["gears"]["stages"] = [{**chain, "kind": "chain", "side": "outer", "pitch_mm": 9.525, "tensioner_N": 100.0}]
+    results = solve(design(Document(data)), of_two(), compared=False)
+    values, n = results.values(), abs(results.train.speeds["right"])
+    torque = values["friction.chain.power_in"].inside / (2 * math.pi * n)
+    d = values["gears.chain.pitch_diameter_driven"].inside
+    assert values["countershaft.right.chain_pull"].shown == pytest.approx(2 * torque / d + 200.0)
+    for row in ("front", "rear"):
+        stands = values[f"countershaft.right.stationary_{row}"].inside
+        assert values[f"friction.journals.right.{row}.standing_load"].inside == pytest.approx(stands)
+    assert "countershaft.left.chain_pull" not in values
 
 
 def test_shafts_that_are_alike_give_alike():
@@ -278,7 +331,7 @@ def test_a_repeated_shaft_gives_what_the_same_shaft_written_out_gives():
 
 
 def test_each_shaft_in_view_is_as_one_alone():
-    results = solved(two())
+    results = of_two()
     assert list(results.views) == ["left", "right"]
     values = results.values()
     for name, view in results.views.items():
@@ -435,7 +488,7 @@ def counted(monkeypatch, module, name: str = "solve") -> list[str]:
 
 
 def test_a_change_of_one_shaft_does_not_solve_the_other_again(monkeypatch):
-    before = solved(two())
+    before = of_two()
     calls, turns = counted(monkeypatch, recipe.countershaft), counted(monkeypatch, recipe.bearings)
     other = solve(design(Document(two({"masses": masses(0.33, 0.3)}))), before)
     assert calls == ["right"] and len(turns) == 1
@@ -448,7 +501,7 @@ def test_a_change_of_one_shaft_does_not_solve_the_other_again(monkeypatch):
 
 
 def test_nothing_is_solved_again_where_nothing_changed(monkeypatch):
-    before = solved(two())
+    before = of_two()
     calls = counted(monkeypatch, recipe.countershaft)
     turns = counted(monkeypatch, recipe.bearings)
     solve(design(Document(two())), before)
@@ -458,7 +511,7 @@ def test_nothing_is_solved_again_where_nothing_changed(monkeypatch):
 def test_what_is_enough_is_asked_of_all_shafts_by_their_names():
     """As a search does that only wants one check of one shaft: it ends as soon as this is known."""
     wanted = "bearings.left.front.film_edge"
-    known = solved(two()).check(wanted)
+    known = of_two().check(wanted)
     ended = solve(design(Document(two())), enough=lambda outcome: any(check.id == wanted for check in outcome.checks))
     assert ended.check(wanted).value == known.value
     assert "friction" not in ended.outcomes and ended.check("bearings.right.front.film_edge") is None

@@ -108,6 +108,34 @@ def mean_torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
     return P / (2 * pi * abs(n))
 
 
+@formula(
+    "P_in",
+    "rule of this program: of the given power each mesh, chain and belt carries what it does of that of the balance",
+    names={"P_i": "P_in,f", "P_1": "P_1,f"},
+)
+def power_by_balance(P: Watt, P_i: Watt, P_1: Watt) -> Watt:
+    """`P_i`: what it takes in by the balance of the friction, where the first driver passes on `P_1`.
+
+    >>> power_by_balance(P=1000.0, P_i=120.0, P_1=400.0)
+    300.0
+    """
+    return P * P_i / P_1
+
+
+@formula(
+    "P_in",
+    "rule of this program: where no friction is asked, every shaft takes an equal part of the given power",
+    names={"k": "k_S", "n": "n_S"},
+)
+def power_by_shafts(P: Watt, k: Number, n: Number) -> Watt:
+    """`k` of all `n` shafts lie behind it.
+
+    >>> power_by_shafts(P=1000.0, k=1, n=4)
+    250.0
+    """
+    return P * k / n
+
+
 @formula("T_2", "energy: torque handed on without loss")
 def torque_of_driven(T: NewtonMetre, z_2: Number, z_1: Number) -> NewtonMetre:
     return T * z_2 / z_1

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from calc.countershaft.supports import Gear, ShaftDrive, standing
+from calc.countershaft.supports import Gear, ShaftDrive, Sprocket, standing
 from calc.design.toml_file import design
 from calc.solve import solve
 from tests.calc.countershaft.shafts import SEATED, result
@@ -82,6 +82,18 @@ def test_nothing_is_known_without_weight_and_drive():
         alone.stationary == pytest.approx({"front": 45.0, "rear": 35.0}, rel=1e-12)
         and alone.gear_force_tangential is None
     )
+
+
+def test_a_chain_pulls_with_both_strands():
+    """1.4 kW on a sprocket of 60 mm, 50 N of tensioner: 2·5.1419/0.06 + 2·50 = 271.40 N, 21.25 mm ahead of the front
+    bearing; beside a wheel what the teeth push comes to it."""
+    chained = ShaftDrive(None, DRIVE.speed, ((Sprocket("chain", 0.06, 50.0), 1400.0),))
+    alone, both = stands(gear=None, drive=chained), stands(drive=chained._replace(power=DRIVE.power))
+    assert alone.chain_pull == pytest.approx(271.40, abs=5e-3) and alone.gear_torque is None
+    pulled = {"front": 271.40 * 356.25 / 335, "rear": 271.40 * 21.25 / 335}
+    assert alone.stationary == pytest.approx(pulled, rel=1e-4)
+    for row, pushed in stands().stationary.items():
+        assert both.stationary[row] == pytest.approx(pushed + pulled[row], rel=1e-4)
 
 
 def test_the_weight_is_shared_by_the_lever():

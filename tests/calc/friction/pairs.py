@@ -37,7 +37,7 @@ class Fixed:
     def __init__(self, P_B):
         self.P_B = P_B
 
-    def journals(self, P):
+    def journals(self, P, loads):
         return {}
 
     def sum(self, journals):

@@ -24,7 +24,7 @@ class Rubbing:
     def __init__(self, P_0, share=0.0):
         self.P_0, self.share = P_0, share
 
-    def journals(self, P):
+    def journals(self, P, loads):
         lost = self.P_0 if P is None else self.P_0 + self.share * P
         return {"front": JournalResult(standing_load=None, friction_power=lost)}
 
