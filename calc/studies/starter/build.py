@@ -190,8 +190,8 @@ def begun(document: Document, balancing: str = "", why: str = "") -> str:
         document = _without(document, {"bearings": reason})
     try:
         text.append(train.gears_and_friction(document, _results(document, results)))
-    except NoSolution:
-        missing |= {"gears": (NO_TRAIN, ""), "friction": (NO_TRAIN, "")}
+    except NoSolution as no_train:
+        missing |= {"gears": (NO_TRAIN, f"stopped by {no_train.tried}"), "friction": (NO_TRAIN, "")}
     without = [("[without]", missing)] if missing else []
     return "".join(written(sections) for sections in (accepted, without, own, *text))
 

@@ -47,7 +47,8 @@ from .writing import BEARING_ROW, Rows, Section, down, head, mm, table, up
 ROWS, SHAFTS = dotted(ShaftInputs.bearings), dotted(Design.shafts)
 JOURNALS = tuple(2e-3 * n for n in range(10, 31))  # m: diameters that are tried
 WIDEST: Metre = 0.1  # outer radius
-FACTORS = (0.75, 1.0, 1.3)  # of the clearance: wider where a fast journal grows too hot
+USUAL = 0.8  # the largest usual factor of the clearance
+FACTORS = (0.75, 1.0, 1.3)  # of the clearance: wider where a fast journal grows too hot, however thick it is
 PRESSURE = 3.5e6  # Pa: about what the journals carry that are found
 FAILS = 1000  # more than there are cautions
 APART: Metre = 5e-3  # between what turns
@@ -184,7 +185,10 @@ def _sizes(diameter: Metre) -> Rows:
 def row_of(factor: float) -> Rows:
     """What a row needs beside [bearings]."""
     return {
-        BearingRow.clearance_factor: (factor, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"),
+        BearingRow.clearance_factor: (
+            factor,
+            "assumed: usual 0.4 to 0.8" + ("; with that so fast a journal runs hot" if factor > USUAL else ""),
+        ),
         BearingRow.journal_roughness: (0.2, "assumed: ground and lapped"),
         BearingRow.housing_roughness: (0.4, "assumed: finely bored"),
     }

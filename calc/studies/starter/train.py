@@ -7,6 +7,7 @@ Trains are tried in the order in which they are usual; the first is taken that l
 losses, with the roughest flanks of which that holds."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from itertools import product
 
@@ -121,7 +122,9 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
         if found is not None:
             return found
     raise NoSolution(
-        TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]")
+        TRAIN,
+        SEMICOLON.join(text for text, _ in Counter(why).most_common(3)),
+        Text("other teeth, modules or centre distances: give [gears]"),
     )
 
 
