@@ -70,7 +70,7 @@ def evolved(
             "the front of this drive can not be proved on arrays, and the search without proof needs {what}", what=NEEDS
         )
         raise NoSolution(why) from None
-    space = _Space(problem)
+    space = Space(problem)
 
     class _Drives(Pymoo):  # type: ignore[misc]
         """Numbers from 0 to 1, each a place in the values of one variable."""
@@ -109,7 +109,7 @@ class _Enough(Exception):
     """The time is up."""
 
 
-class _Space:
+class Space:
     """The variables of a problem, and every drive of them that was solved whole."""
 
     def __init__(self, problem: Problem) -> None:

@@ -55,7 +55,7 @@ SEAT_REACH = 6.0  # mm beyond the design's; rule of this program
 LEAST_SEAT = 0.75  # of the design's; rule of this program
 STEP = 0.5  # mm
 ROOM = 0.1  # mm about the gear's tip in its seat
-WIDER = (1.0, 1.1, 1.2, 1.3, 1.4)  # times its outer radius, of a shaft that passes no seat; rule of this program
+WIDER = (1.1, 1.2, 1.3, 1.4)  # times its outer radius, of a shaft that passes no seat; rule of this program
 LEAST_SHARE = 0.6  # of the design's smaller journal, where no gear goes through its seat; rule of this program
 MOST_CLASSES = 500
 MOST_VALUES = 1000  # of one range
@@ -252,7 +252,7 @@ class Variables:
         if self.shaft.passes_seats or given == "fixed":
             return [R]
         if given is None:
-            return [R, *(r for r in (round(R * share / STEP) * STEP for share in WIDER[1:]) if r > R)]
+            return [R, *(round(R * share / STEP) * STEP for share in WIDER)]
         return [x for x in (given if isinstance(given, list) else _range(given)) if isinstance(x, (int, float))] or [R]
 
     def bounded(self) -> dict[str, tuple[bool, bool]]:

@@ -6,13 +6,18 @@ import numpy as np
 import pytest
 
 from calc.design.addresses import value_at
-from calc.design.toml_file import read
+from calc.design.toml_file import Document, design, parse, read
+from calc.solve import solve
+from calc.studies.drive.classes import NotClosed
+from calc.studies.drive.evolve import POPULATION, Space, evolved
 from calc.studies.drive.output import at_end
 from calc.studies.drive.search import asked, search
+from calc.studies.drive.solved_drive import power
 from tests.calc.studies.drive.points import Class, compared
 from tests.calc.studies.drive.test_brute_force import GRID
 from tests.calc.studies.drive.test_verdict import SOME, changed
 from tests.command import run
+from tests.test_shafts_commands import PAIR
 
 
 def written(engine, folder):
@@ -125,3 +130,36 @@ def test_a_gap_too_narrow_for_its_fillets_is_offered_where_that_is_waived(sized)
             narrow += 1
             one, results = waived.whole(point)
             assert one.broken == () and {c.id: c for c in results.checks()}["countershaft.fillet_room"].margin < 0
+
+
+@pytest.mark.slow
+def test_a_pair_laid_into_its_module_comes_to_drives():
+    """A force at twice crank speed on two plain bearings: no front is proved, and the design as it is comes first."""
+    places = {"left.axis_mm": [-70.0, -105.0], "right.axis_mm": [-60.0, 78.746]}
+    wider = {"left.assembly": "split", "left.core_radius_mm": 24.0, "left.outer_radius_mm": 32.0}
+    document = parse(PAIR.encode("utf-8"), "pair")
+    for key, value in {**places, **wider, "left.fillet_radius_mm": 1.5}.items():
+        document = document.with_value(f"shafts.{key}", value)
+    problem, _ = asked(document, {"shaft": "left", "rows": 5})
+    assert problem.choices["shafts.left.outer_radius_mm"] == (32.0, 35.0, 38.5, 41.5, 45.0)
+    with pytest.raises(NotClosed, match="passes no seat"):
+        search(problem)
+    space = Space(problem)
+    own = space.first(np.random.default_rng(1))[0]
+    assert space.sized(own).core == 24.0 and space.sized(own).length == {"front": 22.0, "rear": 22.0}
+    _, lacks = space.scored(own)
+    (drive,) = space.found().drives
+    assert lacks == 0 and drive.changes["shafts.left.outer_radius_mm"] == 32.0
+    fresh = solve(design(Document(drive.document.data)))
+    assert problem.broken(fresh.checks()) == []
+    assert power(fresh) == pytest.approx(drive.objectives["power"])
+
+
+@pytest.mark.slow
+def test_a_search_without_proof_finds_drives_of_a_pair():
+    pytest.importorskip("pymoo")
+    document = parse(PAIR.encode("utf-8"), "pair")
+    for table in ("gears", "friction"):
+        document = document.with_value(table, None)
+    problem, _ = asked(document.with_value("shafts.left.assembly", "split"), {"shaft": "left", "rows": 5})
+    assert evolved(problem, POPULATION).drives
