@@ -142,7 +142,7 @@ def _best(document: Document, results: Results, oils: tuple[str, ...]) -> tuple[
     for oil in oil_of(results.design, oils):
         for factor in FACTORS:
             tried = judged_document(document, results.design, oil, factor)
-            solved = solve(design(tried), results)
+            solved = solve(design(tried), results, compared=False)
             outcomes = [solved.outcomes[step] for step in ("countershaft", "bearings")]
             worse = sum(c.kind == "caution" and c.open for outcome in outcomes for c in outcome.checks)
             if any(outcome.verdict not in ("pass", "warn") for outcome in outcomes):

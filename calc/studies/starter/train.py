@@ -141,7 +141,7 @@ def _loaded(
     solved_design, allowance = results.design, ALLOWANCE
     for _ in range(3):
         wheels = _gears(solved_design, train, power, allowance)
-        results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
+        results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results, compared=False)
         balance = results.result(FrictionResult)
         delivered = balance.delivered_power if balance is not None else None
         less = _too_tight(results)
