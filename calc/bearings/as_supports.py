@@ -31,13 +31,14 @@ from ..sheet.units import Metre, Newton, Number, PascalSecond, RevPerSecond
 from ..sheet.value import about, based_on, untraced
 from . import formulas as f
 from .checks import ASKED, CLEARANCE, CORE, FILM_EDGE, KREISLE, on_bearing
+from .corners import corner_points
 from .film.table import CENTRED, FilmRangeError, eccentricity_from, film_hold
 from .inputs import BearingsInputs
 from .result import BearingResult, BearingsResult, OnShaftResult
 from .routes import supply
 from .routes.routes import own_warm
-from .routes.states import BearingCase, OperatingPoint, resized
-from .routes.thermal_balance import balanced, settled
+from .routes.states import BearingCase, OperatingPoint
+from .routes.thermal_balance import balanced, settled, settled_together
 from .suitability import LENGTH
 
 FARTHEST = 0.98  # ε: the end of the film table
@@ -157,7 +158,7 @@ class Shared:
 def on_films(shaft: Condensed, films: Shared, names: Sequence[str]) -> Shared:
     """The same films with what they share by lines of the calculation; what is rounding alone is nothing."""
     with about(Text("shaft on its films")):
-        on = carried(shaft, films.laws, names)
+        on = carried(shaft, films.laws, names, near=films.carried.x)
     carries = np.abs(on.load) > NOTHING * np.abs(on.load).max()
     load, x = (based_on(np.where(carries, z, 0.0), z) for z in (on.load, on.x))
     return replace(films, carried=replace(on, load=load, x=x))
@@ -193,56 +194,67 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
 
     `duty`: speed and oil of all bearings; its load is not asked.  A film that finds no balance under its load keeps its
     last state, at first that of the oil as it is supplied."""
-    every, names, n = _as_one(seats), [seat.bearing.name for seat in seats], duty.effective_speed
+    names, T, n = [seat.bearing.name for seat in seats], duty.supply_temperature, duty.effective_speed
 
-    def laws(c: Array, mu: Array) -> tuple[Film, ...]:
-        return tuple(film_law(*row, n, sense) for row in zip(seats, c.tolist(), mu.tolist()))
+    def warm(seat: BearingCase, load: Newton, before: Film) -> Film:
+        asked = replace(duty, load=load)
+        least = replace(seat, centred=True)
+        try:
+            film = balanced(own_warm, least if runs_centred(seat, asked) else seat, asked)
+        except NoSolution:
+            balanced(own_warm, least, asked)  # says why, where there is none under any load
+            return before
+        return film_law(seat, film.clearance, film.oil.mu, n, sense)
 
     with untraced():
-        least = settled(replace(every, centred=True), duty)
-        for seat, c in zip(seats, least.clearance.tolist()):
-            if math.isnan(c):
-                balanced(own_warm, replace(seat, centred=True), duty)  # says why there is none
-        F_c = np.array([law.centred.force for law in laws(least.clearance, least.oil.mu)])
-        c = np.asarray(every.clearance_at(duty.supply_temperature))
-        mu = np.full(c.shape, every.oil_at(duty.supply_temperature).mu)
-        loads = np.abs(shaft.f_c)
+        laws = [film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, n, sense) for seat in seats]
+        loads, on = np.abs(shaft.f_c), None
         for n_pass in range(1, PASSES + 1):
-            bears = loads > F_c
-            film = settled(every, replace(duty, load=np.where(bears, loads, F_c)))
-            found = np.isfinite(film.film)
-            c = np.where(bears, np.where(found, film.clearance, c), least.clearance)
-            mu = np.where(bears, np.where(found, film.oil.mu, mu), least.oil.mu)
-            on = carried(shaft, laws(c, mu), names)
+            before, laws = laws, [warm(*row) for row in zip(seats, loads.tolist(), laws)]
+            on = _carried_next(shaft, laws, before, on, names)
             now = np.abs(on.load)
             moved = float(np.abs(now - loads).max() / (now.max() or 1.0))
             if moved <= SETTLED:
                 break
             loads = now if n_pass < MEAN_FROM else (now + loads) / 2
-    return Shared(laws(c, mu), on, moved)
+    return Shared(tuple(laws), on, moved)
 
 
-def _as_one(seats: Sequence[BearingCase]) -> BearingCase[Any]:
-    """All bearings of a shaft as one whose sizes are arrays."""
-    d, l, c = np.array([(seat.bearing.diameter, seat.bearing.length, seat.clearance) for seat in seats]).T
-    return replace(resized(seats[0], diameter=d, length=l), clearance=c)
+def _carried_next(
+    shaft: Condensed, laws: Sequence[Film], before: Sequence[Film], on: Carried | None, names: Sequence[str] = ()
+) -> Carried:
+    """With other films than `before`: looked for from where the journals are, each at the same share of its
+    clearance."""
+    near = None if on is None else on.x * [law.c / was.c for law, was in zip(laws, before)]
+    return carried(shaft, laws, names, near=near)
 
 
-def at_corners(shaft: Condensed, films: Sequence[Film], i: int, duty: OperatingPoint, seat: BearingCase[Any]) -> Array:
-    """The load of the i-th bearing at corners of its own tolerances, the others at their middle, over its load there.
+def at_corners(
+    shaft: Condensed, films: Shared, seats: Sequence[BearingCase], duty: OperatingPoint[Any]
+) -> dict[str, Array]:
+    """By the bearing, its load at the corners of its own tolerances, the others at their middle, over its load there.
 
-    `seat`: its clearance and the factor of its viscosity, an array each.  Each corner's heat is that of the middle's
-    load.  Where a corner has no film, the load stays."""
-    film = settled(seat, duty)
+    Each corner's heat is that of the middle's load.  Where a corner has no film, the load stays.  What runs centred is
+    left out."""
+    rows = [i for i, seat in enumerate(seats) if not seat.centred]
+    loads = np.abs(films.carried.load).tolist()
+    asked = [(corner_points(seats[i], duty)[0], replace(duty, load=loads[i])) for i in rows]
+    shares = {}
+    with untraced():
+        one_size = len({(seats[i].bearing.diameter, seats[i].bearing.length) for i in rows}) == 1
+        warm = settled_together(asked) if one_size else [settled(*question) for question in asked]
+        for i, film in zip(rows, warm):
 
-    @cache
-    def load(c: Metre, mu: PascalSecond) -> Newton:
-        there = [replace(law, c=c, mu=mu) if k == i else law for k, law in enumerate(films)]
-        return float(abs(carried(shaft, there).load[i]))
+            @cache  # corners of one clearance are several
+            def load(c: Metre, mu: PascalSecond, i: int = i) -> Newton:
+                laws = [replace(law, c=c, mu=mu) if k == i else law for k, law in enumerate(films.laws)]
+                return float(abs(_carried_next(shaft, laws, films.laws, films.carried).load[i]))
 
-    middle = load(films[i].c, films[i].mu)
-    states = zip(film.clearance.tolist(), film.oil.mu.tolist())
-    return np.array([load(c, mu) / middle if math.isfinite(c) else 1.0 for c, mu in states])
+            states = zip(film.clearance.tolist(), film.oil.mu.tolist())
+            shares[seats[i].bearing.name] = np.array(
+                [load(c, mu) / loads[i] if math.isfinite(c) else 1.0 for c, mu in states]
+            )
+    return shares
 
 
 # --- how the shaft lies in its films

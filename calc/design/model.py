@@ -134,7 +134,7 @@ class Design:
         """The name of the shaft that is no twin; empty where there is none."""
         return next(iter(self.originals), "")
 
-    @property
+    @cached_property
     def resolved(self) -> tuple[Resolved, ...]:
         """All shafts, each with its inputs as they are."""
         return resolved(self.shafts)

@@ -242,8 +242,8 @@ def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hott
 
 
 def settled_together(asked: Sequence[tuple[BearingCase[Any], OperatingPoint[Any]]]) -> list[Film[Array]]:
-    """`settled` for several questions about one bearing in one call, each of its own length: all but the arrays is that
-    of the first."""
+    """`settled` for several questions about one bearing, or bearings of one size, in one call, each of its own length:
+    all but the arrays is that of the first."""
     seat, duty = asked[0]
     sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
 

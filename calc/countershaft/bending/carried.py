@@ -104,17 +104,24 @@ class Carried:
 
 
 def carried(
-    shaft: Condensed, laws: Sequence[Law | Rigid], names: Sequence[str] = (), name: str = "the shaft"
+    shaft: Condensed,
+    laws: Sequence[Law | Rigid],
+    names: Sequence[str] = (),
+    name: str = "the shaft",
+    near: ComplexArray | None = None,
 ) -> Carried:
     """The loads of the supports, one law for each.  `names` of the supports and `name` of the shaft are what an error
-    calls them.
+    calls them; `near`: displacements from which is looked first, where a solution close by is known.
 
     Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, from there
     with all supports that have play made soft and stiff again."""
     rows = [i for i, law in enumerate(laws) if not isinstance(law, Rigid)]
     free = [law for law in laws if not isinstance(law, Rigid)]
     equation = _equation(shaft, rows)
-    now, found = _newton(equation, free, _begun(equation, free))
+    begun = _begun(equation, free) if near is None else _now(equation, free, near[rows].tolist())
+    now, found = _newton(equation, free, begun)
+    if near is not None and not found:
+        return carried(shaft, laws, names, name)
     for share in () if found else SOFTENED:
         softened = [law.softer(share) for law in free]
         now, found = _newton(equation, softened, _now(equation, softened, now.x))
