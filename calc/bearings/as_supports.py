@@ -7,12 +7,12 @@ The laws are those that `countershaft.carried` asks for, in the frame of the sha
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from ..countershaft.bending.carried import Carried, Hold, carried
+from ..countershaft.bending.carried import Carried, Hold, carried, carried_near
 from ..countershaft.bending.condensed import Condensed
 from ..countershaft.bending.formulas import cone, displaced, tilt_along, tilted
 from ..countershaft.inputs import ShaftInputs
@@ -75,7 +75,7 @@ class Film:
         """At the smallest ε of the table; its load is the most that a centred journal carries."""
         return self._held(CENTRED)
 
-    def _held(self, eps: Number) -> Hold:
+    def _held(self, eps: Any) -> Hold[Any]:
         S, load_slope, attitude, turning = film_hold(eps, self.l / self.d)
         F, radius, sense = self.scale / S, self.c / 2, self.sense
         return Hold(F, F * load_slope / radius, F / (eps * radius), sense * attitude, sense * turning / radius)
@@ -86,6 +86,13 @@ class Film:
             return self._held(eps)
         k = self.centred.secant
         return Hold(k * e, k, k, self.centred.attitude)
+
+    def hold_many(self, e: Array) -> Hold[Array]:
+        """The same of many journals at once, nan where the table ends."""
+        held = self._held(np.maximum(2 * e / self.c, CENTRED))
+        slope = np.where(2 * e / self.c > CENTRED, held.slope, held.secant)
+        turning = np.where(slope == held.slope, held.turning, 0.0)
+        return Hold(held.secant * e, slope, held.secant, held.attitude, turning)
 
     def begin(self, F: Newton) -> Metre:
         eps = eccentricity_from(self.scale / F, self.l / self.d, outside="nan")
@@ -208,25 +215,16 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
 
     with untraced():
         laws = [film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, n, sense) for seat in seats]
-        loads, on = np.abs(shaft.f_c), None
+        loads = np.abs(shaft.f_c)
         for n_pass in range(1, PASSES + 1):
-            before, laws = laws, [warm(*row) for row in zip(seats, loads.tolist(), laws)]
-            on = _carried_next(shaft, laws, before, on, names)
+            laws = [warm(*row) for row in zip(seats, loads.tolist(), laws)]
+            on = carried(shaft, laws, names)
             now = np.abs(on.load)
             moved = float(np.abs(now - loads).max() / (now.max() or 1.0))
             if moved <= SETTLED:
                 break
             loads = now if n_pass < MEAN_FROM else (now + loads) / 2
     return Shared(tuple(laws), on, moved)
-
-
-def _carried_next(
-    shaft: Condensed, laws: Sequence[Film], before: Sequence[Film], on: Carried | None, names: Sequence[str] = ()
-) -> Carried:
-    """With other films than `before`: looked for from where the journals are, each at the same share of its
-    clearance."""
-    near = None if on is None else on.x * [law.c / was.c for law, was in zip(laws, before)]
-    return carried(shaft, laws, names, near=near)
 
 
 def at_corners(
@@ -237,24 +235,26 @@ def at_corners(
     Each corner's heat is that of the middle's load.  Where a corner has no film, the load stays.  What runs centred is
     left out."""
     rows = [i for i, seat in enumerate(seats) if not seat.centred]
-    loads = np.abs(films.carried.load).tolist()
+    loads = np.abs(np.asarray(films.carried.load))
     asked = [(corner_points(seats[i], duty)[0], replace(duty, load=loads[i])) for i in rows]
-    shares = {}
     with untraced():
         one_size = len({(seats[i].bearing.diameter, seats[i].bearing.length) for i in rows}) == 1
         warm = settled_together(asked) if one_size else [settled(*question) for question in asked]
-        for i, film in zip(rows, warm):
-
-            @cache  # corners of one clearance are several
-            def load(c: Metre, mu: PascalSecond, i: int = i) -> Newton:
-                laws = [replace(law, c=c, mu=mu) if k == i else law for k, law in enumerate(films.laws)]
-                return float(abs(_carried_next(shaft, laws, films.laws, films.carried).load[i]))
-
-            states = zip(film.clearance.tolist(), film.oil.mu.tolist())
-            shares[seats[i].bearing.name] = np.array(
-                [load(c, mu) / loads[i] if math.isfinite(c) else 1.0 for c, mu in states]
-            )
-    return shares
+        their = np.repeat(rows, [film.film.size for film in warm])  # the bearing of each corner
+        every = np.arange(their.size)
+        d, l, c_m, mu_m = np.array([(law.d, law.l, law.c, law.mu) for law in films.laws]).T
+        c, mu = (np.tile(x, (their.size, 1)) for x in (c_m, mu_m))
+        for x, corners in ((c, [film.clearance for film in warm]), (mu, [film.oil.mu for film in warm])):
+            there = np.concatenate(corners)
+            x[every, their] = np.where(np.isfinite(there), there, x[every, their])
+        law = replace(films.laws[0], d=d, l=l, c=c, mu=mu)  # type: ignore[arg-type]  # arrays, for `hold_many` alone
+        P, found = carried_near(shaft, law.hold_many, films.carried.x * (c / c_m))
+        share = np.abs(P)[every, their] / loads[their]
+        for k in np.flatnonzero(~found).tolist():
+            i = their[k]
+            alone = replace(films.laws[i], c=c[k, i].item(), mu=mu[k, i].item())
+            share[k] = abs(carried(shaft, [*films.laws[:i], alone, *films.laws[i + 1 :]]).load[i]) / loads[i]
+    return {seats[i].bearing.name: share[their == i] for i in rows}
 
 
 # --- how the shaft lies in its films

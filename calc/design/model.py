@@ -150,7 +150,7 @@ class Design:
             for name in originals
         }
 
-    @property
+    @cached_property
     def originals(self) -> tuple[str, ...]:
         """The names of the shafts that are no twins."""
         return tuple(shaft.name for shaft in self.shafts if not shaft.is_twin)

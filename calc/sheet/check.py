@@ -406,11 +406,14 @@ class Check:
             step, dot, rest = id.partition(".")
             return f"{step}.{name}.{rest}" if dot and step in steps else id
 
-        ids = {key: placed(getattr(self, key)) for key in ("id", "cause", "value_id", "limit_id")}
-        return self.but(
+        return replace(
+            self,
+            id=placed(self.id),
             name=Text("{name}: {check}", name=Name(name), check=Small(self.name)),
+            cause=placed(self.cause),
+            value_id=placed(self.value_id),
+            limit_id=placed(self.limit_id),
             outside=tuple(map(placed, self.outside)),
-            **ids,
         )
 
     def limit_text(self) -> Text:
