@@ -148,6 +148,7 @@ class Rolling:
 NOTHING = 1e-9  # of the largest load: less is rounding
 PASSES = 8
 MEAN_FROM = 4  # from this pass on the loads are the mean of the last two
+WARM = 1e-9  # of the rise of a film: far below what the loads may move
 SETTLED = 1e-4  # of the largest load: by so little the loads may move in the last pass
 
 
@@ -207,7 +208,7 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
         asked = replace(duty, load=load)
         least = replace(seat, centred=True)
         try:
-            film = balanced(own_warm, least if runs_centred(seat, asked) else seat, asked)
+            film = balanced(own_warm, least if runs_centred(seat, asked) else seat, asked, tolerance=WARM)
         except NoSolution:
             balanced(own_warm, least, asked)  # says why, where there is none under any load
             return before
