@@ -210,7 +210,7 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
         try:
             film = balanced(own_warm, least if runs_centred(seat, asked) else seat, asked, tolerance=WARM)
         except NoSolution:
-            balanced(own_warm, least, asked)  # says why, where there is none under any load
+            balanced(own_warm, least, duty)  # says why, where it would not even run centred
             return before
         return film_law(seat, film.clearance, film.oil.mu, n, sense)
 
@@ -235,8 +235,8 @@ def at_corners(
 
     Each corner's heat is that of the middle's load.  Where a corner has no film, the load stays.  What runs centred is
     left out."""
-    rows = [i for i, seat in enumerate(seats) if not seat.centred]
     loads = np.abs(np.asarray(films.carried.load))
+    rows = [i for i, seat in enumerate(seats) if not seat.centred and loads[i] > 0]
     asked = [(corner_points(seats[i], duty)[0], replace(duty, load=loads[i])) for i in rows]
     with untraced():
         one_size = len({(seats[i].bearing.diameter, seats[i].bearing.length) for i in rows}) == 1
@@ -251,7 +251,7 @@ def at_corners(
         law = replace(films.laws[0], d=d, l=l, c=c, mu=mu)  # type: ignore[arg-type]  # arrays, for `hold_many` alone
         P, found = carried_near(shaft, law.hold_many, films.carried.x * (c / c_m))
         share = np.abs(P)[every, their] / loads[their]
-        for k in np.flatnonzero(~found).tolist():
+        for k in np.flatnonzero(~found).tolist():  # too far from the middle: with shorter steps
             i = their[k]
             alone = replace(films.laws[i], c=c[k, i].item(), mu=mu[k, i].item())
             share[k] = abs(carried(shaft, [*films.laws[:i], alone, *films.laws[i + 1 :]]).load[i]) / loads[i]
