@@ -53,6 +53,7 @@ def test_a_mirror_image_has_the_conjugate_vectors(original):
     assert image.couple_phase == pytest.approx(-original.couple_phase)
     assert image.reactions == tuple(R.conjugate() for R in original.reactions)
     assert (image.force, image.couple, image.loads, image.slopes) == (
+    assert image.load_phases == {row: pytest.approx(-phase) for row, phase in original.load_phases.items()}
         original.force,
         original.couple,
         original.loads,
@@ -95,7 +96,8 @@ def test_its_roll_is_about_its_own_axis(original, how):
 def test_a_twin_tells_what_is_not_its_originals(original):
     given = told(replace(of_twin(original, twin("mirrors")), standing=None))
     mine = {value.id for value in published(given, "countershaft")}
-    assert mine == {f"countershaft.{name}" for name in ("couple", "couple_phase", "force", "roll_torque")}
+    told_of_it = ("couple", "couple_phase", "force", "roll_torque", "reaction_front_phase", "reaction_rear_phase")
+    assert mine == {f"countershaft.{name}" for name in told_of_it}
     of_original = {value.id: value for value in published(original, "countershaft")}
     for value in published(given, "countershaft"):
         assert (value.label, value.unit) == (of_original[value.id].label, of_original[value.id].unit)
