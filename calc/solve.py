@@ -337,7 +337,7 @@ def _left_over(
     """What all shafts together leave; waits where one of them has no solution."""
     if h.unsolved(tuple(c.values())):
         return Outcome("countershaft", "blocked")
-    shafts = h.system_shafts(design, c)
+    shafts = h.system_shafts(design, c, teeth=True)
     left = part(
         "countershaft",
         left_over.solve,
