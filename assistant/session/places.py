@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs
+from calc.countershaft.making.inputs import Bolts
 from calc.countershaft.rows import BearingRow
 from calc.design.addresses import Table, address, as_table, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
@@ -23,6 +24,7 @@ Place = tuple[str | int, ...]
 
 SHAFTS: Place = (dotted(Design.shafts),)
 OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that have something of each shaft
+CARRIES = (dotted(ShaftInputs.bolts), dotted(Bolts.carries))
 NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
 
 
@@ -287,6 +289,10 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
             for i, item in enumerate(content_at(data, array) or []):
                 if item.get(key) == old:
                     data = changed(data, (*array, i, key), new)
+        for i in range(len(others) + 1):
+            held = content_at(data, (*SHAFTS, i, *CARRIES)) or []
+            if old in held:
+                data = changed(data, (*SHAFTS, i, *CARRIES), [new if name == old else name for name in held])
     return data
 
 

@@ -110,8 +110,8 @@ def inertia_at_crank(i: Numbers, J: KilogramMetres2) -> KilogramMetre2:
 
 
 HELD_ALONE = Text(
-    "Bolts: each support is judged with what its own shaft puts on it; what one support has of several shafts is not "
-    "added up."
+    "Bolts: each support is judged with what its own shaft puts on it; where one holds several shafts, name them "
+    "(carries)."
 )
 
 
@@ -146,6 +146,6 @@ def whole(
             moment_of_inertia_at_crank=J,
         )
         sums = replace(sums, lines=(*sums.lines, *lines))
-    if len(every) > 1 and any(shaft.bolts is not None for shaft in every.values()):
+    if len(every) > 1 and any(shaft.bolts is not None and shaft.bolts.carries is None for shaft in every.values()):
         sums = replace(sums, notes=(*sums.notes, HELD_ALONE))
     return beside(sums, joined("countershaft", {**shafts, **twins}, together, named=True))

@@ -3,23 +3,29 @@
 separation.
 
 The load turns with the shaft.  At each end of the support a force Q of constant size sweeps through all directions: it
-pulls the joint apart, presses it together and pushes it to either side within one turn.  The joint holds by friction
-alone; locating pins, where there are any, are left out."""
+pulls the joint apart, presses it together and pushes it to either side within one turn.  Of several shafts in one
+support the forces of those that turn alike add as vectors.  Those that turn both ways, with Q⁺ and Q⁻, run along an
+ellipse, whose longer half-axis is Q⁺ + Q⁻: of a shaft and its mirror image the vertical parts add and the sideways ones
+cancel.  How the joint lies to it is not known, so that it is judged as if it lay worst, with that sum swept through all
+directions; of two orders the sum is a bound.  The joint holds by friction alone; locating pins, where there are any,
+are left out."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.formula import formula
-from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
+from ...sheet.functions import atan, cos, joined, largest, modulus, pi, sqrt, tan, total
+from ...sheet.linked_array import gathered
 from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record
-from ...sheet.text import EMPTY, Amount, Name, Text
+from ...sheet.text import EMPTY, Amount, Name, Text, listed
 from ...sheet.units import (
     Metre,
     Newton,
     NewtonMetre,
+    Newtons,
     Number,
     Pascal,
     PhasorNewton,
@@ -30,6 +36,7 @@ from ...sheet.units import (
 from ...sheet.value import about, based_on
 from ..inputs import ShaftInputs
 from ..rows import SHAFT
+from ..sums import SystemShaft
 from .inputs import (
     FLANGE,
     FLANGES,
@@ -252,6 +259,25 @@ def end_force(Q_f: Newton, Q_r: Newton) -> Newton:
     return largest(Q_f, Q_r)
 
 
+@formula("F_S", "statics: forces of shafts that turn alike, on one support", names={"F_1": "F_S1", "F_2": "F_S2"})
+def forces_alike(F_1: PhasorNewton, F_2: PhasorNewton) -> PhasorNewton:
+    return joined(F_1, F_2)
+
+
+@formula("C_S", "statics: couples of shafts that turn alike, on one support", names={"C_1": "C_S1", "C_2": "C_S2"})
+def couples_alike(C_1: PhasorNewtonMetre, C_2: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return joined(C_1, C_2)
+
+
+@formula(
+    "Q_i",
+    "mathematics: largest sum over a turn of forces that turn at unlike speeds; of one speed both ways the longer "
+    "half-axis of their ellipse, of two orders a bound",
+)
+def forces_met(Q: Newtons) -> Newton:
+    return total(Q)
+
+
 @formula(
     "n_b",
     "rule of this program: half of the bolts at each end; of an odd number, the end that has one less",
@@ -345,23 +371,34 @@ class BoltsResult:
     support: "Material | None"
     property_class: str
     face: Face
+    carries: tuple[str, ...] | None  # as it is given
 
 
-def solve(
-    bolts: Bolts,
-    F_S: PhasorNewton,
-    C_S: PhasorNewtonMetre,
-    bearing_positions: tuple[Metre, ...],
-    support: "Material | None" = None,
+def on_bearings(name: str, ratio: Number, positions: tuple[Metre, ...], reactions: Sequence[complex]) -> SystemShaft:
+    """A shaft with the turning force, and the couple about mid-shaft, that it puts on its bearings; of a shaft that
+    bends they are more than its own.  `reactions` of the supports on it, cylinder 1 at TDC."""
+    F = based_on(-sum(reactions), *reactions)
+    C = based_on(-sum(z * R for z, R in zip(positions, reactions)), *reactions)
+    return SystemShaft(name, ratio, F, C)
+
+
+def held(
+    bolts: Bolts, tight: BoltsResult, shafts: Sequence[SystemShaft], bearing_positions: tuple[Metre, ...]
 ) -> BoltsResult:
-    """The bolts of the support of one shaft.  `F_S` and `C_S` are the turning force and the couple about mid-shaft that
-    it puts on its bearings; `support` is the material under the heads, where it is known."""
-    tight = tightened(bolts, support)
+    """The bolts of one support, as they are tightened, under what its `shafts` put on their bearings; the positions are
+    those of the shaft that they stand at."""
     with about(Text("bolts")):
         z_f, z_r = bearing_positions[0], bearing_positions[-1]
         l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
-        C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
-        Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
+        z_m = middle(z_f=z_f, z_r=z_r)
+        ends = [_at_the_ends(alike, several=len(shafts) > 1, z_m=z_m, l_b=l_b) for alike in _alike(shafts)]
+        (Q_f, Q_r), *others = ends
+        if others:
+            with about(Text("bolts, front")):
+                Q_f = forces_met(Q=gathered(front for front, _ in ends))
+            with about(Text("bolts, rear")):
+                Q_r = forces_met(Q=gathered(rear for _, rear in ends))
+        Q = end_force(Q_f=Q_f, Q_r=Q_r)
         tight = replace(tight, bolt_end_force=Q)
         if Q <= NO_FORCE:
             return tight
@@ -372,6 +409,24 @@ def solve(
             bolt_slip_across_safety=safety_across(mu_T=mu_T, n=n, F_min=F_min, Q=Q),
             bolt_slip_safety=safety_slip(n=n, F_min=F_min, Q=Q, mu_T=mu_T),
         )
+
+
+def _alike(shafts: Sequence[SystemShaft]) -> list[list[SystemShaft]]:
+    """Those that turn at one speed together."""
+    ratios = sorted({shaft.ratio for shaft in shafts})
+    return [[shaft for shaft in shafts if shaft.ratio == ratio] for ratio in ratios]
+
+
+def _at_the_ends(alike: Sequence[SystemShaft], *, several: bool, z_m: Metre, l_b: Metre) -> tuple[Newton, Newton]:
+    """The turning forces of shafts that turn alike on the front and on the rear bolts; `several`: others beside
+    them."""
+    names = listed(Name(shaft.name) for shaft in alike)
+    with about(Text("bolts, {names}", names=names) if several else Text("bolts")):
+        F_S, C_S = alike[0].force, alike[0].couple
+        for shaft in alike[1:]:
+            F_S, C_S = forces_alike(F_1=F_S, F_2=shaft.force), couples_alike(C_1=C_S, C_2=shaft.couple)
+        C_m = couple_about_middle(C_S=C_S, z_m=z_m, F_S=F_S)
+        return force_front(F_S=F_S, C_m=C_m, l_b=l_b), force_rear(F_S=F_S, C_m=C_m, l_b=l_b)
 
 
 def solve_further(bolts: FurtherBolts, part: "Material | None" = None) -> BoltsResult:
@@ -441,6 +496,7 @@ def tightened(bolts: Bolts, support: "Material | None") -> BoltsResult:
         support=support,
         property_class=bolts.property_class,
         face=under,
+        carries=bolts.carries,
     )
 
 
@@ -581,8 +637,15 @@ def _tightened_checks(joint: BoltsResult, at: str) -> Iterator[Check]:
         yield HEAD_PRESSURE(joint.bolt_head_pressure, limit, at=at, source=source, missing=unknown)
 
 
-def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
-    """What was assumed."""
+def notes(bolts: Bolts, joint: BoltsResult, shafts: Sequence[SystemShaft] = ()) -> Iterator[Text]:
+    """What was assumed; `shafts`: all that they hold, where there are several."""
+    if len(shafts) > 1:
+        yield Text(
+            "Bolts: they hold {names} together. The forces of those that turn alike add as vectors; those of others at "
+            "their largest, as if the joint lay worst to them, which is a bound where they are of two orders. What "
+            "they raise about an axis along the shafts is left out.",
+            names=listed(Name(shaft.name) for shaft in shafts),
+        )
     yield Text(
         "Bolts: slip and separation are judged at the least preload, F_V/{alpha_a}: a torque wrench with an estimated "
         "coefficient of friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V "

@@ -7,7 +7,7 @@ from math import pi
 
 from ...sheet.errors import text_of
 from ...sheet.formula import formula
-from ...sheet.quantity import choice, dotted, inputs, integer, quantity, series, tables, text
+from ...sheet.quantity import choice, dotted, inputs, integer, names, quantity, series, tables, text
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, SquareMetre
 
@@ -218,6 +218,12 @@ class Bolts:
         help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.",
         repair="free",
     )
+    carries: tuple[str, ...] | None = names(
+        "Shafts that they carry",
+        default=None,
+        help="Names of the shafts whose bearings their support holds; the one that they stand at counts in any case. "
+        "Left out: that one alone.",
+    )
 
     @property
     def flanged(self) -> bool:
@@ -287,6 +293,8 @@ class FurtherBolts(Bolts):
         yield from super().problems()
         if self.row_span is not None:
             yield dotted(Bolts.row_span), Text("belongs to the bolts of the support: these hold their force together")
+        if self.carries is not None:
+            yield dotted(Bolts.carries), Text("belongs to the bolts of the support: of these give force_N")
 
 
 @inputs

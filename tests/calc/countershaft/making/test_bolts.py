@@ -12,12 +12,14 @@ from calc.countershaft.making import bolts
 from calc.countershaft.making.inputs import (
     COARSE,
     Bolts,
+    FurtherBolts,
     pitch_diameter,
     root_diameter,
     stress_area,
     thread,
     thread_problem,
 )
+from calc.countershaft.sums import SystemShaft
 from calc.library.catalogue import Material, materials
 from calc.sheet.quantity import published
 from calc.sheet.value import link_of, trace
@@ -34,8 +36,11 @@ COUPLE = 572.921 * cmath.exp(1j * math.pi / 6)  # Finotti 2013, Table 4.1
 BEARINGS = (-0.1675, 0.1675)
 
 
-def solved(F_S=0j, C_S=COUPLE, bearings=BEARINGS, support=None, **changes):
-    return bolts.solve(Bolts(**{**SOURCE, **changes}), F_S, C_S, bearings, support)
+def solved(F_S=0j, C_S=COUPLE, bearings=BEARINGS, support=None, others=(), **changes):
+    """The bolts of the support of one shaft at −1, and of `others` in it."""
+    asked = Bolts(**{**SOURCE, **changes})
+    shafts = (SystemShaft("shaft", -1, complex(F_S), complex(C_S)), *others)
+    return bolts.held(asked, bolts.tightened(asked, support), shafts, bearings)
 
 
 # --- threads
@@ -300,6 +305,55 @@ def test_a_shaft_without_force_is_not_judged(couple):
     assert [c.id for c in bolts.checks(r)] == ["countershaft.bolts.strength"]
     assert any("no force on its support" in note for note in bolts.notes(Bolts(**SOURCE), r))
     assert not any(p.id.endswith("_safety") for p in published(r, "countershaft"))
+
+
+# --- several shafts in one support
+
+
+def over_a_turn(shafts, span=0.335):
+    """The largest force on the bolts of either end over a turn of the crank, each shaft at its own speed."""
+    theta = np.linspace(0, 2 * np.pi, 3601)
+    turned = [np.exp(1j * one.ratio * theta) for one in shafts]
+    ends = (sum((one.force / 2 + sign * one.couple / span) * t for one, t in zip(shafts, turned)) for sign in (-1, 1))
+    return max(np.abs(end).max() for end in ends)
+
+
+def test_of_a_shaft_and_its_mirror_image_the_vertical_parts_add():
+    """And the sideways ones cancel: twice the force of one alone, though it stands at 30° while the other one does at
+    −30°; of a shaft that repeats it they add in every direction, of one turned by half a turn nothing is left."""
+    F, C = 400 * cmath.exp(0.5j), COUPLE
+    one = SystemShaft("shaft", -1, F, C)
+    alone = solved(F, C).bolt_end_force
+    image = one.mirror_image("image")
+    both = solved(F, C, others=(image,))
+    assert both.bolt_end_force == pytest.approx(2 * alone) == pytest.approx(over_a_turn([one, image]), rel=1e-6)
+    assert both.bolt_slip_safety == pytest.approx(solved(F, C).bolt_slip_safety / 2)
+    assert solved(F, C, others=(one.repeated("again", 0j),)).bolt_end_force == pytest.approx(2 * alone)
+    opposite = solved(F, C, others=(SystemShaft("half", -1, -F, -C),))
+    assert opposite.bolt_end_force == pytest.approx(0, abs=1e-9) and opposite.bolt_slip_safety is None
+
+
+parts = st.complex_numbers(max_magnitude=500, allow_nan=False, allow_infinity=False)
+
+
+@given(st.lists(st.tuples(st.sampled_from((-1, 1)), parts, parts), min_size=2, max_size=4))
+def test_of_one_order_the_force_is_the_largest_of_a_turn(given_shafts):
+    shafts = [SystemShaft(f"shaft-{n}", ratio, F, C) for n, (ratio, F, C) in enumerate(given_shafts)]
+    asked = Bolts(**SOURCE)
+    Q = bolts.held(asked, bolts.tightened(asked, None), shafts, BEARINGS).bolt_end_force
+    assert Q == pytest.approx(over_a_turn(shafts), rel=1e-5, abs=1e-6)
+
+
+def test_of_two_orders_it_is_a_bound():
+    second = SystemShaft("second", 2, 300j, 20 + 0j)
+    Q = solved(200 + 0j, others=(second,)).bolt_end_force
+    assert over_a_turn([SystemShaft("shaft", -1, 200 + 0j, COUPLE), second]) <= Q
+    assert any("hold second and second together" in n for n in bolts.notes(Bolts(**SOURCE), solved(), (second, second)))
+
+
+def test_further_bolts_carry_no_shafts():
+    asked = FurtherBolts(name="pin", carries=("left",), **SOURCE)
+    assert ("carries", "belongs to the bolts of the support: of these give force_N") in list(asked.problems())
 
 
 # --- checks
