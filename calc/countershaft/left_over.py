@@ -180,7 +180,6 @@ ROLL = CheckRule(
     sense="<=",
     unit="N·m",
     source=Text("rule of this program: forces beside the crank should not add to the roll of the engine's inertia"),
-    advice=Text("The nearer the axes are to the crank's, the less roll their forces raise."),
     zero="roll torque of all shafts",
     moved_by=(dotted(SHAFT, ShaftInputs.axis),),
     short=Text("roll left"),
@@ -274,18 +273,18 @@ def _roll_checks(
         getattr(left, value) if raised > NOTHING else before,  # which rounding makes neither larger nor smaller
         before,
         name=Text("{words}-order roll left over", words=WORDS[todo.order]),
-        advice=_places_of_less_roll(alone, shafts, found.roll) or None,
+        advice=_places_of_less_roll(alone, shafts, found.roll),
         scale=raised,
         value_id=dotted("countershaft", getattr(SystemResult, value)),
     )
 
 
+NEARER = Text("The nearer the axes are to the crank's, the less roll the forces raise.")
 AS_THEY_STAND, NO_PLACE = 0.5e-3, 1.0  # m: heights that are worth no word, and those that no engine has
 
 
 def _places_of_less_roll(alone: OrderVectors, shafts: Sequence[SystemShaft], roll: PhasorNewtonMetre) -> Text:
     """The heights of the least roll, and what the other side of the crank leaves; all axes are known."""
-
     axes = [shaft.axis for shaft in shafts if shaft.axis is not None]
 
     def left_at(axes: Sequence[PhasorMetre]) -> NewtonMetre:
@@ -294,12 +293,12 @@ def _places_of_less_roll(alone: OrderVectors, shafts: Sequence[SystemShaft], rol
 
     forward, backward = ([shaft for shaft in shafts if shaft.forward is sense] for sense in (True, False))
     F_f, F_b = (sum((shaft.force for shaft in some), 0j) for some in (forward, backward))
-    ways = []
+    ways, leave = [], [abs(roll)]
     with untraced():
         S = F_f + conj(F_b)  # where it is nothing a height difference raises no moment
         up = best_height_difference(Dh=0.0, T=roll, F_f=F_f, F_b=F_b) / 2 if abs(S) > NOTHING else 0.0
         if AS_THEY_STAND < abs(up) < NO_PLACE:
-            least = left_at([axis + (up if shaft.forward else -up) for shaft, axis in zip(shafts, axes)])
+            leave.append(least := left_at([axis + (up if shaft.forward else -up) for shaft, axis in zip(shafts, axes)]))
             moves = [_moved(some, by) for some, by in ((forward, up), (backward, -up)) if some]
             ways.append(
                 Text(
@@ -310,7 +309,10 @@ def _places_of_less_roll(alone: OrderVectors, shafts: Sequence[SystemShaft], rol
             )
         aside = left_at([conj(axis) for axis in axes])
     if aside < (1 - DRAWN) * abs(roll):
+        leave.append(aside)
         ways.append(Text("On the other side of the crank {aside} N·m are left.", aside=Amount(aside, form=".1f")))
+    if not ways or min(leave) > abs(alone.roll or 0j):
+        ways.append(NEARER)
     return SPACE.join(ways)
 
 

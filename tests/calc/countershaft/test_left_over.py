@@ -287,6 +287,8 @@ def test_the_other_side_is_told_where_it_leaves_less():
     beside = judged(engine(), shaft(force=1000.0, axis=-0.05j), rolls={1: 100 + 0j})["roll"]
     assert beside.value == pytest.approx(150.0) and beside.verdict == "note"
     assert beside.advice == "On the other side of the crank 50.0 N·m are left."
+    no_better = judged(engine(), shaft(force=1000.0, axis=-0.05j), rolls={1: 10 + 0j})["roll"]
+    assert str(no_better.advice).startswith("On the other side of the crank 40.0 N·m are left. The nearer the axes are")
     best = judged(engine(), shaft(force=1000.0, axis=0.05j), rolls={1: 100 + 0j})["roll"]
     assert best.holds and str(best.advice).startswith("The nearer the axes are")
 
