@@ -224,6 +224,17 @@ class Bolts:
         help="Names of the shafts whose bearings their support holds; the one that they stand at counts in any case. "
         "Left out: that one alone.",
     )
+    direction: float | None = quantity(
+        "Direction of the bolts",
+        "°",
+        default=None,
+        within=(-360, 360),
+        symbol="beta",
+        help="Of their axis, from up in the sense of crank rotation: 0 where they hold the support from above or "
+        "below, 90 from the side. It counts where shafts that turn both ways stand in one support. Left out: the "
+        "joint is judged with the bolts as they point worst, and best.",
+        repair="asked",
+    )
 
     @property
     def flanged(self) -> bool:
@@ -291,10 +302,13 @@ class FurtherBolts(Bolts):
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         yield from super().problems()
-        if self.row_span is not None:
-            yield dotted(Bolts.row_span), Text("belongs to the bolts of the support: these hold their force together")
-        if self.carries is not None:
-            yield dotted(Bolts.carries), Text("belongs to the bolts of the support: of these give force_N")
+        for key, given in (
+            (dotted(Bolts.row_span), self.row_span),
+            (dotted(Bolts.carries), self.carries),
+            (dotted(Bolts.direction), self.direction),
+        ):
+            if given is not None:
+                yield key, Text("belongs to the bolts of the support: these hold their force together")
 
 
 @inputs

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from calc.countershaft.making import bolts
@@ -310,12 +310,16 @@ def test_a_shaft_without_force_is_not_judged(couple):
 # --- several shafts in one support
 
 
-def over_a_turn(shafts, span=0.335):
-    """The largest force on the bolts of either end over a turn of the crank, each shaft at its own speed."""
+def turning(shafts, span=0.335):
+    """The force on the bolts of either end over a turn of the crank, each shaft at its own speed."""
     theta = np.linspace(0, 2 * np.pi, 3601)
     turned = [np.exp(1j * one.ratio * theta) for one in shafts]
-    ends = (sum((one.force / 2 + sign * one.couple / span) * t for one, t in zip(shafts, turned)) for sign in (-1, 1))
-    return max(np.abs(end).max() for end in ends)
+    return [sum((one.force / 2 + sign * one.couple / span) * t for one, t in zip(shafts, turned)) for sign in (-1, 1)]
+
+
+def over_a_turn(shafts):
+    """The largest of them."""
+    return max(np.abs(end).max() for end in turning(shafts))
 
 
 def test_of_a_shaft_and_its_mirror_image_the_vertical_parts_add():
@@ -344,6 +348,42 @@ def test_of_one_order_the_force_is_the_largest_of_a_turn(given_shafts):
     assert Q == pytest.approx(over_a_turn(shafts), rel=1e-5, abs=1e-6)
 
 
+def test_what_a_pair_does_to_its_joint_depends_on_how_the_bolts_point():
+    """Its force is upright: upright bolts it pulls apart and pushes nowhere, so that slip and separation are one; bolts
+    from the side it never pulls apart, and pushes across with all of it."""
+    F, C = 400 * cmath.exp(0.5j), COUPLE
+    image = SystemShaft("shaft", -1, F, C).mirror_image("image")
+    unknown, up, aside = (solved(F, C, others=(image,), direction=beta) for beta in (None, 0.0, math.pi / 2))
+    assert up.bolt_separation_safety == pytest.approx(unknown.bolt_separation_safety)
+    assert up.bolt_slip_across_safety is None and up.bolt_slip_safety == pytest.approx(up.bolt_separation_safety)
+    assert aside.bolt_separation_safety is None
+    assert aside.bolt_slip_safety == pytest.approx(aside.bolt_slip_across_safety)
+    assert aside.bolt_slip_across_safety == pytest.approx(unknown.bolt_slip_across_safety)
+    assert unknown.bolt_slip_safety < aside.bolt_slip_safety < up.bolt_slip_safety
+    assert unknown.best.bolt_slip_safety == pytest.approx(up.bolt_slip_safety, rel=1e-3)
+    slip, _, separation, *_ = bolts.checks(unknown)
+    assert (slip.at_best, slip.at_worst) == pytest.approx((up.bolt_slip_safety, unknown.bolt_slip_safety), rel=1e-3)
+    assert separation.at_best == "holds" and separation.missing == ("shafts.S.bolts.direction_deg",)
+    assert [check.missing for check in bolts.checks(up)][:3] == [()] * 3
+
+
+@given(
+    st.lists(st.tuples(st.sampled_from((-1, 1)), parts, parts), min_size=2, max_size=4),
+    st.floats(0, 3),
+    st.floats(0.1, 0.5),
+)
+def test_bolts_of_a_given_direction_hold_in_every_instant_of_a_turn(given_shafts, beta, mu_T):
+    """Scaled down to its safety against slip, the clamping force just holds the worse end, and no less would."""
+    shafts = [SystemShaft(f"shaft-{n}", ratio, F, C) for n, (ratio, F, C) in enumerate(given_shafts)]
+    asked = Bolts(**{**SOURCE, "direction": beta, "joint_friction": mu_T})
+    r = bolts.held(asked, bolts.tightened(asked, None), shafts, BEARINGS)
+    assume(r.best is None and r.bolt_slip_safety is not None)
+    clamp = 2 * r.bolt_preload_min / r.bolt_slip_safety
+    ends = [end * np.exp(-1j * beta) for end in turning(shafts)]
+    spare = [mu_T * (clamp - end.real) - np.abs(end.imag) for end in ends]
+    assert min(one.min() for one in spare) == pytest.approx(0, abs=1e-4 * clamp)
+
+
 def test_of_two_orders_it_is_a_bound():
     second = SystemShaft("second", 2, 300j, 20 + 0j)
     Q = solved(200 + 0j, others=(second,)).bolt_end_force
@@ -352,8 +392,11 @@ def test_of_two_orders_it_is_a_bound():
 
 
 def test_further_bolts_carry_no_shafts():
-    asked = FurtherBolts(name="pin", carries=("left",), **SOURCE)
-    assert ("carries", "belongs to the bolts of the support: of these give force_N") in list(asked.problems())
+    asked = FurtherBolts(name="pin", carries=("left",), direction=0.0, **SOURCE)
+    told = {key: str(reason) for key, reason in asked.problems()}
+    assert told.keys() == {"carries", "direction_deg"} and set(told.values()) == {
+        "belongs to the bolts of the support: these hold their force together"
+    }
 
 
 # --- checks
