@@ -119,7 +119,7 @@ def reaction(R: PhasorNewton) -> Newton:
     return modulus(R)
 
 
-@formula("∠R", "mathematics, direction of the vector while cylinder 1 stands at TDC", names={"R": "R_i"})
+@formula("∠R", "mathematics: direction of a reaction, cylinder 1 at TDC", names={"R": "R_i"})
 def reaction_phase(R: PhasorNewton) -> Radian:
     return argument(R)
 

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.making import bolts
@@ -340,6 +340,7 @@ def test_of_a_shaft_and_its_mirror_image_the_vertical_parts_add():
 parts = st.complex_numbers(max_magnitude=500, allow_nan=False, allow_infinity=False)
 
 
+@settings(max_examples=30)
 @given(st.lists(st.tuples(st.sampled_from((-1, 1)), parts, parts), min_size=2, max_size=4))
 def test_of_one_order_the_force_is_the_largest_of_a_turn(given_shafts):
     shafts = [SystemShaft(f"shaft-{n}", ratio, F, C) for n, (ratio, F, C) in enumerate(given_shafts)]
@@ -367,6 +368,7 @@ def test_what_a_pair_does_to_its_joint_depends_on_how_the_bolts_point():
     assert [check.missing for check in bolts.checks(up)][:3] == [()] * 3
 
 
+@settings(max_examples=30)
 @given(
     st.lists(st.tuples(st.sampled_from((-1, 1)), parts, parts), min_size=2, max_size=4),
     st.floats(0, 3),
