@@ -322,6 +322,9 @@ def _moved(shafts: Sequence[SystemShaft], up: Metre) -> Text:
     return Text("{names} {by} higher", **parts) if up > 0 else Text("{names} {by} lower", **parts)
 
 
+SPEEDS = np.linspace(0.2, 1.0, 21)  # of several shafts, over the rated one
+
+
 def _curves(
     tasks: Mapping[int, ShaftTask],
     engine: Mapping[int, OrderVectors],
@@ -357,9 +360,6 @@ def _curves(
                 id = f"residual{behind}" if word == "couple" else f"residual_force{behind}"
                 over_a_turn.append(_over_a_turn(id, n, word, unit, ((f_0, b_0), (f_1, b_1))))
     return (*over_speed, *over_a_turn)
-
-
-SPEEDS = np.linspace(0.2, 1.0, 21)  # of several shafts, over the rated one
 
 
 def _peaks(what: str, before: float, left: SystemResult, off: TeethOff | None) -> list[tuple[Text, float]]:
