@@ -21,6 +21,7 @@ from .bearings.result import BearingsOfShafts, BearingsResult
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.checks import shafts_clear
+from .countershaft.making.parts import with_bolts
 from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
@@ -342,7 +343,7 @@ def _left_over(
     """What all shafts together leave; waits where one of them has no solution."""
     if h.unsolved(tuple(c.values())):
         return Outcome("countershaft", "blocked")
-    shafts = h.system_shafts(design, c)
+    shafts = h.system_shafts(design, c, teeth=True)
     left = part(
         "countershaft",
         left_over.solve,
@@ -389,6 +390,7 @@ def _standing(
                     b = b | {name: bearings_with_standing(b[name], stands)}
                     carried = b[name].result
                 of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+                of_shaft = with_bolts(of_shaft, shaft.inputs, h.on_support(design, shaft, c))
             c = c | {name: of_shaft}
     return c, b
 
@@ -422,8 +424,10 @@ def _told(
             (twins_b[shaft.name],) = _in_place(design.views[shaft.of], (b[shaft.name],))
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()}, twins_b)
-    of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
-    accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
+    accepted = design.accepted
+    if accepted:
+        of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
+        accepted = tuple((of_ids.get(id, id), reason) for id, reason in accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)
     return Solved(every, of_shafts)
 

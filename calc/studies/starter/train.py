@@ -3,8 +3,8 @@
 tree: an odd number of wheels lies between crank and shaft, an even one where the shaft turns against the crank; and its
 friction.
 
-Trains are tried in the order in which they are usual; the first is taken that leaves nothing to be said of teeth and
-losses, with the roughest flanks of which that holds."""
+Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of
+teeth and losses."""
 
 import math
 from collections import Counter
@@ -14,10 +14,12 @@ from itertools import product
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
 from ...design.toml_file import Document, design
+from ...friction.checks import MESH_MODELS
 from ...friction.inputs import FrictionInputs, RollingBearing
 from ...friction.result import FrictionResult
 from ...gears import formulas as g
 from ...gears.inputs import GearsInputs, Mesh
+from ...gears.rating.checks import SAFETY_CONTACT, SCUFFING
 from ...gears.result import TrainResult
 from ...gears.wheel_inputs import Wheel
 from ...sheet.check import THIN_MARGIN, URGENT
@@ -47,6 +49,7 @@ GRADE = 7
 TOLERANCE = 40  # µm
 HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
 MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
+OF_FLANKS = (SCUFFING, MESH_MODELS, SAFETY_CONTACT)  # checks that finer flanks help
 TRAIN = Text("a train to begin with")
 
 
@@ -105,8 +108,7 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
     power = None if "bearings" in document.data else MUCH
     known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
     for train in _trains(results.design):
-        found = None
-        for flanks in reversed(FLANKS):  # what does not pass with the finest passes with none
+        for flanks in FLANKS:
             losses = _friction(results.design, results, flanks)
             try:
                 wheels, power, results = _loaded(document, results, train, losses, power)
@@ -115,12 +117,11 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
                 break
             outcomes = [results.outcomes[key] for key in ("countershaft", "gears", "friction")]
             stopping = [c for outcome in outcomes for c in outcome.checks if c.verdict in URGENT and c.id not in known]
-            if stopping or any(outcome.state not in ("solved", "not_asked") for outcome in outcomes):
-                why += [Text("{check}", check=c.name) for c in stopping[:1]]
-                break
-            found = wheels, losses
-        if found is not None:
-            return found
+            if not stopping and all(outcome.state == "solved" for outcome in outcomes if outcome.state != "not_asked"):
+                return wheels, losses
+            why += [Text("{check}", check=c.name) for c in stopping[:1]]
+            if not all(c.rule in OF_FLANKS for c in stopping):
+                break  # finer flanks do not help
     raise NoSolution(
         TRAIN,
         SEMICOLON.join(text for text, _ in Counter(why).most_common(3)),
