@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """All balance shafts of an engine from the front, each at its axis beside the crank: what it sweeps, its sectors and
-its force with cylinder 1 at TDC, how it turns.
+its force with cylinder 1 at TDC, how it turns; the wheels and chains that turn it, and the oil at rest.
 
 Up is up, the crank turns clockwise.  Shafts whose place is not given stand in a row beneath."""
 
@@ -71,20 +71,44 @@ class Wheel:
     key: str
 
 
+@record
+class Chain:
+    """The line of a chain or belt, closed."""
+
+    line: tuple[PhasorMetre, ...]
+    key: str
+
+
+@record
+class OilLevel:
+    """The oil at rest, up from the crank's axis."""
+
+    up: Metre
+    key: str
+
+
 def front_view(
-    engine: EngineInputs, banks: Iterable[Radian], shafts: Sequence[ShaftInFront], wheels: Iterable[Wheel] = ()
+    engine: EngineInputs,
+    banks: Iterable[Radian],
+    shafts: Sequence[ShaftInFront],
+    wheels: Iterable[Wheel] = (),
+    chains: Iterable[Chain] = (),
+    oil: OilLevel | None = None,
 ) -> Sketch:
     """`banks`: the directions of the cylinders, from up."""
     largest, most = max(shaft.sweep for shaft in shafts), max(abs(shaft.force) for shaft in shafts)
     scale = ARROW * largest / most if most else 0.0
     placed = [(shaft, _point(shaft.axis)) for shaft in shafts if shaft.axis is not None]
-    marks: list[Mark] = [*_crank(engine, banks), *_wheels(wheels)] if placed else []
+    marks: list[Mark] = [*_crank(engine, banks), *_wheels(wheels), *_chains(chains)] if placed else []
     for shaft, at in placed:
         marks += _at(at, _shaft(shaft, scale, NO_FORCE * most))
     for (one, here), (other, there) in combinations(placed, 2):
         marks += [*_meeting(one, here, other, there), *_meeting(other, there, one, here)]
     beneath = [shaft for shaft in shafts if shaft.axis is None]
     left, low, right, _ = spanned(point for mark in marks for point in reach(mark))
+    if placed and oil is not None:
+        marks += _oil(oil, left, right)
+        low = min(low, oil.up)
     middle, y = (left + right) / 2, low - APART * largest
     for n, shaft in enumerate(beneath):
         marks += _at(
@@ -114,6 +138,16 @@ def _crank(engine: EngineInputs, banks: Iterable[Radian]) -> Iterator[Mark]:
 def _wheels(wheels: Iterable[Wheel]) -> Iterator[Mark]:
     for wheel in wheels:
         yield Arc(HIDDEN, _point(wheel.axis), wheel.radius, key=wheel.key)
+
+
+def _chains(chains: Iterable[Chain]) -> Iterator[Mark]:
+    for chain in chains:
+        yield Polyline(CONTEXT, tuple(map(_point, chain.line)), True, chain.key)
+
+
+def _oil(oil: OilLevel, left: Metre, right: Metre) -> Iterator[Mark]:
+    yield Polyline(CONTEXT, ((left, oil.up), (right, oil.up)), key=oil.key)
+    yield Words(CONTEXT, (left, oil.up), Text("oil at rest"), key=oil.key)
 
 
 def _shaft(shaft: ShaftInFront, scale: float, least: float) -> Iterator[Mark]:
