@@ -19,6 +19,8 @@ from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
 from .places import (
+    NAME,
+    OWN,
     SHAFTS,
     Place,
     content_at,
@@ -31,6 +33,7 @@ from .places import (
     named_key,
     optional_table,
     with_shafts,
+    with_wheel,
     without_empty,
 )
 from .recording import Recording
@@ -224,28 +227,42 @@ class Editing:
         return index
 
     def add_shaft(self, name: str, what: str) -> int:
-        """A further shaft beside the one of that name (see `further_shaft`).  Gives its index."""
+        """A further shaft beside the one of that name (see `further_shaft`); a twin is turned as that one is (see
+        `with_wheel`).  Gives its index."""
         there = self.value(SHAFTS) or []
-        self._put_shafts([*there, further_shaft(there, name, what)])
+        shaft = further_shaft(there, name, what)
+        data = with_shafts(self._state.data, [*there, shaft], self.ids_of_shaft())
+        if what != OWN and (carrier := self._carrier(name)):
+            data = with_wheel(data, shaft[NAME], name, carrier, what)
+        self._put_shafts(data)
         return len(there)
+
+    def _carrier(self, shaft: str) -> str:
+        """The wheel or sprocket that turns a shaft, by the last valid design; empty where none does."""
+        gears = self.design.gears
+        if gears is None:
+            return ""
+        carrier = gears.carrier(shaft)
+        says = {wheel.name for wheel in gears.wheels if wheel.shaft == shaft} | {shaft}
+        return carrier if len(self.design.shafts) == 1 or carrier in says else ""
 
     def remove(self, key: str | Place, index: int) -> None:
         """Take an element out of an array of tables; a shaft with its twins."""
         where = self._array(key)
         left = less(where, self.value(where) or [], index)
         if where == SHAFTS:
-            self._put_shafts(left)
+            self._put_shafts(with_shafts(self._state.data, left, self.ids_of_shaft()))
             return
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
         self._step(EditState(changed(self._state.data, where, left or None), texts), where)
         self.seal()
 
-    def _put_shafts(self, shafts: list[Table]) -> None:
-        """Other shafts, and what goes by their names with them."""
+    def _put_shafts(self, data: Table) -> None:
+        """Tables with other shafts."""
         texts = {k: v for k, v in self._state.texts.items() if k[:1] != SHAFTS}
         self.seal()
-        self._step(EditState(with_shafts(self._state.data, shafts, self.ids_of_shaft()), texts), SHAFTS)
+        self._step(EditState(data, texts), SHAFTS)
         self.seal()
 
     def ids_of_shaft(self) -> Collection[str]:

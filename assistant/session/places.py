@@ -13,7 +13,7 @@ from calc.design.addresses import Table, address, as_table, changed, declared, o
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, twin, without
-from calc.gears.inputs import GearsInputs
+from calc.gears.inputs import GearsInputs, Mesh, Stage
 from calc.gears.wheel_inputs import Wheel
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity, dotted, keys
@@ -153,8 +153,11 @@ def twin_words(shaft: Table) -> Text:
 
 POSITION = dotted(BearingRow.position)
 VALUE = dotted(Measured.value)
-WHEELS: Place = (dotted(Design.gears), dotted(GearsInputs.wheels))
-SITS_ON = dotted(Wheel.shaft)
+GEARS = dotted(Design.gears)
+WHEELS: Place = (GEARS, dotted(GearsInputs.wheels))
+MESHES: Place = (GEARS, dotted(GearsInputs.meshes))
+STAGES: Place = (GEARS, dotted(GearsInputs.stages))
+SITS_ON, DRIVER, DRIVEN = dotted(Wheel.shaft), dotted(Mesh.driver), dotted(Mesh.driven)
 
 
 def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
@@ -201,6 +204,64 @@ def ways_to_add(there: list[Table], name: str) -> dict[str, Text]:
     }
 
 
+# what is of one wheel alone, and no further one is like
+OF_ONE = (
+    *(Wheel.position, Wheel.hand, Wheel.former_name, Wheel.measured_span),
+    *(Wheel.measured_over_balls, Wheel.measured_over_pins, Wheel.measured_chordal_thickness),
+)
+
+
+def with_wheel(data: Table, name: str, of: str, carrier: str, what: str) -> Table:
+    """The tables with what turns a twin as `carrier`, a wheel or a sprocket, turns the shaft that it is a twin of.
+
+    A mirror image has the like wheel, in mesh with that one; what repeats a shaft has the like wheel on the same
+    driver.  Where a chain alone turns the shaft, one more turns the twin, a mirror image by its other side."""
+    wheels, meshes, stages = (list(content_at(data, array) or []) for array in (WHEELS, MESHES, STAGES))
+    n = next((n for n, wheel in enumerate(wheels) if wheel.get(NAME) == carrier), None)
+    mesh, stage = (next((link for link in links if link.get(DRIVEN) == carrier), None) for links in (meshes, stages))
+    if n is not None and (mesh is not None or what == MIRRORS):
+        wheels[n] = {**wheels[n], SITS_ON: of}
+        like = without(wheels[n], *map(dotted, OF_ONE))
+        further = {**like, NAME: _free(name, [wheel.get(NAME) for wheel in wheels]), SITS_ON: name}
+        link = mesh or {}
+        if what == MIRRORS:
+            link = {DRIVER: carrier, **without(link, DRIVER, dotted(Mesh.centre_distance))}
+        data = changed(data, WHEELS, [*wheels, further])
+        return changed(data, MESHES, [*meshes, {**link, DRIVEN: further[NAME]}])
+    if stage is None:
+        return data
+    side = dotted(Stage.side)
+    further = {**stage, NAME: _free(str(stage.get(NAME)), [link.get(NAME) for link in stages]), DRIVEN: name}
+    if what == MIRRORS:
+        further[side] = "inner" if stage.get(side) == "outer" else "outer"
+    return changed(data, STAGES, [*stages, further])
+
+
+def driver_of(data: Table, shaft: str) -> str:
+    """What drives the wheel or sprocket of a shaft; empty where nothing turns it."""
+    on = {wheel.get(NAME) for wheel in content_at(data, WHEELS) or [] if wheel.get(SITS_ON) == shaft} | {shaft}
+    links = [*(content_at(data, MESHES) or []), *(content_at(data, STAGES) or [])]
+    return next((str(link.get(DRIVER)) for link in links if link.get(DRIVEN) in on), "")
+
+
+def _without_leaves(data: Table, gone: Collection[object]) -> Table:
+    """Less the wheels and sprockets of shafts that are gone, and what drives them, where these drive nothing else; one
+    mesh or stage stays."""
+    while True:
+        wheels = content_at(data, WHEELS) or []
+        links = [(array, link) for array in (MESHES, STAGES) for link in content_at(data, array) or []]
+        on = {wheel.get(NAME): wheel.get(SITS_ON) for wheel in wheels}
+        driving = {link.get(DRIVER) for _, link in links}
+        ends = ((array, link) for array, link in links if link.get(DRIVEN) not in driving)
+        leaf = next((x for x in ends if on.get(x[1].get(DRIVEN), x[1].get(DRIVEN)) in gone), None)
+        if leaf is None or len(links) < 2:
+            return data
+        array, last = leaf
+        data = changed(data, array, [link for link in content_at(data, array) if link is not last] or None)
+        left = [wheel for wheel in wheels if wheel.get(NAME) != last.get(DRIVEN)]
+        data = changed(data, WHEELS, left or None)
+
+
 def _free(name: str, names: list[object]) -> str:
     """The name, or the first with a number behind it that no element has."""
     base = name.rstrip("0123456789").rstrip("-") or name
@@ -227,12 +288,15 @@ def less(where: Place, there: list[Table], index: int) -> list[Table]:
 
 
 def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> Table:
-    """The tables with other shafts: a wheel sits on none that is gone, and where one becomes several, or one of them is
-    left, the ids of what is accepted and measured have that one's name or lose it.
+    """The tables with other shafts: the wheel of one that is gone goes with it, or sits on none where it drives
+    something, and where one becomes several, or one of them is left, the ids of what is accepted and measured have that
+    one's name or lose it.
 
     `of_shaft`: the ids, without that name, of what each shaft has for itself."""
     was, now = _names(data, SHAFTS), [shaft.get(NAME) for shaft in shafts]
     data = changed(data, SHAFTS, shafts or None)
+    if now:
+        data = _without_leaves(data, [name for name in was if name not in now])
     for i, wheel in enumerate(content_at(data, WHEELS) or []):
         if (name := wheel.get(SITS_ON)) in was and name not in now:
             data = changed(data, (*WHEELS, i, SITS_ON), None)
@@ -251,7 +315,8 @@ def _named(id: str, name: str) -> str:
 
 def followed(valid: Table, data: Table, where: Place) -> Table:
     """The tables after an element of an array was given another name: what is locked, varied or measured in it goes by
-    that name, and so does what mirrors a shaft or sits on it, or is accepted of a bearing.  `valid`: the tables before.
+    that name, and so does what mirrors a shaft, sits on it or turns it, or is accepted of a bearing.  `valid`: the
+    tables before.
 
     While the name is none, or that of another one, all that stays as it was."""
     if where[-1:] != (NAME,) or len(where) < 3:
@@ -287,6 +352,11 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
             for i, item in enumerate(content_at(data, array) or []):
                 if item.get(key) == old:
                     data = changed(data, (*array, i, key), new)
+        if old not in _names(data, WHEELS):  # else a sprocket turns beside the wheel of that name
+            for i, stage in enumerate(content_at(data, STAGES) or []):
+                for key in (DRIVER, DRIVEN):
+                    if stage.get(key) == old:
+                        data = changed(data, (*STAGES, i, key), new)
     return data
 
 

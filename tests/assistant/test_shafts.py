@@ -9,7 +9,17 @@ from pathlib import Path
 import pytest
 
 from assistant.screens.dialogs import Ask, Choose
-from assistant.session.places import Place, followed, further, further_shaft, label_of, less, ways_to_add
+from assistant.session.places import (
+    Place,
+    followed,
+    further,
+    further_shaft,
+    label_of,
+    less,
+    ways_to_add,
+    with_shafts,
+    with_wheel,
+)
 from assistant.session.recovery import Edits, Memory
 from assistant.session.saving import NeedsUpgrade
 from assistant.session.session import Session
@@ -208,11 +218,43 @@ def test_ids_of_what_is_accepted_and_measured_have_a_shafts_name_beside_another(
     assert session.data == before
 
 
-def test_a_shaft_that_goes_leaves_its_wheel(session: Session) -> None:
-    session.add_shaft("shaft", "mirrors")
-    session.apply(["gears.wheels.idler.shaft=twin"])
+@pytest.mark.parametrize("what, sense", [("mirrors", -1), ("repeats", 1)])
+def test_a_twin_has_a_wheel_that_turns_it_as_it_must_and_takes_it_along(
+    session: Session, what: str, sense: int
+) -> None:
+    before = session.data
+    session.add_shaft("shaft", what)
+    session.edit((*SHAFTS, 1, "axis_mm"), "10, 200")
+    assert session.valid and session.design.gears is not None
+    tree = session.design.gears.tree
+    own, further = (session.design.gears.carrier(name) for name in ("shaft", "twin"))
+    assert own != further and tree.senses[further] == sense * tree.senses[own]
+    assert tree.turns(further) == tree.turns(own)
     session.remove(SHAFTS, 1)
-    assert all(wheel.get("shaft") != "twin" for wheel in session.data["gears"]["wheels"]) and session.valid
+    assert session.data["gears"] == before["gears"] and session.valid
+    for _ in range(3):
+        session.undo()
+    assert session.data == before
+
+
+def test_a_wheel_that_drives_others_stays_when_its_shaft_goes(session: Session) -> None:
+    session.add_shaft("shaft", "own")
+    session.apply(["gears.wheels.idler.shaft=shaft-2"])
+    session.remove(SHAFTS, 1)
+    assert all(wheel.get("shaft") != "shaft-2" for wheel in session.data["gears"]["wheels"]) and session.valid
+    assert len(session.data["gears"]["wheels"]) == 4
+
+
+def test_a_further_chain_turns_the_twin_of_a_shaft_that_a_chain_turns() -> None:
+    stage = {"name": "chain", "driver": "crank", "driven": "left", "driver_teeth": 40, "driven_teeth": 20}
+    left: Table = {"name": "left"}
+    data: Table = {"shafts": [left, {"name": "right"}], "gears": {"stages": [stage]}}
+    for what, side in (("mirrors", {"side": "outer"}), ("repeats", {})):
+        turned = with_wheel(data, "right", "left", "left", what)
+        assert turned["gears"]["stages"] == [stage, {**stage, "name": "chain-2", "driven": "right", **side}]
+        assert with_shafts(turned, [left], ())["gears"] == data["gears"]
+    renamed: Table = {**data, "shafts": [{"name": "low"}, {"name": "right"}]}
+    assert followed(data, renamed, (*SHAFTS, 0, "name"))["gears"]["stages"] == [{**stage, "driven": "low"}]
 
 
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)])
@@ -287,7 +329,7 @@ def test_what_names_a_shaft_or_locks_something_in_it_follows_its_name_letter_by_
     for text in ("", "t", "tw", "twin", "twin-", "twin-1"):  # by way of the name of its mirror image
         session.edit((*SHAFTS, 0, "name"), text)
     assert session.valid and session.data["shafts"][1]["mirrors"] == "twin-1"
-    assert [wheel.get("shaft") for wheel in session.data["gears"]["wheels"]] == [None, None, None, "twin-1"]
+    assert [wheel.get("shaft") for wheel in session.data["gears"]["wheels"]] == [None, None, None, "twin-1", "twin"]
     session.edit((*ROWS, 0, "name"), "fore")
     assert session.lock_reason("shafts.twin-1.bearings.fore.length_mm")
     session.undo()
@@ -333,11 +375,13 @@ def test_without_bearings_a_shaft_keeps_what_is_screened(session: Session) -> No
 # --- files of schema 1
 
 
-def test_a_file_of_schema_1_stays_one_where_it_can_say_what_changed(session: Session) -> None:
+def test_a_file_of_schema_1_stays_one_where_it_can_say_what_changed(session: Session, light: Session) -> None:
     session.edit("bearings.front.length_mm", "28.5")
-    session.add_shaft("shaft", "mirrors")
     text = session.save().read_text("utf-8")
-    assert "schema = 1" in text and 'pair = "yes"' in text and "length_mm = 28.5" in text
+    assert "schema = 1" in text and "length_mm = 28.5" in text
+    light.add_shaft("shaft", "mirrors")
+    text = light.save().read_text("utf-8")
+    assert "schema = 1" in text and 'pair = "yes"' in text
 
 
 def test_where_it_can_not_a_save_asks_for_schema_2_and_keeps_the_comments(session: Session) -> None:
