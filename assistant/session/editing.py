@@ -233,7 +233,7 @@ class Editing:
         shaft = further_shaft(there, name, what)
         data = with_shafts(self._state.data, [*there, shaft], self.ids_of_shaft())
         if what != OWN and (carrier := self._carrier(name)):
-            data = with_wheel(data, shaft[NAME], name, carrier, what)
+            data = with_wheel(data, str(shaft[NAME]), name, carrier, what)
         self._put_shafts(data)
         return len(there)
 

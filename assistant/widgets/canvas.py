@@ -16,7 +16,7 @@ from textual.content import Content, Span
 
 from calc.draw.drawing import AXIS, CONTEXT, HIDDEN, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, Words, reach
 from calc.locale import Language
-from calc.sheet.text import Amount
+from calc.sheet.text import Amount, Text
 
 from .signs import Signs
 from .text import wrap
@@ -293,6 +293,7 @@ SHIFTS = sorted(
 )  # how a word may be moved, in rows and columns
 # what each cell of a line under a word, and a word right beside it, is worth in `SHIFTS`
 ON_A_LINE, BESIDE_A_WORD = (1.0, 2.0)
+MORE = Text("here , . bring other pictures")
 
 
 def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, lit: str = "") -> Content:
@@ -300,15 +301,21 @@ def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, l
     if columns < 4 or rows < 2:
         return Content("")
     canvas = Canvas(columns, rows, signs, say, lit)
-    notes = noted(list(dict.fromkeys(say(note) for panel in (sketch, *sketch.beside) for note in panel.notes)), columns)
-    below = notes if rows > 4 + len(notes) else []
-    for picture, frame in arranged(
-        [Spread(panel, say) for panel in (sketch, *sketch.beside)], columns, rows - len(below)
-    ):
+    panels = [Spread(panel, say) for panel in (sketch, *sketch.beside)]
+    shown = [picture for picture, _ in arranged(panels, columns, rows - len(_below(panels, columns, rows, say)))]
+    below = _below(shown, columns, rows, say, more=sketch.views > 1 and len(shown) < len(panels))
+    for picture, frame in arranged(shown, columns, rows - len(below)):
         canvas.picture(picture, frame)
     for row, note in enumerate(below, rows - len(below)):
         canvas.put(row, max(0, (columns - cell_len(note)) // 2), note, FAINT)
     return canvas.content()
+
+
+def _below(pictures: list[Spread], columns: int, rows: int, say: Language, more: bool = False) -> list[str]:
+    """The rows of the notes of pictures, and (`more`) that there are further ones; none where there is no room."""
+    texts = [note for picture in pictures for note in picture.sketch.notes] + [MORE] * more
+    notes = noted(list(dict.fromkeys(map(say, texts))), columns)
+    return notes if rows > 4 + len(notes) else []
 
 
 def noted(notes: list[str], columns: int) -> list[str]:

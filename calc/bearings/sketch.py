@@ -237,7 +237,7 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
     planes = sorted(set(engine.crank.z.tolist())) if engine is not None else []
     level = (LINE + FOOT) * longest
     marks: list[Mark] = [Polyline(CONTEXT, ((z, level), (z, level + FOOT * longest))) for z in planes]
-    notes = [Text("in the films: across × {factor}, dashed half a turn later", factor=Amount(factor))]
+    notes = [Text("in the films × {factor}", factor=Amount(factor)), Text("dashed: half a turn later")]
     notes += [Text("ticks: cylinders")] if planes else []
     in_view = design.own_name if len(design.originals) == 1 else ""
     y = 0.0
@@ -254,8 +254,8 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
             at = float(b.line[0].min()) - FOOT * longest
             marks.append(Words(WORDS, (at, y), COMMA.join([Name(name), *twins]), side="right"))
         if b.cone is not None and b.cone > NO_CONE:
-            half = Text("{name}: half-angle of its cone {cone}", name=Name(name), cone=cone)
-            notes.append(half if several else Text("half-angle of the cone {cone}", cone=cone))
+            half = Text("{name}: cone {cone}", name=Name(name), cone=cone)
+            notes.append(half if several else Text("cone {cone}", cone=cone))
         y -= (2 * LINE + 3 * FOOT + BAR) * longest
     return Sketch(tuple(marks), tuple(notes), title=Text("in the films"), of_all=len(shafts))
 

@@ -115,7 +115,7 @@ class View:
 def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int = 0) -> Sketch:
     """The shafts of a design, as far as they are known: one of its own from the side and from the front; all of them
     beside the crank, where there are several or a place is given.  Of several that are no twins the picture `view`
-    comes first."""
+    comes first; of one `view` 1 is all of them."""
     each = [_of_one(one, results.views[name]) for name, one in design.views.items()]
     together = _together(design, results)
     if len(each) > 1:
@@ -127,8 +127,10 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     if together is None or not alone.primitives:
         return alone
     several = len((results.viewed or results).design.shafts) > 1
-    beside = (together, *alone.beside) if several else (*alone.beside, together)
-    return replace(alone, beside=beside)
+    side, ends = replace(alone, beside=()), alone.beside
+    if view:
+        return replace(together, beside=(side, *ends), views=2)
+    return replace(side, beside=(together, *ends) if several else (*ends, together), views=2)
 
 
 def _named(picture: Sketch, of: "Design") -> Sketch:
