@@ -293,7 +293,7 @@ SHIFTS = sorted(
 )  # how a word may be moved, in rows and columns
 # what each cell of a line under a word, and a word right beside it, is worth in `SHIFTS`
 ON_A_LINE, BESIDE_A_WORD = (1.0, 2.0)
-MORE = Text("here , . bring other pictures")
+MORE = Text("other pictures: , and . here")
 
 
 def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, lit: str = "") -> Content:

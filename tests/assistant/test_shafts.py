@@ -29,6 +29,7 @@ from assistant.widgets.rows import Asked, FormRow, routed
 from calc.design.addresses import Table, changed
 from calc.design.model import STEPS
 from calc.design.toml_file import design, parse
+from calc.sheet.text import Text
 from calc.studies.shipped import DESIGNS
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
@@ -283,6 +284,11 @@ async def test_everything_on_the_screen_is_of_the_shaft_in_view(
             await settled(pilot)
             seen.add((work(pilot).checks.key.split(".")[1], session.shafts[session.shaft]))
         assert {("shaft", "shaft"), ("right", "right")} <= seen and not {("shaft", "right"), ("right", "shaft")} & seen
+        before, finding = session.shaft, work(pilot).checks.key
+        await strike(pilot, "ctrl+right")
+        work(pilot).checks.show_slopes(finding, Text("what moves it is known"))  # which makes the rows anew
+        await settled(pilot)
+        assert session.shaft != before and work(pilot).checks.key == finding
 
 
 # --- elements
