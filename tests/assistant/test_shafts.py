@@ -284,7 +284,9 @@ async def test_everything_on_the_screen_is_of_the_shaft_in_view(
             await settled(pilot)
             seen.add((work(pilot).checks.key.split(".")[1], session.shafts[session.shaft]))
         assert {("shaft", "shaft"), ("right", "right")} <= seen and not {("shaft", "right"), ("right", "shaft")} & seen
+        await strike(pilot, "f7")
         before, finding = session.shaft, work(pilot).checks.key
+        assert session.shaft_of(finding) == before
         await strike(pilot, "ctrl+right")
         work(pilot).checks.show_slopes(finding, Text("what moves it is known"))  # which makes the rows anew
         await settled(pilot)
