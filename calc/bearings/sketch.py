@@ -32,6 +32,7 @@ from ..draw.drawing import (
     awaited,
     judged,
     moved,
+    reach,
     rectangle,
     round_outline,
     rounded,
@@ -243,7 +244,8 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
     y = 0.0
     for name, b in shafts.items():
         seen = whole.views[name]
-        for mark in _in_films(b, seen.outcomes[STEP].checks, seen.shaft, longest, factor, bar):
+        drawn = list(_in_films(b, seen.outcomes[STEP].checks, seen.shaft, longest, factor, bar))
+        for mark in drawn:
             keys = mark.key.split()
             if name != in_view:
                 keys = [one for key in keys for one in seen.design.in_place(key)]
@@ -256,7 +258,7 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
         if b.cone is not None and b.cone > NO_CONE:
             half = Text("{name}: cone {cone}", name=Name(name), cone=cone)
             notes.append(half if several else Text("cone {cone}", cone=cone))
-        y -= (2 * LINE + 3 * FOOT + BAR) * longest
+        y -= level + 2 * FOOT * longest - min(at_y for mark in drawn for _, at_y in reach(mark))
     return Sketch(tuple(marks), tuple(notes), title=Text("in the films"), of_all=len(shafts))
 
 

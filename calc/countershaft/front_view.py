@@ -39,7 +39,7 @@ SECTOR = 0.5  # shade
 MASS = 0.2  # of the sweep: radius of a mass of which only the place is known
 SENSE = math.radians(50)  # half of the arrow that says how a shaft turns
 AROUND = 1.15  # sweeps: where that arrow runs
-NAME = 1.5  # sweeps below the axis, where the name stands
+NAME, BELOW = 1.5, 0.4  # sweeps below the axis, and below the tip of a force, where the name stands
 ARROW = 2.0  # largest sweeps: length of the largest force
 APART = 4.0  # largest sweeps from shaft to shaft where no place is given
 CORNERS = 24  # of half a sector
@@ -159,10 +159,11 @@ def _shaft(shaft: ShaftInFront, scale: float, least: float) -> Iterator[Mark]:
     for mass in shaft.masses:
         yield Area(OUTLINE, (round_outline(_point(mass), MASS * R),), SECTOR, key)
     yield from _sense(AROUND * R, shaft.ratio, OUTLINE, key)
+    tip = _point(scale * shaft.force)
     if abs(shaft.force) > least:
-        yield Polyline(OUTLINE, ((0.0, 0.0), _point(scale * shaft.force)), arrow=True, key=key)
+        yield Polyline(OUTLINE, ((0.0, 0.0), tip), arrow=True, key=key)
     words = Text("{name} ×{n}", name=Name(shaft.name), n=Amount(abs(shaft.ratio)))
-    yield Words(WORDS, (0.0, -NAME * R), words, key=key, side="centre")
+    yield Words(WORDS, (0.0, min(-NAME * R, tip[1] - BELOW * R)), words, key=key, side="centre")
 
 
 def _sense(radius: Metre, ratio: Number, layer: str, key: str) -> Iterator[Mark]:
