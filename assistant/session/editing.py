@@ -4,6 +4,7 @@
 Every edit makes a new document that is checked whole.  What can not be understood, or is not allowed, stays visible in
 its field while the last valid design stays as it was.  `undo.py` keeps the states that it has been through."""
 
+import math
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -119,6 +120,7 @@ def _part(value: Any, unit: str = "") -> Part:
 # --- what was typed, and what it means
 
 LOCKED_HERE = "locked in the session"
+NEAR = 0.1  # of their diameter: profile shifts bring two wheels no further together or apart
 
 
 @dataclass(frozen=True)
@@ -233,7 +235,7 @@ class Editing:
         shaft = further_shaft(there, name, what)
         data = with_shafts(self._state.data, [*there, shaft], self.ids_of_shaft())
         if what != OWN and (carrier := self._carrier(name)):
-            data = with_wheel(data, str(shaft[NAME]), name, carrier, what)
+            data = with_wheel(data, str(shaft[NAME]), name, carrier, what, meets=self._meets(name, carrier))
         self._put_shafts(data)
         return len(there)
 
@@ -245,6 +247,15 @@ class Editing:
         carrier = gears.carrier(shaft)
         says = {wheel.name for wheel in gears.wheels if wheel.shaft == shaft} | {shaft}
         return carrier if len(self.design.shafts) == 1 or carrier in says else ""
+
+    def _meets(self, shaft: str, wheel: str) -> bool:
+        """Whether the wheel of a shaft meets the like one of its mirror image, as far as their places are known."""
+        gears, axis = self.design.gears, next((s.axis for s in self.design.shafts if s.name == shaft), None)
+        teeth = next((there.teeth for there in gears.wheels if there.name == wheel), 0) if gears is not None else 0
+        if gears is None or axis is None or not axis[1] or not teeth:
+            return True
+        diameter = teeth * gears.module / math.cos(gears.helix_angle)
+        return abs(2 * abs(axis[1]) - diameter) <= NEAR * diameter
 
     def remove(self, key: str | Place, index: int) -> None:
         """Take an element out of an array of tables; a shaft with its twins."""

@@ -7,9 +7,9 @@ from collections.abc import Callable, Collection
 from itertools import pairwise
 from typing import Any
 
-from calc.countershaft.inputs import ShaftInputs
+from calc.countershaft.inputs import ShaftInputs, ShaftLoad
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, as_table, changed, declared, own_shafts, quantity_of
+from calc.design.addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, twin, without
@@ -157,6 +157,7 @@ GEARS = dotted(Design.gears)
 WHEELS: Place = (GEARS, dotted(GearsInputs.wheels))
 MESHES: Place = (GEARS, dotted(GearsInputs.meshes))
 STAGES: Place = (GEARS, dotted(GearsInputs.stages))
+FRICTION, LOADS, CARRIED_BY = dotted(Design.friction), dotted(ShaftInputs.loads), dotted(ShaftLoad.wheel)
 SITS_ON, DRIVER, DRIVEN = dotted(Wheel.shaft), dotted(Mesh.driver), dotted(Mesh.driven)
 
 
@@ -211,30 +212,48 @@ OF_ONE = (
 )
 
 
-def with_wheel(data: Table, name: str, of: str, carrier: str, what: str) -> Table:
+def with_wheel(data: Table, name: str, of: str, carrier: str, what: str, *, meets: bool = True) -> Table:
     """The tables with what turns a twin as `carrier`, a wheel or a sprocket, turns the shaft that it is a twin of.
 
-    A mirror image has the like wheel, in mesh with that one; what repeats a shaft has the like wheel on the same
-    driver.  Where a chain alone turns the shaft, one more turns the twin, a mirror image by its other side."""
-    wheels, meshes, stages = (list(content_at(data, array) or []) for array in (WHEELS, MESHES, STAGES))
-    n = next((n for n, wheel in enumerate(wheels) if wheel.get(NAME) == carrier), None)
-    mesh, stage = (next((link for link in links if link.get(DRIVEN) == carrier), None) for links in (meshes, stages))
-    if n is not None and (mesh is not None or what == MIRRORS):
-        wheels[n] = {**wheels[n], SITS_ON: of}
-        like = without(wheels[n], *map(dotted, OF_ONE))
-        further = {**like, NAME: _free(name, [wheel.get(NAME) for wheel in wheels]), SITS_ON: name}
-        link = mesh or {}
-        if what == MIRRORS:
-            link = {DRIVER: carrier, **without(link, DRIVER, dotted(Mesh.centre_distance))}
-        data = changed(data, WHEELS, [*wheels, further])
-        return changed(data, MESHES, [*meshes, {**link, DRIVEN: further[NAME]}])
+    A mirror image has the like wheel, in mesh with that one; where both do not meet, at the end of the like wheels as
+    lead to that one, and one more.  What repeats a shaft has the like wheel on the same driver.  Where a chain alone
+    turns the shaft, one more turns the twin, a mirror image by its other side."""
+    wheels, meshes, stages = (list(map(dict, content_at(data, array) or [])) for array in (WHEELS, MESHES, STAGES))
+    on = next((wheel for wheel in wheels if wheel.get(NAME) == carrier), None)
+    way = _toothed(meshes, carrier)
+    if on is not None and (way or what == MIRRORS):
+        on[SITS_ON] = of
+        if what == REPEATS:
+            driver, further = way[-1].get(DRIVER), [(name, on, way[-1])]
+        else:
+            driver = carrier
+            further = [(name, on, without(way[-1], dotted(Mesh.centre_distance)) if way else Table())]
+            if way and not meets:
+                driver, by_name = way[0].get(DRIVER), {wheel.get(NAME): wheel for wheel in wheels}
+                further = [(f"{name}-idler", by_name[mesh.get(DRIVEN)], mesh) for mesh in way] + further
+        for wanted, like, mesh in further:
+            called = _free(wanted, [wheel.get(NAME) for wheel in wheels])
+            wheels.append({**without(like, *map(dotted, OF_ONE), SITS_ON), NAME: called})
+            meshes.append({**mesh, DRIVER: driver, DRIVEN: called})
+            driver = called
+        wheels[-1][SITS_ON] = name
+        return changed(changed(data, WHEELS, wheels), MESHES, meshes)
+    stage = next((link for link in stages if link.get(DRIVEN) == carrier), None)
     if stage is None:
         return data
     side = dotted(Stage.side)
-    further = {**stage, NAME: _free(str(stage.get(NAME)), [link.get(NAME) for link in stages]), DRIVEN: name}
+    like = {**stage, NAME: _free(str(stage.get(NAME)), [link.get(NAME) for link in stages]), DRIVEN: name}
     if what == MIRRORS:
-        further[side] = "inner" if stage.get(side) == "outer" else "outer"
-    return changed(data, STAGES, [*stages, further])
+        like[side] = "inner" if stage.get(side) == "outer" else "outer"
+    return changed(data, STAGES, [*stages, like])
+
+
+def _toothed(meshes: list[Table], end: str) -> list[Table]:
+    """The meshes that lead to a wheel, from the first driver or from a chain."""
+    way: list[Table] = []
+    while (mesh := next((link for link in meshes if link.get(DRIVEN) == end), None)) is not None and mesh not in way:
+        way, end = [mesh, *way], str(mesh.get(DRIVER))
+    return way
 
 
 def driver_of(data: Table, shaft: str) -> str:
@@ -245,21 +264,26 @@ def driver_of(data: Table, shaft: str) -> str:
 
 
 def _without_leaves(data: Table, gone: Collection[object]) -> Table:
-    """Less the wheels and sprockets of shafts that are gone, and what drives them, where these drive nothing else; one
-    mesh or stage stays."""
+    """Less the wheels and sprockets of shafts that are gone, and the wheels that turn these alone; what a loss names
+    stays, and one mesh or stage."""
+    losses = [as_table(loss) for table in as_table(data.get(FRICTION)).values() for loss in as_list(table)]
+    losses += [as_table(load) for shaft in content_at(data, SHAFTS) or [] for load in as_list(shaft.get(LOADS))]
+    idle = set[object]()  # wheels that drove what is taken out
     while True:
         wheels = content_at(data, WHEELS) or []
         links = [(array, link) for array in (MESHES, STAGES) for link in content_at(data, array) or []]
-        on = {wheel.get(NAME): wheel.get(SITS_ON) for wheel in wheels}
-        driving = {link.get(DRIVER) for _, link in links}
-        ends = ((array, link) for array, link in links if link.get(DRIVEN) not in driving)
-        leaf = next((x for x in ends if on.get(x[1].get(DRIVEN), x[1].get(DRIVEN)) in gone), None)
+        carries = {wheel.get(NAME): wheel.get(SITS_ON) for wheel in wheels}
+        used = {link.get(DRIVER) for _, link in links} | {loss.get(CARRIED_BY) for loss in losses}
+        ends = {link.get(DRIVEN) for _, link in links} - used
+        loose = {end for end in ends & idle if carries.get(end, end) is None}
+        loose |= {end for end in ends if carries.get(end, end) in gone}  # a sprocket is called like its shaft
+        leaf = next(((array, link) for array, link in links if link.get(DRIVEN) in loose), None)
         if leaf is None or len(links) < 2:
             return data
         array, last = leaf
+        idle.add(last.get(DRIVER))
         data = changed(data, array, [link for link in content_at(data, array) if link is not last] or None)
-        left = [wheel for wheel in wheels if wheel.get(NAME) != last.get(DRIVEN)]
-        data = changed(data, WHEELS, left or None)
+        data = changed(data, WHEELS, [wheel for wheel in wheels if wheel.get(NAME) != last.get(DRIVEN)] or None)
 
 
 def _free(name: str, names: list[object]) -> str:

@@ -238,6 +238,25 @@ def test_a_twin_has_a_wheel_that_turns_it_as_it_must_and_takes_it_along(
     assert session.data == before
 
 
+def test_the_wheel_of_a_mirror_image_that_the_originals_does_not_meet_has_one_idler_more(
+    memory: Memory, tmp_path: Path
+) -> None:
+    """As the pair is shipped: the axes stand 190 mm apart, two wheels 51."""
+    session = opened("r754ie4_balance_shafts", memory, tmp_path)
+    before = session.data["gears"]
+    session.remove(SHAFTS, 1)
+    assert [wheel["name"] for wheel in session.data["gears"]["wheels"]] == ["crank", "left-idler", "left"]
+    session.add_shaft("left", "mirrors")
+    gears = session.data["gears"]
+    assert session.valid and session.data["shafts"][1]["name"] == "right"
+    assert [wheel["name"] for wheel in gears["wheels"]][3:] == ["right-idler", "right-idler-2", "right"]
+    assert [wheel["teeth"] for wheel in gears["wheels"]] == [wheel["teeth"] for wheel in before["wheels"]]
+    assert [mesh["tolerance_um"] for mesh in gears["meshes"]] == [mesh["tolerance_um"] for mesh in before["meshes"]]
+    session.apply(['friction.other_losses=[{name="pump", wheel="right-idler", power_W=50.0}]'])
+    session.remove(SHAFTS, 1)
+    assert [wheel["name"] for wheel in session.data["gears"]["wheels"]][3:] == ["right-idler"] and session.valid
+
+
 def test_a_wheel_that_drives_others_stays_when_its_shaft_goes(session: Session) -> None:
     session.add_shaft("shaft", "own")
     session.apply(["gears.wheels.idler.shaft=shaft-2"])
