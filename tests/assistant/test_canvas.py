@@ -117,9 +117,9 @@ def test_pictures_beside_each_other_are_left_out_where_they_get_too_small():
 def test_notes_are_of_the_pictures_that_are_shown_and_say_that_there_are_others() -> None:
     second = Sketch((CIRCLE,), (Text("second"),), title=Text("a title of many words"))
     both = Sketch((CIRCLE,), (Text("first"),), beside=(second,), views=2)
-    small, large = (draw(both, columns, 9, Signs(), say).plain.replace("\n", " ") for columns in (20, 60))
-    assert "first" in small and "second" not in small and "other" in small
-    assert "first · second" in large and "other" not in large
+    small, large = (draw(both, n, 9, Signs(), say, "", Text("others")).plain for n in (20, 60))
+    assert "first" in small and "second" not in small and "others" in small
+    assert "first · second" in large and "others" not in large
 
 
 def test_notes_take_as_many_rows_as_they_need() -> None:
