@@ -21,6 +21,7 @@ from .bearings.result import BearingsOfShafts, BearingsResult
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.checks import shafts_clear
+from .countershaft.making.parts import with_bolts
 from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
@@ -340,7 +341,7 @@ def _left_over(
     """What all shafts together leave; waits where one of them has no solution."""
     if h.unsolved(tuple(c.values())):
         return Outcome("countershaft", "blocked")
-    shafts = h.system_shafts(design, c)
+    shafts = h.system_shafts(design, c, teeth=True)
     left = part(
         "countershaft",
         left_over.solve,
@@ -386,6 +387,7 @@ def _standing(
                     b = b | {name: bearings_with_standing(b[name], stands)}
                     carried = b[name].result
                 of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+                of_shaft = with_bolts(of_shaft, shaft.inputs, h.on_support(design, shaft, c))
             c = c | {name: of_shaft}
     return c, b
 

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs, ShaftLoad
+from calc.countershaft.making.inputs import Bolts
 from calc.countershaft.rows import BearingRow
 from calc.design.addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
@@ -23,6 +24,7 @@ Place = tuple[str | int, ...]
 
 SHAFTS: Place = (dotted(Design.shafts),)
 OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that have something of each shaft
+CARRIES = (dotted(ShaftInputs.bolts), dotted(Bolts.carries))
 NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
 
 
@@ -313,8 +315,8 @@ def less(where: Place, there: list[Table], index: int) -> list[Table]:
 
 def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> Table:
     """The tables with other shafts: the wheel of one that is gone goes with it, or sits on none where it drives
-    something, and where one becomes several, or one of them is left, the ids of what is accepted and measured have that
-    one's name or lose it.
+    something, bolts carry none, and where one becomes several, or one of them is left, the ids of what is accepted and
+    measured have that one's name or lose it.
 
     `of_shaft`: the ids, without that name, of what each shaft has for itself."""
     was, now = _names(data, SHAFTS), [shaft.get(NAME) for shaft in shafts]
@@ -324,6 +326,10 @@ def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> 
     for i, wheel in enumerate(content_at(data, WHEELS) or []):
         if (name := wheel.get(SITS_ON)) in was and name not in now:
             data = changed(data, (*WHEELS, i, SITS_ON), None)
+    for i in range(len(now)):
+        held = content_at(data, (*SHAFTS, i, *CARRIES)) or []
+        if (kept := [name for name in held if name in now or name not in was]) != held:
+            data = changed(data, (*SHAFTS, i, *CARRIES), kept or None)
     if len(was) == 1 < len(now):
         return _with_ids(data, lambda id: _named(id, str(was[0])) if id in of_shaft else id)
     if len(now) == 1 < len(was):
@@ -381,6 +387,10 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
                 for key in (DRIVER, DRIVEN):
                     if stage.get(key) == old:
                         data = changed(data, (*STAGES, i, key), new)
+        for i in range(len(others) + 1):
+            held = content_at(data, (*SHAFTS, i, *CARRIES)) or []
+            if old in held:
+                data = changed(data, (*SHAFTS, i, *CARRIES), [new if name == old else name for name in held])
     return data
 
 

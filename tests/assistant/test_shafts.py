@@ -382,6 +382,13 @@ def test_what_is_accepted_and_measured_of_a_bearing_follows_its_name() -> None:
     ]
 
 
+def test_bolts_hold_a_shaft_by_its_new_name() -> None:
+    before: Table = {"shafts": [{"name": "a", "bolts": {"carries": ["a", "b"]}}, {"name": "b", "mirrors": "a"}]}
+    after = followed(before, changed(before, (*SHAFTS, 1, "name"), "c"), (*SHAFTS, 1, "name"))
+    assert after["shafts"][0]["bolts"] == {"carries": ["a", "c"]}
+    assert with_shafts(before, before["shafts"][:1], ())["shafts"] == [{"name": "a", "bolts": {"carries": ["a"]}}]
+
+
 def test_a_name_is_followed_only_where_the_elements_are_the_same() -> None:
     before: Table = {"locked": {"shafts.a.material": ""}, "shafts": [{"name": "a"}, {"name": "b"}]}
     after: Table = {**before, "shafts": [{"name": "c"}]}
