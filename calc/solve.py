@@ -421,8 +421,10 @@ def _told(
             (twins_b[shaft.name],) = _in_place(design.views[shaft.of], (b[shaft.name],))
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()}, twins_b)
-    of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
-    accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
+    accepted = design.accepted
+    if accepted:
+        of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
+        accepted = tuple((of_ids.get(id, id), reason) for id, reason in accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)
     return Solved(every, of_shafts)
 
