@@ -68,6 +68,7 @@ class Results:
     of_shafts: dict[str, dict[str, Outcome[object]]] = field(default_factory=dict, repr=False)  # by name and step
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # arguments and outcomes, for the next solve
     recorded: bool = True  # whether the lines were recorded with the numbers
+    viewed: "Results | None" = field(default=None, repr=False)  # those of all shafts, where one of several is in view
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
 
     def __str__(self) -> str:
@@ -116,7 +117,9 @@ class Results:
             return dict.fromkeys(self.design.views, self)
         views = self.design.views
         return {
-            name: replace(self, design=views[name], outcomes=self.outcomes | mine, of_shafts={}, _values={})
+            name: replace(
+                self, design=views[name], outcomes=self.outcomes | mine, of_shafts={}, viewed=self, _values={}
+            )
             for name, mine in self.of_shafts.items()
         }
 
