@@ -217,7 +217,7 @@ class Editing:
     def add(self, key: str | Place) -> int:
         """A further element of an array of tables (see `further`).  Gives its index."""
         where = self._array(key)
-        elements, index = further(where, self.value(where) or [])
+        elements, index = further(where, self.value(where) or [], self._state.data)
         self.seal()
         self._step(EditState(changed(self._state.data, where, elements), self._state.texts), where)
         self.seal()

@@ -9,10 +9,19 @@ from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, as_table, changed, declared, own_shafts, quantity_of
+from calc.design.addresses import (
+    Table,
+    address,
+    as_table,
+    changed,
+    declared,
+    own_shafts,
+    quantity_of,
+    rows_of_original,
+)
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
-from calc.design.upgrade import TWIN, twin, without
+from calc.design.upgrade import TWIN, is_twin, twin, without
 from calc.gears.inputs import GearsInputs
 from calc.gears.wheel_inputs import Wheel
 from calc.sheet.errors import BadInput
@@ -157,14 +166,18 @@ WHEELS: Place = (dotted(Design.gears), dotted(GearsInputs.wheels))
 SITS_ON = dotted(Wheel.shaft)
 
 
-def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
+def further(where: Place, there: list[Table], data: Table) -> tuple[list[Table], int]:
     """An array with one element more, and its index.
 
-    It is like the last one but with a name of its own; a bearing stands in the middle of the widest gap between two."""
+    It is like the last one but with a name of its own; a bearing stands in the middle of the widest gap between two,
+    one of a twin is the first of its original's that it says nothing of yet."""
     about, index = described(where), len(there)
     element = dict(there[-1]) if there else {}
     names = [item.get(NAME) for item in there]
-    if about.table is BearingRow and (gap := _widest(there)) is not None:
+    if about.table is BearingRow and is_twin(content_at(data, where[:2])):
+        theirs = rows_of_original(data, content_at(data, where[:2]))
+        element = {NAME: next((name for name in theirs if name not in names), "")}
+    elif about.table is BearingRow and (gap := _widest(there)) is not None:
         index, place = gap
         before = without(there[index - 1], *map(dotted, (BearingRow.load, BearingRow.slope)))
         element = {**before, NAME: _free("middle", names), POSITION: place}

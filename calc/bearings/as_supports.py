@@ -193,26 +193,27 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
 
     `duty`: speed and oil of all bearings; its load is not asked.  A film that finds no balance under its load keeps its
     last state, at first that of the oil as it is supplied."""
-    every, names, n = _as_one(seats), [seat.bearing.name for seat in seats], duty.effective_speed
+    names, n = [seat.bearing.name for seat in seats], duty.effective_speed
 
     def laws(c: Array, mu: Array) -> tuple[Film, ...]:
         return tuple(film_law(*row, n, sense) for row in zip(seats, c.tolist(), mu.tolist()))
 
     with untraced():
-        least = settled(replace(every, centred=True), duty)
-        for seat, c in zip(seats, least.clearance.tolist()):
-            if math.isnan(c):
-                balanced(own_warm, replace(seat, centred=True), duty)  # says why there is none
-        F_c = np.array([law.centred.force for law in laws(least.clearance, least.oil.mu)])
-        c = np.asarray(every.clearance_at(duty.supply_temperature))
-        mu = np.full(c.shape, every.oil_at(duty.supply_temperature).mu)
+        centred = [replace(seat, centred=True) for seat in seats]
+        least_c, least_mu = _warm(centred, duty, np.full(len(seats), duty.load))
+        for seat, c_i in zip(centred, least_c.tolist()):
+            if math.isnan(c_i):
+                balanced(own_warm, seat, duty)  # says why there is none
+        F_c = np.array([law.centred.force for law in laws(least_c, least_mu)])
+        c = np.array([seat.clearance_at(duty.supply_temperature) for seat in seats])
+        mu = np.full(c.shape, seats[0].oil_at(duty.supply_temperature).mu)
         loads = np.abs(shaft.f_c)
         for n_pass in range(1, PASSES + 1):
             bears = loads > F_c
-            film = settled(every, replace(duty, load=np.where(bears, loads, F_c)))
-            found = np.isfinite(film.film)
-            c = np.where(bears, np.where(found, film.clearance, c), least.clearance)
-            mu = np.where(bears, np.where(found, film.oil.mu, mu), least.oil.mu)
+            warm_c, warm_mu = _warm(seats, duty, np.where(bears, loads, F_c))
+            found = np.isfinite(warm_c)
+            c = np.where(bears, np.where(found, warm_c, c), least_c)
+            mu = np.where(bears, np.where(found, warm_mu, mu), least_mu)
             on = carried(shaft, laws(c, mu), names)
             now = np.abs(on.load)
             moved = float(np.abs(now - loads).max() / (now.max() or 1.0))
@@ -222,8 +223,26 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
     return Shared(laws(c, mu), on, moved)
 
 
+def _warm(seats: Sequence[BearingCase], duty: OperatingPoint[Any], loads: Array) -> tuple[Array, Array]:
+    """Clearance and viscosity of each film under its load, nan where there is none: those that are fed alike, in seats
+    of one material, at once."""
+    c, mu = np.empty(len(seats)), np.empty(len(seats))
+    left = list(range(len(seats)))
+    while left:
+        first = seats[left[0]]
+        alike = [i for i in left if _alike(seats[i], first)]
+        film = settled(_as_one([seats[i] for i in alike]), replace(duty, load=loads[alike]))
+        c[alike], mu[alike] = film.clearance, film.oil.mu
+        left = [i for i in left if i not in alike]
+    return c, mu
+
+
+def _alike(a: BearingCase, b: BearingCase) -> bool:
+    return a.inputs == b.inputs and a.housing_expansion == b.housing_expansion
+
+
 def _as_one(seats: Sequence[BearingCase]) -> BearingCase[Any]:
-    """All bearings of a shaft as one whose sizes are arrays."""
+    """Bearings that are fed alike as one whose sizes are arrays."""
     d, l, c = np.array([(seat.bearing.diameter, seat.bearing.length, seat.clearance) for seat in seats]).T
     return replace(resized(seats[0], diameter=d, length=l), clearance=c)
 
@@ -271,6 +290,19 @@ def on_shaft(
             loads = elements(stands.alignment(zone))
         bearings = {place: _out_of_line(place, r, R_c) for (place, r), R_c in zip(bearings.items(), loads)}
     return replace(found, stands=stands, bearings=bearings)
+
+
+def turned_over(found: BearingsResult) -> BearingsResult:
+    """The bearings of the mirror image of a shaft: as far off and as much aslant, in directions that are conjugate."""
+    bearings = {}
+    for place, r in found.bearings.items():
+        if (lies := r.on_shaft) is not None:
+            phases = lies.load_phase, lies.displacement_phase
+            load, moved = (None if phase is None else based_on(-phase, phase) for phase in phases)
+            r = replace(r, on_shaft=replace(lies, load_phase=load, displacement_phase=moved))
+        bearings[place] = r
+    line = None if found.line is None else (found.line[0], found.line[1].conjugate())
+    return replace(found, bearings=bearings, line=line)
 
 
 def _lying(found: BearingsResult, sense: int, turning: Condensed, films: Shared | None) -> BearingsResult:

@@ -31,7 +31,7 @@ from ..sheet.quantity import dotted
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
 from .checks import FILM_EDGE
-from .inputs import BearingsInputs
+from .inputs import BearingsInputs, ruled_by
 from .result import BearingResult, BearingsResult
 
 if TYPE_CHECKING:
@@ -49,9 +49,8 @@ LEAST = 0.05  # of the largest pressure: less is not drawn
 def sketch(design: "Design", results: "Results") -> Sketch:
     """The bearings of a shaft side by side."""
     outcome = results.outcomes["bearings"]
-    inputs: BearingsInputs | None = design.bearings
     result = outcome.result
-    if inputs is None or not isinstance(result, BearingsResult):
+    if not isinstance(result, BearingsResult):
         return awaited(outcome)
     checks = {check.id: check for check in outcome.checks}
     gap = rounded(min(GAP * r.seat.bearing.diameter / r.clearance_hot for r in result.bearings.values()))
@@ -61,8 +60,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
         Text("pressure in the shape of a short bearing"),
     )
     front, *others = (
-        Sketch(tuple(_bearing(place, r, inputs, gap, checks)), title=_title(place, r))
-        for place, r in result.bearings.items()
+        Sketch(tuple(_bearing(place, r, gap, checks)), title=_title(place, r)) for place, r in result.bearings.items()
     )
     return Sketch(front.primitives, notes, title=front.title, beside=tuple(others))
 
@@ -76,9 +74,7 @@ def _at(radius: Metre, from_load: Radian, centre: Point = (0.0, 0.0)) -> Point:
     return centre[0] + radius * math.cos(DOWN + from_load), centre[1] + radius * math.sin(DOWN + from_load)
 
 
-def _bearing(
-    place: str, r: BearingResult, inputs: BearingsInputs, gap: Number, checks: dict[str, Check]
-) -> Iterator[Mark]:
+def _bearing(place: str, r: BearingResult, gap: Number, checks: dict[str, Check]) -> Iterator[Mark]:
     key = row_key(place)
     journal, c = r.seat.bearing.diameter / 2, r.clearance_hot / 2 * gap
     seat, centre = journal + c, _at(c * r.eccentricity, r.attitude_angle)
@@ -90,7 +86,7 @@ def _bearing(
     yield Arc(OUTLINE, (0.0, 0.0), seat, key=clearance)
     yield Arc(OUTLINE, centre, journal, key=size)
     yield from _pressure(key, r, seat)
-    yield from _feed(inputs, centre, journal, seat)
+    yield from _feed(r, centre, journal, seat)
     narrow = r.attitude_angle
     yield Polyline(OUTLINE, (_at(0.78 * journal, narrow, centre), _at(seat, narrow)), key=_rough(key), state=film)
     yield Polyline(
@@ -111,9 +107,10 @@ def _film(key: str, centre: Point, journal: Metre, check: Check) -> Iterator[Mar
     yield Words(WORDS, at, text, key=_rough(key), state=judged([check], check.id), side="centre")
 
 
-def _keys(*declared: object) -> str:
-    """The keys of inputs of the step."""
-    return " ".join(dotted("bearings", key) for key in declared)
+def _keys(row: BearingRow, *declared: object) -> str:
+    """The keys of inputs that all bearings share; of what the row says itself that in the row."""
+    own = [entry.key for entry in ruled_by(row)]
+    return " ".join(row_key(row.name, key) if key in own else dotted("bearings", key) for key in map(dotted, declared))
 
 
 def _rough(key: str) -> str:
@@ -144,10 +141,11 @@ def pressures(eccentricity: Number, attitude: Radian) -> list[tuple[Radian, Numb
     return [(theta - math.pi + attitude, p / most) for theta, p in zip(turns, shares) if p > LEAST * most]
 
 
-def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) -> Iterator[Mark]:
+def _feed(r: BearingResult, centre: Point, journal: Metre, seat: Metre) -> Iterator[Mark]:
     """Where the oil comes in: outside the seat, or through the journal."""
-    outer = seat * (1 + FEED)
+    inputs, row, outer = r.seat.inputs, r.seat.bearing, seat * (1 + FEED)
     where = _keys(
+        row,
         BearingsInputs.supply,
         BearingsInputs.supply_angle,
         BearingsInputs.hole_diameter,
@@ -164,7 +162,7 @@ def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) ->
             seat * 1.08,
             DOWN + start,
             DOWN + end,
-            key=_keys(BearingsInputs.groove_width, BearingsInputs.groove_arc),
+            key=_keys(row, BearingsInputs.groove_width, BearingsInputs.groove_arc),
         )
     else:
         angles: Iterable[Radian] = (inputs.supply_angle,)

@@ -10,9 +10,9 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from ..bearings.inputs import BearingsInputs
-from ..bearings.materials import application_problem, applications, bush_problem, bushes
+from ..bearings.materials import application_problem, applications, bushes
 from ..countershaft.inputs import ShaftInputs, ShaftLoad
-from ..countershaft.rows import SHAFT, BearingRow
+from ..countershaft.rows import SHAFT, BearingRow, said_in
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
 from ..friction.inputs import FrictionInputs, Scenario, Seal
@@ -150,6 +150,10 @@ class Design:
             for name in originals
         }
 
+    def with_bearings_of(self, twin: str) -> "Design":
+        """The design with a twin alone, as a shaft that is none."""
+        return replace(self, shafts=tuple(shaft.inputs for shaft in self.resolved if shaft.name == twin))
+
     @property
     def originals(self) -> tuple[str, ...]:
         """The names of the shafts that are no twins."""
@@ -260,6 +264,14 @@ class Design:
             return (key,)
         return tuple(f"{self.own_key(ShaftInputs.bearings, row.name)}{key.removeprefix(each)}" for row in self.rows)
 
+    def in_twin(self, twin: Resolved, key: str) -> tuple[str, ...]:
+        """The same of a twin that says something of its bearings itself: that by its own keys, the rest by those of its
+        original."""
+        of, own = str(twin.of), {dotted(row.name, entry) for row in twin.rows for entry in said_in(row)}
+        theirs, mine = (f"{dotted(Design.shafts, name, ShaftInputs.bearings)}." for name in (of, twin.name))
+        keys = self.views[of].in_place(key)
+        return tuple(mine + rest if (rest := key.removeprefix(theirs)) in own else key for key in keys)
+
     def given(self, step: str) -> Iterator[tuple[str, Quantity, Any]]:
         """The inputs of a step that are not left out: key with the names of elements, description, content in SI."""
         tables: list[tuple[str, object]] = [] if step == "countershaft" else [(step, getattr(self, step))]
@@ -283,10 +295,12 @@ class Design:
         twins = list(self._twins())
         yield from twins or self._shares()
         for n, shaft in enumerate(self.shafts):
-            if not shaft.is_twin:
-                way = dotted(Design.shafts, n)
-                yield from self._rows([(dotted(way, ShaftInputs.bearings, i), r) for i, r in enumerate(shaft.bearings)])
-                yield from _within(way, self._shaft(shaft))
+            rows = [(dotted(Design.shafts, n, ShaftInputs.bearings, i), row) for i, row in enumerate(shaft.bearings)]
+            if shaft.is_twin:
+                yield from self._twin_rows(shaft, rows)
+            else:
+                yield from self._rows(rows)
+                yield from _within(dotted(Design.shafts, n), self._shaft(shaft))
         if self.bearings is not None:
             yield from self._bearings(self.bearings)
         if self.mounting is not None:
@@ -437,11 +451,31 @@ class Design:
             return
         for key, row in rows:
             yield from _within(key, self.bearings.asked_of(row))
-            if row.sized:
-                yield from _within(dotted(Design.bearings), self.bearings.beside(row))
+            yield from self._seat(self.bearings, key, row)
         if len(rows) > 2 and self.bearings.load_speed_ratio != 1:
             turning = Text("must be 1 on a shaft with more than two bearings, which share what turns with it")
             yield dotted(Design.bearings, BearingsInputs.load_speed_ratio), turning
+
+    def _twin_rows(self, twin: ShaftInputs, rows: list[tuple[str, BearingRow]]) -> Problems:
+        """The rows of a twin: whether its original has such a bearing, and what is wrong of that as the twin has it."""
+        original = next((shaft for shaft in self.shafts if shaft.name == (twin.mirrors or twin.repeats)), None)
+        there = {row.name: row for row in original.bearings} if original is not None else {}
+        for key, row in rows if original is not None else ():
+            if row.name not in there:
+                yield dotted(key, BearingRow.name), _unknown_name(row.name, there)
+            elif self.bearings is None:
+                yield key, JUDGED
+            else:
+                known = list(_of_row(self.bearings, there[row.name]))
+                here = _of_row(self.bearings, there[row.name].with_own(row))
+                yield from _within(key, (problem for problem in here if problem not in known))
+
+    def _seat(self, bearings: BearingsInputs, key: str, row: BearingRow) -> Problems:
+        """Supply and seat of one bearing: what is wrong by what all share is said there, the rest at its row."""
+        known, shared = list(bearings.of_seat()), list(bearings.beside(row)) if row.sized else []
+        for problem in _of_seat(bearings, row):
+            if problem not in known:
+                yield from _within(dotted(Design.bearings) if problem in shared else key, [problem])
 
     def _shaft(self, shaft: ShaftInputs) -> Problems:
         if shaft.mode == "bearings" or None in shaft.bearing_positions:
@@ -478,8 +512,6 @@ class Design:
 
     def _bearings(self, bearings: BearingsInputs) -> Problems:
         """What the tables of bearings do not have, and what bearings need that stand alone."""
-        if bearings.bush_material is not None and (wrong := bush_problem(bearings.bush_material)) is not None:
-            yield dotted(Design.bearings, BearingsInputs.bush_material), wrong
         if (wrong := application_problem(bearings.application)) is not None:
             yield dotted(Design.bearings, BearingsInputs.application), wrong
         if self.engine is None and bearings.speed is None:
@@ -591,6 +623,20 @@ def step_of(key: str, *, judged: bool) -> str:
         return first
     of_row = len(parts) > 3 and parts[1] == dotted(ShaftInputs.bearings) and parts[3] not in PLACES_OF_ROWS
     return dotted(Design.bearings) if judged and of_row else "countershaft"
+
+
+def _of_seat(bearings: BearingsInputs, row: BearingRow) -> Problems:
+    """What is wrong with supply and seat of one bearing."""
+    own = bearings.of(row)
+    yield from own.of_seat()
+    if row.sized:
+        yield from own.beside(row)
+
+
+def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
+    """What is wrong with one bearing, by itself and by what all share."""
+    yield from row.problems()
+    yield from _of_seat(bearings, row)
 
 
 def _unloaded(shaft: ShaftInputs) -> list[int]:
