@@ -282,7 +282,11 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
             data = changed(data, table, {_renamed(key, was, now): content for key, content in there.items()})
     of_row, of_shaft = (described(where[:-2]).table is table for table in (BearingRow, ShaftInputs))
     others_too = len(content_at(data, SHAFTS) or ()) > 1
-    shaft = rf"{re.escape(named_key(data, where[:2]).rpartition('.')[2])}\." if others_too else ""
+    shaft, twins = named_key(data, where[:2]).rpartition(".")[2], list[int]()
+    if of_row:
+        twins = [i for i, item in enumerate(content_at(data, SHAFTS)) if is_twin(item) and original_of(item) == shaft]
+    named_too = "|".join(map(re.escape, [shaft, *(str(content_at(data, (*SHAFTS, i, NAME))) for i in twins)]))
+    shaft = rf"(?:{named_too})\." if others_too else ""
     ids = re.compile(  # of what is judged of a bearing, and of the values of a shaft beside another
         rf"(bearings\.{shaft}|countershaft\.{shaft}(?:reaction|slope)_){re.escape(old)}(?![^._])"
         if of_row
@@ -295,6 +299,10 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
         return ids.sub(rf"\g<1>{new}", name, count=1) if named and ids.match(name) else _renamed(name, was, now)
 
     data = _with_ids(data, called)
+    for i in twins:
+        rows = content_at(data, bearings := (*SHAFTS, i, dotted(ShaftInputs.bearings))) or []
+        if old in [row.get(NAME) for row in rows]:
+            data = changed(data, bearings, [{**row, NAME: new} if row.get(NAME) == old else row for row in rows])
     if where[:-2] == SHAFTS:
         for array, key in ((SHAFTS, MIRRORS), (SHAFTS, REPEATS), (WHEELS, SITS_ON)):
             for i, item in enumerate(content_at(data, array) or []):

@@ -297,8 +297,9 @@ def turned_over(found: BearingsResult) -> BearingsResult:
     bearings = {}
     for place, r in found.bearings.items():
         if (lies := r.on_shaft) is not None:
-            phases = lies.load_phase, lies.displacement_phase
-            load, moved = (None if phase is None else based_on(-phase, phase) for phase in phases)
+            with about(Text("{place} bearing, in its film", place=called(place))):
+                phases = lies.load_phase, lies.displacement_phase
+                load, moved = (None if phi is None else f.mirrored_phase(phi=phi) for phi in phases)
             r = replace(r, on_shaft=replace(lies, load_phase=load, displacement_phase=moved))
         bearings[place] = r
     line = None if found.line is None else (found.line[0], found.line[1].conjugate())
