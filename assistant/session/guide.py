@@ -219,7 +219,9 @@ GUIDES: dict[str, Guide] = {
 def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Iterator[str]:
     """The inputs and values of earlier steps that it uses, by key or id."""
     for step_before in STEP_KEYS[: STEP_KEYS.index(step)]:
-        yield from (key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == step_before)
+        yield from (
+            key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == step_before
+        )
         mine = (id for id, v in values.items() if step in v.about.taken_by and id == v.id)  # not by a former name
         yield from (id for id in mine if id.startswith(f"{step_before}."))
 

@@ -3,7 +3,7 @@
 and how an array gets an element more, or less."""
 
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -17,7 +17,6 @@ from calc.design.addresses import (
     declared,
     own_shafts,
     quantity_of,
-    rows_of_original,
 )
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
@@ -166,17 +165,16 @@ WHEELS: Place = (dotted(Design.gears), dotted(GearsInputs.wheels))
 SITS_ON = dotted(Wheel.shaft)
 
 
-def further(where: Place, there: list[Table], data: Table) -> tuple[list[Table], int]:
+def further(where: Place, there: list[Table], of_twin: Sequence[str] = ()) -> tuple[list[Table], int]:
     """An array with one element more, and its index.
 
     It is like the last one but with a name of its own; a bearing stands in the middle of the widest gap between two,
-    one of a twin is the first of its original's that it says nothing of yet."""
+    one of a twin, whose original has the bearings `of_twin`, is the first of them of which nothing is said yet."""
     about, index = described(where), len(there)
     element = dict(there[-1]) if there else {}
     names = [item.get(NAME) for item in there]
-    if about.table is BearingRow and is_twin(content_at(data, where[:2])):
-        theirs = rows_of_original(data, content_at(data, where[:2]))
-        element = {NAME: next((name for name in theirs if name not in names), "")}
+    if of_twin:
+        element = {NAME: next((name for name in of_twin if name not in names), "")}
     elif about.table is BearingRow and (gap := _widest(there)) is not None:
         index, place = gap
         before = without(there[index - 1], *map(dotted, (BearingRow.load, BearingRow.slope)))

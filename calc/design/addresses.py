@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Iterable, Iterator
 
 from ..countershaft.inputs import OWN, TWIN, ShaftInputs
-from ..countershaft.rows import IN_WORDS, BearingRow, titled
+from ..countershaft.rows import IN_WORDS, OF_ORIGINAL, BearingRow, titled
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
@@ -70,21 +70,20 @@ def every(data: Table, key: str) -> list[str]:
     items = [as_table(item) for item in here] if isinstance(here, list) else []
     of_own = before == dotted(Design.shafts) and after.partition(".")[0] not in map(dotted, OWN)
     names = [str(item.get("name", n)) for n, item in enumerate(items) if not (of_own and is_twin(item))]
-    names = _of_twin(data, before) or names
+    names = rows_of_twin(data, before) or names
     if not names:
         raise _no_such(key, Text("nothing stands where the * is"))
     return [each for name in names for each in every(data, f"{before}.{name}.{after}")]
 
 
-def rows_of_original(data: Table, twin: Table) -> list[str]:
-    """The names of the bearings of a twin, which are those of its original."""
+def _rows_of_original(data: Table, twin: Table) -> list[str]:
     of = twin.get(dotted(ShaftInputs.mirrors), twin.get(dotted(ShaftInputs.repeats)))
     shafts = map(as_table, as_list(data.get(dotted(Design.shafts))))
     original = next((shaft for shaft in shafts if shaft.get("name") == of), {})
     return [str(as_table(row).get("name", "")) for row in as_list(original.get(dotted(ShaftInputs.bearings)))]
 
 
-def _of_twin(data: Table, key: str) -> list[str]:
+def rows_of_twin(data: Table, key: str) -> list[str]:
     """The names of all bearings that a twin may say something of, where a key is that of its bearings."""
     shafts, _, rest = key.partition(".")
     name, _, array = rest.partition(".")
@@ -92,14 +91,14 @@ def _of_twin(data: Table, key: str) -> list[str]:
         return []
     there = list(map(as_table, as_list(data.get(shafts))))
     twin = next((s for n, s in enumerate(there) if name in (s.get("name"), str(n))), {})
-    return rows_of_original(data, twin) if is_twin(twin) else []
+    return _rows_of_original(data, twin) if is_twin(twin) else []
 
 
 def with_row(data: Table, key: str) -> Table:
     """The tables in which a twin has a row for its bearing that a key is of, so that something can be said of it."""
     array, _, rest = key.rpartition(f".{dotted(ShaftInputs.bearings)}.")
     name = rest.partition(".")[0]
-    if name not in _of_twin(data, dotted(array, ShaftInputs.bearings)):
+    if name not in rows_of_twin(data, dotted(array, ShaftInputs.bearings)):
         return data
     where = address(data, dotted(array, ShaftInputs.bearings), whole=True)
     rows = as_list(value_at(data, dotted(array, ShaftInputs.bearings), whole=True))
@@ -348,8 +347,10 @@ def _quantities_of(cls: type, data: Table, key: str, here: str = "", *, judged: 
     elif about.kind == "table":
         yield from _quantities(about.table, as_table(data.get(key)), here, judged)
     else:
+        theirs = OF_ORIGINAL if about.table is BearingRow and is_twin(data) else ()
         for i, item in enumerate(map(as_table, as_list(data.get(key)))):
-            yield from _quantities(about.table, item, f"{here}.{item.get('name', i)}", judged)
+            inside = _quantities(about.table, item, f"{here}.{item.get('name', i)}", judged)
+            yield from ((key, about) for key, about in inside if key.rpartition(".")[2] not in theirs)
 
 
 def own_keys(cls: type, data: Table, *, judged: bool = True) -> list[str]:
@@ -358,7 +359,9 @@ def own_keys(cls: type, data: Table, *, judged: bool = True) -> list[str]:
     known = keys(cls)
     like = (dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats))
     if cls is ShaftInputs:
-        return list(TWIN) if is_twin(data) else [key for key in known if key not in like]
+        if not is_twin(data):
+            return [key for key in known if key not in like]
+        return [key for key in TWIN if judged or key != dotted(ShaftInputs.bearings)]
     if cls is BearingRow and not judged:
         return [key for key, entry in known.items() if entry.attribute in SCREENED]
     return list(known)

@@ -169,14 +169,15 @@ def two_of_their_own(memory: Memory, tmp_path: Path) -> Session:
 def test_the_view_is_of_the_shaft_in_view_or_of_the_original_of_a_twin(memory: Memory, tmp_path: Path) -> None:
     pair = opened(FOUR, memory, tmp_path)
     pair.solve()
-    first = pair.view
+    first = pair.view("countershaft")
     pair.shaft = 1
-    assert pair.original == "shaft" and pair.view is first is not None
+    assert pair.original == "shaft" and pair.view("countershaft") is first is not None
     session = two_of_their_own(memory, tmp_path)
     forces = []
     for session.shaft in (0, 1):
-        assert session.view is not None and session.view.shaft is not None
-        forces.append(session.view.shaft.force)
+        view = session.view("countershaft")
+        assert view is not None and view.shaft is not None
+        forces.append(view.shaft.force)
     assert forces[1] < forces[0] and session.shaft_of("countershaft.right.force") == 1
     assert session.shaft_of("countershaft.residual_order_2_force") is None
     session.undo()
