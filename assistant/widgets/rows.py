@@ -235,7 +235,7 @@ class _Rows:
                 if not long and here != SHAFTS:
                     yield FormRow("heading", (*here, i), about)
                 yield from self.of(about.table, item, (*here, i), True)
-                if of_twin((*here, i), self.data):
+                if here == SHAFTS and of_twin((*here, i), self.data):
                     yield FormRow("original", (*here, i), about)
 
 
