@@ -25,10 +25,11 @@ from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
 from .countershaft.supports import with_standing
+from .countershaft.twins import Resolved
 from .design import step_inputs as h
 from .design.model import IN_SENTENCES, STEPS, TITLES, Design
 from .design.predicted import Predicted, with_measured
-from .design.unusual import with_doubts
+from .design.unusual import doubts, with_doubts
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
@@ -422,9 +423,7 @@ def _told(
         if shaft.of is not None and shaft.name in c:
             (twins[shaft.name],) = _in_place(replace(design, shafts=(shaft.inputs,)), (c[shaft.name],))
         if shaft.of is not None and shaft.name in b:
-            keys_of = cache(partial(design.in_twin, shaft))
-            checks = tuple([check.in_place(keys_of) for check in b[shaft.name].checks])
-            twins_b[shaft.name] = replace(b[shaft.name], checks=checks)
+            twins_b[shaft.name] = _of_twin(design, shaft, b[shaft.name])
             if shaft.rows:
                 of_shafts[shaft.name] = {"bearings": twins_b[shaft.name]}
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
@@ -434,6 +433,15 @@ def _told(
     accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)
     return Solved(every, of_shafts)
+
+
+def _of_twin(design: Design, twin: Resolved, found: Outcome[BearingsResult]) -> Outcome[BearingsResult]:
+    """The bearings of a twin, with the cautions on what it says of them itself, by the keys of this design."""
+    said, keys_of, checks = design.said_by(twin), cache(design.in_twin(twin)), found.checks
+    if said:
+        far = doubts(design.with_bearings_of(twin.name), found.key)
+        checks = (*(check for check in far if not said.isdisjoint(check.moved_by)), *checks)
+    return replace(found, checks=tuple([check.in_place(keys_of) for check in checks]))
 
 
 def _joined(

@@ -3,7 +3,7 @@
 in solve.py."""
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import cached_property
@@ -264,19 +264,30 @@ class Design:
             return (key,)
         return tuple(f"{self.own_key(ShaftInputs.bearings, row.name)}{key.removeprefix(each)}" for row in self.rows)
 
-    def in_twin(self, twin: Resolved, key: str) -> tuple[str, ...]:
-        """The same of a twin that says something of its bearings itself: that by its own keys, the rest by those of its
+    def in_twin(self, twin: Resolved) -> Callable[[str], tuple[str, ...]]:
+        """The same of the bearings of a twin: what it says of them itself by its own keys, the rest by those of its
         original."""
-        of, own = str(twin.of), {dotted(row.name, entry) for row in twin.rows for entry in said_in(row)}
-        theirs, mine = (f"{dotted(Design.shafts, name, ShaftInputs.bearings)}." for name in (of, twin.name))
-        keys = self.views[of].in_place(key)
-        return tuple(mine + rest if (rest := key.removeprefix(theirs)) in own else key for key in keys)
+        view, said = self.with_bearings_of(twin.name), self.said_by(twin)
+        mine, theirs = (f"{dotted(Design.shafts, name)}." for name in (twin.name, twin.of))
+
+        def whose(key: str) -> str:
+            return theirs + key.removeprefix(mine) if key.startswith(mine) and key not in said else key
+
+        return lambda key: tuple(map(whose, view.in_place(key)))
+
+    def said_by(self, twin: Resolved) -> frozenset[str]:
+        """The keys of what a twin says of its bearings itself."""
+        rows = dotted(Design.shafts, twin.name, ShaftInputs.bearings)
+        return frozenset(dotted(rows, row.name, entry) for row in twin.rows for entry in said_in(row))
 
     def given(self, step: str) -> Iterator[tuple[str, Quantity, Any]]:
-        """The inputs of a step that are not left out: key with the names of elements, description, content in SI."""
+        """The inputs of a step that are not left out, without what twins say of their bearings: key with the names of
+        elements, description, content in SI."""
         tables: list[tuple[str, object]] = [] if step == "countershaft" else [(step, getattr(self, step))]
         if step in ("countershaft", "bearings"):
-            tables += [(dotted(Design.shafts, shaft.name), shaft) for shaft in self.shafts]
+            for shaft in self.shafts:
+                alone = replace(shaft, bearings=()) if shaft.is_twin else shaft
+                tables.append((dotted(Design.shafts, shaft.name), alone))
         for way, there in tables:
             if there is not None:
                 yield from (row for row in given(there, way, named=True) if self.step_of(row[0]) == step)
