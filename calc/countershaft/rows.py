@@ -17,7 +17,7 @@ from ..sheet.text import Amount, Text
 SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
 # of what brings the oil, over the length, for guide texts
 USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
-OF_ITS_OWN = Text("Supply and seat, where it has its own")  # a fold of the form
+OF_ITS_OWN = Text("Supply and seat of its own")  # a fold of the form
 ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is needed, the whole design says so
 
 

@@ -13,6 +13,7 @@ from assistant.session.places import Place, followed, further, further_shaft, la
 from assistant.session.recovery import Edits, Memory
 from assistant.session.saving import NeedsUpgrade
 from assistant.session.session import Session
+from assistant.widgets.entry import Entry
 from assistant.widgets.field import CellColumns, Field
 from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.rows import Asked, FormRow, routed
@@ -147,6 +148,11 @@ async def test_a_bearing_by_another_name_has_that_name_above_its_column(screen: 
         await go_to(pilot, "bearings.oil")
         columns = work(pilot).form.query_one(CellColumns)
         assert "Gear side" in columns.render().plain and "Rear" in columns.render().plain
+        box = await go_to(pilot, "shafts.shaft.bearings.rear.hole_diameter_mm")
+        field = work(pilot).form.field
+        assert isinstance(box, Entry) and box.placeholder == "as all" and field is not None and not field.note()[0]
+        await type_in(pilot, "3.5")
+        assert field.note() == ("rules here", "muted")
 
 
 # --- several shafts, one in view
