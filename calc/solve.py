@@ -391,8 +391,10 @@ def _standing(
             elif name in b:
                 b = b | {name: bearings_with_standing(b[name], stands)}
                 carried = b[name].result
+            if shaft.of is None or shaft.rows:
+                of_shaft = with_films(of_shaft, carried, housing)
             if shaft.of is None:
-                of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+                of_shaft = with_oil(of_shaft, carried)
             c = c | {name: of_shaft}
     return c, b
 

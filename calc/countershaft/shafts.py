@@ -22,6 +22,7 @@ from ..sheet.units import (
     Number,
     Numbers,
     Radian,
+    RevPerSecond,
 )
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
@@ -62,6 +63,9 @@ class TwinResult:
     couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True)
     force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True)
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
+    first_critical_speed_on_films: RevPerSecond | None = value(
+        "First bending critical speed on its films, where they are its own", "rpm", "n_1", default=None, short=True
+    )
     standing: Standing | None = group(spread=True, default=None)
 
 
@@ -71,6 +75,7 @@ def told(twin: CountershaftResult) -> TwinResult:
         couple_phase=twin.couple_phase,
         force=twin.force,
         roll_torque=twin.roll_torque,
+        first_critical_speed_on_films=twin.first_critical_speed_on_films,
         standing=twin.standing,
     )
 
