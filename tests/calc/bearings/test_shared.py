@@ -16,10 +16,12 @@ from calc.bearings.routes.thermal_balance import balanced
 from calc.bearings.selection.search import search
 from calc.countershaft.bending.condensed import of_beam
 from calc.countershaft.result import CountershaftResult
+from calc.countershaft.rows import BearingRow, row_key
 from calc.countershaft.twins import resolved
 from calc.design.addresses import quantities, quantity_of, value_at
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design
+from calc.design.unusual import doubts
 from calc.friction.result import FrictionResult
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
@@ -474,6 +476,8 @@ def test_a_twin_that_says_something_of_its_bearings_has_them_solved(image, three
     assert values["bearings.image.middle.clearance"].inside == 90e-6
     moved = next(check.moved_by for check in image.checks() if check.id == "bearings.image.middle.film_edge")
     assert "shafts.image.bearings.middle.clearance_um" in moved and "shafts.shaft.bearings.middle.length_mm" in moved
+    speeds = [values[f"countershaft.{name}.first_critical_speed_on_films"].inside for name in ("shaft", "image")]
+    assert speeds[1] < speeds[0]  # a wider bearing holds it less
     view = image.view("image")
     assert view.design.own_name == "image" and rows_of(view)["middle"].seat.bearing.clearance == 90e-6
     assert list(image.views) == ["shaft"]
@@ -509,6 +513,20 @@ def test_what_a_twin_may_say_of_its_bearings():
     assert wide == {"shafts.1.bearings.0.clearance_um": "must stay below a tenth of the diameter"}
     by_factor = design(with_image(document, {"name": "middle", "clearance_factor": 0.5})).resolved[1].inputs
     assert [row.clearance for row in by_factor.bearings][1] is None  # which its original gives
+
+
+def test_what_a_twin_says_is_doubted_and_told_by_its_own_keys():
+    made = design(with_image(on_bearings("r754-films"), {"name": "middle", "journal_roughness_um": 5.0}))
+    assert not any(".image." in key for key, _, _ in made.given("bearings"))
+    (far,) = doubts(made.with_bearings_of("image"), "bearings")
+    assert far.moved_by == ("shafts.image.bearings.middle.journal_roughness_um",)
+    keys_of = made.in_twin(made.resolved[1])
+    rough, size = (row_key("middle", field) for field in (BearingRow.journal_roughness, BearingRow.diameter))
+    assert (*keys_of(rough), *keys_of(size), *keys_of("bearings.oil")) == (
+        "shafts.image.bearings.middle.journal_roughness_um",
+        "shafts.shaft.bearings.middle.diameter_mm",
+        "bearings.oil",
+    )
 
 
 def test_a_key_of_a_twins_bearing_makes_its_row():
