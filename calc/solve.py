@@ -21,6 +21,7 @@ from .bearings.result import BearingsOfShafts, BearingsResult
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.checks import shafts_clear
+from .countershaft.making.parts import with_bolts
 from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
@@ -347,7 +348,7 @@ def _left_over(
     """What all shafts together leave; waits where one of them has no solution."""
     if h.unsolved(tuple(c.values())):
         return Outcome("countershaft", "blocked")
-    shafts = h.system_shafts(design, c)
+    shafts = h.system_shafts(design, c, teeth=True)
     left = part(
         "countershaft",
         left_over.solve,
@@ -395,6 +396,7 @@ def _standing(
                 of_shaft = with_films(of_shaft, carried, housing)
             if shaft.of is None:
                 of_shaft = with_oil(of_shaft, carried)
+                of_shaft = with_bolts(of_shaft, shaft.inputs, h.on_support(design, shaft, c))
             c = c | {name: of_shaft}
     return c, b
 
@@ -430,7 +432,9 @@ def _told(
                 of_shafts[shaft.name] = {"bearings": twins_b[shaft.name]}
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     mine_b = {name: mine["bearings"] for name, mine in of_shafts.items() if "bearings" in mine}
-    carried = no_bearings or _joined(design, mine_b, {name: b for name, b in twins_b.items() if name not in mine_b})
+    carried = no_bearings or _joined(
+        design, mine_b, {name: twin for name, twin in twins_b.items() if name not in mine_b}
+    )
     of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
     accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from calc.countershaft.inputs import ShaftInputs
+from calc.countershaft.making.inputs import Bolts
 from calc.countershaft.rows import BearingRow
 from calc.design.addresses import (
     Table,
@@ -31,6 +32,7 @@ Place = tuple[str | int, ...]
 
 SHAFTS: Place = (dotted(Design.shafts),)
 OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that have something of each shaft
+CARRIES = (dotted(ShaftInputs.bolts), dotted(Bolts.carries))
 NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
 
 
@@ -238,8 +240,8 @@ def less(where: Place, there: list[Table], index: int) -> list[Table]:
 
 
 def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> Table:
-    """The tables with other shafts: a wheel sits on none that is gone, and where one becomes several, or one of them is
-    left, the ids of what is accepted and measured have that one's name or lose it.
+    """The tables with other shafts: a wheel sits on none that is gone, bolts carry none, and where one becomes several,
+    or one of them is left, the ids of what is accepted and measured have that one's name or lose it.
 
     `of_shaft`: the ids, without that name, of what each shaft has for itself."""
     was, now = _names(data, SHAFTS), [shaft.get(NAME) for shaft in shafts]
@@ -247,6 +249,10 @@ def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> 
     for i, wheel in enumerate(content_at(data, WHEELS) or []):
         if (name := wheel.get(SITS_ON)) in was and name not in now:
             data = changed(data, (*WHEELS, i, SITS_ON), None)
+    for i in range(len(now)):
+        held = content_at(data, (*SHAFTS, i, *CARRIES)) or []
+        if (kept := [name for name in held if name in now or name not in was]) != held:
+            data = changed(data, (*SHAFTS, i, *CARRIES), kept or None)
     if len(was) == 1 < len(now):
         return _with_ids(data, lambda id: _named(id, str(was[0])) if id in of_shaft else id)
     if len(now) == 1 < len(was):
@@ -306,6 +312,10 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
             for i, item in enumerate(content_at(data, array) or []):
                 if item.get(key) == old:
                     data = changed(data, (*array, i, key), new)
+        for i in range(len(others) + 1):
+            held = content_at(data, (*SHAFTS, i, *CARRIES)) or []
+            if old in held:
+                data = changed(data, (*SHAFTS, i, *CARRIES), [new if name == old else name for name in held])
     return data
 
 

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bushes
 from ..countershaft.inputs import ShaftInputs, ShaftLoad
+from ..countershaft.making.inputs import Bolts
 from ..countershaft.rows import SHAFT, BearingRow, said_in
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
@@ -359,7 +360,11 @@ class Design:
                 for i, entry in enumerate(getattr(self.friction, kind)):
                     if entry.wheel is not None and entry.wheel not in wheels:
                         yield dotted(Design.friction, kind, i, Seal.wheel), _unknown_name(entry.wheel, wheels)
+        turn = [shaft.name for shaft in self.shafts if shaft.mode != "bearings"]
         for n, shaft in enumerate(self.shafts):
+            for name in (shaft.bolts.carries or ()) if shaft.bolts is not None else ():
+                if name not in turn:
+                    yield dotted(Design.shafts, n, ShaftInputs.bolts, Bolts.carries), _unknown_name(name, turn)
             for i, load in enumerate(shaft.loads):
                 if load.wheel is not None and load.wheel not in wheels:
                     key = dotted(Design.shafts, n, ShaftInputs.loads, i, ShaftLoad.wheel)

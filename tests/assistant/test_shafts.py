@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from assistant.screens.dialogs import Ask, Choose
-from assistant.session.places import Place, followed, further, further_shaft, label_of, less, ways_to_add
+from assistant.session.places import Place, followed, further, further_shaft, label_of, less, ways_to_add, with_shafts
 from assistant.session.recovery import Edits, Memory
 from assistant.session.saving import NeedsUpgrade
 from assistant.session.session import Session
@@ -353,6 +353,13 @@ def test_what_is_accepted_and_measured_of_a_bearing_follows_its_name() -> None:
         "shafts.s.bearings.a-1.length_mm",
         "countershaft.reaction_rear",
     ]
+
+
+def test_bolts_hold_a_shaft_by_its_new_name() -> None:
+    before: Table = {"shafts": [{"name": "a", "bolts": {"carries": ["a", "b"]}}, {"name": "b", "mirrors": "a"}]}
+    after = followed(before, changed(before, (*SHAFTS, 1, "name"), "c"), (*SHAFTS, 1, "name"))
+    assert after["shafts"][0]["bolts"] == {"carries": ["a", "c"]}
+    assert with_shafts(before, before["shafts"][:1], ())["shafts"] == [{"name": "a", "bolts": {"carries": ["a"]}}]
 
 
 def test_a_name_is_followed_only_where_the_elements_are_the_same() -> None:
