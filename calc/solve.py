@@ -276,7 +276,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
     late = h.unsolved((e, i, *(c.values() if c else (left,))))
     b = dict[str, Outcome[BearingsResult]]()
     if design.bearings is not None and not late:
-        for shaft in h.on_bearings(design):
+        for shaft in h.on_own_bearings(design):
             original = shaft.of or shaft.name
             b[shaft.name] = part.of(shaft.name)(
                 "bearings",

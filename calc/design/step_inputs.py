@@ -101,7 +101,7 @@ def twins_of(design: Design, original: str) -> dict[str, Resolved]:
     return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
 
 
-def on_bearings(design: Design) -> tuple[Resolved, ...]:
+def on_own_bearings(design: Design) -> tuple[Resolved, ...]:
     """The shafts whose bearings are solved: those that are no twins, then twins that say something of theirs."""
     every = [shaft for shaft in design.resolved if shaft.of is None or shaft.rows]
     return tuple(sorted(every, key=lambda shaft: shaft.of is not None))
