@@ -354,11 +354,8 @@ class BearingRow:
 
 def said_in(row: BearingRow) -> list[Key]:
     """What a row says beside its name."""
-    return [
-        entry
-        for key, entry in keys(BearingRow).items()
-        if key != dotted(BearingRow.name) and getattr(row, entry.attribute) != entry.field.default
-    ]
+    _, *entries = keys(BearingRow).values()
+    return [entry for entry in entries if getattr(row, entry.attribute) != entry.field.default]
 
 
 # what a bearing of a twin has of its original

@@ -35,6 +35,10 @@ def resolved(shafts: Iterable[ShaftInputs]) -> tuple[Resolved, ...]:
     known: dict[str, ShaftInputs] = {}
     found = []
     for shaft in shafts:
+        if not shaft.is_twin:
+            known[shaft.name] = shaft
+            found.append(Resolved(shaft.name, shaft))
+            continue
         rows = tuple(row for row in shaft.bearings if said_in(row))
         if shaft.mirrors is not None:
             inputs = mirrored(known[shaft.mirrors], shaft)
@@ -42,9 +46,6 @@ def resolved(shafts: Iterable[ShaftInputs]) -> tuple[Resolved, ...]:
         elif shaft.repeats is not None:
             inputs = replace(known[shaft.repeats], name=shaft.name, axis=shaft.axis, loads=shaft.loads)
             found.append(Resolved(shaft.name, with_rows(inputs, rows), "repeats", shaft.repeats, rows))
-        else:
-            known[shaft.name] = shaft
-            found.append(Resolved(shaft.name, shaft))
     return tuple(found)
 
 
