@@ -432,11 +432,12 @@ def _told(
                 of_shafts[shaft.name] = {"bearings": twins_b[shaft.name]}
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     mine_b = {name: mine["bearings"] for name, mine in of_shafts.items() if "bearings" in mine}
-    carried = no_bearings or _joined(
-        design, mine_b, {name: twin for name, twin in twins_b.items() if name not in mine_b}
-    )
-    of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
-    accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
+    others_b = {name: twin for name, twin in twins_b.items() if name not in mine_b}
+    carried = no_bearings or _joined(design, mine_b, others_b)
+    accepted = design.accepted
+    if accepted:
+        of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
+        accepted = tuple((of_ids.get(id, id), reason) for id, reason in accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)
     return Solved(every, of_shafts)
 

@@ -2,9 +2,8 @@
 """The bearings of a shaft: judged by the program's own solution on the warm clearance, beside the other routes to the
 film."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -130,15 +129,14 @@ def solve(
                 loads = [reaction(R=P) for P in elements(films.carried.load)]
         else:
             loads = [_load(bearing, shaft) for bearing in rows]
-        for i, (seat, load) in enumerate(zip(_some_centred(seats, loads, duty), loads)):
+        seats = _some_centred(seats, loads, duty)
+        shares = at_corners(turning, films, seats, duty) if turning is not None and films is not None else {}
+        for seat, load, housing in zip(seats, loads, solids.housings):
             place = seat.bearing.name
             with about(Text("{place} bearing", place=called(place))):
-                share = None
-                if turning is not None and films is not None and not seat.centred:
-                    share = partial(at_corners, turning, films.laws, i)
-                slope = _slope(seat.bearing, shaft)
+                slope, share = _slope(seat.bearing, shaft), shares.get(place)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, share, compared=compared)
-                of_bearing = [*checks(place, results[place], solids.housings[i])]
+                of_bearing = [*checks(place, results[place], housing)]
                 all_checks += _by_row(seat.bearing, [*of_bearing, *_material_checks(place, results[place])])
         result = BearingsResult(bearings=results)
         if shaft is not None:
@@ -288,7 +286,7 @@ def _bearing(
     slope: Radian | None,
     speed: RevPerSecond,
     bench: tuple[BenchPoint, ...],
-    share: Callable[[OperatingPoint, BearingCase], Array] | None,
+    share: Array | None,
     *,
     compared: bool,
 ) -> BearingResult:
@@ -342,7 +340,7 @@ def _bearing(
     with about(Text("{place} bearing, overspeed", place=called(place))):
         n_over = f.overspeed(n=highest_speed(speed, bench, inputs), s=inputs.overspeed)
         faster = _at_speed(seat, duty, n_over, duty.supply_temperature, duty.supply_pressure)
-    points = corner_points(seat, duty, None if share is None else partial(share, duty))
+    points = corner_points(seat, duty, share)
     corner_films, over_speeds, at_twice, loads_near, at_shear, at_over = settled_together(
         (points, speeds, (seat, twice), loads_beside(seat, duty), (thin, duty), (seat, faster))
     )

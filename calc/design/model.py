@@ -135,7 +135,7 @@ class Design:
         """The name of the shaft that is no twin; empty where there is none."""
         return next(iter(self.originals), "")
 
-    @property
+    @cached_property
     def resolved(self) -> tuple[Resolved, ...]:
         """All shafts, each with its inputs as they are."""
         return resolved(self.shafts)
@@ -155,7 +155,7 @@ class Design:
         """The design with a twin alone, as a shaft that is none."""
         return replace(self, shafts=tuple(shaft.inputs for shaft in self.resolved if shaft.name == twin))
 
-    @property
+    @cached_property
     def originals(self) -> tuple[str, ...]:
         """The names of the shafts that are no twins."""
         return tuple(shaft.name for shaft in self.shafts if not shaft.is_twin)

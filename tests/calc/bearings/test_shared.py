@@ -7,13 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.as_supports import _warm, on_films, shared, support_checks, turned_over
+from calc.bearings.as_supports import at_corners, on_films, shared, support_checks, turned_over
+from calc.bearings.corners import corner_points
 from calc.bearings.loads import _checks as standing_checks
 from calc.bearings.loads import _standing as standing_part
 from calc.bearings.result import BearingsResult
-from calc.bearings.routes.routes import own_warm
-from calc.bearings.routes.thermal_balance import balanced
+from calc.bearings.routes.states import resized
+from calc.bearings.routes.thermal_balance import settled
 from calc.bearings.selection.search import search
+from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
 from calc.countershaft.result import CountershaftResult
 from calc.countershaft.rows import BearingRow, row_key
@@ -183,6 +185,28 @@ def test_a_corner_takes_the_share_anew(three):
     at = int(np.argmax(corners["clearance"]))
     assert corners["film"][at] == pytest.approx(wide.film, rel=2e-3)
     assert wide.load < 0.999 * rows["middle"].load
+
+
+@pytest.mark.parametrize("wider", [1.0, 1.05])
+@pytest.mark.parametrize("softer", [1.0, 2.0])
+def test_the_corners_of_all_bearings_are_those_of_each_alone(three, wider, softer):
+    """Of bearings of one size and of several, near the middle and too far from it for undamped steps."""
+    films, turning = _films(three), of_beam(*_beam(three))
+    seats = [replace(row.seat, clearance=softer * row.seat.clearance) for row in rows_of(three).values()]
+    seats[0] = resized(seats[0], diameter=seats[0].bearing.diameter * wider)
+    duty = rows_of(three)["front"].duty
+    _corners_are_those_of_each_alone(turning, films, seats, duty)
+
+
+def _corners_are_those_of_each_alone(turning, films, seats, duty):
+    shares = at_corners(turning, films, seats, duty)
+    for i, name in enumerate(NAMES):
+        load = abs(films.carried.load[i])
+        film = settled(corner_points(seats[i], duty)[0], replace(duty, load=load))
+        for k in (0, 7):
+            c, mu = film.clearance[k].item(), film.oil.mu[k].item()
+            laws = [replace(law, c=c, mu=mu) if j == i else law for j, law in enumerate(films.laws)]
+            assert shares[name][k] == pytest.approx(abs(carried(turning, laws).load[i]) / load, rel=1e-9)
 
 
 # --- a bearing that carries next to nothing
@@ -379,11 +403,15 @@ def test_more_standing_load_never_leaves_more_film(three):
     assert edges == sorted(edges, reverse=True)
 
 
+def _beam(results):
+    shaft = results.result(CountershaftResult)
+    return shaft.bending.model, shaft.omega
+
+
 def _films(results):
     found = results.result(BearingsResult)
-    shaft = results.result(CountershaftResult)
     seats = [row.seat for row in found.bearings.values()]
-    turning = of_beam(shaft.bending.model, shaft.omega)
+    turning = of_beam(*_beam(results))
     films = shared(turning, seats, found.bearings["front"].duty, 1)
     return on_films(turning, films, [seat.bearing.name for seat in seats])
 
@@ -442,17 +470,16 @@ def test_the_power_balance_closes_with_what_stands_on_three_bearings(gamma):
 # --- bearings that are not alike, and twins
 
 
-def test_films_that_are_fed_alike_are_settled_together_the_others_apart(three):
-    seats = [row.seat for row in rows_of(three).values()]
-    duty, loads = rows_of(three)["front"].duty, np.array([608.65, 2014.57, 608.65])
+def test_a_bearing_that_is_fed_otherwise_than_the_others_is_warmed_by_itself(three):
+    rows, turning = rows_of(three), of_beam(*_beam(three))
+    seats, duty = [row.seat for row in rows.values()], rows["front"].duty
     grooved = replace(seats[1].inputs, supply="groove", groove_width=2e-3)
     mixed = [seats[0], replace(seats[1], inputs=grooved), seats[2]]
-    c, mu = _warm(mixed, duty, loads)
-    for i, seat in enumerate(mixed):
-        alone = balanced(own_warm, seat, replace(duty, load=loads[i].item()))
-        assert (c[i], mu[i]) == pytest.approx((alone.clearance, alone.oil.mu), rel=1e-9)
-    again = [replace(seat, inputs=replace(seat.inputs)) for seat in seats]  # as rows that say what all share
-    assert np.array_equal(_warm(again, duty, loads), _warm(seats, duty, loads))
+    films = on_films(turning, shared(turning, mixed, duty, 1), NAMES)
+    assert [law.lands for law in films.laws] == [1, 2, 1]
+    _corners_are_those_of_each_alone(turning, films, mixed, duty)
+    again = [replace(seat, inputs=replace(seat.inputs)) for seat in seats]  # as of rows that say what all share
+    assert np.array_equal(shared(turning, again, duty, 1).carried.load, shared(turning, seats, duty, 1).carried.load)
 
 
 def with_image(document, *rows):
