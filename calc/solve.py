@@ -68,6 +68,7 @@ class Results:
     of_shafts: dict[str, dict[str, Outcome[object]]] = field(default_factory=dict, repr=False)  # by name and step
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # arguments and outcomes, for the next solve
     recorded: bool = True  # whether the lines were recorded with the numbers
+    viewed: "Results | None" = field(default=None, repr=False)  # those of all shafts, where one of several is in view
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
 
     def __str__(self) -> str:
@@ -124,7 +125,7 @@ class Results:
         of = next(shaft.of or name for shaft in self.design.resolved if shaft.name == name)
         outcomes = self.outcomes | self.of_shafts[of] | self.of_shafts.get(name, {})
         design = self.design.with_bearings_of(name) if name != of and name in self.of_shafts else self.design.views[of]
-        return replace(self, design=design, outcomes=outcomes, of_shafts={}, _values={})
+        return replace(self, design=design, outcomes=outcomes, of_shafts={}, viewed=self, _values={})
 
     def values_of(self, field: object) -> list[Published]:
         """The values of one declared field, `results.values_of(BearingResult.film_edge)`: of each part that has one."""

@@ -15,6 +15,7 @@ from calc.bearings.result import BearingsResult
 from calc.bearings.routes.states import resized
 from calc.bearings.routes.thermal_balance import settled
 from calc.bearings.selection.search import search
+from calc.bearings.sketch import sketch
 from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
 from calc.countershaft.result import CountershaftResult
@@ -24,6 +25,7 @@ from calc.design.addresses import quantities, quantity_of, value_at
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design
 from calc.design.unusual import doubts
+from calc.draw.drawing import Area, Polyline
 from calc.friction.result import FrictionResult
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
@@ -113,6 +115,18 @@ def test_loads_and_inertia_are_in_equilibrium(name):
     size = max(abs(np.array(P)))
     assert sum(P) == pytest.approx(F, abs=1e-4 * size)
     assert sum(P_i * z_i for P_i, z_i in zip(P, positions)) == pytest.approx(C, abs=1e-4 * size * positions[-1])
+
+
+def test_in_the_picture_each_load_fills_the_outline_of_that_on_rigid_supports(three):
+    """The bar of the middle bearing ends short of its outline, those of the outer ones beyond theirs."""
+    side = sketch(three.design, three).beside[-1]
+    bars = [mark for mark in side.primitives if mark.key.endswith(".load_N")]
+    shared = [np.ptp([y for _, y in bar.outlines[0]]) for bar in bars if isinstance(bar, Area)]
+    rigid = [np.ptp([y for _, y in bar.points]) for bar in bars if isinstance(bar, Polyline)]
+    found, pins = rows_of(three), three.result(CountershaftResult).loads
+    scale = shared[0] / found["front"].load
+    assert shared == pytest.approx([scale * found[name].load for name in NAMES])
+    assert rigid == pytest.approx([scale * pins[name] for name in NAMES]) and shared[1] < rigid[1]
 
 
 def test_tighter_bearings_share_as_rigid_supports_would():
