@@ -221,10 +221,11 @@ NO_CONE: Radian = 1e-6  # a smaller one is rounding
 
 
 def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
-    """Each shaft that is no twin, one below another, also where one of them is in view; None where of none it is known
-    how it lies in its films."""
+    """Each shaft with bearings of its own, one below another, also where one of them is in view; None where of none is
+    known how it lies in its films."""
     whole = results.viewed or results
-    found = {name: each.outcomes[STEP].result for name, each in whole.views.items() if STEP in each.outcomes}
+    views = {name: whole.view(name) for name in whole.of_shafts or whole.views}
+    found = {name: each.outcomes[STEP].result for name, each in views.items() if STEP in each.outcomes}
     shafts = {name: b for name, b in found.items() if isinstance(b, BearingsResult) and b.line is not None}
     if not shafts:
         return None
@@ -241,7 +242,7 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
     in_view = design.own_name if len(design.originals) == 1 else ""
     y = 0.0
     for name, b in shafts.items():
-        seen = whole.views[name]
+        seen = views[name]
         drawn = list(_in_films(b, seen.outcomes[STEP].checks, seen.shaft, longest, factor, bar))
         for mark in drawn:
             keys = mark.key.split()
@@ -250,9 +251,9 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
             marks.append(replace(moved(mark, 0.0, y), key=" ".join(keys)))
         several, cone = len(whole.design.shafts) > 1, Amount((b.cone or 0.0) * 1e3, "mrad", digits=3)
         if several and b.line is not None:
-            twins = [Name(s.name) for s in whole.design.shafts if name in (s.mirrors, s.repeats)]
+            twins = [s.name for s in whole.design.shafts if name in (s.mirrors, s.repeats) and s.name not in shafts]
             at = float(b.line[0].min()) - FOOT * longest
-            marks.append(Words(WORDS, (at, y), COMMA.join([Name(name), *twins]), side="right"))
+            marks.append(Words(WORDS, (at, y), COMMA.join(map(Name, [name, *twins])), side="right"))
         if b.cone is not None and b.cone > NO_CONE:
             half = Text("{name}: cone {cone}", name=Name(name), cone=cone)
             notes.append(half if several else Text("cone {cone}", cone=cone))
