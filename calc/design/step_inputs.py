@@ -112,6 +112,12 @@ def twins_of(design: Design, original: str) -> dict[str, Resolved]:
     return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
 
 
+def on_own_bearings(design: Design) -> tuple[Resolved, ...]:
+    """The shafts whose bearings are solved: those that are no twins, then twins that say something of theirs."""
+    every = [shaft for shaft in design.resolved if shaft.of is None or shaft.rows]
+    return tuple(sorted(every, key=lambda shaft: shaft.of is not None))
+
+
 def sized_alike(design: Design, name: str) -> int:
     """Of how many equal shares a sized shaft, no twin, takes one: as many as are sized for its ratio, twins counted, or
     for that of its mirror images, which take as much, where these are more."""
@@ -307,7 +313,7 @@ def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInpu
     return BearingMaterials(
         oil=bearings.in_bearings(design.oils[bearings.oil]),
         journal=solids[bearings.journal_material or shaft.material],
-        housing=solids[bearings.housing_material],
+        housings=tuple(solids[bearings.of(row).housing_material] for row in shaft.bearings),
     )
 
 
