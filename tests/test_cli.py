@@ -344,7 +344,7 @@ def test_the_exit_code_of_every_state(state):
 @pytest.mark.parametrize(
     "arguments",
     [
-        [GAMMA],
+        pytest.param([GAMMA], marks=pytest.mark.slow),
         [GAMMA, "--step", "engine"],
         [GAMMA, "--step", "mounting"],
         [GAMMA, "--step", "bearings", "--set", "countershaft.masses.front.mass_kg=300"],

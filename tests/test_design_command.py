@@ -125,6 +125,7 @@ def test_what_it_can_not_do_is_said(copy, tmp_path, asked, said):
     assert done.returncode == 2 and said in done.stderr and not (tmp_path / "d").exists()
 
 
+@pytest.mark.slow
 def test_where_nothing_passes_it_ends_with_3_and_says_what_would_help(copy, tmp_path):
     done = run(
         "design", copy, "--out", tmp_path / "d", *FEW[:-2], "--most", "seat_mm=84", "--least", "margin_percent=40"

@@ -29,7 +29,9 @@ def loaded(code: str) -> set[str]:
     [
         ["check", str(GAMMA)],
         ["check", str(GAMMA), "--json"],
-        ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))],
+        pytest.param(
+            ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))], marks=pytest.mark.slow
+        ),
     ],
 )
 def test_headless_commands_load_numpy_and_no_more(arguments):

@@ -100,6 +100,7 @@ def test_a_design_that_passes_says_nothing_of_it(capsys: pytest.CaptureFixture[s
     assert code == 0 and not any(PASTE.search(line) or "no passing design" in line for line in lines)
 
 
+@pytest.mark.slow
 def test_the_json_stays_one_object(capsys: pytest.CaptureFixture[str]) -> None:
     import json
 

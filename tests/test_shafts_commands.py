@@ -138,6 +138,7 @@ def test_bearings_are_chosen_for_one_shaft_and_its_twins(two, pair):
     assert nobody.returncode == 2 and "there are left, right" in nobody.stderr
 
 
+@pytest.mark.slow
 def test_the_worst_shaft_is_chosen_for_where_none_is_named(two):
     done = run("choose", two, "countershaft", "--json")
     assert done.returncode == 0, done.stderr
@@ -164,6 +165,7 @@ def test_what_is_judged_of_a_twin_by_itself_is_its_own(pair):
     assert said.startswith("bearings.right.front.film_edge_standing: right: film at the edge over a turn")
 
 
+@pytest.mark.slow
 def test_a_drawing_for_each_that_is_no_twin(two, pair, tmp_path):
     assert run("export", two, "-o", tmp_path / "x.dxf").returncode == 0
     assert run("export", pair, "-o", tmp_path / "y.dxf").returncode == 0

@@ -71,7 +71,11 @@ def test_explain_tells_what_stands_behind_a_chain(capsys):
     "language, words",
     [
         ("en", ("read in the source", "superseded by ISO 6336-1:2019", "from memory", "as far as we remember")),
-        ("it", ("letto nella fonte", "sostituito da ISO 6336-1:2019", "a memoria", "per quanto ricordiamo")),
+        pytest.param(
+            "it",
+            ("letto nella fonte", "sostituito da ISO 6336-1:2019", "a memoria", "per quanto ricordiamo"),
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_the_report_tells_title_edition_status_and_how_we_know(language, words, tmp_path):

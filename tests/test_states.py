@@ -166,7 +166,13 @@ def test_the_session_and_page_one_say_the_state_of_the_program(file: Path) -> No
     assert any(text.startswith(head) for text in page), page
 
 
-@pytest.mark.parametrize("name", ["r753ie4_sized", "r754ie4_balance_shafts", "finotti_gear_sheet"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "finotti_gear_sheet",
+        *(pytest.param(n, marks=pytest.mark.slow) for n in ("r753ie4_sized", "r754ie4_balance_shafts")),
+    ],
+)
 def test_the_report_says_the_state_of_the_program(name: str, tmp_path: Path) -> None:
     results, pdf = solve(design(read(DESIGNS / f"{name}.toml"))), tmp_path / "report.pdf"
     assert main(["report", str(DESIGNS / f"{name}.toml"), "-o", str(pdf), "--depth", "summary"]) == 0

@@ -74,11 +74,11 @@ def test_a_list_of_designs(tmp_path):
 
 
 def test_parts_by_their_tolerances(tmp_path):
-    words = ["--tolerance", "friction.flank_roughness_um=0.1", "--monte-carlo", "40", "--values", "friction.total_loss"]
+    words = ["--tolerance", "friction.flank_roughness_um=0.1", "--monte-carlo", "8", "--values", "friction.total_loss"]
     first, again = run("sweep", GAMMA, *words), run("sweep", GAMMA, *words)
     other = run("sweep", GAMMA, *words, "--seed", "2")
     assert (
-        first.returncode == 0 and first.stdout == again.stdout != other.stdout and len(first.stdout.splitlines()) == 41
+        first.returncode == 0 and first.stdout == again.stdout != other.stdout and len(first.stdout.splitlines()) == 9
     )
 
 

@@ -53,7 +53,7 @@ def test_every_action_has_its_deed() -> None:
 
 KEYS = [(action.id, keys.split(",")[0]) for action in ACTIONS for keys in (action.keys, action.letters) if keys]
 FIRST = [(action.id, action.binding.split(",")[0]) for action in ACTIONS]  # one key of each action
-FROM_PALETTE = ("trouble", "export", "undo", "copy_line")
+FROM_PALETTE = ("undo", *(pytest.param(id, marks=pytest.mark.slow) for id in ("trouble", "export", "copy_line")))
 ALONE = {"quit"}  # on a screen that nobody else uses
 
 
@@ -102,8 +102,11 @@ async def test_from_the_palette(wide_stage: Stage, id: str) -> None:
     await play(wide_stage, id, do)
 
 
-@pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=["120x40", "80x24"])
-@pytest.mark.parametrize("key", BY_ID["quit"].binding.split(","))
+@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)], ids=["80x24", "120x40"])
+@pytest.mark.parametrize(
+    "key",
+    [pytest.param(key, marks=pytest.mark.slow if n else ()) for n, key in enumerate(BY_ID["quit"].binding.split(","))],
+)
 @pytest.mark.usefixtures("put_aside")
 async def test_the_end(light: Session, size: tuple[int, int], key: str) -> None:
     light.solve()

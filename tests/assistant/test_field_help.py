@@ -89,6 +89,7 @@ async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Sess
         assert "Clearance g = K·d·u^¼ in mm, m and m/s. Usual 0.4 to 0.8. A number from 0.01 to 10." in said
 
 
+@pytest.mark.slow
 async def test_the_help_shows_the_comment_of_the_file_until_the_value_is_another(
     screen: Screen, session: Session
 ) -> None:

@@ -138,7 +138,7 @@ async def test_a_replay_that_can_not_be_written_leaves_the_recording(
 
 
 # --- export
-@pytest.mark.parametrize(("size", "kind"), [((120, 40), "csv"), ((80, 24), "json")])
+@pytest.mark.parametrize(("size", "kind"), [((80, 24), "json"), pytest.param((120, 40), "csv", marks=pytest.mark.slow)])
 async def test_values_and_results_are_exported(
     screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int], kind: str
 ) -> None:
@@ -153,6 +153,7 @@ async def test_values_and_results_are_exported(
     assert "\nengine.stroke,107" in text if kind == "csv" else json.loads(text)["steps"]["engine"] == "computed"
 
 
+@pytest.mark.slow
 async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
     screen: Screen, small: Session, tmp_path: Path
 ) -> None:
@@ -350,6 +351,7 @@ async def test_recent_designs_are_listed_first(
         assert work(pilot).session.value(BORE) == 99.0
 
 
+@pytest.mark.slow
 async def test_recent_designs_are_in_the_palette(screen: Screen, small: Session, design: Path) -> None:
     small.memory.remember(design)
     small.memory.remember(small.home)

@@ -173,7 +173,10 @@ async def at_curve(pilot: Pilot[int], *leaves: Curve) -> CurvePane:
     return pane
 
 
-@pytest.mark.parametrize(("size", "ascii"), [((120, 40), False), ((80, 24), False), ((80, 24), True)])
+@pytest.mark.parametrize(
+    ("size", "ascii"),
+    [((80, 24), True), *(pytest.param(size, False, marks=pytest.mark.slow) for size in ((120, 40), (80, 24)))],
+)
 async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
     async with screen(size=size, ascii=ascii) as pilot:
         pane = await at_curve(pilot, FILM, PLAIN)

@@ -200,6 +200,7 @@ async def test_ready(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_remedies(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assistant.screens.remedies.SECONDS", 1000.0)  # however slow the machine is, all are found
     async with opened(4, (120, 40)) as pilot:
@@ -210,6 +211,7 @@ async def test_remedies(opened: Opened, seen: SnapshotAssertion, monkeypatch: py
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_help(opened: Opened, seen: SnapshotAssertion) -> None:
     async with opened(4, (80, 24)) as pilot:
         await over(pilot, "f1", HelpScreen)
@@ -241,6 +243,7 @@ async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monke
 
 
 # --- colours only help
+@pytest.mark.slow
 async def test_verdicts_are_told_without_colours(opened: Opened, monkeypatch: pytest.MonkeyPatch) -> None:
     """With NO_COLOR every cell is grey, and the same is read; but for curves, whose lines are then told apart by their
     pattern."""

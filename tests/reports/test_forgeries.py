@@ -57,7 +57,9 @@ def test_no_forgery_is_accepted(made: bytes, read_here: None, kind: str) -> None
     assert verdict(forged) not in ACCEPTED
 
 
-@pytest.mark.parametrize("kind", ENDLESS)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=pytest.mark.slow if n % 5 else ()) for n, kind in enumerate(ENDLESS)]
+)
 def test_what_has_no_end_ends_its_reader(made: bytes, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
     """In a process of its own, of which only the time is waited for."""
     monkeypatch.setattr("reports.apart.APPENDED_SECONDS", 5)

@@ -150,7 +150,17 @@ def test_a_chapter_says_once_how_a_long_list_is_written(engineer: bytes) -> None
     assert squeezed(text_of(engineer)).count(squeezed(WORDS["ranges"])) == 1
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
+        for path in sorted(DESIGNS.glob("*.toml"))
+    ],
+    ids=lambda path: path.stem,
+)
 def test_what_fails_or_comes_near_its_limit_is_proven(path: Path) -> None:
     """Each such check of each shipped design has its block: its own number, limit, source, the formula behind it, and a
     remedy."""

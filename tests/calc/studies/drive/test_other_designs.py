@@ -29,6 +29,7 @@ def test_tables_and_whole_solutions_agree_on_every_engine_with_a_couple(engine, 
     assert misses == [] and power <= 0.05 and mass <= 1e-6 and -1e-9 <= least and most <= 0.006
 
 
+@pytest.mark.slow
 def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
     """From `new` alone, a few values of its sizes about the start."""
     document = written("inline-3", tmp_path)
@@ -42,6 +43,7 @@ def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
     assert all(one.sized.diameter == own for one in found.drives)
 
 
+@pytest.mark.slow
 def test_holes_that_would_run_into_the_core_or_out_of_the_sector(sized):
     """Sizes of holes are limits that change with core, seat and length: what breaks them is not offered, and hides
     nothing."""
@@ -71,6 +73,7 @@ def test_a_range_that_holds_one_drive_and_one_that_holds_none(sized):
         assert search(problem).drives == ()
 
 
+@pytest.mark.slow
 def test_a_start_that_fails_and_has_no_film_is_as_good_as_any(sized):
     vary = {
         "vary": GRID | {"shafts.shaft.bearings.rear.diameter_mm": [85.0, 86.0]},
@@ -110,6 +113,7 @@ def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
     assert {one.sized.length["front"] for one in found.drives} <= {36.9, 37.3, 38.0}
 
 
+@pytest.mark.slow
 def test_a_gap_too_narrow_for_its_fillets_is_offered_where_that_is_waived(sized):
     """The wheel stands a little ahead of its journal: the usual list refuses it, and with the finding waived it passes
     whole as well."""

@@ -150,6 +150,7 @@ def test_an_idler_that_touches_the_cover_gets_the_nearest_teeth_that_do_not() ->
     )
 
 
+@pytest.mark.slow
 def test_an_idler_that_touches_is_repaired_beside_axes_that_are_off_their_distance() -> None:
     """Other teeth of the idler put no two other axes right: first these, then the idler."""
     apart = "gears.meshes.1.centre_distance_mm=82.6", "gears.meshes.2.centre_distance_mm=70.7"

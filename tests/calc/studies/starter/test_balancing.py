@@ -33,7 +33,12 @@ def engine(name: str) -> Document:
     return Document({key: data[key] for key in ("schema", "name", "engine")})
 
 
-@pytest.mark.parametrize("name", CALLED)
+LONG = ("single", "twin-180", "twin-360")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in CALLED]
+)
 def test_one_balancing_is_called_for(name: str) -> None:
     offered = options(engine(name))
     assert [one.id for one in offered if one.called_for] == [CALLED[name]]

@@ -51,7 +51,12 @@ def compare(document, inputs, rows, step=None):
     return swept
 
 
-@pytest.mark.parametrize("name", SWEEPS)
+LONG = ("r753ie4_gamma", "r753ie4_beta")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SWEEPS]
+)
 def test_each_design_is_what_it_is_alone(name):
     compare(*drawn(name, 4))
 
