@@ -348,7 +348,7 @@ def test_the_exit_code_of_every_state(state):
         [GAMMA, "--step", "engine"],
         [GAMMA, "--step", "mounting"],
         [GAMMA, "--step", "bearings", "--set", "countershaft.masses.front.mass_kg=300"],
-        [DESIGNS / "r754ie4_balance_shafts.toml"],
+        pytest.param([DESIGNS / "r754ie4_balance_shafts.toml"], marks=pytest.mark.slow),
         [DESIGNS / "r754ie4_balance_shafts.toml", "--step", "countershaft"],
         [DESIGNS / "thesis_oils.toml"],
         [DESIGNS / "twin_mounting.toml"],

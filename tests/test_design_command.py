@@ -74,6 +74,7 @@ def test_a_drive_is_picked_into_the_file_or_another(copy, tmp_path):
     assert run("design", copy, "--out", out, "--pick", 1, "-o", copy).returncode == 2
 
 
+@pytest.mark.slow
 def test_when_the_time_is_up_the_drives_that_are_known_are_kept(copy, tmp_path):
     out = tmp_path / "drive"
     done = run(

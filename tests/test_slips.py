@@ -51,7 +51,7 @@ def test_a_comma_and_a_table_of_another_name_are_found_in_their_lines(tmp_path):
 
 
 def test_a_bore_in_metres_is_a_caution_that_says_what_was_meant():
-    slips = ["--set", "engine.bore_mm=0.094", "engine.cylinder_pitch_mm=0.105"]
+    slips = ["--step", "engine", "--set", "engine.bore_mm=0.094", "engine.cylinder_pitch_mm=0.105"]
     lines = run("check", "designs/r753ie4_sized.toml", *slips).stdout.split("\n")
     bore = "▲ warn  Far from usual: bore: 0.094 mm, needs 50 to 150 mm (−50 %)  [engine.inputs.bore_mm]"
     assert [line.strip() for line in lines[2:4]] == [bore, "Did you mean bore 94 mm?"]  # before what follows from it
@@ -62,19 +62,19 @@ def test_a_bore_in_metres_is_a_caution_that_says_what_was_meant():
 
 
 def test_what_is_a_little_outside_is_told_with_what_is_usual():
-    slips = ["--set", "engine.bore_mm=45", "engine.cylinder_pitch_mm=210"]
+    slips = ["--step", "engine", "--set", "engine.bore_mm=45", "engine.cylinder_pitch_mm=210"]
     said = run("check", "designs/r753ie4_sized.toml", *slips).stdout
     assert "2 inputs are not usual: cylinder pitch 210 mm (usual 35 to 200); bore 45 mm (usual 50 to 150)" in " ".join(
         said.split()
     )
-    assert "not usual" not in run("check", "designs/r753ie4_sized.toml").stdout
+    assert "not usual" not in run("check", "designs/r753ie4_sized.toml", "--step", "engine").stdout
     found = json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "gears", "--json").stdout)["unusual"]
     assert found == [
         {"key": "gears.wheels.central.span_allowance_um", "value": -2.0, "usual": [-80, -20], "unit": "µm"}
     ]
     assert json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "engine", "--json").stdout)["unusual"] == []
     assert "not usual" not in run("check", "designs/r753ie4_gamma.toml", "--step", "engine").stdout
-    many = ["--set", "engine.bore_mm=45", "engine.crank_radius_mm=15", "engine.cylinder_pitch_mm=210",
+    many = ["--step", "engine", "--set", "engine.bore_mm=45", "engine.crank_radius_mm=15", "engine.cylinder_pitch_mm=210",
             "engine.piston_mass_g=140", "engine.rod_mass_g=190", "engine.rated_speed_rpm=900"]  # fmt: skip
     short, whole = (
         " ".join(run("check", "designs/r753ie4_sized.toml", *many, *more).stdout.split()) for more in ([], ["--all"])

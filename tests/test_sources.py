@@ -67,15 +67,12 @@ def test_explain_tells_what_stands_behind_a_chain(capsys):
     assert cited["name"] == "Finotti 2013" and cited["known"] == "read in the source" and cited["places"] == ["4.1"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "language, words",
     [
         ("en", ("read in the source", "superseded by ISO 6336-1:2019", "from memory", "as far as we remember")),
-        pytest.param(
-            "it",
-            ("letto nella fonte", "sostituito da ISO 6336-1:2019", "a memoria", "per quanto ricordiamo"),
-            marks=pytest.mark.slow,
-        ),
+        ("it", ("letto nella fonte", "sostituito da ISO 6336-1:2019", "a memoria", "per quanto ricordiamo")),
     ],
 )
 def test_the_report_tells_title_edition_status_and_how_we_know(language, words, tmp_path):

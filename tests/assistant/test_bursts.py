@@ -36,6 +36,7 @@ async def test_an_arrow_comes_before_the_dialog_has_its_list(screen: Screen, key
         assert pilot.app.is_running and pilot.app._exception is None
 
 
+@pytest.mark.slow
 async def test_enter_twice_in_the_palette(screen: Screen) -> None:
     async with screen() as pilot:
         await strike(pilot, "ctrl+p", *BY_ID["next"].title, "enter", "enter")

@@ -221,6 +221,7 @@ async def test_an_unchanged_design_is_equal(screen: Screen) -> None:
         assert isinstance(pilot.app.screen, CompareScreen) and "nothing to copy" in told(pilot)
 
 
+@pytest.mark.slow
 async def test_what_is_not_valid_is_said(screen: Screen, light: Session) -> None:
     async with screen(size=(80, 24)) as pilot:
         await go_to(pilot, "engine.bore_mm")

@@ -64,6 +64,7 @@ async def test_a_drive_is_taken_and_taken_back(screen: Screen, few: Session, siz
         assert value_at(session.data, SEAT) == 86.4 and "journal_fit" not in session.data["bearings"]
 
 
+@pytest.mark.slow
 async def test_the_front_is_sorted_narrowed_and_looked_at(screen: Screen, few: Session) -> None:
     async with screen(size=(120, 40), session=few) as pilot:
         shown = await found(pilot)

@@ -52,8 +52,10 @@ def test_every_action_has_its_deed() -> None:
 
 
 KEYS = [(action.id, keys.split(",")[0]) for action in ACTIONS for keys in (action.keys, action.letters) if keys]
-FIRST = [(action.id, action.binding.split(",")[0]) for action in ACTIONS]  # one key of each action
-FROM_PALETTE = ("undo", *(pytest.param(id, marks=pytest.mark.slow) for id in ("trouble", "export", "copy_line")))
+FIRST = [
+    (action.id, action.binding.split(",")[0]) for action in ACTIONS
+]  # one key of each action; every second among the ordinary tests
+FROM_PALETTE = ("trouble", "export", "undo", "copy_line")
 ALONE = {"quit"}  # on a screen that nobody else uses
 
 
@@ -65,29 +67,28 @@ async def play(stage: Stage, id: str, do: Do) -> None:
         stage.played = True
 
 
-def rows(turn: int) -> list[Any]:
-    """Every key of every action: here the first of each at one of the two sizes, by turns; all others among the slow
-    tests."""
-    here = [row for n, row in enumerate(FIRST) if n % 2 == turn]
+def rows(*ordinary: tuple[str, str]) -> list[Any]:
+    """Every key of every action; all but these among the slow tests."""
     return [
-        pytest.param(*row, marks=() if row in here else pytest.mark.slow, id="-".join(row))
+        pytest.param(*row, marks=() if row in ordinary else pytest.mark.slow, id="-".join(row))
         for row in KEYS
         if row[0] not in ALONE
     ]
 
 
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize(("id", "key"), rows(0))
+@pytest.mark.parametrize(("id", "key"), rows())
 async def test_by_its_key_120x40(wide_stage: Stage, id: str, key: str) -> None:
     await play(wide_stage, id, partial(strike, wide_stage.pilot, key))
 
 
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize(("id", "key"), rows(1))
+@pytest.mark.parametrize(("id", "key"), rows(*FIRST[1::2]))
 async def test_by_its_key_80x24(narrow_stage: Stage, id: str, key: str) -> None:
     await play(narrow_stage, id, partial(strike, narrow_stage.pilot, key))
 
 
+@pytest.mark.slow
 @pytest.mark.asyncio(loop_scope="module")
 @pytest.mark.parametrize("id", FROM_PALETTE)
 async def test_from_the_palette(wide_stage: Stage, id: str) -> None:

@@ -78,7 +78,8 @@ async def test_the_foot_shows_meaning_usual_and_source(screen: Screen, session: 
         assert f"Usual 0.1 to 0.8 µm ({THUMB})." in seen()
 
 
-@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
 async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Session, size: tuple[int, int]) -> None:
     async with screen(size=size, session=session) as pilot:
         await go_to(pilot, "bearings.front.clearance_factor")

@@ -167,6 +167,7 @@ async def test_a_choice_is_made_from_a_list(screen: Screen, session: Session) ->
         assert work(pilot).session.value("bearings.oil") == "SAE 30"
 
 
+@pytest.mark.slow
 async def test_a_field_may_be_left_to_the_program(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         box = await go_to(pilot, "bearings.outlet_temperature_limit_C")

@@ -120,6 +120,7 @@ async def test_a_recording_is_given_up_or_asked_about(screen: Screen, light: Ses
         await until(pilot, lambda: f"Replay: {tmp_path / 'r.toml'}" in told(pilot))
 
 
+@pytest.mark.slow
 async def test_a_replay_that_can_not_be_written_leaves_the_recording(
     screen: Screen, light: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -169,6 +170,7 @@ async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
         assert (tmp_path / "there.csv.bak").read_text(encoding="utf-8") == "theirs"
 
 
+@pytest.mark.slow
 async def test_where_there_is_nothing_to_draw_it_says_what_to_add(
     screen: Screen, light: Session, tmp_path: Path
 ) -> None:
@@ -367,6 +369,7 @@ async def test_recent_designs_are_in_the_palette(screen: Screen, small: Session,
 
 
 # --- settings
+@pytest.mark.slow
 async def test_theme_and_guide_are_kept(small: Session, memory: Memory) -> None:
     app = ContralberoApp(small)
     async with app.run_test(size=(80, 24)) as pilot:

@@ -135,6 +135,7 @@ def whole(path: Path, session: Session, old: str, new: str, *earlier: str) -> st
     return found
 
 
+@pytest.mark.slow
 def test_killed_at_a_save_the_file_is_one_of_the_two_versions_and_whole(light: Session, state: Path) -> None:
     """At moments around the save of a program in a terminal; what was typed is on disk or comes back."""
     chance = random.Random(7)

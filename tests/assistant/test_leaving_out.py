@@ -64,7 +64,7 @@ async def walk(session: Session, seed: int, count: int, letters: str) -> int:
 
 @pytest.mark.usefixtures("enclosed")
 async def test_keys_at_random_leave_no_step_out_without_words(tmp_path: Path) -> None:
-    await walk(begun(tmp_path, "r753ie4"), 1, 50, LETTERS)
+    await walk(begun(tmp_path, "r753ie4"), 1, 25, LETTERS)
 
 
 @pytest.mark.slow

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the palette finds, and by which words."""
 
+import pytest
 from textual.pilot import Pilot
 
 from assistant.screens.palette import Palette
@@ -66,6 +67,7 @@ async def test_english_words_in_an_italian_session(screen: Screen) -> None:
         assert "Bore" not in found(pilot)[0]
 
 
+@pytest.mark.slow
 async def test_older_edits_are_offered(screen: Screen, light: Session) -> None:
     other = Session.open(light.home, memory=light.memory, now=light.now)
     other.edit("engine.bore_mm", "97")

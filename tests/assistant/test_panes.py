@@ -243,6 +243,7 @@ async def test_a_pane_is_made_large_and_small(screen: Screen) -> None:
         assert work(pilot).query_one("#inputs").display
 
 
+@pytest.mark.slow
 async def test_findings_calculation_and_curve_take_turns(screen: Screen) -> None:
     """Wide, in one place; very wide the curve has a place of its own, where it stays."""
     async with screen(size=(120, 40)) as pilot:
@@ -266,6 +267,7 @@ async def test_narrow_shows_one_view_after_the_other(screen: Screen) -> None:
             assert shown == [view]
 
 
+@pytest.mark.slow
 async def test_resizing_keeps_the_focus_and_the_text(screen: Screen) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")

@@ -267,6 +267,7 @@ async def test_the_cursor_stays_where_it_is(screen: Screen) -> None:
         assert WITH in legend(pane) and "order 2" in legend(pane) and "100.0 N" in legend(pane)
 
 
+@pytest.mark.slow
 async def test_loci_have_marks_on_their_points(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         pane = await at_curve(pilot, CIRCLES, LOCUS)

@@ -94,6 +94,7 @@ async def test_keys_that_follow_a_jump_into_a_fold_are_not_lost(screen: Screen) 
         assert bench.number == 1 and bench.session.value("engine.rated_power_kW") == 61.0
 
 
+@pytest.mark.slow
 async def test_the_stroke_is_twice_the_crank_radius(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
@@ -193,6 +194,7 @@ async def test_a_step_that_was_built_is_left_by_the_next_enter(screen: Screen, l
         await until(pilot, lambda: bench.number == 6)
 
 
+@pytest.mark.slow
 async def test_the_document_control_is_asked_for_below_the_name(screen: Screen) -> None:
     async with screen() as pilot:
         bench = work(pilot)

@@ -217,7 +217,6 @@ def test_a_shaft_that_goes_leaves_its_wheel(session: Session) -> None:
 
 
 @pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
-@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
 async def test_everything_on_the_screen_is_of_the_shaft_in_view(
     screen: Screen, memory: Memory, tmp_path: Path, size: tuple[int, int]
 ) -> None:

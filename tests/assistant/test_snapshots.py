@@ -183,6 +183,7 @@ async def test_bearings(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_gears_on_a_narrow_screen(
     opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -73,7 +73,7 @@ def agree(script: Script, session: Session, number: int) -> int:
     return len(rows)
 
 
-SHORT = ("timing_pair", "twin_force_shaft")  # a few seconds each
+SHORT = ("twin_force_shaft",)
 # the others are those of `contralbero replay`
 TYPED = [path for path in REPLAYS if any("set" in step for step in load(path).steps)]
 

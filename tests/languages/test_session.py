@@ -248,6 +248,7 @@ async def test_what_asks(light: Session) -> None:
         reader.read("compare")
 
 
+@pytest.mark.slow
 async def test_what_is_said(light: Session) -> None:
     """Entries that are not valid, saving, recording, a remedy, going back."""
     async with opened(light) as (pilot, reader):

@@ -93,6 +93,7 @@ def test_a_start_that_fails_and_has_no_film_is_as_good_as_any(sized):
     assert one.drives and [d.changes for d in one.drives] == [d.changes for d in other.drives]
 
 
+@pytest.mark.slow
 def test_bounds_hold_in_what_is_solved_whole(sized):
     bounds = {"most": {"mass_kg": 10.4, "power_W": 275.0}, "least": {"margin_percent": 2.0}}
     problem, _ = asked(sized, {"vary": SOME, "rows": 6, **bounds})

@@ -235,6 +235,7 @@ def test_closer_making_costs_and_is_chosen_where_it_pays(sized):
     assert min(best) < 252.5
 
 
+@pytest.mark.slow
 def test_over_a_duty_cycle_the_power_is_a_mean(sized):
     cycle = [{"speed_rpm": 900.0, "hours": 3.0}, {"speed_rpm": 2600.0, "hours": 1.0}]
     problem, _ = asked(

@@ -64,14 +64,20 @@ def test_each_design_is_what_it_is_alone(name):
 @pytest.mark.parametrize(
     "over",
     [
-        {
-            "shafts.shaft.bearings.front.length_mm": (29.0, 31.0),
-            "shafts.shaft.bearings.rear.length_mm": (24.0, 24.5, 25.0),
-        },  # the front goes apart, and is one in each part
-        {
-            "shafts.shaft.bearings.front.diameter_mm": (62.0, 64.0),
-            "shafts.shaft.bearings.rear.length_mm": (24.0, 25.0, 26.0),
-        },
+        pytest.param(
+            {
+                "shafts.shaft.bearings.front.length_mm": (29.0, 31.0),
+                "shafts.shaft.bearings.rear.length_mm": (24.0, 24.5, 25.0),
+            },  # the front goes apart, and is one in each part
+            marks=pytest.mark.slow,
+        ),
+        pytest.param(
+            {
+                "shafts.shaft.bearings.front.diameter_mm": (62.0, 64.0),
+                "shafts.shaft.bearings.rear.length_mm": (24.0, 25.0, 26.0),
+            },
+            marks=pytest.mark.slow,
+        ),
         {
             "shafts.shaft.bearings.front.length_mm": (58.9, 59.3, 59.7, 60.1, 60.5)
         },  # l/d through 1, up to which some of the routes reach
