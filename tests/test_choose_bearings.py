@@ -20,14 +20,14 @@ def copy(tmp_path):
     return made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name, row",
     [
         ("r753ie4_gamma", 1),
-        *(
-            pytest.param(*row, marks=pytest.mark.slow)
-            for row in [("r753ie4_gamma", 2), ("r753ie4_beta", 1), ("r753ie4_sized", 2)]
-        ),
+        ("r753ie4_gamma", 2),
+        ("r753ie4_beta", 1),
+        ("r753ie4_sized", 2),
     ],
 )
 def test_a_row_that_is_written_passes(copy, name, row):

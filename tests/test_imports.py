@@ -28,7 +28,7 @@ def loaded(code: str) -> set[str]:
     "arguments",
     [
         ["check", str(GAMMA)],
-        ["check", str(GAMMA), "--json"],
+        pytest.param(["check", str(GAMMA), "--json"], marks=pytest.mark.slow),
         pytest.param(
             ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))], marks=pytest.mark.slow
         ),

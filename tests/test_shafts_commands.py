@@ -156,6 +156,7 @@ def test_a_sum_lists_its_shafts_and_a_twin_is_its_original(pair):
     assert "that of left" in masses and "shafts.left.masses.front.mass_kg = 0.248   an input" in masses
 
 
+@pytest.mark.slow
 def test_what_is_judged_of_a_twin_by_itself_is_its_own(pair):
     pumps = pair.with_name("pumps.toml")
     mirror = 'mirrors = "left"\n'

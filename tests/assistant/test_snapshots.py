@@ -220,6 +220,7 @@ async def test_help(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion) -> None:
     """The firing orders, with what the first would do to all steps."""
     async with opened(1, (120, 40), ascii=True) as pilot:
@@ -229,6 +230,7 @@ async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_in_italian(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
     # sooner or later the foot and the findings would tell them
     monkeypatch.setattr(Workbench, "_seek_slopes", lambda self, kind, name: None)
@@ -236,6 +238,7 @@ async def test_in_italian(opened: Opened, seen: SnapshotAssertion, monkeypatch: 
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
     # sooner or later the foot and the findings would tell them
     monkeypatch.setattr(Workbench, "_seek_slopes", lambda self, kind, name: None)

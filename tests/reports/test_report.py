@@ -150,7 +150,7 @@ def test_a_chapter_says_once_how_a_long_list_is_written(engineer: bytes) -> None
     assert squeezed(text_of(engineer)).count(squeezed(WORDS["ranges"])) == 1
 
 
-LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized")
+LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized", "thesis_temperatures")
 
 
 @pytest.mark.parametrize(

@@ -469,7 +469,17 @@ def test_every_curve_and_table_of_a_step_has_an_id_of_its_own(path):
         assert len(ids) == len(set(ids)), ids
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda p: p.stem)
+LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
+        for path in sorted(DESIGNS.glob("*.toml"))
+    ],
+    ids=lambda path: path.stem,
+)
 def test_curves_and_tables_of_a_step_are_told_apart_by_their_names(path):
     """The session and the JSON find them so."""
     for outcome in solve(design(read(path))).whole().outcomes.values():

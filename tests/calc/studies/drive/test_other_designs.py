@@ -103,6 +103,7 @@ def test_bounds_hold_in_what_is_solved_whole(sized):
         assert one.objectives["mass"] <= 10.4 and one.objectives["power"] <= 275.0 and one.objectives["margin"] >= 2.0
 
 
+@pytest.mark.slow
 def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
     vary = GRID | {
         "shafts.shaft.bearings.front.length_mm": [38.0, 37.3, 36.9],

@@ -92,6 +92,7 @@ def test_every_drive_that_is_shown_holds_and_none_is_beaten_by_another(few, foun
     assert len(table(found).rows) == len(found.drives)
 
 
+@pytest.mark.slow
 def test_shaft_and_bearings_may_have_any_names(sized, few, found):
     """The same drives, by the keys that the design has then."""
     new = {"shaft": "left", "front": "fore", "rear": "aft"}

@@ -62,7 +62,7 @@ def changed(document, changes):
     [
         pytest.param("smoother", 16, marks=pytest.mark.slow),
         ("the larger journal in front", 6),
-        ("the gear apart", 6),
+        pytest.param("the gear apart", 6, marks=pytest.mark.slow),
         ("off the middle", 6),
     ],
 )

@@ -99,7 +99,7 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
         ranked(search(gamma, check, gamma_results, stop))
 
 
-@pytest.mark.parametrize("name", ["timing_pair", "thesis_oils"])
+@pytest.mark.parametrize("name", ["timing_pair", pytest.param("thesis_oils", marks=pytest.mark.slow)])
 def test_what_can_not_be_verified_asks_for_what_is_missing_first(name: str) -> None:
     """Other numbers are looked at only where it does not even hold by what is taken."""
     document = read(ROOT / "tests" / "reference" / "designs_0_1" / f"{name}.toml")

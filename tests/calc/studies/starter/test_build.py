@@ -118,6 +118,7 @@ def test_journals_too_short_for_their_heat_are_a_case_for_rolling_bearings() -> 
     assert "rolling bearings" in made.data["without"]["bearings"] and "bearings" not in made.data  # type: ignore[index]
 
 
+@pytest.mark.slow
 def test_a_train_reaches_the_axis_of_the_shaft() -> None:
     twin = read(DESIGNS / "twin_force_shaft.toml").with_value("shafts.shaft.axis_mm", [0.0, 190.0])
     made = reduce(built, STEPS[1:], twin)

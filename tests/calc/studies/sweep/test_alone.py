@@ -97,8 +97,8 @@ def test_a_grid_in_which_designs_share_numbers(over):
 @pytest.mark.parametrize(
     "texts",
     [
-        ["engine.rated_speed_rpm=800:2600:3", "engine.rod_length_mm=140,170"],
-        ["engine.cylinder_offset_mm=-5:5:3", "engine.piston_mass_g=900,1300"],
+        pytest.param(["engine.rated_speed_rpm=800:2600:3", "engine.rod_length_mm=140,170"], marks=pytest.mark.slow),
+        pytest.param(["engine.cylinder_offset_mm=-5:5:3", "engine.piston_mass_g=900,1300"], marks=pytest.mark.slow),
         ["imbalance.crank_balance_fraction=0:1:3"],
         ["engine.crank_radius_mm=40,60", "engine.rod_cg_to_big_end_mm=40:60:3"],
     ],
