@@ -194,6 +194,7 @@ def test_an_error_names_shaft_and_bearing(tmp_path):
     assert "shafts.left.bearings.front.length_mm: -22.0: must be" in done.stderr
 
 
+@pytest.mark.slow
 def test_shafts_of_other_names_are_compared(two, tmp_path):
     """Of the same ratio on the same side; that of the other has the name that it has in the first."""
     other = TWO.replace('"left"', '"port"').replace("mass_kg = 0.248", "mass_kg = 0.24")

@@ -137,6 +137,7 @@ async def test_a_window_that_is_too_small_says_so(screen: Screen, session: Sessi
         assert "needs 60" in top or "too small" in top or size[0] < 10
 
 
+@pytest.mark.slow
 async def test_a_step_is_left_for_the_closing_page(screen: Screen, session: Session) -> None:
     """The last row of the steps; it says on its page what is left."""
     async with screen(session=session, size=(120, 40)) as pilot:

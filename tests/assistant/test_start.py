@@ -60,9 +60,10 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
     assert tomllib.loads((tmp_path / "own-v6-60.toml").read_text("utf-8"))["name"] == "own-v6-60"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("columns", "columns_of_row"),
-    [(80, ("±2ω",)), pytest.param(200, ("74.5 × 80 mm", "order 2: 6100 N", "±2ω"), marks=pytest.mark.slow)],
+    [(80, ("±2ω",)), (200, ("74.5 × 80 mm", "order 2: 6100 N", "±2ω"))],
 )
 async def test_each_engine_says_what_balancing_it_calls_for(
     memory: Memory, columns: int, columns_of_row: tuple[str, ...]

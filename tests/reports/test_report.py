@@ -385,6 +385,7 @@ def test_the_drawing_sheet_has_the_shaft_and_the_data_of_the_wheels(engineer: by
     assert f"{over:.4f}".rstrip("0") in read
 
 
+@pytest.mark.slow
 def test_headings_are_never_last_on_a_page(example: Solved) -> None:
     from reports.report import blocks
 
