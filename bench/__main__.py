@@ -30,6 +30,7 @@ MEASURED: dict[str, tuple[str, ...]] = {
     "gears": (),
     "friction": (),
     "mounting": (),
+    "shafts": (),
     "links": (),
     "sweep": ("10000",),
     "design": (),

@@ -21,6 +21,7 @@ from .bearings.result import BearingsOfShafts, BearingsResult
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.checks import shafts_clear
+from .countershaft.making.parts import with_bolts
 from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
@@ -66,6 +67,7 @@ class Results:
     of_shafts: dict[str, dict[str, Outcome[object]]] = field(default_factory=dict, repr=False)  # by name and step
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # arguments and outcomes, for the next solve
     recorded: bool = True  # whether the lines were recorded with the numbers
+    viewed: "Results | None" = field(default=None, repr=False)  # those of all shafts, where one of several is in view
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
 
     def __str__(self) -> str:
@@ -114,7 +116,9 @@ class Results:
             return dict.fromkeys(self.design.views, self)
         views = self.design.views
         return {
-            name: replace(self, design=views[name], outcomes=self.outcomes | mine, of_shafts={}, _values={})
+            name: replace(
+                self, design=views[name], outcomes=self.outcomes | mine, of_shafts={}, viewed=self, _values={}
+            )
             for name, mine in self.of_shafts.items()
         }
 
@@ -337,7 +341,7 @@ def _left_over(
     """What all shafts together leave; waits where one of them has no solution."""
     if h.unsolved(tuple(c.values())):
         return Outcome("countershaft", "blocked")
-    shafts = h.system_shafts(design, c)
+    shafts = h.system_shafts(design, c, teeth=True)
     left = part(
         "countershaft",
         left_over.solve,
@@ -383,6 +387,7 @@ def _standing(
                     b = b | {name: bearings_with_standing(b[name], stands)}
                     carried = b[name].result
                 of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+                of_shaft = with_bolts(of_shaft, shaft.inputs, h.on_support(design, shaft, c))
             c = c | {name: of_shaft}
     return c, b
 
@@ -416,8 +421,10 @@ def _told(
             (twins_b[shaft.name],) = _in_place(design.views[shaft.of], (b[shaft.name],))
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()}, twins_b)
-    of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
-    accepted = tuple((of_ids.get(id, id), reason) for id, reason in design.accepted)
+    accepted = design.accepted
+    if accepted:
+        of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
+        accepted = tuple((of_ids.get(id, id), reason) for id, reason in accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)
     return Solved(every, of_shafts)
 

@@ -66,6 +66,7 @@ WORDS = {
     "gas": {"gas"},
     "inertia": {"inertia_kgm2"},
     "axis": {"axis_mm", "outer_radius_mm", "counterweight_radius_mm"},
+    "direction": {"direction_deg"},
 }
 ROWS = {row["id"]: row["missing"] for row in csv.DictReader((OLD.parent / "severities.csv").open(encoding="utf-8"))}
 

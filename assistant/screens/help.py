@@ -310,6 +310,7 @@ class HelpScreen(Once, ModalScreen[None]):
                 "+ −", "", Text("On the heading of a part that may be left out: adds it, as Enter does; takes it out.")
             )
         )
+        lines.append(self.described(", .", "", Text("In the picture's pane: another of its pictures comes first.")))
         return Content("\n").join(lines)
 
     def action_dismiss_help(self) -> None:

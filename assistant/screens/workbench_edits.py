@@ -23,7 +23,7 @@ from calc.sheet.verdict import grouped
 from ..session.compare_with import edit_text
 from ..session.editing import BuildPlan, told
 from ..session.guide import CHOICES
-from ..session.places import SHAFTS, Place, first_key, named_key, ways_to_add
+from ..session.places import GEARS, SHAFTS, Place, driver_of, first_key, named_key, ways_to_add
 from ..session.recording import Recording
 from ..session.recovery import Edits
 from ..session.saving import ChangedOnDisk, Draft, NeedsUpgrade, SaveError, write_atomic
@@ -85,6 +85,12 @@ class WorkbenchEdits(WorkbenchMoves):
             self.session.shaft = index = self.session.add_shaft(self.session.original, what)
             self.edited()
             self.form.rebuild((*SHAFTS, index))
+            if GEARS in self.session.data:
+                shaft = Name(self.session.shafts[index])
+                driver = driver_of(self.session.data, shaft)
+                turned = Text("{driver} drives {shaft}: the train is in step 5.", driver=Name(driver), shaft=shaft)
+                loose = Text("No wheel turns {shaft} yet: its finding in step 5 says which one would.", shaft=shaft)
+                self.app.tell(turned if driver else loose)
 
     def remove_element(self, place: Place, index: int) -> None:
         before = self.session.shafts

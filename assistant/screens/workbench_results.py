@@ -481,10 +481,10 @@ class WorkbenchResults(WorkbenchPanes):
         if not self.stands:  # at the end of the program
             return
         line, checks = self.query_one(MessageLine), self.checks
-        line.finding = checks.key if checks.has_focus else ""
+        before, line.finding = line.finding, checks.key if checks.has_focus else ""
         line.redraw()
-        if checks.has_focus and (shaft := self.session.shaft_of(checks.key)) is not None:
-            self.look_at(shaft)
+        if line.finding not in ("", before) and (shaft := self.session.shaft_of(line.finding)) is not None:
+            self.look_at(shaft)  # once: from there another may be leafed to
 
     def show_written(self) -> None:
         """The calculation, the curves and whatever else takes a moment to be prepared."""

@@ -4,6 +4,7 @@
 Every edit makes a new document that is checked whole.  What can not be understood, or is not allowed, stays visible in
 its field while the last valid design stays as it was.  `undo.py` keeps the states that it has been through."""
 
+import math
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -19,6 +20,8 @@ from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
 from .places import (
+    NAME,
+    OWN,
     SHAFTS,
     Place,
     content_at,
@@ -31,6 +34,7 @@ from .places import (
     named_key,
     optional_table,
     with_shafts,
+    with_wheel,
     without_empty,
 )
 from .recording import Recording
@@ -116,6 +120,7 @@ def _part(value: Any, unit: str = "") -> Part:
 # --- what was typed, and what it means
 
 LOCKED_HERE = "locked in the session"
+NEAR = 0.1  # of their diameter: profile shifts bring two wheels no further together or apart
 
 
 @dataclass(frozen=True)
@@ -224,28 +229,51 @@ class Editing:
         return index
 
     def add_shaft(self, name: str, what: str) -> int:
-        """A further shaft beside the one of that name (see `further_shaft`).  Gives its index."""
+        """A further shaft beside the one of that name (see `further_shaft`); a twin is turned as that one is (see
+        `with_wheel`).  Gives its index."""
         there = self.value(SHAFTS) or []
-        self._put_shafts([*there, further_shaft(there, name, what)])
+        shaft = further_shaft(there, name, what)
+        data = with_shafts(self._state.data, [*there, shaft], self.ids_of_shaft())
+        if what != OWN and (carrier := self._carrier(name)):
+            data = with_wheel(data, str(shaft[NAME]), name, carrier, what, meets=self._meets(name, carrier))
+        self._put_shafts(data)
         return len(there)
+
+    def _carrier(self, shaft: str) -> str:
+        """The wheel or sprocket that turns a shaft, by the last valid design; empty where none does."""
+        gears = self.design.gears
+        if gears is None:
+            return ""
+        carrier = gears.carrier(shaft)
+        says = {wheel.name for wheel in gears.wheels if wheel.shaft == shaft} | {shaft}
+        return carrier if len(self.design.shafts) == 1 or carrier in says else ""
+
+    def _meets(self, shaft: str, wheel: str) -> bool:
+        """Whether the wheel of a shaft meets the like one of its mirror image, as far as their places are known."""
+        gears, axis = self.design.gears, next((s.axis for s in self.design.shafts if s.name == shaft), None)
+        teeth = next((there.teeth for there in gears.wheels if there.name == wheel), 0) if gears is not None else 0
+        if gears is None or axis is None or not axis[1] or not teeth:
+            return True
+        diameter = teeth * gears.module / math.cos(gears.helix_angle)
+        return abs(2 * abs(axis[1]) - diameter) <= NEAR * diameter
 
     def remove(self, key: str | Place, index: int) -> None:
         """Take an element out of an array of tables; a shaft with its twins."""
         where = self._array(key)
         left = less(where, self.value(where) or [], index)
         if where == SHAFTS:
-            self._put_shafts(left)
+            self._put_shafts(with_shafts(self._state.data, left, self.ids_of_shaft()))
             return
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
         self._step(EditState(changed(self._state.data, where, left or None), texts), where)
         self.seal()
 
-    def _put_shafts(self, shafts: list[Table]) -> None:
-        """Other shafts, and what goes by their names with them."""
+    def _put_shafts(self, data: Table) -> None:
+        """Tables with other shafts."""
         texts = {k: v for k, v in self._state.texts.items() if k[:1] != SHAFTS}
         self.seal()
-        self._step(EditState(with_shafts(self._state.data, shafts, self.ids_of_shaft()), texts), SHAFTS)
+        self._step(EditState(data, texts), SHAFTS)
         self.seal()
 
     def ids_of_shaft(self) -> Collection[str]:

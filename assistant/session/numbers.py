@@ -155,6 +155,8 @@ def value(text: str, about: Quantity) -> Any:
             return integer(text, about)
         case "series" | "integers":
             return series(text, about)
+        case "names":
+            return names(text, about)
     raise NotUnderstood(Text("can not be typed into one field"))
 
 
@@ -207,6 +209,14 @@ def series(text: str, about: Quantity) -> list[Any]:
             raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
         return [int(n) for n in numbers]
     return numbers
+
+
+def names(text: str, about: Quantity) -> list[str]:
+    """`left; right`, or a list as the design file has it."""
+    found = [name.strip(" \"'") for name in text.strip("[]").replace(";", ",").removesuffix(",").split(",")]
+    if not all(found):
+        raise NotUnderstood(Text("has an empty place; needs {allowed}", allowed=about.allowed()))
+    return found
 
 
 def _parts(text: str, about: Quantity) -> tuple[float, str]:

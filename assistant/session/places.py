@@ -7,13 +7,14 @@ from collections.abc import Callable, Collection
 from itertools import pairwise
 from typing import Any
 
-from calc.countershaft.inputs import ShaftInputs
+from calc.countershaft.inputs import ShaftInputs, ShaftLoad
+from calc.countershaft.making.inputs import Bolts
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, as_table, changed, declared, own_shafts, quantity_of
+from calc.design.addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, twin, without
-from calc.gears.inputs import GearsInputs
+from calc.gears.inputs import GearsInputs, Mesh, Stage
 from calc.gears.wheel_inputs import Wheel
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity, dotted, keys
@@ -23,6 +24,7 @@ Place = tuple[str | int, ...]
 
 SHAFTS: Place = (dotted(Design.shafts),)
 OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that have something of each shaft
+CARRIES = (dotted(ShaftInputs.bolts), dotted(Bolts.carries))
 NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
 
 
@@ -153,8 +155,12 @@ def twin_words(shaft: Table) -> Text:
 
 POSITION = dotted(BearingRow.position)
 VALUE = dotted(Measured.value)
-WHEELS: Place = (dotted(Design.gears), dotted(GearsInputs.wheels))
-SITS_ON = dotted(Wheel.shaft)
+GEARS = dotted(Design.gears)
+WHEELS: Place = (GEARS, dotted(GearsInputs.wheels))
+MESHES: Place = (GEARS, dotted(GearsInputs.meshes))
+STAGES: Place = (GEARS, dotted(GearsInputs.stages))
+FRICTION, LOADS, CARRIED_BY = dotted(Design.friction), dotted(ShaftInputs.loads), dotted(ShaftLoad.wheel)
+SITS_ON, DRIVER, DRIVEN = dotted(Wheel.shaft), dotted(Mesh.driver), dotted(Mesh.driven)
 
 
 def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
@@ -201,6 +207,87 @@ def ways_to_add(there: list[Table], name: str) -> dict[str, Text]:
     }
 
 
+# what is of one wheel alone, and no further one is like
+OF_ONE = (
+    *(Wheel.position, Wheel.hand, Wheel.former_name, Wheel.measured_span),
+    *(Wheel.measured_over_balls, Wheel.measured_over_pins, Wheel.measured_chordal_thickness),
+)
+
+
+def with_wheel(data: Table, name: str, of: str, carrier: str, what: str, *, meets: bool = True) -> Table:
+    """The tables with what turns a twin as `carrier`, a wheel or a sprocket, turns the shaft that it is a twin of.
+
+    A mirror image has the like wheel, in mesh with that one; where both do not meet, at the end of the like wheels as
+    lead to that one, and one more.  What repeats a shaft has the like wheel on the same driver.  Where a chain alone
+    turns the shaft, one more turns the twin, a mirror image by its other side."""
+    wheels, meshes, stages = (list(map(dict, content_at(data, array) or [])) for array in (WHEELS, MESHES, STAGES))
+    on = next((wheel for wheel in wheels if wheel.get(NAME) == carrier), None)
+    way = _toothed(meshes, carrier)
+    if on is not None and (way or what == MIRRORS):
+        on[SITS_ON] = of
+        if what == REPEATS:
+            driver, further = way[-1].get(DRIVER), [(name, on, way[-1])]
+        else:
+            driver = carrier
+            further = [(name, on, without(way[-1], dotted(Mesh.centre_distance)) if way else Table())]
+            if way and not meets:
+                driver, by_name = way[0].get(DRIVER), {wheel.get(NAME): wheel for wheel in wheels}
+                further = [(f"{name}-idler", by_name[mesh.get(DRIVEN)], mesh) for mesh in way] + further
+        for wanted, like, mesh in further:
+            called = _free(wanted, [wheel.get(NAME) for wheel in wheels])
+            wheels.append({**without(like, *map(dotted, OF_ONE), SITS_ON), NAME: called})
+            meshes.append({**mesh, DRIVER: driver, DRIVEN: called})
+            driver = called
+        wheels[-1][SITS_ON] = name
+        return changed(changed(data, WHEELS, wheels), MESHES, meshes)
+    stage = next((link for link in stages if link.get(DRIVEN) == carrier), None)
+    if stage is None:
+        return data
+    side = dotted(Stage.side)
+    like = {**stage, NAME: _free(str(stage.get(NAME)), [link.get(NAME) for link in stages]), DRIVEN: name}
+    if what == MIRRORS:
+        like[side] = "inner" if stage.get(side) == "outer" else "outer"
+    return changed(data, STAGES, [*stages, like])
+
+
+def _toothed(meshes: list[Table], end: str) -> list[Table]:
+    """The meshes that lead to a wheel, from the first driver or from a chain."""
+    way: list[Table] = []
+    while (mesh := next((link for link in meshes if link.get(DRIVEN) == end), None)) is not None and mesh not in way:
+        way, end = [mesh, *way], str(mesh.get(DRIVER))
+    return way
+
+
+def driver_of(data: Table, shaft: str) -> str:
+    """What drives the wheel or sprocket of a shaft; empty where nothing turns it."""
+    on = {wheel.get(NAME) for wheel in content_at(data, WHEELS) or [] if wheel.get(SITS_ON) == shaft} | {shaft}
+    links = [*(content_at(data, MESHES) or []), *(content_at(data, STAGES) or [])]
+    return next((str(link.get(DRIVER)) for link in links if link.get(DRIVEN) in on), "")
+
+
+def _without_leaves(data: Table, gone: Collection[object]) -> Table:
+    """Less the wheels and sprockets of shafts that are gone, and the wheels that turn these alone; what a loss names
+    stays, and one mesh or stage."""
+    losses = [as_table(loss) for table in as_table(data.get(FRICTION)).values() for loss in as_list(table)]
+    losses += [as_table(load) for shaft in content_at(data, SHAFTS) or [] for load in as_list(shaft.get(LOADS))]
+    idle = set[object]()  # wheels that drove what is taken out
+    while True:
+        wheels = content_at(data, WHEELS) or []
+        links = [(array, link) for array in (MESHES, STAGES) for link in content_at(data, array) or []]
+        carries = {wheel.get(NAME): wheel.get(SITS_ON) for wheel in wheels}
+        used = {link.get(DRIVER) for _, link in links} | {loss.get(CARRIED_BY) for loss in losses}
+        ends = {link.get(DRIVEN) for _, link in links} - used
+        loose = {end for end in ends & idle if carries.get(end, end) is None}
+        loose |= {end for end in ends if carries.get(end, end) in gone}  # a sprocket is called like its shaft
+        leaf = next(((array, link) for array, link in links if link.get(DRIVEN) in loose), None)
+        if leaf is None or len(links) < 2:
+            return data
+        array, last = leaf
+        idle.add(last.get(DRIVER))
+        data = changed(data, array, [link for link in content_at(data, array) if link is not last] or None)
+        data = changed(data, WHEELS, [wheel for wheel in wheels if wheel.get(NAME) != last.get(DRIVEN)] or None)
+
+
 def _free(name: str, names: list[object]) -> str:
     """The name, or the first with a number behind it that no element has."""
     base = name.rstrip("0123456789").rstrip("-") or name
@@ -227,15 +314,22 @@ def less(where: Place, there: list[Table], index: int) -> list[Table]:
 
 
 def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> Table:
-    """The tables with other shafts: a wheel sits on none that is gone, and where one becomes several, or one of them is
-    left, the ids of what is accepted and measured have that one's name or lose it.
+    """The tables with other shafts: the wheel of one that is gone goes with it, or sits on none where it drives
+    something, bolts carry none, and where one becomes several, or one of them is left, the ids of what is accepted and
+    measured have that one's name or lose it.
 
     `of_shaft`: the ids, without that name, of what each shaft has for itself."""
     was, now = _names(data, SHAFTS), [shaft.get(NAME) for shaft in shafts]
     data = changed(data, SHAFTS, shafts or None)
+    if now:
+        data = _without_leaves(data, [name for name in was if name not in now])
     for i, wheel in enumerate(content_at(data, WHEELS) or []):
         if (name := wheel.get(SITS_ON)) in was and name not in now:
             data = changed(data, (*WHEELS, i, SITS_ON), None)
+    for i in range(len(now)):
+        held = content_at(data, (*SHAFTS, i, *CARRIES)) or []
+        if (kept := [name for name in held if name in now or name not in was]) != held:
+            data = changed(data, (*SHAFTS, i, *CARRIES), kept or None)
     if len(was) == 1 < len(now):
         return _with_ids(data, lambda id: _named(id, str(was[0])) if id in of_shaft else id)
     if len(now) == 1 < len(was):
@@ -251,7 +345,8 @@ def _named(id: str, name: str) -> str:
 
 def followed(valid: Table, data: Table, where: Place) -> Table:
     """The tables after an element of an array was given another name: what is locked, varied or measured in it goes by
-    that name, and so does what mirrors a shaft or sits on it, or is accepted of a bearing.  `valid`: the tables before.
+    that name, and so does what mirrors a shaft, sits on it or turns it, or is accepted of a bearing.  `valid`: the
+    tables before.
 
     While the name is none, or that of another one, all that stays as it was."""
     if where[-1:] != (NAME,) or len(where) < 3:
@@ -287,6 +382,15 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
             for i, item in enumerate(content_at(data, array) or []):
                 if item.get(key) == old:
                     data = changed(data, (*array, i, key), new)
+        if old not in _names(data, WHEELS):  # else a sprocket turns beside the wheel of that name
+            for i, stage in enumerate(content_at(data, STAGES) or []):
+                for key in (DRIVER, DRIVEN):
+                    if stage.get(key) == old:
+                        data = changed(data, (*STAGES, i, key), new)
+        for i in range(len(others) + 1):
+            held = content_at(data, (*SHAFTS, i, *CARRIES)) or []
+            if old in held:
+                data = changed(data, (*SHAFTS, i, *CARRIES), [new if name == old else name for name in held])
     return data
 
 

@@ -16,7 +16,7 @@ from textual.content import Content, Span
 
 from calc.draw.drawing import AXIS, CONTEXT, HIDDEN, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, Words, reach
 from calc.locale import Language
-from calc.sheet.text import Amount
+from calc.sheet.text import EMPTY, Amount, Text
 
 from .signs import Signs
 from .text import wrap
@@ -295,20 +295,29 @@ SHIFTS = sorted(
 ON_A_LINE, BESIDE_A_WORD = (1.0, 2.0)
 
 
-def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, lit: str = "") -> Content:
-    """The sketch in so many cells; nothing where there is no room for it."""
+def draw(
+    sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, lit: str = "", more: Text = EMPTY
+) -> Content:
+    """The sketch in so many cells; nothing where there is no room for it.  `more`: how pictures that have no room are
+    brought to the front."""
     if columns < 4 or rows < 2:
         return Content("")
     canvas = Canvas(columns, rows, signs, say, lit)
-    notes = noted(list(dict.fromkeys(say(note) for panel in (sketch, *sketch.beside) for note in panel.notes)), columns)
-    below = notes if rows > 4 + len(notes) else []
-    for picture, frame in arranged(
-        [Spread(panel, say) for panel in (sketch, *sketch.beside)], columns, rows - len(below)
-    ):
+    panels = [Spread(panel, say) for panel in (sketch, *sketch.beside)]
+    shown = [picture for picture, _ in arranged(panels, columns, rows - len(_below(panels, columns, rows, say)))]
+    below = _below(shown, columns, rows, say, more if sketch.views > 1 and len(shown) < len(panels) else EMPTY)
+    for picture, frame in arranged(shown, columns, rows - len(below)):
         canvas.picture(picture, frame)
     for row, note in enumerate(below, rows - len(below)):
         canvas.put(row, max(0, (columns - cell_len(note)) // 2), note, FAINT)
     return canvas.content()
+
+
+def _below(pictures: list[Spread], columns: int, rows: int, say: Language, more: Text = EMPTY) -> list[str]:
+    """The rows of the notes of pictures; none where there is no room."""
+    texts = [*(note for picture in pictures for note in picture.sketch.notes), more]
+    notes = noted(list(dict.fromkeys(say(text) for text in texts if text)), columns)
+    return notes if rows > 4 + len(notes) else []
 
 
 def noted(notes: list[str], columns: int) -> list[str]:

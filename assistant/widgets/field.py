@@ -29,7 +29,7 @@ from .text import fit, pad, wrap
 LABEL, LABEL_NARROW = 22, 30  # cells, as in the style sheet
 LABEL_CELLS = 19
 CELL = 9  # cells of the box of an input that stands beside others
-BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "text": 20, "choice": 20}
+BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "names": 20, "text": 20, "choice": 20}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
 AUTO = "(auto)"  # the program chooses; the same in every language, as in the texts that name it
@@ -104,7 +104,7 @@ class Field(Widget):
                 prompt=f"{default} {AUTO}".lstrip() if optional else self.app.say(Text("choose")),
                 named=not self.about.choices,
             )
-        return Entry(text, self._prompt(), numeric=self.about.kind != "text")
+        return Entry(text, self._prompt(), numeric=self.about.kind not in ("text", "names"))
 
     def _prompt(self) -> str:
         """What stands in an empty field."""

@@ -549,7 +549,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             return
         fields = [stop.parent for stop in self.stops() if isinstance(stop.parent, Field)]
         fields = fields[fields.index(owner) :]
-        values = ["; ".join(event.values)] if owner.about.kind in ("series", "integers") else event.values
+        values = ["; ".join(event.values)] if owner.about.kind in ("series", "integers", "names") else event.values
         self.session.seal()
         for field, text in zip(fields, values):
             field.box.show(text)

@@ -26,6 +26,7 @@ RATE = 10.0  # times a second
 KEPT = 40  # drawings; a whole turn
 WAITS = Text("The picture waits for the results of the step {step}.")
 FAILED = Text("The picture of this step cannot be drawn.")
+MORE = Text("other pictures: , and . here")
 
 
 class Picture(Widget, can_focus=True):
@@ -82,7 +83,7 @@ class Picture(Widget, can_focus=True):
             if isinstance(sketch, Sketch):
                 self.views = sketch.views
                 lit = self.design.as_in_rules(self.lit) if self.design is not None else self.lit
-                return draw(sketch, columns, rows, signs, say, lit), sketch.turning
+                return draw(sketch, columns, rows, signs, say, lit, MORE), sketch.turning
         except Exception:  # a picture that cannot be drawn never stops the work that it shows
             sketch = FAILED
         return Content.styled(say(sketch), signs.style("muted")), False

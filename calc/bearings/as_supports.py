@@ -7,12 +7,12 @@ The laws are those that `countershaft.carried` asks for, in the frame of the sha
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from ..countershaft.bending.carried import Carried, Hold, carried
+from ..countershaft.bending.carried import Carried, Hold, carried, carried_near
 from ..countershaft.bending.condensed import Condensed
 from ..countershaft.bending.formulas import cone, displaced, tilt_along, tilted
 from ..countershaft.inputs import ShaftInputs
@@ -31,13 +31,14 @@ from ..sheet.units import Metre, Newton, Number, PascalSecond, RevPerSecond
 from ..sheet.value import about, based_on, untraced
 from . import formulas as f
 from .checks import ASKED, CLEARANCE, CORE, FILM_EDGE, KREISLE, on_bearing
+from .corners import corner_points
 from .film.table import CENTRED, FilmRangeError, eccentricity_from, film_hold
 from .inputs import BearingsInputs
 from .result import BearingResult, BearingsResult, OnShaftResult
 from .routes import supply
 from .routes.routes import own_warm
-from .routes.states import BearingCase, OperatingPoint, resized
-from .routes.thermal_balance import balanced, settled
+from .routes.states import BearingCase, OperatingPoint
+from .routes.thermal_balance import balanced, settled, settled_together
 from .suitability import LENGTH
 
 FARTHEST = 0.98  # ε: the end of the film table
@@ -74,7 +75,7 @@ class Film:
         """At the smallest ε of the table; its load is the most that a centred journal carries."""
         return self._held(CENTRED)
 
-    def _held(self, eps: Number) -> Hold:
+    def _held(self, eps: Any) -> Hold[Any]:
         S, load_slope, attitude, turning = film_hold(eps, self.l / self.d)
         F, radius, sense = self.scale / S, self.c / 2, self.sense
         return Hold(F, F * load_slope / radius, F / (eps * radius), sense * attitude, sense * turning / radius)
@@ -85,6 +86,13 @@ class Film:
             return self._held(eps)
         k = self.centred.secant
         return Hold(k * e, k, k, self.centred.attitude)
+
+    def hold_many(self, e: Array) -> Hold[Array]:
+        """The same of many journals at once, nan where the table ends."""
+        held = self._held(np.maximum(2 * e / self.c, CENTRED))
+        slope = np.where(2 * e / self.c > CENTRED, held.slope, held.secant)
+        turning = np.where(slope == held.slope, held.turning, 0.0)
+        return Hold(held.secant * e, slope, held.secant, held.attitude, turning)
 
     def begin(self, F: Newton) -> Metre:
         eps = eccentricity_from(self.scale / F, self.l / self.d, outside="nan")
@@ -140,6 +148,7 @@ class Rolling:
 NOTHING = 1e-9  # of the largest load: less is rounding
 PASSES = 8
 MEAN_FROM = 4  # from this pass on the loads are the mean of the last two
+WARM = 1e-9  # of the rise of a film: far below what the loads may move
 SETTLED = 1e-4  # of the largest load: by so little the loads may move in the last pass
 
 
@@ -157,7 +166,7 @@ class Shared:
 def on_films(shaft: Condensed, films: Shared, names: Sequence[str]) -> Shared:
     """The same films with what they share by lines of the calculation; what is rounding alone is nothing."""
     with about(Text("shaft on its films")):
-        on = carried(shaft, films.laws, names)
+        on = carried(shaft, films.laws, names, near=films.carried.x)
     carries = np.abs(on.load) > NOTHING * np.abs(on.load).max()
     load, x = (based_on(np.where(carries, z, 0.0), z) for z in (on.load, on.x))
     return replace(films, carried=replace(on, load=load, x=x))
@@ -193,56 +202,60 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
 
     `duty`: speed and oil of all bearings; its load is not asked.  A film that finds no balance under its load keeps its
     last state, at first that of the oil as it is supplied."""
-    every, names, n = _as_one(seats), [seat.bearing.name for seat in seats], duty.effective_speed
+    names, T, n = [seat.bearing.name for seat in seats], duty.supply_temperature, duty.effective_speed
 
-    def laws(c: Array, mu: Array) -> tuple[Film, ...]:
-        return tuple(film_law(*row, n, sense) for row in zip(seats, c.tolist(), mu.tolist()))
+    def warm(seat: BearingCase, load: Newton, before: Film) -> Film:
+        asked = replace(duty, load=load)
+        least = replace(seat, centred=True)
+        try:
+            film = balanced(own_warm, least if runs_centred(seat, asked) else seat, asked, tolerance=WARM)
+        except NoSolution:
+            balanced(own_warm, least, duty)  # says why, where it would not even run centred
+            return before
+        return film_law(seat, film.clearance, film.oil.mu, n, sense)
 
     with untraced():
-        least = settled(replace(every, centred=True), duty)
-        for seat, c in zip(seats, least.clearance.tolist()):
-            if math.isnan(c):
-                balanced(own_warm, replace(seat, centred=True), duty)  # says why there is none
-        F_c = np.array([law.centred.force for law in laws(least.clearance, least.oil.mu)])
-        c = np.asarray(every.clearance_at(duty.supply_temperature))
-        mu = np.full(c.shape, every.oil_at(duty.supply_temperature).mu)
+        laws = [film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, n, sense) for seat in seats]
         loads = np.abs(shaft.f_c)
         for n_pass in range(1, PASSES + 1):
-            bears = loads > F_c
-            film = settled(every, replace(duty, load=np.where(bears, loads, F_c)))
-            found = np.isfinite(film.film)
-            c = np.where(bears, np.where(found, film.clearance, c), least.clearance)
-            mu = np.where(bears, np.where(found, film.oil.mu, mu), least.oil.mu)
-            on = carried(shaft, laws(c, mu), names)
+            laws = [warm(*row) for row in zip(seats, loads.tolist(), laws)]
+            on = carried(shaft, laws, names)
             now = np.abs(on.load)
             moved = float(np.abs(now - loads).max() / (now.max() or 1.0))
             if moved <= SETTLED:
                 break
             loads = now if n_pass < MEAN_FROM else (now + loads) / 2
-    return Shared(laws(c, mu), on, moved)
+    return Shared(tuple(laws), on, moved)
 
 
-def _as_one(seats: Sequence[BearingCase]) -> BearingCase[Any]:
-    """All bearings of a shaft as one whose sizes are arrays."""
-    d, l, c = np.array([(seat.bearing.diameter, seat.bearing.length, seat.clearance) for seat in seats]).T
-    return replace(resized(seats[0], diameter=d, length=l), clearance=c)
+def at_corners(
+    shaft: Condensed, films: Shared, seats: Sequence[BearingCase], duty: OperatingPoint[Any]
+) -> dict[str, Array]:
+    """By the bearing, its load at the corners of its own tolerances, the others at their middle, over its load there.
 
-
-def at_corners(shaft: Condensed, films: Sequence[Film], i: int, duty: OperatingPoint, seat: BearingCase[Any]) -> Array:
-    """The load of the i-th bearing at corners of its own tolerances, the others at their middle, over its load there.
-
-    `seat`: its clearance and the factor of its viscosity, an array each.  Each corner's heat is that of the middle's
-    load.  Where a corner has no film, the load stays."""
-    film = settled(seat, duty)
-
-    @cache
-    def load(c: Metre, mu: PascalSecond) -> Newton:
-        there = [replace(law, c=c, mu=mu) if k == i else law for k, law in enumerate(films)]
-        return float(abs(carried(shaft, there).load[i]))
-
-    middle = load(films[i].c, films[i].mu)
-    states = zip(film.clearance.tolist(), film.oil.mu.tolist())
-    return np.array([load(c, mu) / middle if math.isfinite(c) else 1.0 for c, mu in states])
+    Each corner's heat is that of the middle's load.  Where a corner has no film, the load stays.  What runs centred is
+    left out."""
+    loads = np.abs(np.asarray(films.carried.load))
+    rows = [i for i, seat in enumerate(seats) if not seat.centred and loads[i] > 0]
+    asked = [(corner_points(seats[i], duty)[0], replace(duty, load=loads[i])) for i in rows]
+    with untraced():
+        one_size = len({(seats[i].bearing.diameter, seats[i].bearing.length) for i in rows}) == 1
+        warm = settled_together(asked) if one_size else [settled(*question) for question in asked]
+        their = np.repeat(rows, [film.film.size for film in warm])  # the bearing of each corner
+        every = np.arange(their.size)
+        d, l, c_m, mu_m = np.array([(law.d, law.l, law.c, law.mu) for law in films.laws]).T
+        c, mu = (np.tile(x, (their.size, 1)) for x in (c_m, mu_m))
+        for x, corners in ((c, [film.clearance for film in warm]), (mu, [film.oil.mu for film in warm])):
+            there = np.concatenate(corners)
+            x[every, their] = np.where(np.isfinite(there), there, x[every, their])
+        law = replace(films.laws[0], d=d, l=l, c=c, mu=mu)  # type: ignore[arg-type]  # arrays, for `hold_many` alone
+        P, found = carried_near(shaft, law.hold_many, films.carried.x * (c / c_m))
+        share = np.abs(P)[every, their] / loads[their]
+        for k in np.flatnonzero(~found).tolist():  # too far from the middle: with shorter steps
+            i = their[k]
+            alone = replace(films.laws[i], c=c[k, i].item(), mu=mu[k, i].item())
+            share[k] = abs(carried(shaft, [*films.laws[:i], alone, *films.laws[i + 1 :]]).load[i]) / loads[i]
+    return {seats[i].bearing.name: share[their == i] for i in rows}
 
 
 # --- how the shaft lies in its films

@@ -2,7 +2,6 @@
 """The corners of the tolerances: smallest and largest journal, smallest and largest seat, thinner and thicker oil, each
 solved."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -99,14 +98,12 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
     return tolerance(parse(inputs.journal_fit).grade, d), tolerance(parse(inputs.seat_fit).grade, d)
 
 
-Share = Callable[[BearingCase[Any]], Array]  # the load at corners, over that at the middle of the tolerances
-
-
 def corner_points(
-    seat: BearingCase[Any], duty: OperatingPoint[Any], share: Share | None = None
+    seat: BearingCase[Any], duty: OperatingPoint[Any], share: Array | None = None
 ) -> tuple[BearingCase[Any], OperatingPoint[Any]]:
     """Eight corners at the load, the eight at twice the load, and where a fit is assumed eight without it, at the load:
-    clearance, viscosity factor and load of shape (16,) or (24,).  `share`: where the clearance moves the load."""
+    clearance, viscosity factor and load of shape (16,) or (24,).  `share`: of the load at the middle of the tolerances,
+    where the clearance moves it."""
     g, factor = corner_values(seat)
     clearances, loads = [g, g], [1.0, 2.0]
     if _assumed(seat.inputs):
@@ -114,9 +111,7 @@ def corner_points(
         loads.append(1.0)
     load = duty.load * np.repeat(loads, len(g))
     at_corners = replace(seat, clearance=np.concatenate(clearances), viscosity_factor=np.tile(factor, len(clearances)))
-    if share is not None:
-        load = load * share(at_corners)
-    return at_corners, replace(duty, load=load)
+    return at_corners, replace(duty, load=load if share is None else load * share)
 
 
 def corner_values(seat: BearingCase, *, exact: bool = False) -> tuple[Array, Array]:

@@ -2,9 +2,8 @@
 """The bearings of a shaft: judged by the program's own solution on the warm clearance, beside the other routes to the
 film."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -125,13 +124,12 @@ def solve(
                 loads = [reaction(R=P) for P in elements(films.carried.load)]
         else:
             loads = [_load(bearing, shaft) for bearing in rows]
-        for i, (seat, load) in enumerate(zip(_some_centred(seats, loads, duty), loads)):
+        seats = _some_centred(seats, loads, duty)
+        shares = at_corners(turning, films, seats, duty) if turning is not None and films is not None else {}
+        for seat, load in zip(seats, loads):
             place = seat.bearing.name
             with about(Text("{place} bearing", place=called(place))):
-                share = None
-                if turning is not None and films is not None and not seat.centred:
-                    share = partial(at_corners, turning, films.laws, i)
-                slope = _slope(seat.bearing, shaft)
+                slope, share = _slope(seat.bearing, shaft), shares.get(place)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, share, compared=compared)
                 all_checks += checks(place, results[place], solids.housing)
                 all_checks += _material_checks(place, results[place])
@@ -275,7 +273,7 @@ def _bearing(
     slope: Radian | None,
     speed: RevPerSecond,
     bench: tuple[BenchPoint, ...],
-    share: Callable[[OperatingPoint, BearingCase], Array] | None,
+    share: Array | None,
     *,
     compared: bool,
 ) -> BearingResult:
@@ -329,7 +327,7 @@ def _bearing(
     with about(Text("{place} bearing, overspeed", place=called(place))):
         n_over = f.overspeed(n=highest_speed(speed, bench, inputs), s=inputs.overspeed)
         faster = _at_speed(seat, duty, n_over, duty.supply_temperature, duty.supply_pressure)
-    points = corner_points(seat, duty, None if share is None else partial(share, duty))
+    points = corner_points(seat, duty, share)
     corner_films, over_speeds, at_twice, loads_near, at_shear, at_over = settled_together(
         (points, speeds, (seat, twice), loads_beside(seat, duty), (thin, duty), (seat, faster))
     )

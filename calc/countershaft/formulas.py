@@ -119,6 +119,11 @@ def reaction(R: PhasorNewton) -> Newton:
     return modulus(R)
 
 
+@formula("∠R", "mathematics: direction of a reaction, cylinder 1 at TDC", names={"R": "R_i"})
+def reaction_phase(R: PhasorNewton) -> Radian:
+    return argument(R)
+
+
 @formula("|C_S|", "mathematics, modulus of the vector")
 def couple(C_S: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_S)

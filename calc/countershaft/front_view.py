@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """All balance shafts of an engine from the front, each at its axis beside the crank: what it sweeps, its sectors and
-its force with cylinder 1 at TDC, how it turns.
+its force with cylinder 1 at TDC, how it turns; the wheels and chains that turn it, and the oil at rest.
 
 Up is up, the crank turns clockwise.  Shafts whose place is not given stand in a row beneath."""
 
@@ -39,7 +39,7 @@ SECTOR = 0.5  # shade
 MASS = 0.2  # of the sweep: radius of a mass of which only the place is known
 SENSE = math.radians(50)  # half of the arrow that says how a shaft turns
 AROUND = 1.15  # sweeps: where that arrow runs
-NAME = 1.5  # sweeps below the axis, where the name stands
+NAME, BELOW = 1.5, 0.4  # sweeps below the axis, and below the tip of a force, where the name stands
 ARROW = 2.0  # largest sweeps: length of the largest force
 APART = 4.0  # largest sweeps from shaft to shaft where no place is given
 CORNERS = 24  # of half a sector
@@ -71,20 +71,44 @@ class Wheel:
     key: str
 
 
+@record
+class Chain:
+    """The line of a chain or belt, closed."""
+
+    line: tuple[PhasorMetre, ...]
+    key: str
+
+
+@record
+class OilLevel:
+    """The oil at rest, up from the crank's axis."""
+
+    up: Metre
+    key: str
+
+
 def front_view(
-    engine: EngineInputs, banks: Iterable[Radian], shafts: Sequence[ShaftInFront], wheels: Iterable[Wheel] = ()
+    engine: EngineInputs,
+    banks: Iterable[Radian],
+    shafts: Sequence[ShaftInFront],
+    wheels: Iterable[Wheel] = (),
+    chains: Iterable[Chain] = (),
+    oil: OilLevel | None = None,
 ) -> Sketch:
     """`banks`: the directions of the cylinders, from up."""
     largest, most = max(shaft.sweep for shaft in shafts), max(abs(shaft.force) for shaft in shafts)
     scale = ARROW * largest / most if most else 0.0
     placed = [(shaft, _point(shaft.axis)) for shaft in shafts if shaft.axis is not None]
-    marks: list[Mark] = [*_crank(engine, banks), *_wheels(wheels)] if placed else []
+    marks: list[Mark] = [*_crank(engine, banks), *_wheels(wheels), *_chains(chains)] if placed else []
     for shaft, at in placed:
         marks += _at(at, _shaft(shaft, scale, NO_FORCE * most))
     for (one, here), (other, there) in combinations(placed, 2):
         marks += [*_meeting(one, here, other, there), *_meeting(other, there, one, here)]
     beneath = [shaft for shaft in shafts if shaft.axis is None]
     left, low, right, _ = spanned(point for mark in marks for point in reach(mark))
+    if placed and oil is not None:
+        marks += _oil(oil, left, right)
+        low = min(low, oil.up)
     middle, y = (left + right) / 2, low - APART * largest
     for n, shaft in enumerate(beneath):
         marks += _at(
@@ -116,6 +140,16 @@ def _wheels(wheels: Iterable[Wheel]) -> Iterator[Mark]:
         yield Arc(HIDDEN, _point(wheel.axis), wheel.radius, key=wheel.key)
 
 
+def _chains(chains: Iterable[Chain]) -> Iterator[Mark]:
+    for chain in chains:
+        yield Polyline(CONTEXT, tuple(map(_point, chain.line)), True, chain.key)
+
+
+def _oil(oil: OilLevel, left: Metre, right: Metre) -> Iterator[Mark]:
+    yield Polyline(CONTEXT, ((left, oil.up), (right, oil.up)), key=oil.key)
+    yield Words(CONTEXT, (left, oil.up), Text("oil at rest"), key=oil.key)
+
+
 def _shaft(shaft: ShaftInFront, scale: float, least: float) -> Iterator[Mark]:
     """About its own axis; `scale`: metres of the picture for a newton."""
     R, key = shaft.sweep, shaft.key
@@ -125,10 +159,11 @@ def _shaft(shaft: ShaftInFront, scale: float, least: float) -> Iterator[Mark]:
     for mass in shaft.masses:
         yield Area(OUTLINE, (round_outline(_point(mass), MASS * R),), SECTOR, key)
     yield from _sense(AROUND * R, shaft.ratio, OUTLINE, key)
+    tip = _point(scale * shaft.force)
     if abs(shaft.force) > least:
-        yield Polyline(OUTLINE, ((0.0, 0.0), _point(scale * shaft.force)), arrow=True, key=key)
+        yield Polyline(OUTLINE, ((0.0, 0.0), tip), arrow=True, key=key)
     words = Text("{name} ×{n}", name=Name(shaft.name), n=Amount(abs(shaft.ratio)))
-    yield Words(WORDS, (0.0, -NAME * R), words, key=key, side="centre")
+    yield Words(WORDS, (0.0, min(-NAME * R, tip[1] - BELOW * R)), words, key=key, side="centre")
 
 
 def _sense(radius: Metre, ratio: Number, layer: str, key: str) -> Iterator[Mark]:

@@ -12,19 +12,31 @@ import numpy as np
 from ..gears.result import TrainResult
 from ..imbalance.curves import DRAWN
 from ..imbalance.result import ImbalanceResult
+from ..imbalance.shaft_pair import best_height_difference
 from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
-from ..sheet.functions import argument, degrees
+from ..sheet.functions import argument, conj, degrees
 from ..sheet.quantity import dotted
 from ..sheet.step import Curve, Outcome, Series, axis_label
-from ..sheet.text import SPACE, Amount, Text
-from ..sheet.units import Number, PhasorNewtonMetre, RadPerSecond
-from ..sheet.value import trace
+from ..sheet.text import COMMA, SPACE, Amount, Name, Text, listed
+from ..sheet.units import Metre, NewtonMetre, Number, PhasorMetre, PhasorNewtonMetre, RadPerSecond
+from ..sheet.value import based_on, trace, untraced
 from .curves import phasor_plane, speeds, teeth_bars
 from .inputs import ShaftInputs
 from .rows import SHAFT
 from .sizing.sectors import WORDS, ShaftTask, task
-from .sums import OrderVectors, SystemResult, SystemShaft, TeethOff, sums_table, teeth_off, teeth_table, together
+from .sums import (
+    NOTHING,
+    OrderVectors,
+    SystemResult,
+    SystemShaft,
+    TeethOff,
+    rolled,
+    sums_table,
+    teeth_off,
+    teeth_table,
+    together,
+)
 
 if TYPE_CHECKING:
     from .making.system_scatter import MadeShaft
@@ -52,9 +64,11 @@ def solve(
     return Outcome(
         "countershaft",
         result=left,
-        checks=tuple(check for n, todo in tasks.items() for check in _checks(todo, shafts, left, min(tasks))),
+        checks=tuple(
+            check for n, todo in tasks.items() for check in _checks(todo, engine[n], shafts, left, min(tasks))
+        ),
         lines=tuple(lines),
-        curves=Later(partial(_curves, tasks, engine, left, omega, several=len(shafts) > 1))
+        curves=Later(partial(_curves, tasks, engine, shafts, left, omega))
         + Later(partial(_planes, tasks, engine, shafts)),
         tables=Later(lambda: [sums_table(engine, shafts, left)] if len(shafts) > 1 else []),
     )
@@ -159,10 +173,24 @@ RESIDUAL_2_WORSE = replace(RESIDUAL, id="countershaft.residual_2_worse", why=WOR
 RESIDUAL_FORCE_2_WORSE = replace(
     RESIDUAL_FORCE, id="countershaft.residual_force_2_worse", why=WORSE, cause=RESIDUAL_FORCE_2.id
 )
+ROLL = CheckRule(
+    "countershaft.roll",
+    "advice",
+    "Roll is a matter of comfort; the places of the shafts can take of it, or add to it.",
+    sense="<=",
+    unit="N·m",
+    source=Text("rule of this program: forces beside the crank should not add to the roll of the engine's inertia"),
+    zero="roll torque of all shafts",
+    moved_by=(dotted(SHAFT, ShaftInputs.axis),),
+    short=Text("roll left"),
+)
+ROLL_2 = replace(ROLL, id="countershaft.roll_2")  # of the second order, where shafts take both
 
 
-def _checks(todo: ShaftTask, shafts: Sequence[SystemShaft], left: SystemResult, lowest: int) -> Iterator[Check]:
-    """The couple and the force of one order that are left over."""
+def _checks(
+    todo: ShaftTask, alone: OrderVectors, shafts: Sequence[SystemShaft], left: SystemResult, lowest: int
+) -> Iterator[Check]:
+    """The couple, the force and the roll of one order that are left over."""
     mine = [shaft for shaft in shafts if shaft.order == todo.order]
     ratio, like = mine[0].ratio, sum(shaft.ratio == mine[0].ratio for shaft in mine)
     each = Text("the shaft ")
@@ -209,6 +237,7 @@ def _checks(todo: ShaftTask, shafts: Sequence[SystemShaft], left: SystemResult, 
                 advice=advice,
                 value_id=dotted("countershaft", getattr(SystemResult, value)),
             )
+    yield from _roll_checks(todo, alone, mine, left, lowest)
 
 
 def _beyond(ratio: Number, against: Amount) -> Text:
@@ -230,18 +259,84 @@ def _opposite(engine: complex) -> Amount:
     return Amount(degrees(argument(-engine)), "°", form=".1f")
 
 
+def _roll_checks(
+    todo: ShaftTask, alone: OrderVectors, shafts: Sequence[SystemShaft], left: SystemResult, lowest: int
+) -> Iterator[Check]:
+    """The roll of one order that its shafts leave, where their places are known and one of them carries a force."""
+    found, value = left.vectors[todo.order], f"roll_left_order_{todo.order}"
+    if alone.roll is None or found.roll is None or found.roll_of_shafts is None:
+        return
+    if max(abs(shaft.force) for shaft in shafts) <= DRAWN * todo.one_force:
+        return
+    before, raised = based_on(abs(alone.roll), alone.roll), abs(found.roll_of_shafts)
+    yield (ROLL if todo.order == lowest else ROLL_2)(
+        getattr(left, value) if raised > NOTHING else before,  # which rounding makes neither larger nor smaller
+        before,
+        name=Text("{words}-order roll left over", words=WORDS[todo.order]),
+        advice=_places_of_less_roll(alone, shafts, found.roll),
+        scale=raised,
+        value_id=dotted("countershaft", getattr(SystemResult, value)),
+    )
+
+
+NEARER = Text("The nearer the axes are to the crank's, the less roll the forces raise.")
+AS_THEY_STAND, NO_PLACE = 0.5e-3, 1.0  # m: heights that are worth no word, and those that no engine has
+
+
+def _places_of_less_roll(alone: OrderVectors, shafts: Sequence[SystemShaft], roll: PhasorNewtonMetre) -> Text:
+    """The heights of the least roll, and what the other side of the crank leaves; all axes are known."""
+    axes = [shaft.axis for shaft in shafts if shaft.axis is not None]
+
+    def left_at(axes: Sequence[PhasorMetre]) -> NewtonMetre:
+        T_S = rolled([replace(shaft, axis=axis) for shaft, axis in zip(shafts, axes)])
+        return abs((T_S or 0j) + (alone.roll or 0j))
+
+    forward, backward = ([shaft for shaft in shafts if shaft.forward is sense] for sense in (True, False))
+    F_f, F_b = (sum((shaft.force for shaft in some), 0j) for some in (forward, backward))
+    ways, leave = [], [abs(roll)]
+    with untraced():
+        S = F_f + conj(F_b)  # where it is nothing a height difference raises no moment
+        up = best_height_difference(Dh=0.0, T=roll, F_f=F_f, F_b=F_b) / 2 if abs(S) > NOTHING else 0.0
+        if AS_THEY_STAND < abs(up) < NO_PLACE:
+            leave.append(least := left_at([axis + (up if shaft.forward else -up) for shaft, axis in zip(shafts, axes)]))
+            moves = [_moved(some, by) for some, by in ((forward, up), (backward, -up)) if some]
+            ways.append(
+                Text(
+                    "The least roll, {least} N·m, is left with {moves}.",
+                    least=Amount(least, form=".1f"),
+                    moves=listed(moves),
+                )
+            )
+        aside = left_at([conj(axis) for axis in axes])
+    if aside < (1 - DRAWN) * abs(roll):
+        leave.append(aside)
+        ways.append(Text("On the other side of the crank {aside} N·m are left.", aside=Amount(aside, form=".1f")))
+    if not ways or min(leave) > abs(alone.roll or 0j):
+        ways.append(NEARER)
+    return SPACE.join(ways)
+
+
+def _moved(shafts: Sequence[SystemShaft], up: Metre) -> Text:
+    """`left 80 mm higher`."""
+    parts = dict(names=listed(Name(shaft.name) for shaft in shafts), by=Amount(abs(up) * 1e3, "mm", form=".3g"))
+    return Text("{names} {by} higher", **parts) if up > 0 else Text("{names} {by} lower", **parts)
+
+
+SPEEDS = np.linspace(0.2, 1.0, 21)  # of several shafts, over the rated one
+
+
 def _curves(
     tasks: Mapping[int, ShaftTask],
     engine: Mapping[int, OrderVectors],
+    shafts: Sequence[SystemShaft],
     left: SystemResult,
     omega: RadPerSecond,
-    *,
-    several: bool,
 ) -> tuple[Curve, ...]:
     """Of each order: over the speed range, and over a turn; what is next to nothing is not drawn.  Of several shafts a
     short report has the former."""
     over_speed: list[Curve] = []
     over_a_turn: list[Curve] = []
+    off = teeth_off(engine, shafts) if len(shafts) > 1 else None
     for n, todo in tasks.items():
         before, after = engine[n], left.vectors[n]
         behind = "" if n == min(tasks) else f"_{n}"  # the ids of the first of them
@@ -250,12 +345,40 @@ def _curves(
             (Text("force"), "N", before.forces, after.forces, todo.one_force, todo.force_may_be_left),
         ):
             if max(map(abs, (f_0, b_0, f_1 - f_0, b_1 - b_0))) > DRAWN * one_cylinder:
-                peaks = abs(f_0) + abs(b_0), getattr(left, f"residual_order_{n}_{word}")
-                over = _over_speed(f"residual_{word}_over_speed{behind}", n, word, unit, peaks, limit, omega)
-                over_speed.append(replace(over, short=len(over_speed) + 1) if several else over)
+                title = Text("{words}-order {word} over the speed range, peak of a turn", words=WORDS[n], word=word)
+                rpm, square = speeds(omega) if off is None else (SPEEDS * omega * 30 / np.pi, SPEEDS**2)
+                peaks = _peaks(f"order_{n}_{word}", abs(f_0) + abs(b_0), left, off)
+                over = Curve(
+                    f"residual_{word}_over_speed{behind}",
+                    title,
+                    axis_label("crank speed", "rpm"),
+                    Text("{word}, {unit}", word=word, unit=unit),
+                    tuple(Series(words, rpm, peak * square) for words, peak in peaks),
+                    limits=((Text("may be left at rated speed"), limit),),
+                )
+                over_speed.append(over if off is None else replace(over, short=len(over_speed) + 1))
                 id = f"residual{behind}" if word == "couple" else f"residual_force{behind}"
                 over_a_turn.append(_over_a_turn(id, n, word, unit, ((f_0, b_0), (f_1, b_1))))
     return (*over_speed, *over_a_turn)
+
+
+def _peaks(what: str, before: float, left: SystemResult, off: TeethOff | None) -> list[tuple[Text, float]]:
+    """The peaks of force or couple of one order (`order_2_force`) at rated speed: without the shafts and with them; of
+    several shafts as 95 % of them are made too, and with each of them one tooth off, where that is known."""
+    after = getattr(left, f"residual_{what}")
+    if off is None:
+        return [(Text("before"), before), (Text("after"), after)]
+    peaks = [(Text("without shafts"), before), (Text("as designed"), after)]
+    if left.scatter is not None and (made := getattr(left.scatter, f"{what}_95")) is not None:
+        peaks.append((Text("95 % of those made"), made))
+    alike: dict[str, list[tuple[str, float]]] = {}  # mirror images leave the same
+    for name, tooth in off.shafts.items():
+        if (peak := getattr(tooth, what)) is not None:
+            alike.setdefault(f"{peak:.6g}", []).append((name, peak))
+    for several in alike.values():
+        names = COMMA.join(Name(name) for name, _ in several)
+        peaks.append((Text("{name} one tooth off", name=names), several[0][1]))
+    return peaks
 
 
 def _planes(
@@ -296,21 +419,4 @@ def _over_a_turn(id: str, n: int, word: Text, unit: str, pairs: Sequence[tuple[c
         (Series(Text("before"), before.imag, before.real), Series(Text("after"), after.imag, after.real)),
         equal=True,
         along=(Text("crank angle, °"), turned / n),
-    )
-
-
-def _over_speed(
-    id: str, n: int, word: Text, unit: str, peaks: tuple[float, float], limit: float, omega: RadPerSecond
-) -> Curve:
-    """The peak of a turn over the speed range, without the shafts and with them; what may be left is judged at rated
-    speed."""
-    rpm, square = speeds(omega)
-    title = Text("{words}-order {word} over the speed range, peak of a turn", words=WORDS[n], word=word)
-    return Curve(
-        id,
-        title,
-        axis_label("crank speed", "rpm"),
-        Text("{word}, {unit}", word=word, unit=unit),
-        tuple(Series(name, rpm, peak * square) for name, peak in zip((Text("before"), Text("after")), peaks)),
-        limits=((Text("may be left at rated speed"), limit),),
     )

@@ -96,6 +96,15 @@ class CountershaftResult:
         short=True,
         taken_by=("bearings",),
     )
+    # of what is no more than rounding there is none
+    load_phases: dict[str, Radian] = values(
+        "Phase of the {row} bearing's reaction on the shaft, cylinder 1 at TDC",
+        "°",
+        "∠R_*",
+        id="reaction_*_phase",
+        called=called,
+        sign=sign,
+    )
     loads_by_levers: dict[str, Newton] = values(
         "Reaction of the {row} bearing, by the levers of a rigid shaft",
         "N",

@@ -9,7 +9,7 @@ from ..imbalance.remedies import roll_torque
 from ..sheet.formula import formula
 from ..sheet.functions import total
 from ..sheet.linked_array import gathered
-from ..sheet.quantity import group, result, value
+from ..sheet.quantity import group, result, value, values
 from ..sheet.step import Outcome, beside, joined
 from ..sheet.text import Name, Text
 from ..sheet.units import (
@@ -26,7 +26,9 @@ from ..sheet.units import (
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from .result import CountershaftResult, Standing
+from .rows import called, sign
 from .sums import SystemResult
+from .supports import phases_of
 from .twins import Resolved, turned_over
 
 
@@ -48,6 +50,7 @@ def of_twin(original: CountershaftResult, twin: Resolved) -> CountershaftResult:
             force_vector=F,
             couple_vector=C,
             reactions=reactions,
+            load_phases=phases_of(original.loads, reactions),
             masses=masses,
             scatter=scatter,
             roll_torque=None if axis is None else roll_torque(p=based_on(complex(*axis), axis), F=F),
@@ -61,6 +64,14 @@ class TwinResult:
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S", short=True)
     couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True)
     force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True)
+    load_phases: dict[str, Radian] = values(
+        "Phase of the {row} bearing's reaction on the shaft, cylinder 1 at TDC",
+        "°",
+        "∠R_*",
+        id="reaction_*_phase",
+        called=called,
+        sign=sign,
+    )
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
     standing: Standing | None = group(spread=True, default=None)
 
@@ -70,6 +81,7 @@ def told(twin: CountershaftResult) -> TwinResult:
         couple=twin.couple,
         couple_phase=twin.couple_phase,
         force=twin.force,
+        load_phases=twin.load_phases,
         roll_torque=twin.roll_torque,
         standing=twin.standing,
     )
@@ -98,8 +110,8 @@ def inertia_at_crank(i: Numbers, J: KilogramMetres2) -> KilogramMetre2:
 
 
 HELD_ALONE = Text(
-    "Bolts: each support is judged with what its own shaft puts on it; what one support has of several shafts is not "
-    "added up."
+    "Bolts: each support is judged with what its own shaft puts on it; where one holds several shafts, name them "
+    "(carries)."
 )
 
 
@@ -134,6 +146,6 @@ def whole(
             moment_of_inertia_at_crank=J,
         )
         sums = replace(sums, lines=(*sums.lines, *lines))
-    if len(every) > 1 and any(shaft.bolts is not None for shaft in every.values()):
+    if len(every) > 1 and any(shaft.bolts is not None and shaft.bolts.carries is None for shaft in every.values()):
         sums = replace(sums, notes=(*sums.notes, HELD_ALONE))
     return beside(sums, joined("countershaft", {**shafts, **twins}, together, named=True))

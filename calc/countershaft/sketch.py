@@ -40,6 +40,8 @@ from ..draw.drawing import reach as reached
 from ..draw.shaft_outline import bore, drawn, reach, silhouette, upwards
 from ..engine.result import EngineResult
 from ..gears.inputs import GearsInputs
+from ..gears.layout.curves import stage_lines
+from ..gears.result import TrainResult
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
 from ..sheet.record import record
@@ -58,7 +60,7 @@ from .checks import (
     SUPPORT_HEAT_INDEX,
     SUPPORT_SPECIFIC_LOAD,
 )
-from .front_view import CORNERS, ShaftInFront, Wheel, from_up, front_view, sector_outline
+from .front_view import CORNERS, Chain, OilLevel, ShaftInFront, Wheel, from_up, front_view, sector_outline
 from .inputs import EccentricMass, Holes, ShaftInputs
 from .left_over import RESIDUAL, RESIDUAL_FORCE
 from .outline import Outline, Piece
@@ -113,7 +115,7 @@ class View:
 def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int = 0) -> Sketch:
     """The shafts of a design, as far as they are known: one of its own from the side and from the front; all of them
     beside the crank, where there are several or a place is given.  Of several that are no twins the picture `view`
-    comes first."""
+    comes first; of one `view` 1 is all of them."""
     each = [_of_one(one, results.views[name]) for name, one in design.views.items()]
     together = _together(design, results)
     if len(each) > 1:
@@ -124,8 +126,11 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     alone = each[0] if each else awaited(results.outcomes[STEP])
     if together is None or not alone.primitives:
         return alone
-    beside = (together, *alone.beside) if len(design.shafts) > 1 else (*alone.beside, together)
-    return replace(alone, beside=beside)
+    several = len((results.viewed or results).design.shafts) > 1
+    side, ends = replace(alone, beside=()), alone.beside
+    if view:
+        return replace(together, beside=(side, *ends), views=2)
+    return replace(side, beside=(together, *ends) if several else (*ends, together), views=2)
 
 
 def _named(picture: Sketch, of: "Design") -> Sketch:
@@ -228,13 +233,15 @@ def _mass_keys(view: View, piece: Piece) -> str:
 
 
 def _together(design: "Design", results: "Results") -> Sketch | None:
-    """All shafts beside the crank; None where that shows no more than the one shaft by itself, or where one of them is
-    not solved."""
+    """All shafts beside the crank, also where one is in view; None where that shows no more than the one shaft by
+    itself, or where one of them is not solved."""
+    own = design.own_name if len(design.originals) == 1 else ""
+    results = results.viewed or results
+    design = results.design
     every = [one for one in design.resolved if one.inputs.mode != "bearings"]
     engine = results.result(EngineResult)
     if design.engine is None or engine is None or not every or (len(every) < 2 and every[0].inputs.axis is None):
         return None
-    own = design.own.name if design.own is not None else ""
     shafts: list[ShaftInFront] = []
     for one in every:
         original = results.of_shafts.get(one.of or one.name, results.outcomes)[STEP].result
@@ -242,15 +249,25 @@ def _together(design: "Design", results: "Results") -> Sketch | None:
             return None
         key = SHAFT if one.name == own else dotted(SHAFT.partition(".")[0], one.name)
         shafts.append(_beside_crank(one, original, key))
-    train = results.train
-    laid = train.layout.wheels if train is not None and train.layout is not None else {}
+    oil, friction = None, design.friction
+    if friction is not None and friction.oil_level is not None:
+        oil = OilLevel(friction.oil_level, dotted("friction", type(friction).oil_level))
+    banks = sorted({round(float(psi), 9) for psi in engine.crank.psi})
+    return replace(front_view(design.engine, banks, shafts, *_train(results.train), oil), of_all=1)
+
+
+def _train(train: TrainResult | None) -> tuple[list[Wheel], list[Chain]]:
+    """The wheels, chains and belts that have a place."""
+    if train is None or train.layout is None:
+        return [], []
+    places = {name: wheel.position for name, wheel in train.layout.wheels.items()} | train.layout.sprockets
     wheels = [
         Wheel(at, train.wheels[name].pitch_diameter / 2, dotted("gears", GearsInputs.wheels, name))
-        for name, wheel in laid.items()
-        if train is not None and (at := wheel.position) is not None
+        for name, at in places.items()
+        if at is not None and name in train.wheels
     ]
-    picture = front_view(design.engine, sorted({round(float(psi), 9) for psi in engine.crank.psi}), shafts, wheels)
-    return replace(picture, of_all=1)
+    lines = stage_lines(train, places)
+    return wheels, [Chain(tuple(line.tolist()), dotted("gears", GearsInputs.stages, name)) for name, line in lines]
 
 
 def _beside_crank(one: Resolved, original: CountershaftResult, key: str) -> ShaftInFront:

@@ -49,7 +49,7 @@ from .sizing.sectors import TooSmall, eccentric_masses, pieces, task
 from .sizing.shares import asked_share, need_mirror_images, share_of
 from .sizing.stretches import NOT_THE_LIGHTEST, SizedStretches, inner_gaps, size_between
 from .sums import SystemShaft
-from .supports import Gear, gear_place, reactions
+from .supports import Gear, gear_place, phases_of, reactions
 
 if TYPE_CHECKING:
     from ..bearings.result import BearingsResult
@@ -264,7 +264,8 @@ def _with_supports(
         loads = [f.reaction(R=R) for R in forces]
         if len(positions) == 2:
             result = replace(result, loads_by_levers=dict(zip(names, printed)))
-    result = replace(result, reactions=forces, loads=dict(zip(names, loads)))
+    phases = phases_of(names, forces)
+    result = replace(result, reactions=forces, loads=dict(zip(names, loads)), load_phases=phases)
     if len(positions) > 2 or bent is not None:
         step.notes.append(supports_note(bent is not None))
     if judged or (len(positions) == 2 and not journals):
@@ -336,6 +337,7 @@ def _balance(step: ShaftStep, masses: tuple[EccentricMass, ...]) -> Countershaft
         static_unbalance=f.static_unbalance(F_S=force, omega=omega),
         force=force,
         loads={row.name: f.reaction(R=R_B) for row, R_B in zip((first_row, last_row), R)},
+        load_phases={},
         loads_by_levers={},
         slopes={},
         slopes_stiff={},

@@ -10,8 +10,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Self
 
-import numpy as np
-
 from ..imbalance import formulas as v
 from ..imbalance.shaft_pair import roll_amplitude, roll_backward, roll_forward, roll_phase, roll_together, rolls_joined
 from ..sheet.arrays import Array
@@ -19,7 +17,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import conj, largest
 from ..sheet.quantity import group, result, value
 from ..sheet.record import record
-from ..sheet.step import Curve, Series, Table, axis_label
+from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import (
     Newton,
@@ -29,7 +27,6 @@ from ..sheet.units import (
     PhasorNewton,
     PhasorNewtonMetre,
     Radian,
-    RevPerSecond,
 )
 from ..sheet.value import about, based_on
 from . import formulas as f
@@ -443,35 +440,3 @@ def teeth_table(teeth: TeethOff) -> Table:
     )
     note = Text("Peaks over a turn, with shafts fitted one tooth of their own wheels late or early.")
     return Table("teeth_off", Text("What is left one tooth off"), columns, tuple(rows), note)
-
-
-# --- over speed
-
-SPEEDS = np.linspace(0.2, 1.0, 21)  # over the rated one
-
-
-def left_over_speed(
-    n: int,
-    unit: str,
-    rated: RevPerSecond,
-    alone: float,
-    designed: float,
-    scattered: float | None,
-    off: Mapping[str, float],
-) -> Curve:
-    """The peak of one order over crank speed, of force or couple (`unit`): of the engine alone, with its shafts as
-    designed, as 95 % of them are made (None: not known), and with each of them one tooth off."""
-    lines = [(Text("without shafts"), alone), (Text("as designed"), designed)]
-    if scattered is not None:
-        lines.append((Text("95 % of those made"), scattered))
-    lines += [(Text("{name} one tooth off", name=Name(name)), peak) for name, peak in off.items()]
-    rpm, square = SPEEDS * rated * 60, SPEEDS**2
-    force = unit == "N"
-    title = Text("Force of order {n} left over, peak of a turn", n=n)
-    return Curve(
-        f"left_order_{n}_{'force' if force else 'couple'}",
-        title if force else Text("Couple of order {n} left over, peak of a turn", n=n),
-        axis_label("crank speed", "rpm"),
-        axis_label("force" if force else "couple", unit),
-        tuple(Series(words, rpm, peak * square) for words, peak in lines),
-    )

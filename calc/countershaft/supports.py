@@ -6,7 +6,7 @@ and in line, point loads, shear left out.  Loads and reactions are complex and t
 positive where a load in the positive direction makes it so between two supports, so that the moments over inner
 supports come out below zero (hogging)."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -22,6 +22,7 @@ from ..sheet.units import (
     Metres,
     MetreTuple,
     Newton,
+    PhasorNewton,
     PhasorNewtonMetres,
     PhasorNewtons,
     Radian,
@@ -126,6 +127,15 @@ def _spans(place: Array, support: Array) -> tuple[IndexArray, Array, Array, Bool
     inside = (place >= support[0]) & (place <= support[-1])
     span = np.clip(np.searchsorted(support, place[inside], side="right") - 1, 0, support.size - 2)
     return span, place[inside] - support[span], support[span + 1] - place[inside], inside
+
+
+ROUNDING = 1e-6  # of the largest reaction: less may be no more than what rounding leaves, which has any direction
+
+
+def phases_of(rows: Iterable[str], forces: Sequence[PhasorNewton]) -> dict[str, Radian]:
+    """The directions of the forces of the supports on the shaft, by their names."""
+    least = ROUNDING * max(map(abs, forces))
+    return {row: f.reaction_phase(R=R) for row, R in zip(rows, forces) if abs(R) > least}
 
 
 # --- what stands still while the shaft turns: its weight, the force of its gear, and bores out of line

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 from ..bearings.inputs import BearingsInputs
 from ..bearings.materials import application_problem, applications, bush_problem, bushes
 from ..countershaft.inputs import ShaftInputs, ShaftLoad
+from ..countershaft.making.inputs import Bolts
 from ..countershaft.rows import SHAFT, BearingRow
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
@@ -134,7 +135,7 @@ class Design:
         """The name of the shaft that is no twin; empty where there is none."""
         return next(iter(self.originals), "")
 
-    @property
+    @cached_property
     def resolved(self) -> tuple[Resolved, ...]:
         """All shafts, each with its inputs as they are."""
         return resolved(self.shafts)
@@ -150,7 +151,7 @@ class Design:
             for name in originals
         }
 
-    @property
+    @cached_property
     def originals(self) -> tuple[str, ...]:
         """The names of the shafts that are no twins."""
         return tuple(shaft.name for shaft in self.shafts if not shaft.is_twin)
@@ -334,7 +335,11 @@ class Design:
                 for i, entry in enumerate(getattr(self.friction, kind)):
                     if entry.wheel is not None and entry.wheel not in wheels:
                         yield dotted(Design.friction, kind, i, Seal.wheel), _unknown_name(entry.wheel, wheels)
+        turn = [shaft.name for shaft in self.shafts if shaft.mode != "bearings"]
         for n, shaft in enumerate(self.shafts):
+            for name in (shaft.bolts.carries or ()) if shaft.bolts is not None else ():
+                if name not in turn:
+                    yield dotted(Design.shafts, n, ShaftInputs.bolts, Bolts.carries), _unknown_name(name, turn)
             for i, load in enumerate(shaft.loads):
                 if load.wheel is not None and load.wheel not in wheels:
                     key = dotted(Design.shafts, n, ShaftInputs.loads, i, ShaftLoad.wheel)

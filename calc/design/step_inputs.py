@@ -14,6 +14,7 @@ from ..bearings.solve import BearingMaterials
 from ..bearings.speeds import highest_speed, of_journals
 from ..countershaft.checks import InPlace, swept
 from ..countershaft.inputs import ShaftInputs
+from ..countershaft.making.bolts import on_bearings
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
 from ..countershaft.shafts import of_twin
@@ -162,6 +163,23 @@ def system_shafts(
         )
         for shaft in turning(design)
         if shaft.name in solved and solved[shaft.name].result is not None
+    )
+
+
+def on_support(
+    design: Design, shaft: Resolved, solved: Mapping[str, Outcome[CountershaftResult]]
+) -> tuple[SystemShaft, ...]:
+    """The shafts that its bolts hold, itself in any case, with what they put on their bearings; empty where there are
+    none, or one of them is not solved."""
+    bolts = shaft.inputs.bolts
+    if bolts is None or bolts.carries is None:
+        return ()
+    held = [one for one in turning(design) if one.name in (shaft.name, *bolts.carries)]
+    if any(one.name not in solved or solved[one.name].result is None for one in held):
+        return ()
+    return tuple(
+        on_bearings(one.name, one.inputs.speed_ratio, one.inputs.bearing_positions, solved[one.name].solution.reactions)
+        for one in held
     )
 
 

@@ -243,6 +243,7 @@ PLACEHOLDER: Table = {
     "choice": "",
     "series": (),
     "integers": (),
+    "names": (),
     "table": None,
     "tables": (),
     "reasons": (),
@@ -332,6 +333,9 @@ class _Reader:
                 return self.tables(about, value, key, address, like[0] if like else None, like[1] if like else ())
             case "series" | "integers":
                 return _keyed(about, self.series(about, value, key), address)
+            case "names":
+                there = isinstance(value, list) and value and all(isinstance(name, str) for name in value)
+                return tuple(as_list(value)) if there else self.refused(about, value, key)
             case "reasons":
                 return self.reasons(value, key)
             case "open":

@@ -505,8 +505,8 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
     if power is not None:
         loads[next(iter(d.links))] = power
     if has_bearings(d.friction) or len(d.ends) > 1:
-        of = (d.friction, d.links, d.wheels, d.lubricant.oil, d.T_oil, power)
-        loads = {name: based_on(P, *of) for name, P in loads.items()}
+        of = based_on(0.0, d.friction, d.links, d.wheels, d.lubricant.oil, d.T_oil, power)
+        loads = {name: based_on(P, of) for name, P in loads.items()}
     wheels = dict(d.wheels)
     for name, (force, loss) in d.bearings(loads).items():
         wheels[name] = replace(wheels[name], bearing_force=force, bearing_loss=loss)

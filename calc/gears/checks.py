@@ -252,11 +252,23 @@ def speed_ratio_check(train: TrainResult, shaft: str, wanted: Number, crank: flo
     return rule(off, SAME_RATIO, at=at, name=name, source=source, advice=advice, moved_by=keys)
 
 
-def no_wheel_check(shaft: str) -> Check:
-    """Of a shaft that no wheel of the train carries."""
+def no_wheel_check(train: TrainResult, shaft: str, wanted: Number, crank: float | None = None) -> Check:
+    """Of a shaft that no wheel of the train carries, with the wheel that would turn it as it must."""
     lack = Missing((dotted("gears", GearsInputs.wheels),), (), "none", "none")
     name = Text("Speed ratio of {shaft}: no wheel of the train carries it", shaft=Name(shaft))
     advice = Text('Give its wheel: shaft = "{shaft}" under the name of a wheel.', shaft=Name(shaft))
+    speed = wanted * (crank or train.speeds[train.tree.first])
+    for driver in train.wheels.values():
+        teeth = driver.teeth * abs(driver.speed / speed)
+        if driver.speed * speed < 0 and abs(teeth - round(teeth)) < SAME_RATIO:
+            advice = Text(
+                'Add a wheel and its mesh: name = "{shaft}", teeth = {teeth}, shaft = "{shaft}" under '
+                '[[gears.wheels]], and driver = "{driver}", driven = "{shaft}" under [[gears.meshes]].',
+                shaft=Name(shaft),
+                teeth=round(teeth),
+                driver=Name(driver.name),
+            )
+            break
     source = Text("definition: without a wheel nothing turns the shaft")
     return SHAFT_RATIO(None, SAME_RATIO, at=(shaft,), name=name, source=source, advice=advice, missing=lack)
 

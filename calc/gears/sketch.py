@@ -19,7 +19,7 @@ from .backlash.checks import BACKLASH, BACKLASH_COLD, BACKLASH_WARM, BACKLASH_WA
 from .checks import TIP_THICKNESS, UNDERCUT
 from .curves import pitch_point_view
 from .inputs import GearsInputs, Mesh
-from .layout.curves import loop
+from .layout.curves import stage_lines
 from .layout.room import CLEARANCE, REACH
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
@@ -117,16 +117,10 @@ def _stages(train: TrainResult, centres: Mapping[str, complex]) -> Iterator[draw
     turn beside no wheel have their names."""
     for name in (name for name in centres if name not in train.wheels):
         yield draw.Words(draw.WORDS, _point(centres[name]), Name(name), side="centre")
-    for name, stage in train.stages.items():
-        p_1, p_2 = centres.get(stage.driver), centres.get(stage.driven)
-        if p_1 is None or p_2 is None:
-            continue
-        key, r_2 = dotted("gears", GearsInputs.stages, name), stage.pitch_diameter_driven / 2
-        if train.tree.by_key[name].sense > 0:
-            around = loop(p_1, p_2, stage.pitch_diameter_driver / 2, r_2).tolist()
-            yield draw.Polyline(draw.HIDDEN, tuple(map(_point, around)), key=key)
-        else:
-            yield draw.Arc(draw.HIDDEN, _point(p_2), r_2, key=key)
+    for name, line in stage_lines(train, centres):
+        yield draw.Polyline(
+            draw.HIDDEN, tuple(map(_point, line.tolist())), key=dotted("gears", GearsInputs.stages, name)
+        )
 
 
 def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> Iterator[draw.Mark]:

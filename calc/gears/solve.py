@@ -283,7 +283,7 @@ def with_speed_ratios(
         return outcome
     crank, train = engine.rated_speed if engine is not None else None, outcome.result
     made = (
-        speed_ratio_check(train, name, ratio, crank) if name in train.shafts else no_wheel_check(name)
+        (speed_ratio_check if name in train.shafts else no_wheel_check)(train, name, ratio, crank)
         for name, ratio in wanted.items()
     )
     return replace(outcome, checks=(*outcome.checks, *made))

@@ -383,7 +383,10 @@ class Check:
 
     def but(self, **changes: Any) -> "Check":  # Any: of every field its own
         """The same with some of its fields changed."""
-        return replace(self, **changes)
+        given = self.__dict__
+        other = object.__new__(Check)  # `replace` sets twenty fields one by one, of each check of a solve
+        other.__dict__.update({name: given[name] for name in self.__dataclass_fields__} | changes)
+        return other
 
     def in_place(self, keys_of: Callable[[str], tuple[str, ...]]) -> "Check":
         """The same by the keys of one design: `keys_of` gives those that a key of the rule stands for there."""
@@ -406,11 +409,13 @@ class Check:
             step, dot, rest = id.partition(".")
             return f"{step}.{name}.{rest}" if dot and step in steps else id
 
-        ids = {key: placed(getattr(self, key)) for key in ("id", "cause", "value_id", "limit_id")}
         return self.but(
+            id=placed(self.id),
             name=Text("{name}: {check}", name=Name(name), check=Small(self.name)),
+            cause=placed(self.cause),
+            value_id=placed(self.value_id),
+            limit_id=placed(self.limit_id),
             outside=tuple(map(placed, self.outside)),
-            **ids,
         )
 
     def limit_text(self) -> Text:

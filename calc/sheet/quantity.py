@@ -59,8 +59,8 @@ class Where:
 
 @record
 class Quantity:
-    """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, table,
-    tables, reasons, open."""
+    """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, names,
+    table, tables, reasons, open."""
 
     kind: str
     label: Text
@@ -126,6 +126,8 @@ class Quantity:
                 return Text("text")
             case "date":
                 return Text("a date, as year-month-day: 2026-03-14")
+            case "names":
+                return Text("a list of names")
             case "table":
                 return Text("a table")
             case "tables":
@@ -274,6 +276,11 @@ def series(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpa
 
 def integers(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     return _make("integers", label, "", default, **options)
+
+
+def names(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
+    """A list of the names of elements elsewhere, which the whole design judges."""
+    return _make("names", label, "", default, **options)
 
 
 def table(label: str, cls: type, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
@@ -526,7 +533,7 @@ def result(cls: type[T]) -> type[T]:
 @dataclass_transform(
     frozen_default=True,
     kw_only_default=True,
-    field_specifiers=(quantity, integer, text, day, choice, series, integers, table, tables, open_),
+    field_specifiers=(quantity, integer, text, day, choice, series, integers, names, table, tables, open_),
 )
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are (not what is cached beside them)."""

@@ -73,16 +73,15 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
         return []
     results = context.original or context.results
     sketch: Sketch = import_module(f"calc.{step.key}.sketch").sketch(context.design, results)
-    parts, said = [part for part in (sketch, *sketch.beside) if part.primitives], list(sketch.notes)
+    parts = [part for part in (sketch, *sketch.beside) if part.primitives]
     if context.shaft or (context.shafts and step.key in OF_SHAFTS):  # what shows all of them stands once
         parts = [part for part in parts if bool(part.of_all) is not bool(context.shaft)]
-        said = [note for part in parts for note in part.notes]
     if not parts:
         return []
     context.figures += 1
     title = f"{context.shaft}: {context.title(step)}" if context.shaft else context.title(step)
     caption = f"{context.words['figure']} {context.figures}. {title}"
-    notes = "; ".join(map(context.say, said))
+    notes = "; ".join(dict.fromkeys(context.say(note) for part in parts for note in part.notes))
     return [_rows([_Picture(part, context.say) for part in parts], caption + (f" ({notes})" if notes else ""))]
 
 

@@ -114,6 +114,14 @@ def test_pictures_beside_each_other_are_left_out_where_they_get_too_small():
     assert shown(24, 10) == ["first"]
 
 
+def test_notes_are_of_the_pictures_that_are_shown_and_say_that_there_are_others() -> None:
+    second = Sketch((CIRCLE,), (Text("second"),), title=Text("a title of many words"))
+    both = Sketch((CIRCLE,), (Text("first"),), beside=(second,), views=2)
+    small, large = (draw(both, n, 9, Signs(), say, "", Text("others")).plain for n in (20, 60))
+    assert "first" in small and "second" not in small and "others" in small
+    assert "first · second" in large and "others" not in large
+
+
 def test_notes_take_as_many_rows_as_they_need() -> None:
     assert noted(["gap × 100", "the load points down", "pressure"], 32) == [
         "gap × 100 · the load points down",

@@ -124,6 +124,9 @@ def test_what_can_be_misread_is_refused_with_the_reason(text: str, reason: str) 
         ("1 3 2", "integers", [1, 3, 2]),
         ("[1, 3, 2]", "integers", [1, 3, 2]),
         ("4;", "series", [4.0]),
+        ("left; right", "names", ["left", "right"]),
+        ('["left", "right"]', "names", ["left", "right"]),
+        ("left,", "names", ["left"]),
     ],
 )
 def test_a_list_is_understood(text: str, kind: str, value: list[float]) -> None:

@@ -184,7 +184,7 @@ def test_a_mirror_image_gives_what_is_not_its_originals():
     values = gamma_and_its_image().values()
     mine = {id.removeprefix("countershaft.image.") for id in values if id.startswith("countershaft.image.")}
     standing = {"weight", *(f"{what}_{row}" for what in ("weight", "stationary") for row in ("front", "rear"))}
-    peaks = {f"reaction_{row}_peak" for row in ("front", "rear")}
+    peaks = {f"reaction_{row}_{what}" for row in ("front", "rear") for what in ("peak", "phase")}
     assert mine == {"couple", "couple_phase", "force"} | standing | peaks  # no axis, no wheel
     shaft, image = values["countershaft.shaft.couple_phase"].shown, values["countershaft.image.couple_phase"].shown
     assert image % 360 == pytest.approx(-shaft % 360)
@@ -252,6 +252,53 @@ def test_two_shafts_each_on_bearings_with_a_wheel():
             assert values[f"bearings.{name}.{row}.load"].inside == pytest.approx(of_shaft)
     assert results.check("bearings.left.front.film_edge") is not None
     assert results.check("bearings.front.film_edge") is None  # there are several
+
+
+# --- bolts of a support that holds several
+
+BOLTS = {
+    "thread": "M8",
+    "torque_Nm": 25.0,
+    "friction": 0.12,
+    "across_flats_mm": 13.0,
+    "hole_diameter_mm": 9.0,
+    "count": 4,
+}
+
+
+def bolted(**keys) -> dict:
+    """The pair under the inline four, without its train; what the bolts of the left shaft say."""
+    data = {key: table for key, table in document("r754").data.items() if key != "gears"}
+    left, right = data["shafts"]
+    return {**data, "shafts": [{**left, "bolts": {**BOLTS, **keys}}, right]}
+
+
+def test_the_bolts_of_one_support_hold_what_all_its_shafts_put_on_it():
+    """The pair's forces meet upright: twice that of one; itself counts whether it is named or not."""
+    alone, both = solved(bolted()), solved(bolted(carries=["right"]))
+    ids = [f"countershaft.left.bolt_{name}" for name in ("end_force", "slip_safety", "preload")]
+    one, two = ([results.values()[id].shown for id in ids] for results in (alone, both))
+    assert two == pytest.approx([2 * one[0], one[1] / 2, one[2]])
+    notes, held = (" ".join(results.outcomes["countershaft"].notes) for results in (alone, both))
+    assert "name them (carries)" in notes and "hold left and right together" not in notes
+    assert "name them (carries)" not in held and "hold left and right together" in held
+    assert {c.id for c in alone.checks() if ".bolts." in c.id} == {c.id for c in both.checks() if ".bolts." in c.id}
+    own = solved(bolted(carries=["left"]))
+    assert [own.values()[id].shown for id in ids] == pytest.approx(one)
+    assert "name them (carries)" not in " ".join(own.outcomes["countershaft"].notes)
+
+
+def test_bolts_hold_shafts_of_the_design():
+    with pytest.raises(BadInput) as bad:
+        design(Document(bolted(carries=["rihgt", "left", "front"])))
+    reasons = [(error.key, str(error.reason)) for error in bad.value.errors]
+    assert reasons == [
+        ("shafts.0.bolts.carries", '"rihgt" is not known; did you mean "right"?'),
+        ("shafts.0.bolts.carries", '"front" is not known; known are left, right'),
+    ]
+    for wrong_list in ("right", [], ["right", 1]):
+        with pytest.raises(BadInput, match="must be a list of names"):
+            design(Document(bolted(carries=wrong_list)))
 
 
 def test_shafts_that_are_alike_give_alike():

@@ -33,7 +33,20 @@ from calc.studies.shipped import engines
 
 ROOT = Path(__file__).resolve().parents[2]
 # calls whose first argument is a label
-FIELDS = {"value", "values", "quantity", "integer", "text", "choice", "series", "integers", "table", "tables", "open_"}
+FIELDS = {
+    "value",
+    "values",
+    "quantity",
+    "integer",
+    "text",
+    "choice",
+    "series",
+    "integers",
+    "names",
+    "table",
+    "tables",
+    "open_",
+}
 SENTENCES = {"help", "source", "brief", "change"}  # their keywords that are texts
 RELEASE = bool(os.environ.get("RELEASE"))  # RELEASE=1 pytest tests/languages: every text must have its translation
 # for one and for many: babel's own rules differ from version to version

@@ -2,6 +2,7 @@
 """The report of several shafts: what they leave together comes first, then each that is no twin, a twin in few lines."""
 
 import json
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,6 @@ import pytest
 import tomli_w
 
 from assistant.session.exporting import drawings
-from calc.countershaft.sketch import sketch
 from calc.draw.drawing import Words
 from calc.studies.drawings import sheets
 from reports.blocks.chapter import of_all
@@ -102,8 +102,16 @@ def test_each_original_has_its_drawing(single: Solved) -> None:
         assert sheet.title in text
 
 
-def test_the_picture_has_the_shafts_below_each_other(single: Solved) -> None:
-    *_, drawn = sketch(single.results.design, single.results).beside
+@pytest.mark.parametrize("step", ["countershaft", "bearings"])
+def test_the_picture_has_the_shafts_below_each_other(single: Solved, step: str) -> None:
+    make = import_module(f"calc.{step}.sketch").sketch
+    whole = make(single.results.design, single.results)
+    *_, drawn = (whole, *whole.beside)
+    for view in single.results.views.values():  # also where one is in view
+        seen = [picture for picture in make(view.design, view).beside if picture.of_all]
+        assert [len(picture.primitives) for picture in seen] == [
+            len((drawn if step == "bearings" else whole).primitives)
+        ]
     names = [mark for mark in drawn.primitives if isinstance(mark, Words) and "," in str(mark.text)]
     (first, second) = sorted(names, key=lambda mark: -mark.at[1])
     assert (str(first.text), str(second.text)) == ("a, b", "c, d")

@@ -17,6 +17,7 @@ Sources: O. Reynolds (1886); H. W. Swift (1932) and W. Stieber (1933) for the en
 Raimondi and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk, NACA TN 2808 (1952)."""
 
 import math
+import operator
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
 from functools import cache, lru_cache
@@ -237,10 +238,12 @@ def film_slopes(eccentricity: Value, length_ratio: Num, *, outside: Outside = "r
     return slopes
 
 
-def film_hold(eccentricity: float, length_ratio: float) -> tuple[Number, Number, Radian, Radian]:
-    """S, d ln So/dε, φ and dφ/dε at one point: of `film_at` and `film_slopes` what is asked for again and again.
+def film_hold(eccentricity: Any, length_ratio: Any) -> tuple[Any, Any, Any, Any]:
+    """S, d ln So/dε, φ and dφ/dε: of `film_at` and `film_slopes` what is asked for again and again.
 
-    Raises FilmRangeError outside the table."""
+    Outside the table one point raises FilmRangeError; of arrays nan."""
+    if not (_scalar(eccentricity) and _scalar(length_ratio)):
+        return _hold_array(*_many(eccentricity, length_ratio))
     column, table = column_at(length_ratio), film_nodes()
     eps = within(ECCENTRICITY, eccentricity, table.eccentricities)
     x = math.atanh(eps)
@@ -353,8 +356,10 @@ def _scalar(value: float | Array) -> bool:
 
 
 def _many(first: float | Array, second: float | Array) -> tuple[Array, Array]:
-    """The first as an array, the second broadcast to it; one l/d for all stays one."""
+    """The first as an array, the second broadcast to it; one l/d for all stays one, or becomes one."""
     first_array, two = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    if two.ndim and two.size and (two == two.flat[0]).all():
+        first_array, two = np.broadcast_arrays(first_array, two)[0], two.ravel()[0]
     return (first_array, two) if two.ndim == 0 else tuple(np.broadcast_arrays(first_array, two))  # type: ignore[return-value]
 
 
@@ -401,6 +406,21 @@ def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> F
     friction = friction_variable(eccentricity, sommerfeld, np.sin(attitude))
     damping = short_bearing_damping(eccentricity) * np.exp(damping)
     return FilmPoint(eccentricity, sommerfeld, attitude, friction, flow, side_flow_ratio, pressure_ratio, damping)
+
+
+def _hold_array(eccentricity: Array, length_ratio: Array) -> tuple[Array, Array, Array, Array]:
+    table = film_nodes()
+    eps = clipped(ECCENTRICITY, eccentricity, table.eccentricities[0], table.eccentricities[-1], "nan")
+    length_ratio, read = _reader(length_ratio, "nan")
+    x = np.arctanh(eps)
+    cell, across = cells(table.x, x)
+    _, slopes = cells(table.x, x, hermite_slope)
+    nodes = [[read(2 * cell + j, quantity) for j in range(4)] for quantity in range(2)]
+    load, attitude = (_sum(map(operator.mul, across, of_one)) for of_one in nodes)
+    load_slope, turning = (_sum(map(operator.mul, slopes, of_one)) for of_one in nodes)
+    sommerfeld = np.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(eps))
+    per_eccentricity = 1.0 / (1.0 - eps**2)  # dx/dε
+    return sommerfeld, (load_slope + short_bearing_slope(eps)) * per_eccentricity, attitude, turning * per_eccentricity
 
 
 def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside) -> Array:

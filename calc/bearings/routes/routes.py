@@ -16,7 +16,7 @@ from ...library.lubricant import OilState
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
-from ...sheet.value import based_on
+from ...sheet.value import based_on, recorder
 from .. import formulas as f
 from ..film import grooved, table
 from ..film import short_bearing as short
@@ -167,13 +167,14 @@ def _reynolds(
             eps = short.eccentricity(S=S, b=ratio)
             phi, Q_rel = short.attitude_angle(eps=eps), short.relative_flow(eps=eps)
             share = short.side_flow_share(eps=eps)
-        elif one_point:
+        elif one_point and recorder.get() is not None:
             eps = table.eccentricity(S=S, b=ratio)
             phi, Q_rel = table.attitude_angle(eps=eps, b=ratio), table.relative_flow(eps=eps, b=ratio)
             share, p_rel = table.side_flow_share(eps=eps, b=ratio), table.pressure_ratio(eps=eps, b=ratio)
         else:
-            eps = table.eccentricity_from(np.where(g > 0, S, np.nan), ratio, outside="nan")
-            state = table.film_at(eps, ratio, outside="nan")
+            outside: table.Outside = "raise" if one_point else "nan"
+            eps = table.eccentricity_from(S if one_point else np.where(g > 0, S, np.nan), ratio, outside=outside)
+            state = table.film_at(eps, ratio, outside=outside)
             phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
         f_v = _friction_variable(duty, So, eps, phi)
         if lands == 1:

@@ -18,7 +18,7 @@ from ...sheet.arrays import Array, IndexArray, Num
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.functions import root
 from ...sheet.text import Amount, Text
-from ...sheet.value import converged, unlinked, untraced
+from ...sheet.value import converged, recorder, unlinked, untraced
 from .. import formulas as f
 from ..film.table import FilmRangeError
 from . import supply
@@ -41,10 +41,12 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
     viscosity that no heat changes the film is then the one at 200 K, and its heat that of no balance.
     """
 
-    @cache  # the ends of the bracket are asked for more than once
+    @cache  # the ends of the bracket are asked for more than once, and the film of the answer
+    def film_at(rise: float) -> Film:
+        return route(seat, duty, rise)
+
     def excess(rise: float) -> float:
-        film: Film = route(seat, duty, rise)
-        return film.temperature_rise - rise
+        return film_at(rise).temperature_rise - rise
 
     with untraced():
         try:
@@ -56,7 +58,8 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
             if not (isinstance(error, OutsideBalance) and error.end is None and seat.lubricant.constant):
                 raise NoSolution(*_reason(seat, duty, error)) from None
             rise = math.inf
-    return closed(route, seat, duty, rise)
+    lines = recorder.get() is not None
+    return closed(route, seat, duty, rise) if lines or rise > HOTTEST else film_at(rise)
 
 
 def closed(route: Route, seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
@@ -242,8 +245,8 @@ def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hott
 
 
 def settled_together(asked: Sequence[tuple[BearingCase[Any], OperatingPoint[Any]]]) -> list[Film[Array]]:
-    """`settled` for several questions about one bearing in one call, each of its own length: all but the arrays is that
-    of the first."""
+    """`settled` for several questions about one bearing, or bearings of one size, in one call, each of its own length:
+    all but the arrays is that of the first."""
     seat, duty = asked[0]
     sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
 

@@ -7,32 +7,32 @@ method on the real and imaginary parts.  All numbers stand in the frame of the s
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
-from typing import NamedTuple, Protocol
+from typing import Any, Generic, NamedTuple, Protocol
 
 import numpy as np
 
-from ...sheet.arrays import Array, ComplexArray, IndexArray
+from ...sheet.arrays import Array, BoolArray, ComplexArray, IndexArray, Value
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text
-from ...sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian
+from ...sheet.units import Metre, Newton, NewtonPerMetre, Number
 from . import formulas as f
 from .condensed import Condensed
 
 # --- what a support is
 
 
-class Hold(NamedTuple):
-    """What a support does to a journal at a distance e from its middle: its load F, dF/de, and F/e, at the middle the
-    limit of it; the angle by which the load is ahead of the displacement, and its slope, rad/m."""
+class Hold(NamedTuple, Generic[Value]):
+    """What a support does to a journal at a distance e from its middle: its load F, dF/de, and F/e, N/m, at the middle
+    the limit of it; the angle by which the load is ahead of the displacement, rad, and its slope, rad/m."""
 
-    force: Newton
-    slope: NewtonPerMetre
-    secant: NewtonPerMetre
-    attitude: Radian = 0.0
-    turning: float = 0.0
+    force: Value
+    slope: Value
+    secant: Value
+    attitude: Value | float = 0.0
+    turning: Value | float = 0.0
 
 
 class Law(Protocol):
@@ -104,17 +104,22 @@ class Carried:
 
 
 def carried(
-    shaft: Condensed, laws: Sequence[Law | Rigid], names: Sequence[str] = (), name: str = "the shaft"
+    shaft: Condensed,
+    laws: Sequence[Law | Rigid],
+    names: Sequence[str] = (),
+    name: str = "the shaft",
+    near: ComplexArray | None = None,
 ) -> Carried:
     """The loads of the supports, one law for each.  `names` of the supports and `name` of the shaft are what an error
-    calls them.
+    calls them; `near`: displacements from which is looked first, where they are known.
 
     Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, from there
     with all supports that have play made soft and stiff again."""
     rows = [i for i, law in enumerate(laws) if not isinstance(law, Rigid)]
     free = [law for law in laws if not isinstance(law, Rigid)]
     equation = _equation(shaft, rows)
-    now, found = _newton(equation, free, _begun(equation, free))
+    begun = _begun(equation, free) if near is None else _now(equation, free, near[rows].tolist())
+    now, found = _newton(equation, free, begun)
     for share in () if found else SOFTENED:
         softened = [law.softer(share) for law in free]
         now, found = _newton(equation, softened, _now(equation, softened, now.x))
@@ -137,6 +142,28 @@ def carried(
         stiffness=f.mean_stiffness(k_t=tangents[0], k_s=tangents[1]),
         steps=now.step,
     )
+
+
+def carried_near(
+    shaft: Condensed, hold: Callable[[Array], Hold[Array]], x: ComplexArray
+) -> tuple[ComplexArray, BoolArray]:
+    """The loads in many cases at once, a row each, whose displacements are close to x; and which of them are found.
+
+    `hold`: of all cases at the distances from the middle, nan where a support has no answer."""
+    equation = _equation(shaft, list(range(x.shape[-1])))
+    rows, columns = equation.at
+    for _ in range(STEPS):
+        held, angle = hold(np.abs(x)), np.angle(x)
+        turned = np.exp(1j * (held.attitude + angle))
+        load = held.force * turned
+        missing = shaft.f_c - x @ shaft.K_c.T - load
+        worst = np.abs(missing).max(axis=-1)
+        if not (worst > SETTLED * equation.largest).any():
+            break
+        J = np.tile(equation.K, (len(x), 1, 1))
+        J[:, rows, columns] += np.stack(_tangent(held, np.exp(1j * angle), turned), -1).reshape(len(x), -1)
+        x = x + np.linalg.solve(J, missing.view(np.float64)[..., None])[..., 0].view(np.complex128)
+    return load, worst <= SETTLED * equation.largest
 
 
 @record
@@ -196,12 +223,11 @@ def _now(
     return _Now(step, x, held, load, missing, max(map(abs, missing.view(np.complex128).tolist()), default=0.0))
 
 
-def _tangent(held: Hold, x: complex) -> tuple[float, float, float, float]:
-    """By how much the real part of P moves with the real and with the imaginary part of x; and the imaginary part of
-    P."""
-    u, turned = cmath.rect(1.0, cmath.phase(x)), cmath.rect(1.0, held.attitude + cmath.phase(x))
-    outward = turned * complex(held.slope, held.force * held.turning)
-    sideways = turned * complex(0.0, held.secant)
+def _tangent(held: Hold[Any], u: Any, turned: Any) -> tuple[Any, Any, Any, Any]:
+    """By how much the real part of P moves with the real and with the imaginary part of x; and the imaginary part of P.
+    u and `turned`: the directions of x and of P, of length 1."""
+    outward = turned * (held.slope + 1j * (held.force * held.turning))
+    sideways = turned * (1j * held.secant)
     real, imag = outward * u.real - sideways * u.imag, outward * u.imag + sideways * u.real
     return real.real, imag.real, real.imag, imag.imag
 
@@ -210,7 +236,9 @@ def _newton(equation: _Equation, laws: Sequence[Law], now: _Now) -> tuple[_Now, 
     """Where it ends, and whether that is an equilibrium."""
     while now.worst > SETTLED * equation.largest and now.step < STEPS:
         J = equation.K.copy()
-        J[equation.at] += [part for h, x_i in zip(now.held, now.x) for part in _tangent(h, x_i)]
+        phases = map(cmath.phase, now.x)
+        ways = [(h, cmath.rect(1.0, phi), cmath.rect(1.0, h.attitude + phi)) for h, phi in zip(now.held, phases)]
+        J[equation.at] += [part for way in ways for part in _tangent(*way)]
         try:
             way = np.linalg.solve(J, now.missing).view(np.complex128).tolist()
         except np.linalg.LinAlgError:

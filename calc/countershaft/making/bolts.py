@@ -3,19 +3,25 @@
 separation.
 
 The load turns with the shaft.  At each end of the support a force Q of constant size sweeps through all directions: it
-pulls the joint apart, presses it together and pushes it to either side within one turn.  The joint holds by friction
-alone; locating pins, where there are any, are left out."""
+pulls the joint apart, presses it together and pushes it to either side within one turn.  Of several shafts in one
+support the forces of those that turn alike add as vectors.  Those that turn both ways, with Q⁺ and Q⁻, run along an
+ellipse, whose longer half-axis is Q⁺ + Q⁻: of a shaft and its mirror image the vertical parts add and the sideways ones
+cancel.  What of it pulls the joint apart and what pushes it aside depends on how the bolts point; where that is not
+given, the longer half-axis is swept through all directions.  Of two orders the largest forces are added, a bound.  The
+joint holds by friction alone; locating pins, where there are any, are left out."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.formula import formula
-from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
+from ...sheet.functions import atan, cis, conj, cos, joined, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record
-from ...sheet.text import EMPTY, Amount, Name, Text
+from ...sheet.text import EMPTY, Amount, Name, Text, listed
 from ...sheet.units import (
     Metre,
     Newton,
@@ -27,9 +33,10 @@ from ...sheet.units import (
     Radian,
     SquareMetre,
 )
-from ...sheet.value import about, based_on
+from ...sheet.value import about, based_on, untraced
 from ..inputs import ShaftInputs
 from ..rows import SHAFT
+from ..sums import SystemShaft
 from .inputs import (
     FLANGE,
     FLANGES,
@@ -252,6 +259,52 @@ def end_force(Q_f: Newton, Q_r: Newton) -> Newton:
     return largest(Q_f, Q_r)
 
 
+@formula("F_S", "statics: forces of shafts that turn alike, on one support", names={"F_1": "F_S1", "F_2": "F_S2"})
+def forces_alike(F_1: PhasorNewton, F_2: PhasorNewton) -> PhasorNewton:
+    return joined(F_1, F_2)
+
+
+@formula("C_S", "statics: couples of shafts that turn alike, on one support", names={"C_1": "C_S1", "C_2": "C_S2"})
+def couples_alike(C_1: PhasorNewtonMetre, C_2: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return joined(C_1, C_2)
+
+
+MET = Text("mathematics: largest sum over a turn of forces that turn at unlike speeds")
+
+
+@formula("Q_i", Text("{met}; of one speed both ways the longer half-axis of their ellipse, else a bound", met=MET))
+def forces_met(Q_1: Newton, Q_2: Newton) -> Newton:
+    return joined(Q_1, Q_2)
+
+
+ALONG = Text("geometry: the part in one direction of what turns with the crank and against it, as a phasor")
+
+
+@formula("F_β", ALONG, names={"F_f": "F_S⁺", "F_b": "F_S⁻", "beta": "β"})
+def force_along(F_f: PhasorNewton, F_b: PhasorNewton, beta: Radian) -> PhasorNewton:
+    """`beta` from up, in the sense of crank rotation.
+
+    >>> force_along(F_f=100 + 0j, F_b=100 + 0j, beta=0.0)
+    (200+0j)
+    """
+    return F_f * cis(-beta) + conj(F_b) * cis(beta)
+
+
+@formula("C_β", ALONG, names={"C_f": "C_S⁺", "C_b": "C_S⁻", "beta": "β"})
+def couple_along(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre, beta: Radian) -> PhasorNewtonMetre:
+    return C_f * cis(-beta) + conj(C_b) * cis(beta)
+
+
+@formula("ρ_T", "statics: off the bolts, the direction in which a force makes the joint slip soonest")
+def worst_angle(mu_T: Number) -> Radian:
+    return atan(1 / mu_T)
+
+
+@formula("Q", "mathematics: the side to which more acts")
+def worse_side(Q_1: Newton, Q_2: Newton) -> Newton:
+    return largest(Q_1, Q_2)
+
+
 @formula(
     "n_b",
     "rule of this program: half of the bolts at each end; of an odd number, the end that has one less",
@@ -345,33 +398,109 @@ class BoltsResult:
     support: "Material | None"
     property_class: str
     face: Face
+    carries: tuple[str, ...] | None  # as it is given
+    best: "BoltsResult | None" = None  # the same with the bolts as they point best, where nobody says how they do
 
 
-def solve(
-    bolts: Bolts,
-    F_S: PhasorNewton,
-    C_S: PhasorNewtonMetre,
-    bearing_positions: tuple[Metre, ...],
-    support: "Material | None" = None,
+Vectors = tuple[PhasorNewton, PhasorNewtonMetre]
+EACH_DEGREE: Any = np.radians(np.arange(180.0))  # Any: where formulas take one direction
+
+
+def on_bearings(name: str, ratio: Number, positions: tuple[Metre, ...], reactions: Sequence[complex]) -> SystemShaft:
+    """A shaft with the turning force, and the couple about mid-shaft, that it puts on its bearings; of a shaft that
+    bends they are more than its own.  `reactions` of the supports on it, cylinder 1 at TDC."""
+    F = based_on(-sum(reactions), *reactions)
+    C = based_on(-sum(z * R for z, R in zip(positions, reactions)), *reactions)
+    return SystemShaft(name, ratio, F, C)
+
+
+def held(
+    bolts: Bolts, tight: BoltsResult, shafts: Sequence[SystemShaft], bearing_positions: tuple[Metre, ...]
 ) -> BoltsResult:
-    """The bolts of the support of one shaft.  `F_S` and `C_S` are the turning force and the couple about mid-shaft that
-    it puts on its bearings; `support` is the material under the heads, where it is known."""
-    tight = tightened(bolts, support)
+    """The bolts of one support, as they are tightened, under what its `shafts` put on their bearings; the positions are
+    those of the shaft that they stand at."""
     with about(Text("bolts")):
         z_f, z_r = bearing_positions[0], bearing_positions[-1]
         l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
-        C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
-        Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
+        joint = _Joint(z_m=middle(z_f=z_f, z_r=z_r), l_b=l_b, turning=_alike(shafts))
+        Q = joint.end_force(joint.turning.values())
         tight = replace(tight, bolt_end_force=Q)
         if Q <= NO_FORCE:
             return tight
-        n, F_min, mu_T = bolts_at_an_end(N_b=bolts.count), tight.bolt_preload_min, bolts.joint_friction
-        return replace(
-            tight,
-            bolt_separation_safety=safety_separation(n=n, F_min=F_min, Q=Q),
-            bolt_slip_across_safety=safety_across(mu_T=mu_T, n=n, F_min=F_min, Q=Q),
-            bolt_slip_safety=safety_slip(n=n, F_min=F_min, Q=Q, mu_T=mu_T),
-        )
+        if not any(-ratio in joint.turning for ratio in joint.turning):  # its force is the same in all directions
+            return _safeties(bolts, tight, Q, Q, Q)
+        if bolts.direction is not None:
+            return _safeties(bolts, tight, *joint.felt(bolts.direction, bolts.joint_friction))
+        with untraced():
+            best = _safeties(bolts, tight, *map(np.min, joint.felt(EACH_DEGREE, bolts.joint_friction)))
+        return replace(_safeties(bolts, tight, Q, Q, Q), best=best)
+
+
+def _alike(shafts: Sequence[SystemShaft]) -> dict[Number, Vectors]:
+    """Force and couple of the shafts that turn alike, together, by their ratio."""
+    turning: dict[Number, Vectors] = {}
+    for shaft in sorted(shafts, key=lambda shaft: shaft.ratio):
+        F, C = shaft.force, shaft.couple
+        if shaft.ratio in turning:
+            F_1, C_1 = turning[shaft.ratio]
+            F, C = forces_alike(F_1=F_1, F_2=F), couples_alike(C_1=C_1, C_2=C)
+        turning[shaft.ratio] = F, C
+    return turning
+
+
+@record
+class _Joint:
+    """The joint under what turns on it, by the ratio at which it turns."""
+
+    z_m: Metre
+    l_b: Metre
+    turning: Mapping[Number, Vectors]
+
+    def end_force(self, vectors: Iterable[Vectors]) -> Newton:
+        """On the bolts of the end that carries more, where all vectors are at their largest."""
+        ends = []
+        for F, C in vectors:
+            C_m = couple_about_middle(C_S=C, z_m=self.z_m, F_S=F)
+            ends.append((force_front(F_S=F, C_m=C_m, l_b=self.l_b), force_rear(F_S=F, C_m=C_m, l_b=self.l_b)))
+        (Q_f, Q_r), *others = ends
+        for more_f, more_r in others:
+            Q_f, Q_r = forces_met(Q_1=Q_f, Q_2=more_f), forces_met(Q_1=Q_r, Q_2=more_r)
+        return end_force(Q_f=Q_f, Q_r=Q_r)
+
+    def along(self, beta: Radian) -> Newton:
+        """The same of what acts in one direction."""
+        vectors = []
+        for n in sorted({abs(ratio) for ratio in self.turning}):
+            (F_f, C_f), (F_b, C_b) = (self.turning.get(sense * n, (0j, 0j)) for sense in (1, -1))
+            vectors.append((force_along(F_f=F_f, F_b=F_b, beta=beta), couple_along(C_f=C_f, C_b=C_b, beta=beta)))
+        return self.end_force(vectors)
+
+    def felt(self, beta: Radian, mu_T: Number) -> tuple[Newton, Newton, Newton]:
+        """Along bolts of this direction, across them, and in the worse of the two directions that pull apart and push
+        aside."""
+        rho = worst_angle(mu_T=mu_T)
+        with about(Text("bolts, along them")):
+            normal = self.along(beta)
+        with about(Text("bolts, across them")):
+            across = self.along(based_on(beta + pi / 2, beta))
+        with about(Text("bolts, to one side of them")):
+            one = self.along(based_on(beta + rho, beta, rho))
+        with about(Text("bolts, to the other side of them")):
+            other = self.along(based_on(beta - rho, beta, rho))
+        return normal, across, worse_side(Q_1=one, Q_2=other)
+
+
+def _safeties(bolts: Bolts, tight: BoltsResult, normal: Newton, across: Newton, aslant: Newton) -> BoltsResult:
+    """Against what acts along the bolts, across them, and in the worst direction between; none where nothing acts."""
+    n, F_min, mu_T = bolts_at_an_end(N_b=bolts.count), tight.bolt_preload_min, bolts.joint_friction
+    separation = across_ = slip = None
+    if normal > NO_FORCE:
+        separation = safety_separation(n=n, F_min=F_min, Q=normal)
+    if across > NO_FORCE:
+        across_ = safety_across(mu_T=mu_T, n=n, F_min=F_min, Q=across)
+    if aslant > NO_FORCE:
+        slip = safety_slip(n=n, F_min=F_min, Q=aslant, mu_T=mu_T)
+    return replace(tight, bolt_separation_safety=separation, bolt_slip_across_safety=across_, bolt_slip_safety=slip)
 
 
 def solve_further(bolts: FurtherBolts, part: "Material | None" = None) -> BoltsResult:
@@ -441,6 +570,7 @@ def tightened(bolts: Bolts, support: "Material | None") -> BoltsResult:
         support=support,
         property_class=bolts.property_class,
         face=under,
+        carries=bolts.carries,
     )
 
 
@@ -457,6 +587,8 @@ BOLT_KEYS = SHAFT, ShaftInputs.bolts
 TORQUE = dotted(*BOLT_KEYS, Bolts.torque)
 HEAD = dotted(*BOLT_KEYS, Bolts.head_diameter)
 SPAN = dotted(*BOLT_KEYS, Bolts.row_span)
+DIRECTION = dotted(*BOLT_KEYS, Bolts.direction)
+WORST = Text("bolts that point where the joint holds worst")
 JOINT = (TORQUE, dotted(*BOLT_KEYS, Bolts.count), SPAN)
 SLIP = CheckRule(
     "countershaft.J.slip",
@@ -531,13 +663,16 @@ HEAD_PRESSURE = CheckRule(
 
 def checks(joint: BoltsResult) -> Iterator[Check]:
     """Slip and separation at the least preload, pressure at the largest."""
-    for rule, safety, least in (
-        (SLIP, joint.bolt_slip_safety, 1.0),
-        (SLIP_VDI, joint.bolt_slip_safety, HOLDS_TURNING),
-        (SEPARATION, joint.bolt_separation_safety, 1.0),
+    best = joint.best
+    slip, separation = joint.bolt_slip_safety, joint.bolt_separation_safety
+    for rule, safety, at_best, least in (
+        (SLIP, slip, best and best.bolt_slip_safety, 1.0),
+        (SLIP_VDI, slip, best and best.bolt_slip_safety, HOLDS_TURNING),
+        (SEPARATION, separation, best and best.bolt_separation_safety, 1.0),
     ):
         if safety is not None:
-            yield rule(safety, least, at="bolts")
+            unknown = None if best is None else Missing((DIRECTION,), (WORST,), at_best or "holds", safety)
+            yield rule(safety, least, at="bolts", missing=unknown)
     yield from _tightened_checks(joint, "bolts")
 
 
@@ -581,8 +716,15 @@ def _tightened_checks(joint: BoltsResult, at: str) -> Iterator[Check]:
         yield HEAD_PRESSURE(joint.bolt_head_pressure, limit, at=at, source=source, missing=unknown)
 
 
-def notes(bolts: Bolts, joint: BoltsResult) -> Iterator[Text]:
-    """What was assumed."""
+def notes(bolts: Bolts, joint: BoltsResult, shafts: Sequence[SystemShaft] = ()) -> Iterator[Text]:
+    """What was assumed; `shafts`: all that they hold, where there are several."""
+    if len(shafts) > 1:
+        yield Text(
+            "Bolts: they hold {names} together. The forces of those that turn alike add as vectors, those of one speed "
+            "both ways as they meet, those of two orders at their largest, which is a bound. What they raise about an "
+            "axis along the shafts is left out.",
+            names=listed(Name(shaft.name) for shaft in shafts),
+        )
     yield Text(
         "Bolts: slip and separation are judged at the least preload, F_V/{alpha_a}: a torque wrench with an estimated "
         "coefficient of friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V "

@@ -7,7 +7,7 @@ from math import pi
 
 from ...sheet.errors import text_of
 from ...sheet.formula import formula
-from ...sheet.quantity import choice, dotted, inputs, integer, quantity, series, tables, text
+from ...sheet.quantity import choice, dotted, inputs, integer, names, quantity, series, tables, text
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, SquareMetre
 
@@ -218,6 +218,23 @@ class Bolts:
         help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.",
         repair="free",
     )
+    carries: tuple[str, ...] | None = names(
+        "Shafts that they carry",
+        default=None,
+        help="Names of the shafts whose bearings their support holds; the one that they stand at counts in any case. "
+        "Left out: that one alone.",
+    )
+    direction: float | None = quantity(
+        "Direction of the bolts",
+        "°",
+        default=None,
+        within=(-360, 360),
+        symbol="beta",
+        help="Of their axis, from up in the sense of crank rotation: 0 where they hold the support from above or "
+        "below, 90 from the side. It counts where shafts that turn both ways stand in one support. Left out: the "
+        "joint is judged with the bolts as they point worst, and best.",
+        repair="asked",
+    )
 
     @property
     def flanged(self) -> bool:
@@ -285,8 +302,13 @@ class FurtherBolts(Bolts):
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         yield from super().problems()
-        if self.row_span is not None:
-            yield dotted(Bolts.row_span), Text("belongs to the bolts of the support: these hold their force together")
+        for key, given in (
+            (dotted(Bolts.row_span), self.row_span),
+            (dotted(Bolts.carries), self.carries),
+            (dotted(Bolts.direction), self.direction),
+        ):
+            if given is not None:
+                yield key, Text("belongs to the bolts of the support: these hold their force together")
 
 
 @inputs

@@ -15,10 +15,10 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted
-from ...sheet.step import Curve, Table
+from ...sheet.step import Curve, Outcome, Table
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre, Number, RadPerSecond
-from ...sheet.value import about, based_on
+from ...sheet.value import about, based_on, trace
 from .. import formulas as f
 from ..inputs import EccentricMass, ShaftInputs
 from ..outline import Journals, density_ratio
@@ -26,6 +26,7 @@ from ..result import CountershaftResult
 from ..rows import EACH_ROW, SHAFT, BearingRow, called
 from ..sizing.choices import Seat, compared, compared_table
 from ..sizing.sectors import LEFT_OVER, ShaftTask
+from ..sums import SystemShaft
 from . import bolts, drain, scatter
 from . import unbalance as balance
 from .inputs import Support
@@ -130,12 +131,12 @@ def making(
         step.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
-        on_shaft = result.reactions  # of a shaft that bends they are more than its own force and couple
-        force = based_on(-sum(on_shaft), *on_shaft)
-        couple = based_on(-sum(z * F for z, F in zip(shaft.bearing_positions, on_shaft)), *on_shaft)
-        bolted = bolts.solve(shaft.bolts, force, couple, shaft.bearing_positions, support)
-        step.checks += bolts.checks(bolted)
-        step.notes += bolts.notes(shaft.bolts, bolted)
+        bolted = bolts.tightened(shaft.bolts, support)
+        if shaft.bolts.carries is None:  # else once all of them are solved
+            alone = bolts.on_bearings(shaft.name, shaft.speed_ratio, shaft.bearing_positions, result.reactions)
+            bolted = bolts.held(shaft.bolts, bolted, (alone,), shaft.bearing_positions)
+            step.checks += bolts.checks(bolted)
+            step.notes += bolts.notes(shaft.bolts, bolted)
     further = {}
     for joint in shaft.further_bolts:
         part = None if joint.material is None else materials[joint.material]
@@ -161,6 +162,25 @@ def making(
     if shaft.support is not None:
         step.tables += Later(lambda: table(shaft, whole))
     return whole
+
+
+def with_bolts(
+    outcome: Outcome[CountershaftResult], shaft: ShaftInputs, shafts: tuple[SystemShaft, ...]
+) -> Outcome[CountershaftResult]:
+    """The same outcome with the bolts of its support under all the `shafts` that are given for them, as these lie on
+    their bearings; none: one of them is not solved."""
+    result, inputs = outcome.solution, shaft.bolts
+    if inputs is None or inputs.carries is None or result.bolts is None or not shafts:
+        return outcome
+    with trace() as lines:
+        bolted = bolts.held(inputs, result.bolts, shafts, shaft.bearing_positions)
+    return replace(
+        outcome,
+        result=replace(result, bolts=bolted),
+        checks=(*outcome.checks, *bolts.checks(bolted)),
+        lines=(*outcome.lines, *lines),
+        notes=outcome.notes + Later(lambda: bolts.notes(inputs, bolted, shafts)),
+    )
 
 
 def _permitted(step: ShaftStep, result: CountershaftResult) -> ToleranceResult | None:

@@ -37,7 +37,8 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
         # one line: each ring begins and ends at tooth 1
         rings = [radius * direction * np.exp(1j * AROUND) for radius in radii]
         series.append(_line(Name(name), wheel.position + np.concatenate([*rings, [0.0]])))
-    series += _stages(train, {name: wheel.position for name, wheel in placed.items()} | layout.sprockets)
+    places = {name: wheel.position for name, wheel in placed.items()} | layout.sprockets
+    series += [_line(Name(name), line) for name, line in stage_lines(train, places)]
     for wall in gears.walls:
         series.append(_line(Name(wall.name), np.array([complex(*wall.from_), complex(*wall.to)])))
     for other in gears.neighbours:
@@ -52,15 +53,15 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
     )
 
 
-def _stages(train: TrainResult, places: Mapping[str, complex | None]) -> Iterator[Series]:
-    """Each chain or belt whose axes have a place: its line around both sprockets; of a sprocket on its outer side its
-    pitch circle, for where else the chain runs is not known."""
+def stage_lines(train: TrainResult, places: Mapping[str, complex | None]) -> Iterator[tuple[str, ComplexArray]]:
+    """Each chain or belt whose axes have a place, by its name: its line around both sprockets; of a sprocket on its
+    outer side the pitch circle, for where else the chain runs is not known."""
     for name, stage in train.stages.items():
         p_1, p_2 = places.get(stage.driver), places.get(stage.driven)
         if p_1 is not None and p_2 is not None:
-            inner = train.tree.driving[stage.driven].sense > 0
             r_1, r_2 = stage.pitch_diameter_driver / 2, stage.pitch_diameter_driven / 2
-            yield _line(Name(name), loop(p_1, p_2, r_1, r_2) if inner else p_2 + r_2 * np.exp(1j * AROUND))
+            inner = train.tree.by_key[name].sense > 0
+            yield name, loop(p_1, p_2, r_1, r_2) if inner else p_2 + r_2 * np.exp(1j * AROUND)
 
 
 def loop(p_1: complex, p_2: complex, r_1: Metre, r_2: Metre) -> ComplexArray:

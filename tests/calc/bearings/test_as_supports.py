@@ -113,6 +113,18 @@ def test_a_film_is_that_of_the_table(eps, b, sense, lands):
     assert held.turning == pytest.approx(sense * attitude_slope / radius, rel=1e-7)
 
 
+@pytest.mark.parametrize("lengths", [(21e-3, 21e-3), (21e-3, 12e-3)])
+def test_many_films_are_each_as_alone(lengths):
+    """Beside one another and beyond the table; of one l/d and of two."""
+    many = replace(FILM, l=np.array(lengths), c=np.array([[60e-6, 50e-6]] * 4))
+    e = np.array([[0.0, 1e-7], [1e-5, 5e-6], [2.9e-5, 2.4e-5], [2.96e-5, 3.1e-5]])
+    held = many.hold_many(e)
+    for (i, k), e_i in np.ndenumerate(e[:3]):
+        alone = replace(FILM, l=lengths[k], c=many.c[i, k]).hold(e_i)
+        assert [x[i, k] for x in held] == pytest.approx(list(alone), rel=1e-9)
+    assert np.isnan(held.force[3]).all()
+
+
 @given(F=st.floats(1e-3, 1e5))
 def test_a_film_begins_where_it_carries_the_load(F):
     e = FILM.begin(F)

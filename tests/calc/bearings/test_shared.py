@@ -7,15 +7,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.as_supports import on_films, shared, support_checks
+from calc.bearings.as_supports import at_corners, on_films, shared, support_checks
+from calc.bearings.corners import corner_points
 from calc.bearings.loads import _checks as standing_checks
 from calc.bearings.loads import _standing as standing_part
 from calc.bearings.result import BearingsResult
+from calc.bearings.routes.states import resized
+from calc.bearings.routes.thermal_balance import settled
 from calc.bearings.selection.search import search
+from calc.bearings.sketch import sketch
+from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
 from calc.countershaft.result import CountershaftResult
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design
+from calc.draw.drawing import Area, Polyline
 from calc.friction.result import FrictionResult
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
@@ -107,6 +113,18 @@ def test_loads_and_inertia_are_in_equilibrium(name):
     assert sum(P_i * z_i for P_i, z_i in zip(P, positions)) == pytest.approx(C, abs=1e-4 * size * positions[-1])
 
 
+def test_in_the_picture_each_load_fills_the_outline_of_that_on_rigid_supports(three):
+    """The bar of the middle bearing ends short of its outline, those of the outer ones beyond theirs."""
+    side = sketch(three.design, three).beside[-1]
+    bars = [mark for mark in side.primitives if mark.key.endswith(".load_N")]
+    shared = [np.ptp([y for _, y in bar.outlines[0]]) for bar in bars if isinstance(bar, Area)]
+    rigid = [np.ptp([y for _, y in bar.points]) for bar in bars if isinstance(bar, Polyline)]
+    found, pins = rows_of(three), three.result(CountershaftResult).loads
+    scale = shared[0] / found["front"].load
+    assert shared == pytest.approx([scale * found[name].load for name in NAMES])
+    assert rigid == pytest.approx([scale * pins[name] for name in NAMES]) and shared[1] < rigid[1]
+
+
 def test_tighter_bearings_share_as_rigid_supports_would():
     shares = []
     for c in (60.0, 40.0, 25.0):
@@ -177,6 +195,24 @@ def test_a_corner_takes_the_share_anew(three):
     at = int(np.argmax(corners["clearance"]))
     assert corners["film"][at] == pytest.approx(wide.film, rel=2e-3)
     assert wide.load < 0.999 * rows["middle"].load
+
+
+@pytest.mark.parametrize("wider", [1.0, 1.05])
+@pytest.mark.parametrize("softer", [1.0, 2.0])
+def test_the_corners_of_all_bearings_are_those_of_each_alone(three, wider, softer):
+    """Of bearings of one size and of several, near the middle and too far from it for undamped steps."""
+    films, turning = _films(three), of_beam(*_beam(three))
+    seats = [replace(row.seat, clearance=softer * row.seat.clearance) for row in rows_of(three).values()]
+    seats[0] = resized(seats[0], diameter=seats[0].bearing.diameter * wider)
+    duty = rows_of(three)["front"].duty
+    shares = at_corners(turning, films, seats, duty)
+    for i, name in enumerate(NAMES):
+        load = abs(films.carried.load[i])
+        film = settled(corner_points(seats[i], duty)[0], replace(duty, load=load))
+        for k in (0, 7):
+            c, mu = film.clearance[k].item(), film.oil.mu[k].item()
+            laws = [replace(law, c=c, mu=mu) if j == i else law for j, law in enumerate(films.laws)]
+            assert shares[name][k] == pytest.approx(abs(carried(turning, laws).load[i]) / load, rel=1e-9)
 
 
 # --- a bearing that carries next to nothing
@@ -373,11 +409,15 @@ def test_more_standing_load_never_leaves_more_film(three):
     assert edges == sorted(edges, reverse=True)
 
 
+def _beam(results):
+    shaft = results.result(CountershaftResult)
+    return shaft.bending.model, shaft.omega
+
+
 def _films(results):
     found = results.result(BearingsResult)
-    shaft = results.result(CountershaftResult)
     seats = [row.seat for row in found.bearings.values()]
-    turning = of_beam(shaft.bending.model, shaft.omega)
+    turning = of_beam(*_beam(results))
     films = shared(turning, seats, found.bearings["front"].duty, 1)
     return on_films(turning, films, [seat.bearing.name for seat in seats])
 

@@ -9,7 +9,7 @@ import pytest
 
 from calc.bearings.sketch import pressures, sketch
 from calc.design.toml_file import load
-from calc.draw.drawing import CONTEXT, Arc
+from calc.draw.drawing import CONTEXT, HIDDEN, OUTLINE, Arc, Polyline
 from calc.solve import solve
 from tests.calc import sketches
 from tests.conftest import DESIGNS
@@ -70,3 +70,38 @@ def test_the_feed_stands_opposite_to_the_load(gamma_results):
     seat, _ = circles(bearings, "front")
     feed = [mark for mark in sketches.lit(bearings, "bearings.hole_diameter_mm") if mark.layer == CONTEXT]
     assert feed and all(y > 0.9 * seat.radius for mark in feed[:1] for _, y in mark.outlines[0])
+
+
+# --- from the side
+
+
+def lines(picture, layer):
+    """Open lines across several bearings."""
+    return [mark.points for mark in picture.primitives if isinstance(mark, Polyline) and mark.layer == layer]
+
+
+def test_a_couple_shaft_is_seen_as_a_cone_in_its_clearances(gamma, gamma_results):
+    bearings = sketch(gamma_results.design, gamma_results)
+    sketches.check(bearings, gamma)
+    first = sketch(gamma_results.design, gamma_results, view=1)
+    side = bearings.beside[-1]
+    assert str(side.title) == str(first.title) == "in the films" and bearings.views == 2
+    result = gamma_results.outcomes["bearings"].result
+    factor = float(next(str(note) for note in side.notes if "films" in str(note)).split()[-1])
+    (line,) = (points for points in lines(side, OUTLINE) if len(points) > 5)
+    (later,) = lines(side, HIDDEN)
+    assert later == tuple((z, -y) for z, y in line)
+    at = {z: y / factor for z, y in line}
+    journals = []
+    for r in result.bearings.values():
+        z = min(at, key=lambda place: abs(place - r.seat.bearing.position))
+        journals.append((z, at[z]))
+        limits = [p for p in lines(side, OUTLINE) if len(p) == 2 and p[0][0] < z < p[1][0] and p[0][1] == p[1][1]]
+        assert sorted(y / factor for (_, y), _ in limits) == [
+            pytest.approx(half) for half in (-r.clearance_hot / 2, r.clearance_hot / 2)
+        ]
+        assert abs(at[z]) <= r.on_shaft.displacement * (1 + 1e-9) < r.clearance_hot / 2
+    (z_f, y_f), (z_r, y_r) = journals
+    assert y_f * y_r < 0 and abs(y_r - y_f) / (z_r - z_f) == pytest.approx(result.cone, rel=0.02)
+    assert {"edge 6 µm", "edge 8.8 µm"} <= set(sketches.words(side))
+    assert "cone 0.402 mrad" in map(str, side.notes)

@@ -18,6 +18,7 @@ from calc.countershaft.outline import NoOutline, Piece
 from calc.countershaft.result import CountershaftResult, SupportResult
 from calc.countershaft.sizing.sectors import task
 from calc.countershaft.solve import fem_safety, with_oil
+from calc.countershaft.sums import SystemShaft
 from calc.design import step_inputs
 from calc.design.toml_file import design, read
 from calc.friction.checks import OIL_LEVEL
@@ -148,7 +149,8 @@ def scattered(before, after):
 
 def bolt(id, **values):
     asked = Bolts(thread="M10x1.5", torque=45.0, friction=0.12, head_diameter=15 * mm, hole_diameter=11 * mm, count=4)
-    joint = bolts.solve(asked, 100 + 0j, 500 + 0j, (-0.1, 0.1), IRON)
+    shaft = SystemShaft("shaft", -1, 100 + 0j, 500 + 0j)
+    joint = bolts.held(asked, bolts.tightened(asked, IRON), (shaft,), (-0.1, 0.1))
     return only(bolts.checks(replace(joint, **values)), id)
 
 

@@ -1,6 +1,8 @@
 """What all shafts together leave: just inside each limit and just outside, what would leave less, figures."""
 
 import copy
+import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -11,7 +13,8 @@ from calc.countershaft.sums import SystemShaft
 from calc.design.toml_file import Document, design
 from calc.sheet.check import CheckRule
 from calc.solve import solve
-from tests.calc.countershaft.systems import document
+from tests.calc.countershaft.systems import document, shafts
+from tests.calc.countershaft.systems import engine as vectors
 
 OMEGA = 300.0
 
@@ -28,13 +31,13 @@ def engine(like=(0j, 0j), against=(0j, 0j), second=((0j, 0j), (0j, 0j)), ratio=-
     return SimpleNamespace(orders=vectors, one_force=1000.0, one_couple=1000.0)
 
 
-def shaft(couple=0j, force=0j, ratio=-1, name="shaft"):
-    return SystemShaft(name, ratio, complex(force), complex(couple))
+def shaft(couple=0j, force=0j, ratio=-1, name="shaft", **places):
+    return SystemShaft(name, ratio, complex(force), complex(couple), **places)
 
 
-def judged(of, *shafts):
-    """The checks of an engine with its shafts, by their ids."""
-    made = left_over.solve(of, shafts, {}, OMEGA).checks
+def judged(of, *shafts, rolls=None):
+    """The checks of an engine with its shafts, by their ids; `rolls`: of its inertia, by order."""
+    made = left_over.solve(of, shafts, rolls or {}, OMEGA).checks
     return {check.id.removeprefix("countershaft."): check for check in made}
 
 
@@ -49,6 +52,13 @@ def second(id, couple=0.0, force=0.0, before=(0j, 0j)):
     C, F = before
     of = engine(second=((C, F), (0j, 0j)))
     return judged(of, shaft(name="first"), shaft(-C + couple, -F + force, 2, "second"))[id]
+
+
+def rolling(id, up):
+    """1000 N at a height beside a roll of 100 N·m: of the first order, or of the second beside a shaft of the first."""
+    turning = shaft(force=1000.0, ratio=-1 if id == "roll" else 2, name="high", axis=up + 0j)
+    first = () if id == "roll" else (shaft(name="first", axis=0j),)
+    return judged(engine(), *first, turning, rolls={1: 100j, 2: 100j})[id]
 
 
 # "5 % of the couple to be balanced", "5 % of m·r·ω² of one cylinder"
@@ -111,6 +121,8 @@ CASES = [
         dict(force=199.9, before=FORCE_BEFORE),
         dict(force=200.1, before=FORCE_BEFORE),
     ),
+    ("roll", "note", 100.0, "inertia", rolling, dict(up=-0.1999), dict(up=-0.2001)),
+    ("roll_2", "note", 100.0, "inertia", rolling, dict(up=0.1999), dict(up=0.2001)),
 ]
 
 
@@ -234,6 +246,61 @@ def test_the_second_order_beside_the_first_says_its_own_aim():
     assert check.advice == AIM.format("900 N", "0.0", "force", "the shaft", " and radius.")
 
 
+# --- the roll about the crank
+
+
+def of_system(case, moved=0.0):
+    """The roll check of a given pair; `moved`: the shaft that turns with the crank higher, the other one lower."""
+    orders, _ = vectors(case)
+    of = SimpleNamespace(
+        orders={f"order_{n}": SimpleNamespace(vectors=(*v.forces, *v.couples)) for n, v in orders.items()},
+        one_force=1000.0,
+        one_couple=1000.0,
+    )
+    placed = [replace(one, axis=one.axis + (moved if one.forward else -moved)) for one in shafts(case)]
+    return judged(of, *placed, rolls={n: v.roll for n, v in orders.items()})["roll"]
+
+
+def test_the_given_pairs_leave_no_more_roll_than_the_engine_has():
+    level, silent = of_system("r754"), of_system("i4-silent")
+    assert (level.value, level.limit) == pytest.approx((842.1439177, 842.1439177)) and level.verdict == "pass"
+    assert (silent.value, silent.limit) == pytest.approx((269.2350604, 932.68), rel=1e-5) and silent.holds
+    assert silent.value_id == "countershaft.roll_left_order_2" and silent.name == "Second-order roll left over"
+
+
+@pytest.mark.parametrize("case, one, other", [("r754", "left", "right"), ("i4-silent", "high", "low")])
+def test_the_heights_of_the_least_roll_are_told(case, one, other):
+    """i·A·(h₊ − h₋): what the advice says is left there, and each millimetre off leaves more."""
+    words = str(of_system(case).advice)
+    told = re.fullmatch(
+        rf"The least roll, (\S+) N·m, is left with {one} (\S+) mm higher and {other} \2 mm lower\.", words
+    )
+    least, by = float(told[1]), float(told[2]) * 1e-3
+    assert of_system(case, by).value == pytest.approx(least, abs=5.0)  # the height is told to 1 mm
+    assert least < of_system(case, by - 5e-3).value and least < of_system(case, by + 5e-3).value
+    worse = of_system(case, -0.05)
+    assert worse.verdict == ("note" if case == "r754" else "pass") and "mm higher" in worse.advice
+
+
+def test_the_other_side_is_told_where_it_leaves_less():
+    """1000 N at 50 mm beside the crank raise 50 N·m, on the other side as much against what the engine has."""
+    beside = judged(engine(), shaft(force=1000.0, axis=-0.05j), rolls={1: 100 + 0j})["roll"]
+    assert beside.value == pytest.approx(150.0) and beside.verdict == "note"
+    assert beside.advice == "On the other side of the crank 50.0 N·m are left."
+    no_better = judged(engine(), shaft(force=1000.0, axis=-0.05j), rolls={1: 10 + 0j})["roll"]
+    assert str(no_better.advice).startswith("On the other side of the crank 40.0 N·m are left. The nearer the axes are")
+    best = judged(engine(), shaft(force=1000.0, axis=0.05j), rolls={1: 100 + 0j})["roll"]
+    assert best.holds and str(best.advice).startswith("The nearer the axes are")
+
+
+def test_a_roll_that_nobody_knows_or_that_no_force_raises_is_not_judged():
+    placed = shaft(force=1000.0, axis=0.1 + 0j)
+    assert "roll" in judged(engine(), placed, rolls={1: 100j})
+    assert "roll" not in judged(engine(), placed)
+    assert "roll" not in judged(engine(), replace(placed, axis=None), rolls={1: 100j})
+    assert "roll" not in judged(engine(), shaft(500.0, axis=0.1 + 0j), rolls={1: 100j})
+
+
 # --- figures
 
 
@@ -257,13 +324,29 @@ def test_each_order_has_its_own_figures():
     over = made["residual_force_over_speed_2"]
     assert str(over.title).startswith("Second-order force") and over.limits[0][1] == pytest.approx(50.0)
     rated = OMEGA * 60 / (2 * np.pi)
+    assert [str(series.label) for series in over.series] == ["without shafts", "as designed"]
     for series, peak in zip(over.series, (1200.0, 600.0)):
+        assert series.x.size == 21 and series.x[[0, -1]] == pytest.approx([rated / 5, rated])
         assert series.y == pytest.approx(peak * (series.x / rated) ** 2)
     locus = made["residual_force_2"]
     assert locus.equal and locus.along[1][-1] == pytest.approx(180.0)  # twice a turn
     for series, ends in zip(locus.series, ((1200.0, 600.0), (600.0, 0.0))):
         lengths = np.hypot(series.x, series.y)
         assert (lengths.max(), lengths.min()) == pytest.approx(ends, rel=1e-3, abs=1e-9)
+
+
+def test_over_speed_each_shaft_one_tooth_off_stands_beside_the_others():
+    """A pair of mirror images leaves the same, and is one line; the first order has its own shaft."""
+    of = engine((800j, 0j), second=((0j, 900 + 0j), (0j, 900 + 0j)))
+    one = shaft(force=-700 + 0j, ratio=2, name="left", tooth=0.2)
+    first = shaft(-790j, name="first", tooth=0.1)
+    made = curves(of, one, one.mirror_image("right"), first)
+    over = {str(series.label): series.y[-1] for series in made["residual_force_over_speed_2"].series}
+    assert list(over) == ["without shafts", "as designed", "left, right one tooth off"]
+    off = left_over.teeth_off(left_over.vectors_of(of, (one, first), {}), (one, one.mirror_image("right"), first))
+    assert list(over.values()) == pytest.approx([1800.0, 400.0, off.shafts["right"].order_2_force])
+    couple = made["residual_couple_over_speed"].series
+    assert str(couple[-1].label) == "first one tooth off" and couple[-1].y[-1] > couple[1].y[-1]
 
 
 # --- one tooth off, and what is made by chance
@@ -299,6 +382,9 @@ def test_without_a_wheel_nobody_knows_what_a_tooth_leaves():
 
 def test_shafts_scatter_together_where_one_of_them_does():
     data = copy.deepcopy(document("r754-scatter").data)
-    assert "countershaft.scatter.order_2_force_95" in solve(design(Document(data))).values()
+    results = solve(design(Document(data)))
+    worst = results.values()["countershaft.scatter.order_2_force_95"].shown
+    over = next(c for c in results.outcomes["countershaft"].curves if c.id == "residual_force_over_speed")
+    assert {str(s.label): s.y[-1] for s in over.series}["95 % of those made"] == pytest.approx(worst)
     del data["shafts"][0]["scatter"]
     assert not any(".scatter." in id for id in solve(design(Document(data))).values())

@@ -3,6 +3,7 @@
 import cmath
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -52,6 +53,7 @@ def test_a_mirror_image_has_the_conjugate_vectors(original):
     assert image.couple_vector == original.couple_vector.conjugate()
     assert image.couple_phase == pytest.approx(-original.couple_phase)
     assert image.reactions == tuple(R.conjugate() for R in original.reactions)
+    assert image.load_phases == {row: pytest.approx(-phase) for row, phase in original.load_phases.items()}
     assert (image.force, image.couple, image.loads, image.slopes) == (
         original.force,
         original.couple,
@@ -95,7 +97,8 @@ def test_its_roll_is_about_its_own_axis(original, how):
 def test_a_twin_tells_what_is_not_its_originals(original):
     given = told(replace(of_twin(original, twin("mirrors")), standing=None))
     mine = {value.id for value in published(given, "countershaft")}
-    assert mine == {f"countershaft.{name}" for name in ("couple", "couple_phase", "force", "roll_torque")}
+    told_of_it = ("couple", "couple_phase", "force", "roll_torque", "reaction_front_phase", "reaction_rear_phase")
+    assert mine == {f"countershaft.{name}" for name in told_of_it}
     of_original = {value.id: value for value in published(original, "countershaft")}
     for value in published(given, "countershaft"):
         assert (value.label, value.unit) == (of_original[value.id].label, of_original[value.id].unit)
@@ -131,11 +134,14 @@ def test_several_are_told_by_their_names(original):
 
 
 def test_bolts_that_hold_one_of_several_are_said_to_do_so(original):
-    bolted = Outcome("countershaft", result=replace(original, bolts=object()))
+    bolted = Outcome("countershaft", result=replace(original, bolts=SimpleNamespace(carries=None)))
     image = {"image": Outcome("countershaft", result=of_twin(bolted.result, twin("mirrors")))}
+    named = Outcome("countershaft", result=replace(original, bolts=SimpleNamespace(carries=("left", "image"))))
     ratios = {"left": 2.0, "image": -2.0}
     assert HELD_ALONE in whole({"left": bolted}, image, ratios, SUMS, named=True).notes
     assert HELD_ALONE not in whole({"left": bolted}, {}, ratios, SUMS, named=True).notes
+    both = {"image": Outcome("countershaft", result=of_twin(named.result, twin("mirrors")))}
+    assert HELD_ALONE not in whole({"left": named}, both, ratios, SUMS, named=True).notes
     bare = {"image": Outcome("countershaft", result=of_twin(original, twin("mirrors")))}
     assert (
         HELD_ALONE

@@ -121,6 +121,31 @@ def all_of(*shafts):
     return next(one for one in (whole, *whole.beside) if str(one.title).startswith("beside the crank")), whole
 
 
+CHAIN = {"name": "chain", "kind": "chain", "driver": "crank", "driven": "left", "pitch_mm": 8.0}
+OIL = {"oil_level_mm": -150.0, "flank_roughness_um": 0.4, "oil": "SAE 10W", "oil_temperature_C": 90.0}
+GEARS = {
+    "normal_module_mm": 2.0,
+    "face_width_mm": 10.0,
+    "power_kW": 0.1,
+    "stages": [CHAIN | {"driver_teeth": 42, "driven_teeth": 21}],
+}
+
+
+def test_the_chain_runs_around_its_sprockets_and_the_oil_lies_level():
+    document = Document(FOUR | {"shafts": [LEFT], "gears": GEARS, "friction": OIL})
+    asked = design(document)
+    whole = sketch(asked, solve(asked))
+    sketches.check(whole, document)
+    picture = next(one for one in whole.beside if str(one.title).startswith("beside the crank"))
+    (chain,) = (mark.points for mark in picture.primitives if mark.key == "gears.stages.chain")
+    for (x, y), z in (((0.0, 0.0), 42), ((-0.095, -0.06), 21)):
+        assert min(math.dist(point, (x, y)) for point in chain) == pytest.approx(
+            0.004 / math.sin(math.pi / z), rel=1e-3
+        )
+    line, words = (mark for mark in picture.primitives if mark.key == "friction.oil_level_mm")
+    assert {y for _, y in line.points} == {-0.15} and str(words.text) == "oil at rest"
+
+
 def circles(picture, state=""):
     return [mark for mark in picture.primitives if isinstance(mark, Arc) and mark.state == state]
 
@@ -137,7 +162,7 @@ def test_each_shaft_stands_at_its_axis(shafts):
         pytest.approx(places[shaft["name"]]) for shaft in shafts
     ]
     own = [shaft for shaft in shafts if "mirrors" not in shaft and "repeats" not in shaft]
-    assert whole.views == (len(own) + 2 if len(own) > 1 else 1)
+    assert whole.views == (len(own) + 2 if len(own) > 1 else 2)
 
 
 def test_arrows_say_how_each_turns_and_where_its_force_points():

@@ -15,7 +15,6 @@ from calc.countershaft.sums import (
     OrderVectors,
     SystemShaft,
     left,
-    left_over_speed,
     rolled,
     teeth_off,
     teeth_table,
@@ -282,15 +281,6 @@ def test_a_wheel_that_is_not_known_leaves_its_rows_out():
     pair = [one, replace(one.mirror_image("two"), tooth=None)]
     found = teeth_off(nothing, pair)
     assert list(found.shafts) == ["one"] and not found.pairs and found.all is None
-
-
-def test_over_speed_all_lines_grow_with_its_square():
-    curve = left_over_speed(2, "N", 50.0, 10.0, 2.0, 3.0, {"left": 5.0})
-    assert [series.y[-1] for series in curve.series] == [10.0, 2.0, 3.0, 5.0]
-    for series in curve.series:
-        assert series.x.size == 21 and series.x[[0, -1]] == pytest.approx([600, 3000])
-        assert series.y[0] == pytest.approx(series.y[-1] * 0.04)
-    assert len(left_over_speed(1, "N·m", 50.0, 10.0, 2.0, None, {}).series) == 2
 
 
 def test_the_phasor_plane_chains_the_shafts_to_what_is_left():

@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.bending.beam import beam, bend
-from calc.countershaft.supports import reactions, support_moments
+from calc.countershaft.supports import phases_of, reactions, support_moments
 from calc.library.journal_rules import heat_index, specific_load
 from calc.sheet.errors import NoSolution
 
@@ -33,6 +33,13 @@ def test_loads_of_its_journals():
     F = -reactions([2134.0] * 2, [54 * mm, 170 * mm], R754).real[0]
     assert specific_load(F=F, d=24 * mm, l=21 * mm) / 1e6 == pytest.approx(710.2498 / (24 * 21), rel=1e-6)
     assert heat_index(F=F, n=100.0, l=21 * mm) / (1000 / 60) == pytest.approx(710.2498 * 6000 / 21, rel=1e-6)
+
+
+def test_a_reaction_that_is_no_more_than_rounding_has_no_phase():
+    assert phases_of(["front", "middle", "rear"], [2j, 1e-9 + 0j, -2 + 0j]) == pytest.approx(
+        {"front": math.pi / 2, "rear": math.pi}
+    )
+    assert phases_of(["front", "rear"], [0j, 0j]) == {}
 
 
 def test_two_supports_by_the_lever():

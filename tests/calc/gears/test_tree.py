@@ -3,6 +3,7 @@
 and which wheel carries which shaft."""
 
 import math
+import re
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -146,6 +147,18 @@ def test_each_shaft_must_turn_at_its_own_ratio():
     found = {c.id: c for c in checks if c.id.endswith("speed_ratio")}
     assert found["gears.left.speed_ratio"].holds and found["gears.right.speed_ratio"].verdict == "fail"
     assert "an even number of meshes from crank to right" in found["gears.right.speed_ratio"].advice
+
+
+@pytest.mark.parametrize("wanted", [-2.0, -1.0, 1.0])
+def test_of_a_shaft_without_a_wheel_it_is_said_which_would_turn_it(wanted):
+    gears = pair_of_shafts()
+    check = solve.with_speed_ratios(turned(gears), {"third": wanted}).checks[-1]
+    assert check.id == "gears.third.speed_ratio" and check.verdict == "not_verified"
+    teeth, driver = re.search(r'teeth = (\d+).* driver = "([a-z]+)"', str(check.advice)).groups()
+    third = replace(gears.wheels[-1], name="third", teeth=int(teeth), shaft="third")
+    more = replace(gears, wheels=(*gears.wheels, third), meshes=(*gears.meshes, mesh(driver, "third")))
+    outcome = solve.with_speed_ratios(turned(more, ("third",)), {"third": wanted})
+    assert outcome.checks[-1].holds and outcome.checks[-1].verdict == "pass"
 
 
 def test_the_way_to_one_shaft_is_that_of_a_train_with_it_alone():

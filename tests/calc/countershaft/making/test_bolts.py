@@ -5,19 +5,21 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.making import bolts
 from calc.countershaft.making.inputs import (
     COARSE,
     Bolts,
+    FurtherBolts,
     pitch_diameter,
     root_diameter,
     stress_area,
     thread,
     thread_problem,
 )
+from calc.countershaft.sums import SystemShaft
 from calc.library.catalogue import Material, materials
 from calc.sheet.quantity import published
 from calc.sheet.value import link_of, trace
@@ -34,8 +36,11 @@ COUPLE = 572.921 * cmath.exp(1j * math.pi / 6)  # Finotti 2013, Table 4.1
 BEARINGS = (-0.1675, 0.1675)
 
 
-def solved(F_S=0j, C_S=COUPLE, bearings=BEARINGS, support=None, **changes):
-    return bolts.solve(Bolts(**{**SOURCE, **changes}), F_S, C_S, bearings, support)
+def solved(F_S=0j, C_S=COUPLE, bearings=BEARINGS, support=None, others=(), **changes):
+    """The bolts of the support of one shaft at −1, and of `others` in it."""
+    asked = Bolts(**{**SOURCE, **changes})
+    shafts = (SystemShaft("shaft", -1, complex(F_S), complex(C_S)), *others)
+    return bolts.held(asked, bolts.tightened(asked, support), shafts, bearings)
 
 
 # --- threads
@@ -300,6 +305,100 @@ def test_a_shaft_without_force_is_not_judged(couple):
     assert [c.id for c in bolts.checks(r)] == ["countershaft.bolts.strength"]
     assert any("no force on its support" in note for note in bolts.notes(Bolts(**SOURCE), r))
     assert not any(p.id.endswith("_safety") for p in published(r, "countershaft"))
+
+
+# --- several shafts in one support
+
+
+def turning(shafts, span=0.335):
+    """The force on the bolts of either end over a turn of the crank, each shaft at its own speed."""
+    theta = np.linspace(0, 2 * np.pi, 3601)
+    turned = [np.exp(1j * one.ratio * theta) for one in shafts]
+    return [sum((one.force / 2 + sign * one.couple / span) * t for one, t in zip(shafts, turned)) for sign in (-1, 1)]
+
+
+def over_a_turn(shafts):
+    """The largest of them."""
+    return max(np.abs(end).max() for end in turning(shafts))
+
+
+def test_of_a_shaft_and_its_mirror_image_the_vertical_parts_add():
+    """And the sideways ones cancel: twice the force of one alone, though it stands at 30° while the other one does at
+    −30°; of a shaft that repeats it they add in every direction, of one turned by half a turn nothing is left."""
+    F, C = 400 * cmath.exp(0.5j), COUPLE
+    one = SystemShaft("shaft", -1, F, C)
+    alone = solved(F, C).bolt_end_force
+    image = one.mirror_image("image")
+    both = solved(F, C, others=(image,))
+    assert both.bolt_end_force == pytest.approx(2 * alone) == pytest.approx(over_a_turn([one, image]), rel=1e-6)
+    assert both.bolt_slip_safety == pytest.approx(solved(F, C).bolt_slip_safety / 2)
+    assert solved(F, C, others=(one.repeated("again", 0j),)).bolt_end_force == pytest.approx(2 * alone)
+    opposite = solved(F, C, others=(SystemShaft("half", -1, -F, -C),))
+    assert opposite.bolt_end_force == pytest.approx(0, abs=1e-9) and opposite.bolt_slip_safety is None
+
+
+parts = st.complex_numbers(max_magnitude=500, allow_nan=False, allow_infinity=False)
+
+
+@settings(max_examples=30)
+@given(st.lists(st.tuples(st.sampled_from((-1, 1)), parts, parts), min_size=2, max_size=4))
+def test_of_one_order_the_force_is_the_largest_of_a_turn(given_shafts):
+    shafts = [SystemShaft(f"shaft-{n}", ratio, F, C) for n, (ratio, F, C) in enumerate(given_shafts)]
+    asked = Bolts(**SOURCE)
+    Q = bolts.held(asked, bolts.tightened(asked, None), shafts, BEARINGS).bolt_end_force
+    assert Q == pytest.approx(over_a_turn(shafts), rel=1e-5, abs=1e-6)
+
+
+def test_what_a_pair_does_to_its_joint_depends_on_how_the_bolts_point():
+    """Its force is upright: upright bolts it pulls apart and pushes nowhere, so that slip and separation are one; bolts
+    from the side it never pulls apart, and pushes across with all of it."""
+    F, C = 400 * cmath.exp(0.5j), COUPLE
+    image = SystemShaft("shaft", -1, F, C).mirror_image("image")
+    unknown, up, aside = (solved(F, C, others=(image,), direction=beta) for beta in (None, 0.0, math.pi / 2))
+    assert up.bolt_separation_safety == pytest.approx(unknown.bolt_separation_safety)
+    assert up.bolt_slip_across_safety is None and up.bolt_slip_safety == pytest.approx(up.bolt_separation_safety)
+    assert aside.bolt_separation_safety is None
+    assert aside.bolt_slip_safety == pytest.approx(aside.bolt_slip_across_safety)
+    assert aside.bolt_slip_across_safety == pytest.approx(unknown.bolt_slip_across_safety)
+    assert unknown.bolt_slip_safety < aside.bolt_slip_safety < up.bolt_slip_safety
+    assert unknown.best.bolt_slip_safety == pytest.approx(up.bolt_slip_safety, rel=1e-3)
+    slip, _, separation, *_ = bolts.checks(unknown)
+    assert (slip.at_best, slip.at_worst) == pytest.approx((up.bolt_slip_safety, unknown.bolt_slip_safety), rel=1e-3)
+    assert separation.at_best == "holds" and separation.missing == ("shafts.S.bolts.direction_deg",)
+    assert [check.missing for check in bolts.checks(up)][:3] == [()] * 3
+
+
+@settings(max_examples=30)
+@given(
+    st.lists(st.tuples(st.sampled_from((-1, 1)), parts, parts), min_size=2, max_size=4),
+    st.floats(0, 3),
+    st.floats(0.1, 0.5),
+)
+def test_bolts_of_a_given_direction_hold_in_every_instant_of_a_turn(given_shafts, beta, mu_T):
+    """Scaled down to its safety against slip, the clamping force just holds the worse end, and no less would."""
+    shafts = [SystemShaft(f"shaft-{n}", ratio, F, C) for n, (ratio, F, C) in enumerate(given_shafts)]
+    asked = Bolts(**{**SOURCE, "direction": beta, "joint_friction": mu_T})
+    r = bolts.held(asked, bolts.tightened(asked, None), shafts, BEARINGS)
+    assume(r.best is None and r.bolt_slip_safety is not None)
+    clamp = 2 * r.bolt_preload_min / r.bolt_slip_safety
+    ends = [end * np.exp(-1j * beta) for end in turning(shafts)]
+    spare = [mu_T * (clamp - end.real) - np.abs(end.imag) for end in ends]
+    assert min(one.min() for one in spare) == pytest.approx(0, abs=1e-4 * clamp)
+
+
+def test_of_two_orders_it_is_a_bound():
+    second = SystemShaft("second", 2, 300j, 20 + 0j)
+    Q = solved(200 + 0j, others=(second,)).bolt_end_force
+    assert over_a_turn([SystemShaft("shaft", -1, 200 + 0j, COUPLE), second]) <= Q
+    assert any("hold second and second together" in n for n in bolts.notes(Bolts(**SOURCE), solved(), (second, second)))
+
+
+def test_further_bolts_carry_no_shafts():
+    asked = FurtherBolts(name="pin", carries=("left",), direction=0.0, **SOURCE)
+    told = {key: str(reason) for key, reason in asked.problems()}
+    assert told.keys() == {"carries", "direction_deg"} and set(told.values()) == {
+        "belongs to the bolts of the support: these hold their force together"
+    }
 
 
 # --- checks
