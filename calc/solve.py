@@ -26,10 +26,11 @@ from .countershaft.result import CountershaftResult
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
 from .countershaft.supports import with_standing
+from .countershaft.twins import Resolved
 from .design import step_inputs as h
 from .design.model import IN_SENTENCES, STEPS, TITLES, Design
 from .design.predicted import Predicted, with_measured
-from .design.unusual import with_doubts
+from .design.unusual import doubts, with_doubts
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
@@ -114,13 +115,17 @@ class Results:
         that name in their ids, and without the sums of all."""
         if len(self.design.shafts) == 1 or not self.of_shafts:
             return dict.fromkeys(self.design.views, self)
-        views = self.design.views
-        return {
-            name: replace(
-                self, design=views[name], outcomes=self.outcomes | mine, of_shafts={}, viewed=self, _values={}
-            )
-            for name, mine in self.of_shafts.items()
-        }
+        return {name: self.view(name) for name in self.design.views if name in self.of_shafts}
+
+    def view(self, name: str) -> "Results":
+        """The same of any shaft: of a twin that of its original, with the bearings of the twin where it says something
+        of them."""
+        if len(self.design.shafts) == 1 or not self.of_shafts:
+            return self
+        of = next(shaft.of or name for shaft in self.design.resolved if shaft.name == name)
+        outcomes = self.outcomes | self.of_shafts[of] | self.of_shafts.get(name, {})
+        design = self.design.with_bearings_of(name) if name != of and name in self.of_shafts else self.design.views[of]
+        return replace(self, design=design, outcomes=outcomes, of_shafts={}, viewed=self, _values={})
 
     def values_of(self, field: object) -> list[Published]:
         """The values of one declared field, `results.values_of(BearingResult.film_edge)`: of each part that has one."""
@@ -272,19 +277,22 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
     late = h.unsolved((e, i, *(c.values() if c else (left,))))
     b = dict[str, Outcome[BearingsResult]]()
     if design.bearings is not None and not late:
-        for name, view in design.views.items():
-            b[name] = part.of(name)(
+        for shaft in h.on_own_bearings(design):
+            original = shaft.of or shaft.name
+            b[shaft.name] = part.of(shaft.name)(
                 "bearings",
                 bearings.solve,
                 design.bearings,
-                view.rows,
-                c[name].result if name in c else None,
+                shaft.inputs.bearings,
+                c[original].result if original in c else None,
                 design.engine,
-                h.bearing_materials(design, design.bearings, view.shafts[0]),
-                speed_ratio=view.shafts[0].speed_ratio,
+                h.bearing_materials(design, design.bearings, shaft.inputs),
+                speed_ratio=design.views[original].shafts[0].speed_ratio,
+                how=shaft.how,
                 compared=compared,
             )
-            b |= {twin: b[name] for twin in h.twins_of(design, name)}  # a film does not know left from right
+        for shaft in h.turning(design):
+            b.setdefault(shaft.name, b[shaft.of or shaft.name])  # a film does not know left from right
     no_bearings = None if b else part.absent("bearings", design.bearings, late)
 
     if design.gears is not None and g.result is not None and first_speed is not None:
@@ -379,14 +387,16 @@ def _standing(
             of_shaft = with_standing(c[name], shaft.inputs, gear, drive, carried)
             of_shaft = with_oil_level(of_shaft, shaft.inputs, design.friction)
             stands = of_shaft.solution.standing
-            if shaft.of is not None and name in b:
+            if shaft.of is not None and not shaft.rows and name in b:
                 twin = bearings_of_twin(b[name], stands, c[shaft.of].solution.standing)
                 b = {other: each for other, each in b.items() if other != name} | ({name: twin} if twin else {})
+            elif name in b:
+                b = b | {name: bearings_with_standing(b[name], stands)}
+                carried = b[name].result
+            if shaft.of is None or shaft.rows:
+                of_shaft = with_films(of_shaft, carried, housing)
             if shaft.of is None:
-                if name in b:
-                    b = b | {name: bearings_with_standing(b[name], stands)}
-                    carried = b[name].result
-                of_shaft = with_oil(with_films(of_shaft, carried, housing), carried)
+                of_shaft = with_oil(of_shaft, carried)
                 of_shaft = with_bolts(of_shaft, shaft.inputs, h.on_support(design, shaft, c))
             c = c | {name: of_shaft}
     return c, b
@@ -418,15 +428,28 @@ def _told(
         if shaft.of is not None and shaft.name in c:
             (twins[shaft.name],) = _in_place(replace(design, shafts=(shaft.inputs,)), (c[shaft.name],))
         if shaft.of is not None and shaft.name in b:
-            (twins_b[shaft.name],) = _in_place(design.views[shaft.of], (b[shaft.name],))
+            twins_b[shaft.name] = _of_twin(design, shaft, b[shaft.name])
+            if shaft.rows:
+                of_shafts[shaft.name] = {"bearings": twins_b[shaft.name]}
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
-    carried = no_bearings or _joined(design, {name: mine["bearings"] for name, mine in of_shafts.items()}, twins_b)
+    mine_b = {name: mine["bearings"] for name, mine in of_shafts.items() if "bearings" in mine}
+    others_b = {name: twin for name, twin in twins_b.items() if name not in mine_b}
+    carried = no_bearings or _joined(design, mine_b, others_b)
     accepted = design.accepted
     if accepted:
         of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
         accepted = tuple((of_ids.get(id, id), reason) for id, reason in accepted)
     every = judged((e, i, whole, carried, g, f, m), accepted)
     return Solved(every, of_shafts)
+
+
+def _of_twin(design: Design, twin: Resolved, found: Outcome[BearingsResult]) -> Outcome[BearingsResult]:
+    """The bearings of a twin, with the cautions on what it says of them itself, by the keys of this design."""
+    said, keys_of, checks = design.said_by(twin), cache(design.in_twin(twin)), found.checks
+    if said:
+        far = doubts(design.with_bearings_of(twin.name), found.key)
+        checks = (*(check for check in far if not said.isdisjoint(check.moved_by)), *checks)
+    return replace(found, checks=tuple([check.in_place(keys_of) for check in checks]))
 
 
 def _joined(

@@ -120,6 +120,8 @@ Each shaft runs in three bearings. On rigid supports the middle one would carry 
 
     contralbero check designs/r754ie4_balance_shafts.toml --set shafts.left.bearings.middle.clearance_um=90
 
+Of the mirror image alone it is `shafts.right.bearings.middle.clearance_um=90`: its bearings are then solved, judged and reported by themselves.
+
 Only what the source prints of these shafts is known: journals, distances, masses. Crank train, oil, clearance, wheels and the place of the shafts are assumed, and the
 file says so. At 90 °C of oil every limit holds; with 120 °C, as in its sister of three cylinders, the film of the middle bearing is {hot:.1f} µm of {needs:.1f}.
 

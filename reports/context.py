@@ -263,7 +263,7 @@ class Context:
 
     def in_view(self, name: str) -> Context:
         """The same with one of the shafts in view: what it gives and what is asked of it, without its name."""
-        original = (self.original or self.results).views[name]
+        original = (self.original or self.results).view(name)
         original = original.whole() if self.audit else original
         spoken = {step: said(original.outcomes[step], self.say) for step in OF_SHAFTS if step in original.outcomes}
         view = replace(original, outcomes=self.results.outcomes | spoken)

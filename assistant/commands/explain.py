@@ -60,7 +60,11 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
 def _explain(asked: Namespace, document: Document, design: Design) -> int:
     results = solve(design)
     values = results.values()
-    if asked.value not in values and (an_input := _input(document.data, asked.value)) is not None:
+    own = design.of_original(asked.value)
+    an_input = _input(document.data, asked.value)
+    if an_input is not None and own != asked.value and None in an_input[1].values():
+        an_input = None  # of a bearing of a twin, which has that of its original
+    if asked.value not in values and an_input is not None:
         about, given = an_input
         for key, content in given.items():
             print(f"{key} = {content}   an input" if content is not None else f"{key}   an input, left out")
@@ -69,7 +73,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         return 0
     of_shaft = asked.value.startswith(dotted(Design.shafts))
     known = asked.value in values or results.check(asked.value) is not None
-    if not known and (own := design.of_original(asked.value)) != asked.value:
+    if not known and own != asked.value:
         name, original = asked.value.split(".")[1], own.split(".")[1]
         mirrored = any(shaft.name == name and shaft.mirrors for shaft in design.shafts)
         if not asked.json:

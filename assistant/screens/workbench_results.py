@@ -497,13 +497,13 @@ class WorkbenchResults(WorkbenchPanes):
 
     def _in_view(self, page: Page) -> tuple[Curve | Table, ...]:
         """What a page has of all shafts and of the one in view: values of that alone; the curves and tables of a twin
-        are its original's."""
+        are its original's, but for bearings of its own."""
         session = self.session
         if not self.leafs:
             return page.leaves
         if self._leaves[:2] != (id(page), session.shaft):
-            here, original = session.shafts[session.shaft], session.original
-            others = [name for name in session.shafts if name not in (here, original)]
+            here, own = session.shafts[session.shaft], session.own(page.outcome.key)
+            others = [name for name in session.shafts if name not in (here, own)]
             leaves = [leaf for leaf in page.leaves if leaf.id.partition(".")[0] not in others]
             hidden = tuple(f"{page.outcome.key}.{name}." for name in session.shafts if name != here)
             self._leaves = (
@@ -545,14 +545,14 @@ class WorkbenchResults(WorkbenchPanes):
         field, results = self._field, self._pictured()
         lit = named_key(self.session.data, field.place) if field is not None else ""
         of_shaft = self.leafs and self.step.key in OF_SHAFTS
-        self.pane_named("picture").set_title(right=self.session.original if of_shaft else "")
+        self.pane_named("picture").set_title(right=self.session.own(self.step.key) if of_shaft else "")
         self.query_one(Picture).show(self.step.key, results.design if results is not None else None, results, lit)
 
     def _pictured(self) -> "Results | None":
         """The results, of several shafts with that in view alone; where it is asked which balancing, and none is chosen
         yet, with the usual counterweights."""
         session = self.session
-        results = session.view if self.step.key in OF_SHAFTS else session.results
+        results = session.view(self.step.key) if self.step.key in OF_SHAFTS else session.results
         if results is None or self.step.key != "imbalance" or "imbalance" in session.data or not session.current:
             return results
         if self._unchosen is None or self._unchosen[0] is not results:

@@ -10,7 +10,17 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from calc.design.addresses import Table, address, changed, every, parse_assignment, quantity_of, unjudged, value_at
+from calc.design.addresses import (
+    Table,
+    address,
+    changed,
+    every,
+    parse_assignment,
+    quantity_of,
+    rows_of_twin,
+    unjudged,
+    value_at,
+)
 from calc.design.locks import locked, toggled
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, parse
@@ -222,7 +232,9 @@ class Editing:
     def add(self, key: str | Place) -> int:
         """A further element of an array of tables (see `further`).  Gives its index."""
         where = self._array(key)
-        elements, index = further(where, self.value(where) or [])
+        elements, index = further(
+            where, self.value(where) or [], rows_of_twin(self._state.data, ".".join(map(str, where)))
+        )
         self.seal()
         self._step(EditState(changed(self._state.data, where, elements), self._state.texts), where)
         self.seal()

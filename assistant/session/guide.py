@@ -9,28 +9,30 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
+from calc.countershaft.rows import BearingRow
 from calc.design.addresses import Table, as_table, quantities, step_at
-from calc.design.model import STEP_KEYS, STEPS
+from calc.design.model import STEP_KEYS, STEPS, Design
 from calc.design.upgrade import is_twin
 from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
-from calc.sheet.quantity import Published, Quantity, keys
+from calc.sheet.quantity import Published, Quantity, dotted, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
-from .places import SHAFTS, Place, content_at, described
+from .places import SHAFTS, Place, content_at, described, owner
 
 MORE = Text("More")
 STROKE = "stroke_mm"  # twice the crank radius, which the design file has
 NAME: Place = ("name",)  # of the design itself: asked with its engine, which comes first
 NOTE, DOCUMENT = ("note",), ("document",)  # in a fold behind those of its first step
-FIRST = "engine"
+FIRST, BEARINGS = "engine", dotted(Design.bearings)
 
 
 @cache
 def folds(step: str) -> tuple[Text, ...]:
     """The folds of a step's form, in the order in which its inputs name them."""
-    inputs = next(known.inputs for known in STEPS if known.key == step)
-    return MORE, *dict.fromkeys(about.fold for about in _all_in(inputs) if about.fold)
+    inputs = [known.inputs for known in STEPS if known.key == step]
+    inputs += [BearingRow] if step == BEARINGS else []
+    return MORE, *dict.fromkeys(about.fold for cls in inputs for about in _all_in(cls) if about.fold)
 
 
 def _all_in(inputs: type) -> Iterator[Quantity]:
@@ -60,12 +62,19 @@ def idle(place: Place, data: Table) -> bool:
     if (where := about.where) is None:
         return False
     table = content_at(data, place[:-1])
+    if isinstance(table, dict) and owner(place) is BearingRow:  # of which rules what it says itself
+        table = as_table(data.get(BEARINGS)) | table
     return isinstance(table, dict) and not where.holds(table) and content_at(data, place) in (None, [])
 
 
 def of_twin(place: Place, data: Table) -> bool:
     """Whether a place is that of a shaft that mirrors or repeats another, or lies in it."""
     return len(place) > 1 and place[:1] == SHAFTS and is_twin(as_table(content_at(data, place[:2])))
+
+
+def all_decides(step: str, place: Place, data: Table) -> bool:
+    """Whether a place is in a twin, which has little of its own; what it says of its bearings lies as that of any."""
+    return of_twin(place, data) and (step != BEARINGS or owner(place) is not BearingRow)
 
 
 def step_of(place: Place, data: Table) -> str:
@@ -90,7 +99,7 @@ def fold_at(step: str, place: Place, data: Table) -> int | None:
         return None
     if place[:1] in (DOCUMENT, NAME, NOTE):
         return document_fold()
-    if len(place) < 2 or str(place[1]).startswith(FOLD) or of_twin(place, data):
+    if len(place) < 2 or str(place[1]).startswith(FOLD) or all_decides(step, place, data):
         return None
     about = layout_of(place)
     return 0 if about is None else None if about.decides else folds(step).index(about.fold)
@@ -209,10 +218,12 @@ GUIDES: dict[str, Guide] = {
 # --- what a step takes over from the steps before it
 def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Iterator[str]:
     """The inputs and values of earlier steps that it uses, by key or id."""
-    for owner in STEP_KEYS[: STEP_KEYS.index(step)]:
-        yield from (key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == owner)
+    for step_before in STEP_KEYS[: STEP_KEYS.index(step)]:
+        yield from (
+            key for key, about in quantities(data) if step in about.taken_by and step_at(data, key) == step_before
+        )
         mine = (id for id, v in values.items() if step in v.about.taken_by and id == v.id)  # not by a former name
-        yield from (id for id in mine if id.startswith(f"{owner}."))
+        yield from (id for id in mine if id.startswith(f"{step_before}."))
 
 
 # what can be chosen from a table, by step (`offers.py` searches for it)

@@ -3,7 +3,7 @@
 and how an array gets an element more, or less."""
 
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -13,7 +13,7 @@ from calc.countershaft.rows import BearingRow
 from calc.design.addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
-from calc.design.upgrade import TWIN, twin, without
+from calc.design.upgrade import TWIN, is_twin, twin, without
 from calc.gears.inputs import GearsInputs, Mesh, Stage
 from calc.gears.wheel_inputs import Wheel
 from calc.sheet.errors import BadInput
@@ -163,14 +163,17 @@ FRICTION, LOADS, CARRIED_BY = dotted(Design.friction), dotted(ShaftInputs.loads)
 SITS_ON, DRIVER, DRIVEN = dotted(Wheel.shaft), dotted(Mesh.driver), dotted(Mesh.driven)
 
 
-def further(where: Place, there: list[Table]) -> tuple[list[Table], int]:
+def further(where: Place, there: list[Table], of_twin: Sequence[str] = ()) -> tuple[list[Table], int]:
     """An array with one element more, and its index.
 
-    It is like the last one but with a name of its own; a bearing stands in the middle of the widest gap between two."""
+    It is like the last one but with a name of its own; a bearing stands in the middle of the widest gap between two,
+    one of a twin, whose original has the bearings `of_twin`, is the first of them of which nothing is said yet."""
     about, index = described(where), len(there)
     element = dict(there[-1]) if there else {}
     names = [item.get(NAME) for item in there]
-    if about.table is BearingRow and (gap := _widest(there)) is not None:
+    if of_twin:
+        element = {NAME: next((name for name in of_twin if name not in names), "")}
+    elif about.table is BearingRow and (gap := _widest(there)) is not None:
         index, place = gap
         before = without(there[index - 1], *map(dotted, (BearingRow.load, BearingRow.slope)))
         element = {**before, NAME: _free("middle", names), POSITION: place}
@@ -364,7 +367,11 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
             data = changed(data, table, {_renamed(key, was, now): content for key, content in there.items()})
     of_row, of_shaft = (described(where[:-2]).table is table for table in (BearingRow, ShaftInputs))
     others_too = len(content_at(data, SHAFTS) or ()) > 1
-    shaft = rf"{re.escape(named_key(data, where[:2]).rpartition('.')[2])}\." if others_too else ""
+    shaft, twins = named_key(data, where[:2]).rpartition(".")[2], list[int]()
+    if of_row:
+        twins = [i for i, item in enumerate(content_at(data, SHAFTS)) if is_twin(item) and original_of(item) == shaft]
+    named_too = "|".join(map(re.escape, [shaft, *(str(content_at(data, (*SHAFTS, i, NAME))) for i in twins)]))
+    shaft = rf"(?:{named_too})\." if others_too else ""
     ids = re.compile(  # of what is judged of a bearing, and of the values of a shaft beside another
         rf"(bearings\.{shaft}|countershaft\.{shaft}(?:reaction|slope)_){re.escape(old)}(?![^._])"
         if of_row
@@ -377,6 +384,10 @@ def followed(valid: Table, data: Table, where: Place) -> Table:
         return ids.sub(rf"\g<1>{new}", name, count=1) if named and ids.match(name) else _renamed(name, was, now)
 
     data = _with_ids(data, called)
+    for i in twins:
+        rows = content_at(data, bearings := (*SHAFTS, i, dotted(ShaftInputs.bearings))) or []
+        if old in [row.get(NAME) for row in rows]:
+            data = changed(data, bearings, [{**row, NAME: new} if row.get(NAME) == old else row for row in rows])
     if where[:-2] == SHAFTS:
         for array, key in ((SHAFTS, MIRRORS), (SHAFTS, REPEATS), (WHEELS, SITS_ON)):
             for i, item in enumerate(content_at(data, array) or []):

@@ -248,13 +248,22 @@ class Session(Editing):
         """The name of the shaft in view; of a twin that of its original."""
         return original_of(content_at(self.data, (*SHAFTS, self.shaft)) or {})
 
-    @property
-    def view(self) -> "Results | None":
-        """The results with the shaft in view alone, of a twin with its original."""
+    def own(self, step: str) -> str:
+        """The name of the shaft of which a step tells: that in view, where it is a twin its original; the bearings of a
+        twin that says something of them are its own."""
+        name = self.shafts[self.shaft] if self.shafts else ""
+        of_shaft = self.results.of_shafts.get(name, {}) if self.results is not None else {}
+        return name if step in of_shaft else self.original
+
+    def view(self, step: str) -> "Results | None":
+        """The results with that shaft alone."""
+        if self.results is None:
+            return None
         if self._views[0] is not self.results:
-            self._views = self.results, self.results.views if self.results is not None else {}
+            names = (shaft.name for shaft in self.results.design.shafts)
+            self._views = self.results, {name: self.results.view(name) for name in names}
         views = self._views[1]
-        return views.get(self.original) or next(iter(views.values()), self.results)
+        return views.get(self.own(step)) or next(iter(views.values()), self.results)
 
     def ids_of_shaft(self) -> set[str]:
         of_shafts = self.results.of_shafts.values() if self.results is not None else ()

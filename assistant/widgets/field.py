@@ -12,7 +12,10 @@ from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input
 
+from calc.bearings.inputs import OF_ROWS
+from calc.countershaft.rows import BearingRow
 from calc.design.names import choice_word
+from calc.design.upgrade import is_twin
 from calc.locale import Language
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.text import EMPTY, Amount, Name, Text
@@ -20,7 +23,7 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.guide import DOCUMENT, NOTE
-from ..session.places import Place, key_at, owner
+from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
 from .entry import Choice, Entry
 from .rows import RADIUS, FormRow, allowed, meaning
@@ -96,18 +99,31 @@ class Field(Widget):
     def _made(self) -> Entry | Choice:
         text, optional = self.text, self.about.optional
         if self.words:
+            choose = self.app.say(Text("choose"))
             default = self.app.say(choice_word(self.default)) if self.about.choices else self.default
             return Choice(
                 self.words,
                 text,
                 optional=optional,
-                prompt=f"{default} {AUTO}".lstrip() if optional else self.app.say(Text("choose")),
+                prompt=self._prompt() if self._else() else f"{default} {AUTO}".lstrip() if optional else choose,
                 named=not self.about.choices,
             )
         return Entry(text, self._prompt(), numeric=self.about.kind not in ("text", "names"))
 
+    def _else(self) -> Text | None:
+        """What holds where nothing stands here and it is said elsewhere: what all bearings share, or that of the
+        original."""
+        if owner(self.place) is not BearingRow:
+            return None
+        shaft = self.session.value(self.place[:2])
+        if is_twin(shaft):
+            return Text("as {name}", name=Name(original_of(shaft)))
+        return Text("as all") if key_at(self.place) in [entry.key for entry in OF_ROWS] else None
+
     def _prompt(self) -> str:
         """What stands in an empty field."""
+        if (elsewhere := self._else()) is not None:
+            return self.app.say(elsewhere)
         # nobody chooses what a title block says
         chosen = self.about.optional and self.place[:1] not in (DOCUMENT, NOTE)
         return self.default or (AUTO if chosen else "" if self.row.required else self.app.say(Text("left out")))
@@ -211,6 +227,8 @@ class Field(Widget):
             )
         if self.session.lock_reason(self.place):
             return self.app.say(Text("locked")), "muted"
+        if self._else() is not None:
+            return self.app.say(Text("rules here")), "muted"
         return "", ""
 
     def _label_width(self) -> int:

@@ -12,7 +12,7 @@ from textual.content import Content
 from textual.widget import Widget
 
 from calc.countershaft.inputs import ShaftInputs
-from calc.countershaft.rows import BearingRow, titled
+from calc.countershaft.rows import OF_ORIGINAL, BearingRow, titled
 from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
@@ -29,6 +29,7 @@ from ..session.guide import (
     NAME,
     NOTE,
     STROKE,
+    all_decides,
     document_fold,
     fold_at,
     folds,
@@ -39,6 +40,7 @@ from ..session.guide import (
 from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described
 from .text import fit, wrap
 
+LAST = 99  # the rank of what stands behind all that decides
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 ROWS = dotted(ShaftInputs.bearings)
 BEARING_NAME = dotted(BearingRow.name)
@@ -78,7 +80,11 @@ class Asked:
 
 def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
     """The rows of a step's form in the order in which they decide; of the folds only what is in the open ones."""
-    form_rows = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
+    form_rows = [
+        row
+        for row in rows(step, data, asked)
+        if row.place in asked.held or not all(idle(field.place, data) for field in row.inside or (row,))
+    ]
     if step.key == FIRST:
         form_rows.append(FormRow("stroke", (FIRST, STROKE), TWICE, required=True))
     ordered = [_of_design(NAME, required=True)] if step.key == FIRST else []
@@ -99,7 +105,9 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
 def _rank(row: FormRow, step: str, data: Table) -> int:
     """Which of the few that decide a row is, from 1; 0 in a fold.  The heading of several elements stands before what
     decides of each; a twin has nothing but what decides."""
-    if of_twin(row.place, data):
+    if row.kind == "original":
+        return LAST
+    if all_decides(step, row.place, data):
         return 1
     about = row.about if row.kind == "stroke" else layout_of(row.place)
     if about is not None and about.decides:
@@ -149,8 +157,8 @@ class _Rows:
         """What the step asks for of a table; what stands in it all the same, or is wrong, can be seen and taken out."""
         there = as_table(content)
         own = set(own_keys(cls, there, judged=dotted(Design.bearings) in self.data))
-        if cls is ShaftInputs and of_twin(place, self.data):
-            own -= {MIRRORS, REPEATS}  # the one that it is stands in it
+        if of_twin(place, self.data):
+            own -= {MIRRORS, REPEATS} if cls is ShaftInputs else {*OF_ORIGINAL}  # the one that it is stands in it
         shown = {*own, *there, *(held[-1] for held in self.asked.held if held[:-1] == place)}
         return {key.key: key.about for key in keys_of(cls, self.data, self.step) if key.key in shown}
 
@@ -203,10 +211,10 @@ class _Rows:
         shaft = (*SHAFTS, n := min(self.asked.chosen.get(SHAFTS, 0), len(shafts) - 1))
         if len(shafts) > 1:
             yield FormRow("leaf", SHAFTS, described(SHAFTS), shown=n)
+        if bearings := as_list(as_table(shafts[n]).get(ROWS)):
+            yield from self.array(described((*shaft, ROWS)), bearings, (*shaft, ROWS))
         if of_twin(shaft, self.data):
             yield FormRow("original", shaft, described(SHAFTS))
-        elif bearings := as_list(as_table(shafts[n]).get(ROWS)):
-            yield from self.array(described((*shaft, ROWS)), bearings, (*shaft, ROWS))
 
     def array(self, about: Quantity, content: list[object], here: Place) -> Iterator[FormRow]:
         """Elements side by side, below each other, or where that were too many rows one at a time."""
@@ -227,7 +235,7 @@ class _Rows:
                 if not long and here != SHAFTS:
                     yield FormRow("heading", (*here, i), about)
                 yield from self.of(about.table, item, (*here, i), True)
-                if of_twin((*here, i), self.data):
+                if here == SHAFTS and of_twin((*here, i), self.data):
                     yield FormRow("original", (*here, i), about)
 
 

@@ -228,6 +228,15 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
     return Shared(tuple(laws), on, moved)
 
 
+def _alike(a: BearingCase, b: BearingCase) -> bool:
+    """Whether two bearings are of one size, fed alike and in seats of one material."""
+    return (
+        (a.bearing.diameter, a.bearing.length) == (b.bearing.diameter, b.bearing.length)
+        and a.inputs == b.inputs
+        and a.housing_expansion == b.housing_expansion
+    )
+
+
 def at_corners(
     shaft: Condensed, films: Shared, seats: Sequence[BearingCase], duty: OperatingPoint[Any]
 ) -> dict[str, Array]:
@@ -239,16 +248,16 @@ def at_corners(
     rows = [i for i, seat in enumerate(seats) if not seat.centred and loads[i] > 0]
     asked = [(corner_points(seats[i], duty)[0], replace(duty, load=loads[i])) for i in rows]
     with untraced():
-        one_size = len({(seats[i].bearing.diameter, seats[i].bearing.length) for i in rows}) == 1
-        warm = settled_together(asked) if one_size else [settled(*question) for question in asked]
+        alike = bool(rows) and all(_alike(seats[i], seats[rows[0]]) for i in rows)
+        warm = settled_together(asked) if alike else [settled(*question) for question in asked]
         their = np.repeat(rows, [film.film.size for film in warm])  # the bearing of each corner
         every = np.arange(their.size)
-        d, l, c_m, mu_m = np.array([(law.d, law.l, law.c, law.mu) for law in films.laws]).T
+        d, l, c_m, mu_m, lands = np.array([(law.d, law.l, law.c, law.mu, law.lands) for law in films.laws]).T
         c, mu = (np.tile(x, (their.size, 1)) for x in (c_m, mu_m))
         for x, corners in ((c, [film.clearance for film in warm]), (mu, [film.oil.mu for film in warm])):
             there = np.concatenate(corners)
             x[every, their] = np.where(np.isfinite(there), there, x[every, their])
-        law = replace(films.laws[0], d=d, l=l, c=c, mu=mu)  # type: ignore[arg-type]  # arrays, for `hold_many` alone
+        law = replace(films.laws[0], d=d, l=l, c=c, mu=mu, lands=lands)  # type: ignore[arg-type]  # arrays, for `hold_many` alone
         P, found = carried_near(shaft, law.hold_many, films.carried.x * (c / c_m))
         share = np.abs(P)[every, their] / loads[their]
         for k in np.flatnonzero(~found).tolist():  # too far from the middle: with shorter steps
@@ -284,6 +293,20 @@ def on_shaft(
             loads = elements(stands.alignment(zone))
         bearings = {place: _out_of_line(place, r, R_c) for (place, r), R_c in zip(bearings.items(), loads)}
     return replace(found, stands=stands, bearings=bearings)
+
+
+def turned_over(found: BearingsResult) -> BearingsResult:
+    """The bearings of the mirror image of a shaft: as far off and as much aslant, in directions that are conjugate."""
+    bearings = {}
+    for place, r in found.bearings.items():
+        if (lies := r.on_shaft) is not None:
+            with about(Text("{place} bearing, in its film", place=called(place))):
+                phases = lies.load_phase, lies.displacement_phase
+                load, moved = (None if phi is None else f.mirrored_phase(phi=phi) for phi in phases)
+            r = replace(r, on_shaft=replace(lies, load_phase=load, displacement_phase=moved))
+        bearings[place] = r
+    line = None if found.line is None else (found.line[0], found.line[1].conjugate())
+    return replace(found, bearings=bearings, line=line)
 
 
 def _lying(found: BearingsResult, sense: int, turning: Condensed, films: Shared | None) -> BearingsResult:

@@ -457,6 +457,11 @@ def film_deviation(h_0: Metre, reference: Metre) -> Number:
     return modulus(h_0 / reference - 1)
 
 
+@formula("φ'", "geometry: a shaft mirrored in the vertical plane, turning the other way")
+def mirrored_phase(phi: Radian) -> Radian:
+    return -phi
+
+
 @formula("ZN/P", "McKee & McKee 1932, after Finotti 2013, 5.4.1: in cP·rpm/psi", names={"n_h": "n"})
 def mckee_number(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
     return mu * n_h / p / CENTIPOISE_RPM_PER_PSI

@@ -11,16 +11,13 @@ from ..library import journal_rules as rules
 from ..library import tolerances as fits
 from ..library.catalogue import Oil
 from ..library.tolerances import ASSUMED_FIT, Assumed
-from ..sheet.quantity import choice, described, dotted, inputs, quantity, series, text
+from ..sheet.quantity import Key, as_in, choice, described, dotted, inputs, keys, quantity, series, text
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
-from .materials import DEFAULT_APPLICATION
+from .materials import DEFAULT_APPLICATION, bush_problem
 
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 LEAST_SPEED_SHARE = 0.02
-
-# of what brings the oil, over the length, for guide texts
-USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
 
 SLOPE_TAKEN: Radian = 0.1e-3  # of the journal in its seat, where nothing is known of it; rule of this program
 
@@ -67,36 +64,9 @@ class BearingsInputs:
         change=("less oil pressure", "more oil pressure"),
         repair="free",
     )
-    supply: str = choice(
-        "Oil supply",
-        "hole",
-        "groove",
-        "pocket",
-        "shaft",
-        "axial_groove",
-        help="hole, groove, pocket, axial_groove: in the seat. shaft: through holes in the journal, turning with the "
-        "load.",
-    )
-    hole_diameter: float | None = quantity(
-        "Oil hole diameter",
-        "mm",
-        default=None,
-        within=(0.1, 200),
-        symbol="d_H",
-        source="DIN 31652-2",
-        help=Text("Diameter of the oil hole; {low} to {high} of the bearing's length.", **USUAL_WIDTH),
-        change=("narrower oil supply", "wider oil supply"),
-        repair="free",
-        where=(supply, "hole", "shaft"),
-    )
-    housing_material: str = text(
-        "Housing material",
-        help="A name from the table of materials or from [[material]].",
-        change=("another housing",),
-        catalogue="materials",
-        fold=MATERIALS,
-        taken_by=("gears",),
-    )
+    supply: str = as_in(BearingRow.supply)
+    hole_diameter: float | None = as_in(BearingRow.hole_diameter, default=None)
+    housing_material: str = as_in(BearingRow.housing_material, fold=MATERIALS, taken_by=("gears",))
     housing_stiffness: float | None = quantity(
         "Stiffness of the housing",
         "N/mm",
@@ -107,89 +77,16 @@ class BearingsInputs:
         help="Under one bearing, radially, for the critical speed on the films. Left out: rigid.",
         fold=MATERIALS,
     )
-    groove_width: float | None = quantity(
-        "Groove width",
-        "mm",
-        default=None,
-        within=(0, 500),
-        symbol="b_G",
-        source="DIN 31652-2",
-        help="Width of the oil groove along the shaft; it carries no load.",
-        change=("narrower oil supply", "wider oil supply"),
-        repair="free",
-        where=(supply, "groove"),
+    groove_width: float | None = as_in(BearingRow.groove_width, default=None)
+    pocket_width: float | None = as_in(BearingRow.pocket_width, default=None)
+    groove_arc: tuple[float, ...] | None = as_in(
+        BearingRow.groove_arc, default=None, help="Angles from the load, 180 opposite to it. Left out: all round."
     )
-    pocket_width: float | None = quantity(
-        "Pocket width",
-        "mm",
-        default=None,
-        within=(0.1, 500),
-        symbol="b_P",
-        source="DIN 31652-2",
-        help=Text("Along the shaft; {low} to {high} of the bearing's length.", **USUAL_WIDTH),
-        change=("narrower oil supply", "wider oil supply"),
-        repair="free",
-        where=(supply, "pocket"),
-    )
-    groove_arc: tuple[float, ...] | None = series(
-        "Groove from and to",
-        "°",
-        default=None,
-        count=(2, 2),
-        within=(0, 360),
-        symbol="delta_G",
-        source="DIN 31652-2",
-        help="Angles from the load, 180 opposite to it. Left out: all round.",
-        where=(supply, "groove"),
-    )
-    supply_angle: float = quantity(
-        "Angle from load to supply",
-        "°",
-        default=pi,
-        within=(0, 180),
-        symbol="delta",
-        step=5,
-        source="Finotti 2013, Table 5.1",
-        help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.",
-    )
-    pocket_length: float | None = quantity(
-        "Pocket length",
-        "mm",
-        default=None,
-        within=(0.1, 500),
-        symbol="l_P",
-        help="Around the seat; the flow does not ask for it.",
-        repair="free",
-        where=(supply, "pocket"),
-    )
-    axial_groove_angles: tuple[float, ...] | None = series(
-        "Axial grooves at",
-        "°",
-        default=None,
-        count=(1, 4),
-        within=(0, 360),
-        symbol="delta_A",
-        help="Middles, from the load in the sense in which the film is dragged past it; [90, 270] for a split bearing.",
-        where=(supply, "axial_groove"),
-    )
-    axial_groove_width: float | None = quantity(
-        "Axial groove width",
-        "mm",
-        default=None,
-        within=(0.1, 500),
-        symbol="w_A",
-        help="Around the seat; the film ends at its edges.",
-        where=(supply, "axial_groove"),
-    )
-    axial_groove_length: float | None = quantity(
-        "Axial groove length",
-        "mm",
-        default=None,
-        within=(0.1, 1000),
-        symbol="l_A",
-        help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.",
-        where=(supply, "axial_groove"),
-    )
+    supply_angle: float = as_in(BearingRow.supply_angle, default=pi)
+    pocket_length: float | None = as_in(BearingRow.pocket_length, default=None)
+    axial_groove_angles: tuple[float, ...] | None = as_in(BearingRow.axial_groove_angles, default=None)
+    axial_groove_width: float | None = as_in(BearingRow.axial_groove_width, default=None)
+    axial_groove_length: float | None = as_in(BearingRow.axial_groove_length, default=None)
     lubrication: str = choice(
         "Lubrication",
         *rules.LUBRICATIONS,
@@ -206,11 +103,10 @@ class BearingsInputs:
         help="Share of the housing's thermal expansion that the block holds back.",
         fold=MATERIALS,
     )
-    bush_material: str | None = text(
-        "Bush material",
+    bush_material: str | None = as_in(
+        BearingRow.bush_material,
         default=None,
         help="A name from the table of bearing materials. Left out: the journal runs on the housing itself.",
-        catalogue="bushes",
         fold=MATERIALS,
     )
     journal_material: str | None = text(
@@ -258,20 +154,8 @@ class BearingsInputs:
         source="Finotti 2013, 5.5.1: Trumpler, engine manual",
         help="Highest temperature of the oil that leaves.",
     )
-    journal_fit: str = text(
-        "Journal fit",
-        default=ASSUMED_FIT,
-        help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance.",
-        change=("closer fits", "wider fits", "closer fits"),
-        fold=MATERIALS,
-    )
-    seat_fit: str = text(
-        "Seat fit",
-        default=ASSUMED_FIT,
-        help="ISO 286: H7 and the like, or a bare field, IT7.",
-        change=("closer fits", "wider fits", "closer fits"),
-        fold=MATERIALS,
-    )
+    journal_fit: str = as_in(BearingRow.journal_fit, default=ASSUMED_FIT, fold=MATERIALS)
+    seat_fit: str = as_in(BearingRow.seat_fit, default=ASSUMED_FIT, fold=MATERIALS)
     viscosity_tolerance: float = quantity(
         "Viscosity tolerance ±",
         "%",
@@ -377,22 +261,18 @@ class BearingsInputs:
             return oil
         return replace(oil, nu40=None, nu100=None, viscosities=(), viscosity=self.viscosity)
 
+    def of(self, row: BearingRow) -> "BearingsInputs":
+        """The inputs as they hold for one bearing: what its row says of supply and seat itself rules there."""
+        own = {entry.attribute: getattr(row, entry.attribute) for entry in ruled_by(row)}
+        return replace(self, **own) if own else self
+
     @property
     def fits_given(self) -> bool:
         """Whether the tolerances are the design's own; else the program assumed them."""
         return not (isinstance(self.journal_fit, Assumed) and isinstance(self.seat_fit, Assumed))
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        hole, groove, pocket, axial_length = self._widths
-        axial: tuple[tuple[str, object], ...] = (
-            (dotted(BearingsInputs.axial_groove_angles), self.axial_groove_angles),
-            (dotted(BearingsInputs.axial_groove_width), self.axial_groove_width),
-            axial_length,
-        )
-        needs = {"hole": (hole,), "shaft": (hole,), "groove": (groove,), "pocket": (pocket,), "axial_groove": axial}
-        for key, given in needs[self.supply]:
-            if given is None:
-                yield key, Text('needed with supply = "{supply}"', supply=self.supply)
+        yield from self.of_seat()
         if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
             why = Text(
                 "the load would turn at half the speed of the surfaces, where no film is built up; must be away from "
@@ -404,19 +284,34 @@ class BearingsInputs:
         if self.bush_speed_ratio == 1:
             why = Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed")
             yield dotted(BearingsInputs.bush_speed_ratio), why
+        if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
+            yield dotted(BearingsInputs.speed_range), Text("must rise: from, to")
+
+    def of_seat(self) -> Iterable[tuple[str, Text]]:
+        """What is wrong with supply and seat, whose keys may stand in a row as well."""
+        hole, groove, pocket, axial_length = self._widths
+        axial: tuple[tuple[str, object], ...] = (
+            (dotted(BearingsInputs.axial_groove_angles), self.axial_groove_angles),
+            (dotted(BearingsInputs.axial_groove_width), self.axial_groove_width),
+            axial_length,
+        )
+        needs = {"hole": (hole,), "shaft": (hole,), "groove": (groove,), "pocket": (pocket,), "axial_groove": axial}
+        for key, given in needs.get(self.supply, ()):
+            if given is None:
+                yield key, Text('needed with supply = "{supply}"', supply=self.supply)
         if self.supply == "axial_groove" and self.load_speed_ratio != self.bush_speed_ratio:
             why = Text(
                 "a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = "
                 "bush_speed_ratio"
             )
             yield dotted(BearingsInputs.supply), why
-        if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
+        if self.groove_arc and self.groove_arc[0] >= self.groove_arc[1]:
             yield dotted(BearingsInputs.groove_arc), Text("must rise: from, to")
-        if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
-            yield dotted(BearingsInputs.speed_range), Text("must rise: from, to")
         for name, of in (("journal_fit", "shaft"), ("seat_fit", "hole")):
             if (wrong := fits.problem(getattr(self, name), of)) is not None:
                 yield name, wrong
+        if self.bush_material is not None and (wrong := bush_problem(self.bush_material)) is not None:
+            yield dotted(BearingsInputs.bush_material), wrong
 
     @property
     def _widths(self) -> tuple[tuple[str, float | None], ...]:
@@ -427,6 +322,11 @@ class BearingsInputs:
             (dotted(BearingsInputs.pocket_width), self.pocket_width),
             (dotted(BearingsInputs.axial_groove_length), self.axial_groove_length),
         )
+
+    @property
+    def widest_supply(self) -> float:
+        """The widest, along the bearing, of what may bring the oil; 0: nothing has a width."""
+        return max(width or 0.0 for _, width in self._widths)
 
     @property
     def _placed(self) -> bool:
@@ -462,9 +362,18 @@ class BearingsInputs:
         ):
             if there is None:
                 yield dotted(key), Text("is missing; needs {allowed}", allowed=described(key).allowed())
-        if row.clearance is None and row.clearance_factor is None and not self._placed:
+        if row.clearance is None and row.clearance_factor is None and not self.of(row)._placed:
             letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
             yield (
                 dotted(BearingRow.clearance),
                 Text("give clearance_um or clearance_factor, or {letters}", letters=letters),
             )
+
+
+# of what all share what a row may say for its bearing alone
+OF_ROWS = tuple(entry for key, entry in keys(BearingRow).items() if key in keys(BearingsInputs))
+
+
+def ruled_by(row: BearingRow) -> list[Key]:
+    """What of that a row says."""
+    return [entry for entry in OF_ROWS if getattr(row, entry.attribute) is not None]

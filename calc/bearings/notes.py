@@ -43,7 +43,7 @@ def _all_notes(
     yield Text(
         "The clearance is taken as given at {reference} and judged at the film's mean temperature.", reference=reference
     )
-    if not inputs.fits_given:
+    if not any(r.seat.inputs.fits_given for r in results.values()):
         yield Text(
             "No fits are given: the corners take IT7 for journal and seat, half of it to either side of the "
             "clearance, and the oil within "
@@ -52,7 +52,7 @@ def _all_notes(
         )
     yield _slope(results, shaft)
     yield from _on_shaft(results, shaft)
-    yield _feed(inputs, results)
+    yield from _feeds(results)
     for r in results.values():
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
     for place, r in results.items():
@@ -89,17 +89,7 @@ def _all_notes(
             )
         if r.film_double_load is None and not r.seat.centred:
             yield Text("{place} bearing: no film carries twice the load.", place=bearing)
-    surface = running_surface(inputs.bush_material, inputs.housing_material)
-    # of the load over a point of the seat, for one turn of the journal
-    passes = abs(inputs.load_speed_ratio - inputs.bush_speed_ratio)
-    if surface is None:
-        yield Text(
-            "What a journal may carry on bare {housing_material} is not known here.",
-            housing_material=inputs.housing_material,
-        )
-    elif passes:
-        for place, r in results.items():
-            yield fatigue_note(place, surface, r.film_pressure_max, passes * r.duty.speed, None)
+    yield from _surfaces(inputs, results)
     yield from (r.sweep.why(place) for place, r in results.items())
     yield from (r.sweep.gaps(place) for place, r in results.items())
     if any(
@@ -111,6 +101,19 @@ def _all_notes(
             "whose load is smaller: "
             "the design's supply is the harder case, and it is judged."
         )
+
+
+def _surfaces(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Iterator[Text]:
+    """What the journals run on, as often as the load passes a point of it."""
+    passes = abs(inputs.load_speed_ratio - inputs.bush_speed_ratio)  # for one turn of the journal
+    for place, r in results.items():
+        bush, housing = r.seat.inputs.bush_material, r.seat.inputs.housing_material
+        if (surface := running_surface(bush, housing)) is None:
+            yield Text(
+                "What a journal may carry on bare {housing_material} is not known here.", housing_material=housing
+            )
+        elif passes:
+            yield fatigue_note(place, surface, r.film_pressure_max, passes * r.duty.speed, None)
 
 
 def _load(inputs: BearingsInputs) -> Text:
@@ -162,6 +165,21 @@ def _on_shaft(results: Mapping[str, BearingResult], shaft: CountershaftResult | 
             "How the bearings share the load is not known without the outline of the shaft: they carry what rigid "
             "supports of a shaft of one stiffness would."
         )
+
+
+def _feeds(results: Mapping[str, BearingResult]) -> Iterator[Text]:
+    """How the oil comes to the bearings: to all of them, or to those that are fed alike by their names."""
+    alike: list[dict[str, BearingResult]] = []
+    for place, r in results.items():
+        there = next((some for some in alike if next(iter(some.values())).seat.inputs == r.seat.inputs), None)
+        if there is None:
+            alike.append(there := {})
+        there[place] = r
+    said: dict[Text, list[str]] = {}
+    for some in alike:
+        said.setdefault(_feed(next(iter(some.values())).seat.inputs, some), []).extend(some)
+    for note, places in said.items():
+        yield note if len(said) == 1 else Text("{places}: {note}", places=listed(map(titled, places)), note=note)
 
 
 def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:

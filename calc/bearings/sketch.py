@@ -44,7 +44,7 @@ from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Newton, Number, Radian
 from .as_supports import FILM_EDGE_TILTED
 from .checks import FILM_EDGE
-from .inputs import BearingsInputs
+from .inputs import BearingsInputs, ruled_by
 from .result import BearingResult, BearingsResult
 
 if TYPE_CHECKING:
@@ -64,9 +64,8 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     """The bearings of a shaft side by side, and from the side how all shafts lie in their films; `view` 1: that
     first."""
     outcome = results.outcomes[STEP]
-    inputs: BearingsInputs | None = design.bearings
     result, side = outcome.result, _from_the_side(design, results)
-    if inputs is None or not isinstance(result, BearingsResult):
+    if not isinstance(result, BearingsResult):
         return side or awaited(outcome)
     checks = {check.id: check for check in outcome.checks}
     gap = rounded(min(GAP * r.seat.bearing.diameter / r.clearance_hot for r in result.bearings.values()))
@@ -76,8 +75,7 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
         Text("pressure in the shape of a short bearing"),
     )
     ends = [
-        Sketch(tuple(_bearing(place, r, inputs, gap, checks)), title=_title(place, r))
-        for place, r in result.bearings.items()
+        Sketch(tuple(_bearing(place, r, gap, checks)), title=_title(place, r)) for place, r in result.bearings.items()
     ]
     ends[0] = replace(ends[0], notes=notes)
     pictures = [*ends, side] if side is not None else ends
@@ -96,9 +94,7 @@ def _at(radius: Metre, from_load: Radian, centre: Point = (0.0, 0.0)) -> Point:
     return centre[0] + radius * math.cos(DOWN + from_load), centre[1] + radius * math.sin(DOWN + from_load)
 
 
-def _bearing(
-    place: str, r: BearingResult, inputs: BearingsInputs, gap: Number, checks: dict[str, Check]
-) -> Iterator[Mark]:
+def _bearing(place: str, r: BearingResult, gap: Number, checks: dict[str, Check]) -> Iterator[Mark]:
     key = row_key(place)
     journal, c = r.seat.bearing.diameter / 2, r.clearance_hot / 2 * gap
     seat, centre = journal + c, _at(c * r.eccentricity, r.attitude_angle)
@@ -110,7 +106,7 @@ def _bearing(
     yield Arc(OUTLINE, (0.0, 0.0), seat, key=clearance)
     yield Arc(OUTLINE, centre, journal, key=size)
     yield from _pressure(key, r, seat)
-    yield from _feed(inputs, centre, journal, seat)
+    yield from _feed(r, centre, journal, seat)
     narrow = r.attitude_angle
     yield Polyline(OUTLINE, (_at(0.78 * journal, narrow, centre), _at(seat, narrow)), key=_rough(key), state=film)
     yield Polyline(
@@ -131,9 +127,10 @@ def _film(key: str, centre: Point, journal: Metre, check: Check) -> Iterator[Mar
     yield Words(WORDS, at, text, key=_rough(key), state=judged([check], check.id), side="centre")
 
 
-def _keys(*declared: object) -> str:
-    """The keys of inputs of the step."""
-    return " ".join(dotted("bearings", key) for key in declared)
+def _keys(row: BearingRow, *declared: object) -> str:
+    """The keys of inputs that all bearings share; of what the row says itself that in the row."""
+    own = [entry.key for entry in ruled_by(row)]
+    return " ".join(row_key(row.name, key) if key in own else dotted("bearings", key) for key in map(dotted, declared))
 
 
 def _rough(key: str) -> str:
@@ -164,10 +161,11 @@ def pressures(eccentricity: Number, attitude: Radian) -> list[tuple[Radian, Numb
     return [(theta - math.pi + attitude, p / most) for theta, p in zip(turns, shares) if p > LEAST * most]
 
 
-def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) -> Iterator[Mark]:
+def _feed(r: BearingResult, centre: Point, journal: Metre, seat: Metre) -> Iterator[Mark]:
     """Where the oil comes in: outside the seat, or through the journal."""
-    outer = seat * (1 + FEED)
+    inputs, row, outer = r.seat.inputs, r.seat.bearing, seat * (1 + FEED)
     where = _keys(
+        row,
         BearingsInputs.supply,
         BearingsInputs.supply_angle,
         BearingsInputs.hole_diameter,
@@ -184,7 +182,7 @@ def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) ->
             seat * 1.08,
             DOWN + start,
             DOWN + end,
-            key=_keys(BearingsInputs.groove_width, BearingsInputs.groove_arc),
+            key=_keys(row, BearingsInputs.groove_width, BearingsInputs.groove_arc),
         )
     else:
         angles: Iterable[Radian] = (inputs.supply_angle,)
@@ -223,10 +221,11 @@ NO_CONE: Radian = 1e-6  # a smaller one is rounding
 
 
 def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
-    """Each shaft that is no twin, one below another, also where one of them is in view; None where of none it is known
-    how it lies in its films."""
+    """Each shaft with bearings of its own, one below another, also where one of them is in view; None where of none is
+    known how it lies in its films."""
     whole = results.viewed or results
-    found = {name: each.outcomes[STEP].result for name, each in whole.views.items() if STEP in each.outcomes}
+    views = {name: whole.view(name) for name in whole.of_shafts or whole.views}
+    found = {name: each.outcomes[STEP].result for name, each in views.items() if STEP in each.outcomes}
     shafts = {name: b for name, b in found.items() if isinstance(b, BearingsResult) and b.line is not None}
     if not shafts:
         return None
@@ -243,7 +242,7 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
     in_view = design.own_name if len(design.originals) == 1 else ""
     y = 0.0
     for name, b in shafts.items():
-        seen = whole.views[name]
+        seen = views[name]
         drawn = list(_in_films(b, seen.outcomes[STEP].checks, seen.shaft, longest, factor, bar))
         for mark in drawn:
             keys = mark.key.split()
@@ -252,9 +251,9 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
             marks.append(replace(moved(mark, 0.0, y), key=" ".join(keys)))
         several, cone = len(whole.design.shafts) > 1, Amount((b.cone or 0.0) * 1e3, "mrad", digits=3)
         if several and b.line is not None:
-            twins = [Name(s.name) for s in whole.design.shafts if name in (s.mirrors, s.repeats)]
+            twins = [s.name for s in whole.design.shafts if name in (s.mirrors, s.repeats) and s.name not in shafts]
             at = float(b.line[0].min()) - FOOT * longest
-            marks.append(Words(WORDS, (at, y), COMMA.join([Name(name), *twins]), side="right"))
+            marks.append(Words(WORDS, (at, y), COMMA.join(map(Name, [name, *twins])), side="right"))
         if b.cone is not None and b.cone > NO_CONE:
             half = Text("{name}: cone {cone}", name=Name(name), cone=cone)
             notes.append(half if several else Text("cone {cone}", cone=cone))

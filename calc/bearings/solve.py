@@ -12,6 +12,7 @@ from ..countershaft.bending.condensed import Condensed, of_beam
 from ..countershaft.formulas import reaction
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow, called, row_key
+from ..countershaft.twins import How
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
@@ -23,20 +24,21 @@ from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import elements, gathered, item
+from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
 from ..sheet.step import Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
-from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks
+from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks, turned_over
 from .checks import SLOPE, checks, oil_check
 from .corners import corner_points, corners, corners_table
 from .curves import charts, curves, in_films
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
-from .inputs import SLOPE_TAKEN, BearingsInputs
+from .inputs import SLOPE_TAKEN, BearingsInputs, ruled_by
 from .loads import loads_beside
 from .materials import application, running_surface
 from .notes import errata, notes
@@ -75,11 +77,12 @@ HTHS_TEMPERATURE: Celsius = 150.0  # at which the viscosity at high shear is mea
 
 
 class BearingMaterials(NamedTuple):
-    """What the bearings run with: their oil, the material of the journals and that of the housing."""
+    """What the bearings of a shaft run with: their oil, the material of the journals and that of the housing at each,
+    front to rear."""
 
     oil: Oil
     journal: Material
-    housing: Material
+    housings: tuple[Material, ...]
 
 
 def solve(
@@ -90,12 +93,14 @@ def solve(
     solids: BearingMaterials,
     *,
     speed_ratio: Number | None,
+    how: How = "own",
     compared: bool = True,
 ) -> Outcome[BearingsResult]:
     """The bearings of a shaft, front to rear, under the loads given, or the shaft's reactions, which turn with it and
     grow with its speed squared; more than two share them by their films and its bending.
 
-    `speed_ratio`: of the shaft to the crank.  `compared`: with the other routes to the film beside the one that judges.
+    `speed_ratio`: of the shaft to the crank.  `how`: the bearings may be those of its mirror image, whose films are
+    the same turned over.  `compared`: with the other routes to the film beside the one that judges.
     """
     speed, bench = bearings.speed, tuple[BenchPoint, ...]()
     if engine is not None:
@@ -108,11 +113,11 @@ def solve(
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
         seats = []
-        for bearing in rows:
+        for bearing, housing in zip(rows, solids.housings):
             with about(Text("{place} bearing", place=called(bearing.name))):
                 clearance = clearance_of(bearings, bearing, speed)
-            expansions = solids.journal.expansion, solids.housing.expansion
-            seats.append(BearingCase(bearing, bearings, lubricant, clearance, *expansions))
+            expansions = solids.journal.expansion, housing.expansion
+            seats.append(BearingCase(bearing, bearings.of(bearing), lubricant, clearance, *expansions))
         with untraced():
             duty = operating_point(bearings, 0.0, speed)
         turning, films = _condensed(bearings, rows, shaft), None
@@ -126,16 +131,17 @@ def solve(
             loads = [_load(bearing, shaft) for bearing in rows]
         seats = _some_centred(seats, loads, duty)
         shares = at_corners(turning, films, seats, duty) if turning is not None and films is not None else {}
-        for seat, load in zip(seats, loads):
+        for seat, load, housing in zip(seats, loads, solids.housings):
             place = seat.bearing.name
             with about(Text("{place} bearing", place=called(place))):
                 slope, share = _slope(seat.bearing, shaft), shares.get(place)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, share, compared=compared)
-                all_checks += checks(place, results[place], solids.housing)
-                all_checks += _material_checks(place, results[place])
+                of_bearing = [*checks(place, results[place], housing)]
+                all_checks += _by_row(seat.bearing, [*of_bearing, *_material_checks(place, results[place])])
         result = BearingsResult(bearings=results)
         if shaft is not None:
             result = on_shaft(result, shaft, turning, films, sense)
+            result = turned_over(result) if how == "mirrors" else result
     all_checks += _slope_checks(shaft, results)
     all_checks += support_checks(result, films, shaft)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
@@ -147,19 +153,25 @@ def solve(
         checks=tuple(all_checks),
         lines=tuple(lines),
         curves=Later(lambda: (*(c for place, r in results.items() for c in curves(place, r)), *in_films(result))),
-        tables=Later(lambda: _tables(bearings, results, speed)),
+        tables=Later(lambda: _tables(results, speed)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
         further=lambda: Further(curves=Later(lambda: charts(results))),
     )
 
 
-def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
+def _by_row(row: BearingRow, found: list[Check]) -> list[Check]:
+    """The checks of one bearing; what its row says of supply and seat itself moves them in place of what all share."""
+    own = {dotted("bearings", entry): row_key(row.name, entry) for entry in ruled_by(row)}
+    return [check.in_place(lambda key: (own.get(key, key),)) for check in found] if own else found
+
+
+def _tables(results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
     for place, r in results.items():
         yield routes_table(place, r.side)
-        yield corners_table(place, r.corners, bearings)
+        yield corners_table(place, r.corners, r.seat.inputs)
     runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
-    yield bushes_table(runs, bearings.bush_material or bearings.housing_material)
+    yield bushes_table(runs, [r.seat.inputs.bush_material or r.seat.inputs.housing_material for r in results.values()])
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
     yield reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items())
 
@@ -191,6 +203,7 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecon
         return f.clearance_by_factor(
             K=bearing.clearance_factor, d=bearing.diameter, u=f.surface_speed(d=bearing.diameter, n=speed)
         )
+    inputs = inputs.of(bearing)
     (ei, es), (EI, ES) = (
         tuple(based_on(x, fit, bearing.diameter) for x in deviations(parse(fit), bearing.diameter))
         for fit in (inputs.journal_fit, inputs.seat_fit)

@@ -5,7 +5,7 @@ In order: the formulas, with or without a bush, running examples, what is usual 
 
 Handbook values never fail a design; the limits of a bearing stand in `checks`."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from ..countershaft.rows import ROW, BearingRow, called, titled
@@ -291,10 +291,10 @@ def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPer
     )
 
 
-def table(bearings: Mapping[str, Running], chosen: str) -> Table:
+def table(bearings: Mapping[str, Running], chosen: Collection[str]) -> Table:
     """With or without a bush: what each material allows, and how much of it the harder of the bearings uses.
 
-    `chosen`: the name of the material that the design has (of its housing, where it has no bush).
+    `chosen`: the names of the materials that the design has (of its housing, where a bearing has no bush).
     """
 
     running = bearings.values()
@@ -313,7 +313,7 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
     rows: list[tuple[str | float | None, ...]] = []
     with untraced():
         for m in bearing_materials().values():
-            name = Text("{name}, chosen", name=m.name) if m.name == chosen else m.name
+            name = Text("{name}, chosen", name=m.name) if m.name in chosen else m.name
             p, pv, T = m.specific_load, m.pv, m.temperature
             load = None if p is None else max(load_share(p=b.p, p_zul=p) for b in running)
             heat = None if pv is None else max(load_times_speed_share(pu=b.pv, pv_zul=pv) for b in running)

@@ -10,7 +10,7 @@ from ..library.tolerances import BALANCE_GRADES
 from ..sheet.quantity import choice, described, dotted, inputs, integer, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .making.inputs import Bolts, Cost, FurtherBolts, FurtherDrain, OilDrain, Part, Support
-from .rows import ASKED_ELSEWHERE, BearingRow
+from .rows import ASKED_ELSEWHERE, OF_ORIGINAL, BearingRow, said_in
 
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
 ANGLE = Text("With cylinder 1 at TDC, from up, in the sense of crank rotation.")
@@ -608,10 +608,13 @@ class ShaftInputs:
             yield dotted(ShaftInputs.repeats), Text("leave it out beside mirrors: a shaft is a twin of one kind")
         if self.mirrors is None and self.axis is None:
             yield dotted(ShaftInputs.axis), Text("needed with repeats: two shafts can not turn about one axis")
+        theirs = Text("is that of its original, {name}: leave it out here", name=self.mirrors or self.repeats)
         for key, entry in keys(ShaftInputs).items():
             if key not in TWIN and getattr(self, entry.attribute) != entry.field.default:
-                theirs = Text("is that of its original, {name}: leave it out here", name=self.mirrors or self.repeats)
                 yield key, theirs
+        for i, row in enumerate(self.bearings):
+            of_original = [entry.key for entry in said_in(row) if entry.key in OF_ORIGINAL]
+            yield from ((dotted(ShaftInputs.bearings, i, key), theirs) for key in of_original)
 
     def _envelope(self) -> Iterable[tuple[str, Text]]:
         if self.mode == "given" and not self.masses:
@@ -711,6 +714,6 @@ def _mm(length: float) -> Amount:
     return Amount(length * 1000.0, form="g")
 
 
-# what a mirror image has of its own
+# what a twin has of its own; of its bearings what their rows say, by the names of its original's
 OWN = ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.repeats, ShaftInputs.axis, ShaftInputs.loads
-TWIN = tuple(map(dotted, OWN))
+TWIN = tuple(map(dotted, (*OWN, ShaftInputs.bearings)))

@@ -3,17 +3,21 @@
 all of it where [bearings] judges the films, else its name and its place alone."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from ..library import journal_rules as rules
 from ..library.journal_rules import IN_WORDS as IN_WORDS
 from ..library.journal_rules import called as called
 from ..library.journal_rules import titled as titled
-from ..sheet.quantity import choice, dotted, inputs, quantity, series, text
-from ..sheet.text import Text
+from ..sheet.quantity import Key, choice, dotted, inputs, keys, quantity, series, text
+from ..sheet.text import Amount, Text
 
 # keys of a shaft's inputs, of those of one of its bearings and of all of them, the names left open
 SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
+# of what brings the oil, over the length, for guide texts
+USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
+OF_ITS_OWN = Text("Supply and seat of its own")  # a fold of the form
 ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is needed, the whole design says so
 
 
@@ -173,6 +177,160 @@ class BearingRow:
         repair="free",
     )
 
+    # of supply and seat, in place of what all bearings share
+    supply: str | None = choice(
+        "Oil supply",
+        "hole",
+        "groove",
+        "pocket",
+        "shaft",
+        "axial_groove",
+        help="hole, groove, pocket, axial_groove: in the seat. shaft: through holes in the journal, turning with the "
+        "load.",
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    hole_diameter: float | None = quantity(
+        "Oil hole diameter",
+        "mm",
+        within=(0.1, 200),
+        symbol="d_H",
+        source="DIN 31652-2",
+        help=Text("Diameter of the oil hole; {low} to {high} of the bearing's length.", **USUAL_WIDTH),
+        change=("narrower oil supply", "wider oil supply"),
+        repair="free",
+        where=(supply, "hole", "shaft"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    groove_width: float | None = quantity(
+        "Groove width",
+        "mm",
+        within=(0, 500),
+        symbol="b_G",
+        source="DIN 31652-2",
+        help="Width of the oil groove along the shaft; it carries no load.",
+        change=("narrower oil supply", "wider oil supply"),
+        repair="free",
+        where=(supply, "groove"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    groove_arc: tuple[float, ...] | None = series(
+        "Groove from and to",
+        "°",
+        count=(2, 2),
+        within=(0, 360),
+        symbol="delta_G",
+        source="DIN 31652-2",
+        help="Angles from the load, 180 opposite to it.",
+        where=(supply, "groove"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    pocket_width: float | None = quantity(
+        "Pocket width",
+        "mm",
+        within=(0.1, 500),
+        symbol="b_P",
+        source="DIN 31652-2",
+        help=Text("Along the shaft; {low} to {high} of the bearing's length.", **USUAL_WIDTH),
+        change=("narrower oil supply", "wider oil supply"),
+        repair="free",
+        where=(supply, "pocket"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    pocket_length: float | None = quantity(
+        "Pocket length",
+        "mm",
+        within=(0.1, 500),
+        symbol="l_P",
+        help="Around the seat; the flow does not ask for it.",
+        repair="free",
+        where=(supply, "pocket"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    supply_angle: float | None = quantity(
+        "Angle from load to supply",
+        "°",
+        within=(0, 180),
+        symbol="delta",
+        step=5,
+        source="Finotti 2013, Table 5.1",
+        help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.",
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    axial_groove_angles: tuple[float, ...] | None = series(
+        "Axial grooves at",
+        "°",
+        count=(1, 4),
+        within=(0, 360),
+        symbol="delta_A",
+        help="Middles, from the load in the sense in which the film is dragged past it; [90, 270] for a split bearing.",
+        where=(supply, "axial_groove"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    axial_groove_width: float | None = quantity(
+        "Axial groove width",
+        "mm",
+        within=(0.1, 500),
+        symbol="w_A",
+        help="Around the seat; the film ends at its edges.",
+        where=(supply, "axial_groove"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    axial_groove_length: float | None = quantity(
+        "Axial groove length",
+        "mm",
+        within=(0.1, 1000),
+        symbol="l_A",
+        help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.",
+        where=(supply, "axial_groove"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    bush_material: str | None = text(
+        "Bush material",
+        help="A name from the table of bearing materials.",
+        catalogue="bushes",
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    housing_material: str | None = text(
+        "Housing material",
+        help="A name from the table of materials or from [[material]].",
+        change=("another housing",),
+        catalogue="materials",
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    journal_fit: str | None = text(
+        "Journal fit",
+        help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance.",
+        change=("closer fits", "wider fits", "closer fits"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+    seat_fit: str | None = text(
+        "Seat fit",
+        help="ISO 286: H7 and the like, or a bare field, IT7.",
+        change=("closer fits", "wider fits", "closer fits"),
+        default=None,
+        fold=OF_ITS_OWN,
+    )
+
+    def with_own(self, twin: "BearingRow") -> "BearingRow":
+        """The bearing of a twin: this one of its original, with what the twin's row says."""
+        own = {entry.attribute: getattr(twin, entry.attribute) for entry in said_in(twin)}
+        if not {"clearance", "clearance_factor"}.isdisjoint(own):  # one of the two, in place of what the original has
+            own = {"clearance": None, "clearance_factor": None} | own
+        return replace(self, **own)
+
     @property
     def in_words(self) -> Text:
         """Its name inside a sentence."""
@@ -192,3 +350,14 @@ class BearingRow:
             yield dotted(BearingRow.clearance), Text("must stay below a tenth of the diameter")
         if self.carrier_bore is not None and self.diameter is not None and self.carrier_bore <= self.diameter:
             yield dotted(BearingRow.carrier_bore), Text("must be larger than the diameter: the carrier holds its seat")
+
+
+def said_in(row: BearingRow) -> list[Key]:
+    """What a row says beside its name."""
+    _, *entries = keys(BearingRow).values()
+    return [entry for entry in entries if getattr(row, entry.attribute) != entry.field.default]
+
+
+# what a bearing of a twin has of its original
+SIZES = BearingRow.position, BearingRow.kind, BearingRow.diameter, BearingRow.length
+OF_ORIGINAL = tuple(map(dotted, (*SIZES, BearingRow.offset, BearingRow.carrier_bore)))

@@ -22,6 +22,7 @@ from ..sheet.units import (
     Number,
     Numbers,
     Radian,
+    RevPerSecond,
 )
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
@@ -73,6 +74,9 @@ class TwinResult:
         sign=sign,
     )
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
+    first_critical_speed_on_films: RevPerSecond | None = value(
+        "First bending critical speed on its films, where they are its own", "rpm", "n_1", default=None, short=True
+    )
     standing: Standing | None = group(spread=True, default=None)
 
 
@@ -83,6 +87,7 @@ def told(twin: CountershaftResult) -> TwinResult:
         force=twin.force,
         load_phases=twin.load_phases,
         roll_torque=twin.roll_torque,
+        first_critical_speed_on_films=twin.first_critical_speed_on_films,
         standing=twin.standing,
     )
 

@@ -12,6 +12,7 @@ from typing import Literal, TypeVar
 from ..sheet.record import record
 from ..sheet.value import based_on
 from .inputs import EccentricMass, Section, ShaftInputs
+from .rows import BearingRow, said_in
 
 How = Literal["own", "mirrors", "repeats"]
 M = TypeVar("M", bound=EccentricMass)
@@ -20,12 +21,13 @@ M = TypeVar("M", bound=EccentricMass)
 @record
 class Resolved:
     """One of the shafts of a design: its inputs as they are, of a twin made from those of its original; `of`: the name
-    of that, None of a shaft of its own."""
+    of that, None of a shaft of its own; `rows`: what the twin says of its bearings itself."""
 
     name: str
     inputs: ShaftInputs
     how: How = "own"
     of: str | None = None
+    rows: tuple[BearingRow, ...] = ()
 
 
 def resolved(shafts: Iterable[ShaftInputs]) -> tuple[Resolved, ...]:
@@ -33,15 +35,26 @@ def resolved(shafts: Iterable[ShaftInputs]) -> tuple[Resolved, ...]:
     known: dict[str, ShaftInputs] = {}
     found = []
     for shaft in shafts:
-        if shaft.mirrors is not None:
-            found.append(Resolved(shaft.name, mirrored(known[shaft.mirrors], shaft), "mirrors", shaft.mirrors))
-        elif shaft.repeats is not None:
-            inputs = replace(known[shaft.repeats], name=shaft.name, axis=shaft.axis, loads=shaft.loads)
-            found.append(Resolved(shaft.name, inputs, "repeats", shaft.repeats))
-        else:
+        if not shaft.is_twin:
             known[shaft.name] = shaft
             found.append(Resolved(shaft.name, shaft))
+            continue
+        rows = tuple(row for row in shaft.bearings if said_in(row))
+        if shaft.mirrors is not None:
+            inputs = mirrored(known[shaft.mirrors], shaft)
+            found.append(Resolved(shaft.name, with_rows(inputs, rows), "mirrors", shaft.mirrors, rows))
+        elif shaft.repeats is not None:
+            inputs = replace(known[shaft.repeats], name=shaft.name, axis=shaft.axis, loads=shaft.loads)
+            found.append(Resolved(shaft.name, with_rows(inputs, rows), "repeats", shaft.repeats, rows))
     return tuple(found)
+
+
+def with_rows(shaft: ShaftInputs, rows: tuple[BearingRow, ...]) -> ShaftInputs:
+    """A twin whose bearings of these names have what the rows say."""
+    if not rows:
+        return shaft
+    own = {row.name: row for row in rows}
+    return replace(shaft, bearings=tuple(b.with_own(own[b.name]) if b.name in own else b for b in shaft.bearings))
 
 
 def mirrored(original: ShaftInputs, twin: ShaftInputs) -> ShaftInputs:

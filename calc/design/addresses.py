@@ -6,8 +6,8 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator
 
-from ..countershaft.inputs import TWIN, ShaftInputs
-from ..countershaft.rows import IN_WORDS, BearingRow, titled
+from ..countershaft.inputs import OWN, TWIN, ShaftInputs
+from ..countershaft.rows import IN_WORDS, OF_ORIGINAL, BearingRow, titled
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
@@ -29,7 +29,7 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
     With `whole` the key may be that of a table, which else has to be one of a value in it.
     """
     path: list[str | int] = []
-    here: object = data
+    here: object = with_row(data, key)
     cls: type | None = Design
     parts = current(data, key).split(".")
     for i, part in enumerate(parts):
@@ -68,11 +68,42 @@ def every(data: Table, key: str) -> list[str]:
     for part in address(data, before, whole=True):
         here = here[part] if isinstance(here, list) and isinstance(part, int) else as_table(here).get(str(part))
     items = [as_table(item) for item in here] if isinstance(here, list) else []
-    mirrored = before == dotted(Design.shafts) and after.partition(".")[0] not in TWIN
-    names = [str(item.get("name", n)) for n, item in enumerate(items) if not (mirrored and is_twin(item))]
+    of_own = before == dotted(Design.shafts) and after.partition(".")[0] not in map(dotted, OWN)
+    names = [str(item.get("name", n)) for n, item in enumerate(items) if not (of_own and is_twin(item))]
+    names = rows_of_twin(data, before) or names
     if not names:
         raise _no_such(key, Text("nothing stands where the * is"))
     return [each for name in names for each in every(data, f"{before}.{name}.{after}")]
+
+
+def _rows_of_original(data: Table, twin: Table) -> list[str]:
+    of = twin.get(dotted(ShaftInputs.mirrors), twin.get(dotted(ShaftInputs.repeats)))
+    shafts = map(as_table, as_list(data.get(dotted(Design.shafts))))
+    original = next((shaft for shaft in shafts if shaft.get("name") == of), {})
+    return [str(as_table(row).get("name", "")) for row in as_list(original.get(dotted(ShaftInputs.bearings)))]
+
+
+def rows_of_twin(data: Table, key: str) -> list[str]:
+    """The names of all bearings that a twin may say something of, where a key is that of its bearings."""
+    shafts, _, rest = key.partition(".")
+    name, _, array = rest.partition(".")
+    if shafts != dotted(Design.shafts) or array != dotted(ShaftInputs.bearings):
+        return []
+    there = list(map(as_table, as_list(data.get(shafts))))
+    twin = next((s for n, s in enumerate(there) if name in (s.get("name"), str(n))), {})
+    return _rows_of_original(data, twin) if is_twin(twin) else []
+
+
+def with_row(data: Table, key: str) -> Table:
+    """The tables in which a twin has a row for its bearing that a key is of, so that something can be said of it."""
+    array, _, rest = key.rpartition(f".{dotted(ShaftInputs.bearings)}.")
+    name = rest.partition(".")[0]
+    if name not in rows_of_twin(data, dotted(array, ShaftInputs.bearings)):
+        return data
+    where = address(data, dotted(array, ShaftInputs.bearings), whole=True)
+    rows = as_list(value_at(data, dotted(array, ShaftInputs.bearings), whole=True))
+    there = [as_table(row).get("name") for row in rows]
+    return data if name in there else changed(data, where, [*rows, {"name": name}])
 
 
 def by_names(data: Table, key: str) -> str:
@@ -158,7 +189,7 @@ def value_at(data: Table, key: str, whole: bool = False) -> object:
     here: object = data
     for part in address(data, first, whole):
         if isinstance(here, list) and isinstance(part, int):
-            here = here[part]
+            here = here[part] if part < len(here) else None  # a bearing of which a twin says nothing
         else:
             here = here.get(part) if isinstance(here, dict) else None
     return here
@@ -258,10 +289,11 @@ def keys_of(cls: type, data: Table, step: str) -> list[Key]:
 
 
 def asked_keys(cls: type, table: Table, data: Table, step: str) -> list[Key]:
-    """Those of one table that can be given in it, without the name of a shaft, by which it is known."""
+    """Those of one table that can be given in it, without the name of a shaft, by which it is known, and without the
+    bearings of a twin, which are judged."""
     own = set(own_keys(cls, table, judged=dotted(Design.bearings) in data))
     if cls is ShaftInputs:
-        own.remove(dotted(ShaftInputs.name))
+        own -= {dotted(ShaftInputs.name)} | ({dotted(ShaftInputs.bearings)} if is_twin(table) else set())
     return [key for key in keys_of(cls, data, step) if key.key in own]
 
 
@@ -280,8 +312,10 @@ def arrays_of(data: Table, step: Step) -> Iterator[tuple[Quantity, list[Table], 
     """The arrays of tables that a step asks for beside its own table, each with its description and its key: the
     bearings that [bearings] judges."""
     if step.key == dotted(Design.bearings) and asks(data, step.key):
-        for n, shaft in own_shafts(data).items():
+        for n, shaft in enumerate(map(as_table, as_list(data.get(dotted(Design.shafts))))):
             rows = as_list(shaft.get(dotted(ShaftInputs.bearings)))
+            if not rows:
+                continue  # of a twin that is as its original
             yield described(ShaftInputs.bearings), list(map(as_table, rows)), dotted(Design.shafts, n, step.key)
 
 
@@ -313,8 +347,10 @@ def _quantities_of(cls: type, data: Table, key: str, here: str = "", *, judged: 
     elif about.kind == "table":
         yield from _quantities(about.table, as_table(data.get(key)), here, judged)
     else:
+        theirs = OF_ORIGINAL if about.table is BearingRow and is_twin(data) else ()
         for i, item in enumerate(map(as_table, as_list(data.get(key)))):
-            yield from _quantities(about.table, item, f"{here}.{item.get('name', i)}", judged)
+            inside = _quantities(about.table, item, f"{here}.{item.get('name', i)}", judged)
+            yield from ((key, about) for key, about in inside if key.rpartition(".")[2] not in theirs)
 
 
 def own_keys(cls: type, data: Table, *, judged: bool = True) -> list[str]:
@@ -323,7 +359,9 @@ def own_keys(cls: type, data: Table, *, judged: bool = True) -> list[str]:
     known = keys(cls)
     like = (dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats))
     if cls is ShaftInputs:
-        return list(TWIN) if is_twin(data) else [key for key in known if key not in like]
+        if not is_twin(data):
+            return [key for key in known if key not in like]
+        return [key for key in TWIN if judged or key != dotted(ShaftInputs.bearings)]
     if cls is BearingRow and not judged:
         return [key for key, entry in known.items() if entry.attribute in SCREENED]
     return list(known)

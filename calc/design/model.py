@@ -3,17 +3,17 @@
 in solve.py."""
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Any, ClassVar
 
 from ..bearings.inputs import BearingsInputs
-from ..bearings.materials import application_problem, applications, bush_problem, bushes
+from ..bearings.materials import application_problem, applications, bushes
 from ..countershaft.inputs import ShaftInputs, ShaftLoad
 from ..countershaft.making.inputs import Bolts
-from ..countershaft.rows import SHAFT, BearingRow
+from ..countershaft.rows import SHAFT, BearingRow, said_in
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
 from ..friction.inputs import FrictionInputs, Scenario, Seal
@@ -151,6 +151,10 @@ class Design:
             for name in originals
         }
 
+    def with_bearings_of(self, twin: str) -> "Design":
+        """The design with a twin alone, as a shaft that is none."""
+        return replace(self, shafts=tuple(shaft.inputs for shaft in self.resolved if shaft.name == twin))
+
     @cached_property
     def originals(self) -> tuple[str, ...]:
         """The names of the shafts that are no twins."""
@@ -261,11 +265,30 @@ class Design:
             return (key,)
         return tuple(f"{self.own_key(ShaftInputs.bearings, row.name)}{key.removeprefix(each)}" for row in self.rows)
 
+    def in_twin(self, twin: Resolved) -> Callable[[str], tuple[str, ...]]:
+        """The same of the bearings of a twin: what it says of them itself by its own keys, the rest by those of its
+        original."""
+        view, said = self.with_bearings_of(twin.name), self.said_by(twin)
+        mine, theirs = (f"{dotted(Design.shafts, name)}." for name in (twin.name, twin.of))
+
+        def whose(key: str) -> str:
+            return theirs + key.removeprefix(mine) if key.startswith(mine) and key not in said else key
+
+        return lambda key: tuple(map(whose, view.in_place(key)))
+
+    def said_by(self, twin: Resolved) -> frozenset[str]:
+        """The keys of what a twin says of its bearings itself."""
+        rows = dotted(Design.shafts, twin.name, ShaftInputs.bearings)
+        return frozenset(dotted(rows, row.name, entry) for row in twin.rows for entry in said_in(row))
+
     def given(self, step: str) -> Iterator[tuple[str, Quantity, Any]]:
-        """The inputs of a step that are not left out: key with the names of elements, description, content in SI."""
+        """The inputs of a step that are not left out, without what twins say of their bearings: key with the names of
+        elements, description, content in SI."""
         tables: list[tuple[str, object]] = [] if step == "countershaft" else [(step, getattr(self, step))]
         if step in ("countershaft", "bearings"):
-            tables += [(dotted(Design.shafts, shaft.name), shaft) for shaft in self.shafts]
+            for shaft in self.shafts:
+                alone = replace(shaft, bearings=()) if shaft.is_twin else shaft
+                tables.append((dotted(Design.shafts, shaft.name), alone))
         for way, there in tables:
             if there is not None:
                 yield from (row for row in given(there, way, named=True) if self.step_of(row[0]) == step)
@@ -284,10 +307,12 @@ class Design:
         twins = list(self._twins())
         yield from twins or self._shares()
         for n, shaft in enumerate(self.shafts):
-            if not shaft.is_twin:
-                way = dotted(Design.shafts, n)
-                yield from self._rows([(dotted(way, ShaftInputs.bearings, i), r) for i, r in enumerate(shaft.bearings)])
-                yield from _within(way, self._shaft(shaft))
+            rows = [(dotted(Design.shafts, n, ShaftInputs.bearings, i), row) for i, row in enumerate(shaft.bearings)]
+            if shaft.is_twin:
+                yield from self._twin_rows(shaft, rows)
+            else:
+                yield from self._rows(rows)
+                yield from _within(dotted(Design.shafts, n), self._shaft(shaft))
         if self.bearings is not None:
             yield from self._bearings(self.bearings)
         if self.mounting is not None:
@@ -442,11 +467,31 @@ class Design:
             return
         for key, row in rows:
             yield from _within(key, self.bearings.asked_of(row))
-            if row.sized:
-                yield from _within(dotted(Design.bearings), self.bearings.beside(row))
+            yield from self._seat(self.bearings, key, row)
         if len(rows) > 2 and self.bearings.load_speed_ratio != 1:
             turning = Text("must be 1 on a shaft with more than two bearings, which share what turns with it")
             yield dotted(Design.bearings, BearingsInputs.load_speed_ratio), turning
+
+    def _twin_rows(self, twin: ShaftInputs, rows: list[tuple[str, BearingRow]]) -> Problems:
+        """The rows of a twin: whether its original has such a bearing, and what is wrong of that as the twin has it."""
+        original = next((shaft for shaft in self.shafts if shaft.name == (twin.mirrors or twin.repeats)), None)
+        there = {row.name: row for row in original.bearings} if original is not None else {}
+        for key, row in rows if original is not None else ():
+            if row.name not in there:
+                yield dotted(key, BearingRow.name), _unknown_name(row.name, there)
+            elif self.bearings is None:
+                yield key, JUDGED
+            else:
+                known = list(_of_row(self.bearings, there[row.name]))
+                here = _of_row(self.bearings, there[row.name].with_own(row))
+                yield from _within(key, (problem for problem in here if problem not in known))
+
+    def _seat(self, bearings: BearingsInputs, key: str, row: BearingRow) -> Problems:
+        """Supply and seat of one bearing: what is wrong by what all share is said there, the rest at its row."""
+        known, shared = list(bearings.of_seat()), list(bearings.beside(row)) if row.sized else []
+        for problem in _of_seat(bearings, row):
+            if problem not in known:
+                yield from _within(dotted(Design.bearings) if problem in shared else key, [problem])
 
     def _shaft(self, shaft: ShaftInputs) -> Problems:
         if shaft.mode == "bearings" or None in shaft.bearing_positions:
@@ -483,8 +528,6 @@ class Design:
 
     def _bearings(self, bearings: BearingsInputs) -> Problems:
         """What the tables of bearings do not have, and what bearings need that stand alone."""
-        if bearings.bush_material is not None and (wrong := bush_problem(bearings.bush_material)) is not None:
-            yield dotted(Design.bearings, BearingsInputs.bush_material), wrong
         if (wrong := application_problem(bearings.application)) is not None:
             yield dotted(Design.bearings, BearingsInputs.application), wrong
         if self.engine is None and bearings.speed is None:
@@ -596,6 +639,20 @@ def step_of(key: str, *, judged: bool) -> str:
         return first
     of_row = len(parts) > 3 and parts[1] == dotted(ShaftInputs.bearings) and parts[3] not in PLACES_OF_ROWS
     return dotted(Design.bearings) if judged and of_row else "countershaft"
+
+
+def _of_seat(bearings: BearingsInputs, row: BearingRow) -> Problems:
+    """What is wrong with supply and seat of one bearing."""
+    own = bearings.of(row)
+    yield from own.of_seat()
+    if row.sized:
+        yield from own.beside(row)
+
+
+def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
+    """What is wrong with one bearing, by itself and by what all share."""
+    yield from row.problems()
+    yield from _of_seat(bearings, row)
 
 
 def _unloaded(shaft: ShaftInputs) -> list[int]:

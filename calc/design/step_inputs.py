@@ -101,6 +101,12 @@ def twins_of(design: Design, original: str) -> dict[str, Resolved]:
     return {shaft.name: shaft for shaft in turning(design) if shaft.of == original}
 
 
+def on_own_bearings(design: Design) -> tuple[Resolved, ...]:
+    """The shafts whose bearings are solved: those that are no twins, then twins that say something of theirs."""
+    every = [shaft for shaft in design.resolved if shaft.of is None or shaft.rows]
+    return tuple(sorted(every, key=lambda shaft: shaft.of is not None))
+
+
 def sized_alike(design: Design, shaft: ShaftInputs) -> int:
     """How many shafts are sized for the ratio of this one, twins counted."""
     return sum(one.inputs.mode == "size" and one.inputs.speed_ratio == shaft.speed_ratio for one in design.resolved)
@@ -288,7 +294,7 @@ def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInpu
     return BearingMaterials(
         oil=bearings.in_bearings(design.oils[bearings.oil]),
         journal=solids[bearings.journal_material or shaft.material],
-        housing=solids[bearings.housing_material],
+        housings=tuple(solids[bearings.of(row).housing_material] for row in shaft.bearings),
     )
 
 

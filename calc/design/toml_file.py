@@ -36,6 +36,7 @@ from .addresses import (
     join,
     unjudged,
     value_at,
+    with_row,
     written,
 )
 from .disk import read_file
@@ -125,12 +126,13 @@ class Document:
             return replace(self, data=data, lines=lines, former=former)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
         where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
+        there = self.data if value is None else with_row(self.data, key)
         if isinstance(value, dict) and first != key and where[-2:-1] == (dotted(ShaftInputs.bearings),):
             row = as_table(
                 value_at(self.data, key, whole=True)
             )  # schema 1 says elsewhere what it is and where it stands
             value = {own: row[own] for own in ROW_OWN if own in row} | value
-        data = changed(self.data, where, value)
+        data = changed(there, where, value)
         if key == dotted(Design.bearings) and value is None:
             data = unjudged(data)
         former = self.former and self.former.without(".".join(map(str, where)))

@@ -89,11 +89,11 @@ def _cylinder(results: "Results", piece: "Piece", support: Metre | None) -> tupl
     size, bearings, shaft = _diameter(piece.outer_radius), results.design.bearings, results.design.countershaft
     if bearings is None or shaft is None or support is None:
         return size, None
-    if bearings.journal_fit != ASSUMED_FIT:
-        field = parse(bearings.journal_fit, "shaft")
+    bearing = next(row for row in shaft.bearings if row.position == support)
+    if (fit := bearings.of(bearing).journal_fit) != ASSUMED_FIT:
+        field = parse(fit, "shaft")
         named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
         size = deviated(named, *deviations(field, 2 * piece.outer_radius))
-    bearing = next(row for row in shaft.bearings if row.position == support)
     return size, _roughness(bearing.journal_roughness)
 
 
@@ -104,7 +104,8 @@ def _roughness(Ra: Metre) -> Text:
 def missing(results: "Results") -> Iterator[Text]:
     """What a drawing needs and this design does not give; nothing is put in its place."""
     bearings, shaft = results.design.bearings, results.design.countershaft
-    if bearings is None or bearings.journal_fit == ASSUMED_FIT:
+    seats = [bearings.of(row) for row in results.design.rows] if bearings is not None else []
+    if not seats or any(seat.journal_fit == ASSUMED_FIT for seat in seats):
         yield Text("fits of the journals")
     if bearings is None:
         yield Text("roughness of the journals")
@@ -116,7 +117,7 @@ def missing(results: "Results") -> Iterator[Text]:
         yield Text("fillets")
     if shaft is not None and shaft.holes is not None:
         yield Text("places of the calibration holes")
-    if bearings is not None and bearings.supply == "shaft":
+    if any(seat.supply == "shaft" for seat in seats):
         yield Text("oil ways in the shaft")
 
 

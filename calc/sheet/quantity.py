@@ -303,6 +303,17 @@ def open_(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     return _make("open", label, "", default, **options)
 
 
+def as_in(
+    declared: object, *, default: T = REQUIRED, help: str = "", fold: Text = EMPTY, taken_by: tuple[str, ...] = ()
+) -> T:
+    """An input that another class declares, once more: the same but for its place in forms, `default` and what is said
+    otherwise."""
+    about = described(declared)
+    words = Text(help) if help else about.help
+    again = replace(about, optional=default is not MISSING, help=words, fold=fold, taken_by=taken_by)
+    return field(default=default, kw_only=True, metadata={"quantity": again})
+
+
 @record
 class Key:
     """One key of an Inputs class: where it stands in the file and where in the dataclass."""
@@ -533,7 +544,7 @@ def result(cls: type[T]) -> type[T]:
 @dataclass_transform(
     frozen_default=True,
     kw_only_default=True,
-    field_specifiers=(quantity, integer, text, day, choice, series, integers, names, table, tables, open_),
+    field_specifiers=(quantity, integer, text, day, choice, series, integers, names, table, tables, open_, as_in),
 )
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are (not what is cached beside them)."""

@@ -158,8 +158,9 @@ def _whose(context: Context, id: str) -> str:
 
 
 def _own_lines(context: Context, step: Step) -> set[Line]:
-    """The lines of all shafts that are no twins."""
-    views = (context.original or context.results).views.values()
+    """The lines of all shafts that have a section of their own."""
+    results = context.original or context.results
+    views = [results.view(shaft.name) for shaft in context.design.shafts]
     return {line for view in views for line in view.outcomes[step.key].lines}
 
 

@@ -9,9 +9,21 @@ from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
-from calc.design.addresses import arrays_of, asked_keys, element_title, step_at, tables_of
+from calc.bearings.inputs import OF_ROWS
+from calc.countershaft.rows import BearingRow
+from calc.design.addresses import (
+    Table,
+    arrays_of,
+    as_table,
+    asked_keys,
+    element_title,
+    step_at,
+    tables_of,
+    value_at,
+)
 from calc.design.model import Design
 from calc.design.names import choice_word
+from calc.design.upgrade import is_twin
 from calc.locale import Language
 from calc.sheet.expression import symbol as greek
 from calc.sheet.number import SUPERSCRIPTS
@@ -200,7 +212,8 @@ class _Tables:
             if key.key == "name" or key.about.kind in ("table", "tables"):
                 continue
             if all(g.left_out for g in given):
-                self.left_out.append(_left_out(key, self.say))
+                if cls is not BearingRow or key not in OF_ROWS:  # which is said of what all bearings share
+                    self.left_out.append(_left_out(key, self.say))
             else:
                 shown.append((key, given))
         if not shown:
@@ -250,19 +263,33 @@ class _Tables:
         return Cell(f"{text} *" if given.default else text)
 
 
+def beside_own(rows: list[Table], shared: Table) -> list[Table]:
+    """Bearings with what all share of supply and seat, where one of them has its own."""
+    own = {entry.key for entry in OF_ROWS if any(entry.key in row for row in rows)}
+    return [{key: shared[key] for key in own & shared.keys()} | row for row in rows]
+
+
 def input_blocks(context: Context, step: Step) -> list[Block]:
     """The inputs of one step, with what the program takes where the file says nothing."""
     data = context.document.data
     there = [table for table in tables_of(data, step) if context.asks(table[2])]
-    arrays = [array for array in arrays_of(data, step) if context.asks(array[2])]
+    arrays = []
+    for about, elements, key in arrays_of(data, step):
+        shaft = as_table(value_at(data, key.rpartition(".")[0], whole=True))
+        if context.asks(key) and context.shaft in ("", shaft.get("name")):
+            arrays.append((about, elements, key, is_twin(shaft)))
     if not there and not arrays:
         return []
     tables = _Tables(context, step)
     for cls, content, key in there:
         tables.plain(str(content.get("name", "")) if len(there) > 1 else "", cls, content, key)
-    for about, elements, key in arrays:
+    for about, elements, key, of_twin in arrays:
+        said = list(tables.left_out)
+        elements = elements if of_twin else beside_own(elements, as_table(data.get(step.key)))
         named = [(_part_name(about.table, part, i, context.say), part) for i, part in enumerate(elements)]
         tables.parts(context.say(about.label), about.table, named, key)
+        if of_twin:
+            tables.left_out = said  # it is as its original's
     w = context.words
     if tables.default:
         tables.blocks = noted_below(tables.blocks, w["defaults"], gap=3.0)

@@ -23,6 +23,7 @@ from assistant.session.places import (
 from assistant.session.recovery import Edits, Memory
 from assistant.session.saving import NeedsUpgrade
 from assistant.session.session import Session
+from assistant.widgets.entry import Entry
 from assistant.widgets.field import CellColumns, Field
 from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.rows import Asked, FormRow, routed
@@ -159,6 +160,11 @@ async def test_a_bearing_by_another_name_has_that_name_above_its_column(screen: 
         await go_to(pilot, "bearings.oil")
         columns = work(pilot).form.query_one(CellColumns)
         assert "Gear side" in columns.render().plain and "Rear" in columns.render().plain
+        box = await go_to(pilot, "shafts.shaft.bearings.rear.hole_diameter_mm")
+        field = work(pilot).form.field
+        assert isinstance(box, Entry) and box.placeholder == "as all" and field is not None and not field.note()[0]
+        await type_in(pilot, "3.5")
+        assert field.note() == ("rules here", "muted")
 
 
 # --- several shafts, one in view
@@ -181,19 +187,55 @@ def two_of_their_own(memory: Memory, tmp_path: Path) -> Session:
 def test_the_view_is_of_the_shaft_in_view_or_of_the_original_of_a_twin(memory: Memory, tmp_path: Path) -> None:
     pair = opened(FOUR, memory, tmp_path)
     pair.solve()
-    first = pair.view
+    first = pair.view("countershaft")
     pair.shaft = 1
-    assert pair.original == "shaft" and pair.view is first is not None
+    assert pair.original == "shaft" and pair.view("countershaft") is first is not None
     session = two_of_their_own(memory, tmp_path)
     forces = []
     for session.shaft in (0, 1):
-        assert session.view is not None and session.view.shaft is not None
-        forces.append(session.view.shaft.force)
+        view = session.view("countershaft")
+        assert view is not None and view.shaft is not None
+        forces.append(view.shaft.force)
     assert forces[1] < forces[0] and session.shaft_of("countershaft.right.force") == 1
     assert session.shaft_of("countershaft.residual_order_2_force") is None
     session.undo()
     session.remove(SHAFTS, 1)
     assert session.shaft == 0
+
+
+def test_a_twin_says_of_its_bearings_what_is_added(memory: Memory, tmp_path: Path) -> None:
+    session = opened("r754ie4_balance_shafts", memory, tmp_path)
+    there: Place = (*SHAFTS, 1, "bearings")
+    assert session.add(there) == 0 and session.valid
+    session.edit((*there, 0, "clearance_um"), "50")
+    assert session.valid and session.add(there) == 1 and session.data["shafts"][1]["bearings"][1] == {"name": "middle"}
+    session.remove(there, 1)
+    judged = [(row.kind, row.place) for row in form_of("bearings", session.data, shaft=1)]
+    assert judged[:5] == [
+        ("leaf", SHAFTS),
+        ("array", there),
+        ("field", (*there, 0, "clearance_um")),
+        ("field", (*there, 0, "clearance_factor")),
+        ("original", (*SHAFTS, 1)),
+    ]
+    placed = [(row.kind, row.place[-1]) for row in form_of("countershaft", session.data, shaft=1)]
+    assert placed[-4:] == [("array", "bearings"), ("heading", 0), ("field", "name"), ("original", 1)]
+    session.edit((*ROWS, 0, "name"), "fore")
+    assert session.valid and session.data["shafts"][1]["bearings"] == [{"name": "fore", "clearance_um": 50.0}]
+    session.solve()
+    session.shaft = 1
+    views = [session.view(step) for step in ("countershaft", "bearings")]
+    assert [view.design.own_name for view in views if view is not None] == ["left", "right"]
+
+
+def test_what_a_row_says_of_its_supply_stands_in_a_fold_with_what_that_needs() -> None:
+    data = tables("r753ie4_gamma")
+    grooved = changed(data, (*ROWS, 0, "supply"), "groove")
+    shown = []
+    for there in (data, grooved):
+        inside = {field.place for row in form_of("bearings", there) for field in row.inside if row.kind == "fold"}
+        shown.append([key for key in ("hole_diameter_mm", "groove_width_mm") if (*ROWS, 0, key) in inside])
+    assert shown == [["hole_diameter_mm"], ["groove_width_mm"]]
 
 
 def test_ids_of_what_is_accepted_and_measured_have_a_shafts_name_beside_another(session: Session) -> None:

@@ -292,11 +292,12 @@ class BearingTask:
         return AT_CORNERS if self.corners else AS_GIVEN
 
     def with_oil(self, oil: Lubricant, fed: str, fits: tuple[str, str] | None = None) -> "BearingTask":
+        """The same with another oil, supply and fits of all bearings; what its row says itself stays."""
         seat = self.seat
         inputs = replace(seat.inputs, oil=oil.oil.name, supply=fed)
         if fits is not None:
             inputs = replace(inputs, journal_fit=fits[0], seat_fit=fits[1])
-        return replace(self, seat=replace(seat, lubricant=oil, inputs=inputs))
+        return replace(self, seat=replace(seat, lubricant=oil, inputs=inputs.of(seat.bearing)))
 
     def at_diameter(self, d: Metre) -> "BearingTask":
         """The same journal at another diameter, under the same load; its room is that of the one it was made for."""

@@ -111,7 +111,7 @@ class Variant:
 def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
     """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be
     known."""
-    if case.bearings.supply == "axial_groove":
+    if any(case.bearings.of(row).supply == "axial_groove" for row in case.rows):
         what = Text("the search for bearings does not know films between axial grooves")
         raise NoSolution(what, EMPTY, Text("search with a hole, then set the grooves"))
     by_place = {place: [task] for place, task in own_tasks(case).items()}

@@ -11,7 +11,7 @@ from ...bearings.checks import FILM_EDGE_SPEEDS, FILM_EDGE_STANDING, LENGTH_RATI
 from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import LENGTH_STEP
 from ...bearings.selection.states import BearingTask
-from ...bearings.selection.variants import SUPPLIES, Variant, own_tasks
+from ...bearings.selection.variants import Variant, own_tasks
 from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, JOURNAL_SLOPE
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow
@@ -61,7 +61,7 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
         place: max(problem.sizes[keys.of_bearing(place, BearingRow.diameter)] or (0.0,)) for place in keys.places
     }
     assert bearings is not None
-    wide = max(getattr(bearings, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) * 1e3
+    wide = max(bearings.of(row).widest_supply for row in problem.base.rows) * 1e3
     length = {place: round(max(USUAL_LENGTH_RATIO[0] * d, wide + 1.0), 1) for place, d in diameter.items()}
     clearance = {place: round(PROBED * d, 1) for place, d in diameter.items()}
     sized = Sized(choices, min(problem.sizes[keys.core] or (0.0,)), diameter, length, clearance, None)
@@ -81,7 +81,7 @@ def not_closed(design: Design, results: Results) -> Text:
         shaft.gear_z is not None and shaft.bearing_positions[0] < shaft.gear_z < shaft.bearing_positions[1]
     ):
         return Text("further elements stand on the shaft")
-    if bearings.supply == "axial_groove":
+    if any(bearings.of(row).supply == "axial_groove" for row in design.rows):
         return Text("films between axial grooves are not known on arrays")
     if any(row.load is not None for row in design.rows):
         return Text("loads of the bearings are given")

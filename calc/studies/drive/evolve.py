@@ -120,10 +120,9 @@ class _Space:
 
     def _width(self) -> float:
         """The width of the supply in mm, which a journal must be longer than."""
-        bearings = self.problem.base.bearings
-        assert bearings is not None
-        widths = (bearings.hole_diameter, bearings.groove_width, bearings.pocket_width, bearings.axial_groove_length)
-        return max(x or 0.0 for x in widths) * 1e3
+        base = self.problem.base
+        assert base.bearings is not None
+        return max(base.bearings.of(row).widest_supply for row in base.rows) * 1e3
 
     def sized(self, x: Array) -> Sized:
         """The drive at a point: class, surfaces, core, diameters, then of each journal l/d and clearance over

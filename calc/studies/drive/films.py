@@ -309,8 +309,7 @@ def lengths(task: BearingTask, longest: Metre, ratios: tuple[Number, Number]) ->
 
 def least_length(task: BearingTask) -> Metre:
     """A step more than whatever the design has the width of."""
-    inputs = task.seat.inputs
-    return max(getattr(inputs, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) + LENGTH_STEP
+    return task.seat.inputs.widest_supply + LENGTH_STEP
 
 
 def _supply_width(task: BearingTask) -> Metre | None:

@@ -181,7 +181,7 @@ def power(results: Results) -> Watt:
     published = results.value(FrictionResult.crank_power)
     if published is not None:
         return float(published.inside)
-    return sum(len(view.design.shafts) * journals_power(view) for view in results.views.values())
+    return sum(journals_power(results.view(shaft.name)) for shaft in results.design.shafts)
 
 
 def journals_power(results: Results) -> Watt:

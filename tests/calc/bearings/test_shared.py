@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.as_supports import at_corners, on_films, shared, support_checks
+from calc.bearings.as_supports import at_corners, on_films, shared, support_checks, turned_over
 from calc.bearings.corners import corner_points
 from calc.bearings.loads import _checks as standing_checks
 from calc.bearings.loads import _standing as standing_part
@@ -19,8 +19,12 @@ from calc.bearings.sketch import sketch
 from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
 from calc.countershaft.result import CountershaftResult
+from calc.countershaft.rows import BearingRow, row_key
+from calc.countershaft.twins import resolved
+from calc.design.addresses import quantities, quantity_of, value_at
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design
+from calc.design.unusual import doubts
 from calc.draw.drawing import Area, Polyline
 from calc.friction.result import FrictionResult
 from calc.sheet.errors import BadInput, NoSolution
@@ -205,6 +209,10 @@ def test_the_corners_of_all_bearings_are_those_of_each_alone(three, wider, softe
     seats = [replace(row.seat, clearance=softer * row.seat.clearance) for row in rows_of(three).values()]
     seats[0] = resized(seats[0], diameter=seats[0].bearing.diameter * wider)
     duty = rows_of(three)["front"].duty
+    _corners_are_those_of_each_alone(turning, films, seats, duty)
+
+
+def _corners_are_those_of_each_alone(turning, films, seats, duty):
     shares = at_corners(turning, films, seats, duty)
     for i, name in enumerate(NAMES):
         load = abs(films.carried.load[i])
@@ -471,3 +479,106 @@ def test_the_power_balance_closes_with_what_stands_on_three_bearings(gamma):
     assert of_wheel["front"] == pytest.approx(
         math.hypot(standing.gear_force_tangential, standing.gear_force_radial), rel=0.2
     )
+
+
+# --- bearings that are not alike, and twins
+
+
+def test_a_bearing_that_is_fed_otherwise_than_the_others_is_warmed_by_itself(three):
+    rows, turning = rows_of(three), of_beam(*_beam(three))
+    seats, duty = [row.seat for row in rows.values()], rows["front"].duty
+    grooved = replace(seats[1].inputs, supply="groove", groove_width=2e-3)
+    mixed = [seats[0], replace(seats[1], inputs=grooved), seats[2]]
+    films = on_films(turning, shared(turning, mixed, duty, 1), NAMES)
+    assert [law.lands for law in films.laws] == [1, 2, 1]
+    _corners_are_those_of_each_alone(turning, films, mixed, duty)
+    again = [replace(seat, inputs=replace(seat.inputs)) for seat in seats]  # as of rows that say what all share
+    assert np.array_equal(shared(turning, again, duty, 1).carried.load, shared(turning, seats, duty, 1).carried.load)
+
+
+def with_image(document, *rows):
+    """With a mirror image of its shaft that says so much of its bearings itself."""
+    image = {"name": "image", "mirrors": "shaft", "axis_mm": [0.0, 80.0]} | ({"bearings": list(rows)} if rows else {})
+    return document.with_value("shafts", [*document.data["shafts"], image])
+
+
+@pytest.fixture(scope="module")
+def image():
+    """Whose middle bearing is wider, as in the case r754-middle-wide."""
+    return solve(design(with_image(on_bearings("r754-films"), {"name": "middle", "clearance_um": 90.0})))
+
+
+def test_a_twin_that_says_something_of_its_bearings_has_them_solved(image, three):
+    wide = {row["value"]: row["is"] for row in cases.DATA["given"] if row["case"] == "r754-middle-wide"}
+    values = image.values()
+    for row in NAMES:
+        assert values[f"bearings.image.{row}.load"].inside == pytest.approx(wide[f"load.{row}"], rel=2e-3)
+        assert values[f"bearings.shaft.{row}.load"].inside == rows_of(three)[row].load
+    assert values["bearings.image.middle.clearance"].inside == 90e-6
+    moved = next(check.moved_by for check in image.checks() if check.id == "bearings.image.middle.film_edge")
+    assert "shafts.image.bearings.middle.clearance_um" in moved and "shafts.shaft.bearings.middle.length_mm" in moved
+    speeds = [values[f"countershaft.{name}.first_critical_speed_on_films"].inside for name in ("shaft", "image")]
+    assert speeds[1] < speeds[0]  # a wider bearing holds it less
+    view = image.view("image")
+    assert view.design.own_name == "image" and rows_of(view)["middle"].seat.bearing.clearance == 90e-6
+    assert list(image.views) == ["shaft"]
+
+
+def test_a_twin_that_says_nothing_is_the_very_object():
+    found = resolved(design(with_image(on_bearings("r754-films"), {"name": "middle"})).shafts)
+    assert found[1].rows == () and found[1].inputs.bearings is found[0].inputs.bearings
+
+
+def test_the_films_of_a_mirror_image_lie_the_other_way(three):
+    found = three.result(BearingsResult)
+    image = turned_over(found)
+    for row, mine in image.bearings.items():
+        lies, theirs = mine.on_shaft, found.bearings[row].on_shaft
+        assert lies.load_phase == -theirs.load_phase and lies.displacement_phase == -theirs.displacement_phase
+        assert (lies.tilt_along, mine.film_edge) == (theirs.tilt_along, found.bearings[row].film_edge)
+    assert np.array_equal(image.line[1], found.line[1].conjugate())
+
+
+def test_what_a_twin_may_say_of_its_bearings():
+    document = on_bearings("r754-films")
+    (error,) = wrong_of(with_image(document, {"name": "midle", "clearance_um": 90.0})).items()
+    assert error == ("shafts.1.bearings.0.name", '"midle" is not known; did you mean "middle"?')
+    theirs = {"diameter_mm": 24.0, "length_mm": 20.0, "position_mm": 1.0, "offset_um": [1.0, 1.0]}
+    wrong = wrong_of(with_image(document, {"name": "middle", **theirs}))
+    assert wrong == {
+        f"shafts.1.bearings.0.{key}": "is that of its original, shaft: leave it out here" for key in theirs
+    }
+    of_supply = wrong_of(with_image(document, {"name": "middle", "supply": "groove"}))
+    assert of_supply == {"shafts.1.bearings.0.groove_width_mm": 'needed with supply = "groove"'}
+    wide = wrong_of(with_image(document, {"name": "middle", "clearance_um": 4000.0}))
+    assert wide == {"shafts.1.bearings.0.clearance_um": "must stay below a tenth of the diameter"}
+    by_factor = design(with_image(document, {"name": "middle", "clearance_factor": 0.5})).resolved[1].inputs
+    assert [row.clearance for row in by_factor.bearings][1] is None  # which its original gives
+
+
+def test_what_a_twin_says_is_doubted_and_told_by_its_own_keys():
+    made = design(with_image(on_bearings("r754-films"), {"name": "middle", "journal_roughness_um": 5.0}))
+    assert not any(".image." in key for key, _, _ in made.given("bearings"))
+    (far,) = doubts(made.with_bearings_of("image"), "bearings")
+    assert far.moved_by == ("shafts.image.bearings.middle.journal_roughness_um",)
+    keys_of = made.in_twin(made.resolved[1])
+    rough, size = (row_key("middle", field) for field in (BearingRow.journal_roughness, BearingRow.diameter))
+    assert (*keys_of(rough), *keys_of(size), *keys_of("bearings.oil")) == (
+        "shafts.image.bearings.middle.journal_roughness_um",
+        "shafts.shaft.bearings.middle.diameter_mm",
+        "bearings.oil",
+    )
+
+
+def test_a_key_of_a_twins_bearing_makes_its_row():
+    document = with_image(on_bearings("r754-films"))
+    key = "shafts.image.bearings.middle.clearance_um"
+    assert value_at(document.data, key) is None and quantity_of(document.data, key).unit == "µm"
+    changed = document.with_value(key, 90.0)
+    assert changed.data["shafts"][1]["bearings"] == [{"name": "middle", "clearance_um": 90.0}]
+    every = changed.with_value("shafts.image.bearings.*.clearance_um", 70.0).data["shafts"]
+    assert {row["name"]: row["clearance_um"] for row in every[1]["bearings"]} == dict.fromkeys(NAMES, 70.0)
+    own = changed.with_value("shafts.*.bearings.*.clearance_um", 50.0).data["shafts"]
+    assert own[1] == changed.data["shafts"][1] and [row["clearance_um"] for row in own[0]["bearings"]] == [50.0] * 3
+    keys = {key.rpartition(".")[2] for key, _ in quantities(changed.data) if ".image.bearings." in key}
+    assert "clearance_um" in keys and not {"diameter_mm", "length_mm", "position_mm"} & keys

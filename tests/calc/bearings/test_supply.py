@@ -8,8 +8,12 @@ import pytest
 
 from calc.bearings.routes import flow, supply
 from calc.design.toml_file import design
-from tests.calc.bearings.documents import changed
+from calc.sheet.errors import BadInput
+from calc.solve import solve
+from tests.calc.bearings.documents import TABLE, alone, changed
 from tests.calc.bearings.documents import outcome as solved
+
+OF_SEAT = ("supply", "hole_diameter_mm", "housing_material")
 
 
 def bearings(document, **changes):
@@ -125,8 +129,66 @@ def test_a_bush_that_turns_against_the_journal_adds_its_speed(gamma):
     ],
 )
 def test_what_can_not_be_is_refused_with_its_key(gamma, changes, key):
-    from calc.sheet.errors import BadInput
-
     with pytest.raises(BadInput) as caught:
         bearings(gamma, **changes)
     assert any(error.key == key for error in caught.value.errors), [e.key for e in caught.value.errors]
+
+
+# --- supply and seat of one bearing, in its row
+
+
+def test_a_row_has_the_supply_and_the_seat_that_it_says():
+    own = dict(supply="groove", groove_width_mm=3.0, housing_material="EN AC-43100", seat_fit="H7")
+    shared = solved(alone()).result.bearings
+    grooved = solved(alone(**own)).result.bearings
+    mixed = solved(alone(**{f"front__{key}": value for key, value in own.items()}))
+    for place, like in (("front", grooved), ("rear", shared)):
+        found = mixed.result.bearings[place]
+        assert (found.film, found.oil_flow, found.clearance_hot) == (
+            like[place].film,
+            like[place].oil_flow,
+            like[place].clearance_hot,
+        )
+        assert found.corners.clearance_min == like[place].corners.clearance_min
+    assert (
+        grooved["front"].film < shared["front"].film and grooved["front"].clearance_hot > shared["rear"].clearance_hot
+    )
+    moved = {check.id: check.moved_by for check in mixed.checks}
+    ids = ("bearings.front.film_edge_corner", "bearings.rear.film_edge_corner")
+    fits = ("shafts.shaft.bearings.front.seat_fit", "bearings.seat_fit")
+    assert all(fit in moved[id] for id, fit in zip(ids, fits))
+    notes = [str(note) for note in mixed.notes]
+    assert any(note.startswith("Front: The groove") for note in notes)
+    assert any(note.startswith("Rear: The hole") for note in notes)
+
+
+def test_rows_that_say_what_all_share_change_nothing():
+    same = {f"{place}__{key}": TABLE[key] for place in ("front", "rear") for key in OF_SEAT}
+    results = [solve(design(alone(**changes))) for changes in ({}, same)]
+    shared, said = ({id: value.inside for id, value in found.values().items()} for found in results)
+    assert shared == said
+
+
+@pytest.mark.parametrize(
+    ("changes", "key", "words"),
+    [
+        (dict(front__supply="groove"), "front.groove_width_mm", "needed with supply"),
+        (dict(front__hole_diameter_mm=31.0), "front.hole_diameter_mm", "smaller than the length of the front bearing"),
+        (dict(front__bush_material="wood"), "front.bush_material", "must be one of"),
+        (dict(front__housing_material="wood"), "front.housing_material", "is not known"),
+        (dict(front__journal_fit="H7"), "front.journal_fit", "must be a shaft's class"),
+        (dict(front__groove_arc_deg=[200.0, 100.0]), "front.groove_arc_deg", "must rise"),
+        (dict(hole_diameter_mm=31.0, front__hole_diameter_mm=5.0), "", "smaller than the length of the rear bearing"),
+    ],
+)
+def test_what_is_wrong_in_a_row_is_said_there_and_what_all_share_once(changes, key, words):
+    with pytest.raises(BadInput) as caught:
+        design(alone(**changes))
+    (error,) = caught.value.errors
+    assert error.called == (f"shafts.shaft.bearings.{key}" if key else "") and words in error.reason
+    assert key or error.key == "bearings.hole_diameter_mm"
+
+
+def test_a_row_is_longer_than_its_own_supply_alone():
+    """That of all may be wider, where none of them has it."""
+    design(alone(hole_diameter_mm=31.0, front__hole_diameter_mm=5.0, rear__hole_diameter_mm=5.0))
