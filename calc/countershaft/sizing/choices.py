@@ -224,7 +224,7 @@ def compared_table(shaft: ShaftInputs, results: Mapping[str, MaterialResult]) ->
         for row in rows
     )
     note = Text(
-        "The same couple from sectors of the same length and half-angle, so that a lighter material needs a larger "
+        "The same unbalance from sectors of the same length and half-angle, so that a lighter material needs a larger "
         "radius."
     )
     if whole:
