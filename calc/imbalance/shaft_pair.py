@@ -185,8 +185,8 @@ def roll_notes(imbalance: ImbalanceInputs) -> Iterator[Text]:
             n=imbalance.shaft_pair_order,
         )
     yield Text(
-        "The torque reaction about the crank's axis stands in the engine step. Of its inertia part two shafts of forces "
-        "at unlike heights take some; that of the gas no mass takes."
+        "The torque reaction about the crank's axis stands in the engine step. Of its inertia part two shafts of "
+        "forces at unlike heights take some; that of the gas no mass takes."
     )
 
 

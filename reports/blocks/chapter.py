@@ -5,7 +5,7 @@ At its end what the step stands on."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from calc.sheet.check import SIGNS, Check
@@ -30,6 +30,8 @@ EARLY = ("verdicts_of", "notes", "tables")
 AT_A_GLANCE = ("tables", "figures")
 LONG = ("not_verified", "accepted", "outside")
 
+VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
+
 Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 
 
@@ -37,6 +39,8 @@ def chapter_parts(context: Context, number: str, step: Step, outcome: Outcome[ob
     """The parts of a chapter in their order, each by the word that heads it."""
     proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
     values = [value for value in context.values_of(step) if value.short]
+    if len(context.design.shafts) > 1 or context.shaft:
+        values = list(there(values))
     parts: Parts = (
         ("verdicts_of", lambda: finding_blocks(context, outcome)),
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
@@ -142,6 +146,15 @@ def of_all(context: Context, step: Step, outcome: Outcome[object]) -> Outcome[ob
     )
 
 
+def there(values: Iterable[Published]) -> Iterator[Published]:
+    """Without the forces and couples that are 0, and what belongs to their vectors: shafts of forces have no couple."""
+    length = 1.0
+    for value in values:
+        length = length if value.id.endswith("_phase") else value.shown
+        if length or value.unit not in VECTORS:
+            yield value
+
+
 def of_one(context: Context, whole: Outcome[object], outcome: Outcome[object], name: str) -> Outcome[object]:
     """What of it is of one shaft; figures say its name, since they may stand elsewhere."""
     return replace(
@@ -179,15 +192,16 @@ def twin_blocks(context: Context, step: Step, outcome: Outcome[object], name: st
     """What a twin is, and what it gives; all else is its original's.  The audit has every value of its own."""
     twin = next(shaft for shaft in context.design.resolved if shaft.name == name)
     values = _values_of(context, step, name)
+    how = f"{twin.how}_own" if "bearings" in context.results.of_shafts.get(name, {}) else twin.how
     words = paragraph(
-        context.text(twin.how, of=Name(str(twin.of)), ratio=Amount(twin.inputs.speed_ratio)), BODY, gap=1.0, keep=True
+        context.text(how, of=Name(str(twin.of)), ratio=Amount(twin.inputs.speed_ratio)), BODY, gap=1.0, keep=True
     )
     if context.audit:
         lines = _twin_lines(context, step, outcome, name)
         return words + derivation(context, step, lines) + value_blocks(context, outcome, values)
     told = [
         Text("{label} {value}", label=value.label, value=Amount(value.shown, value.unit))
-        for value in values
+        for value in there(values)
         if value.short
     ]
     return words + paragraph(context.say(Name(" · ").join(told)) + ".", BODY, gap=1.0)
