@@ -311,7 +311,7 @@ def _places_of_less_roll(alone: OrderVectors, shafts: Sequence[SystemShaft], rol
     if aside < (1 - DRAWN) * abs(roll):
         leave.append(aside)
         ways.append(Text("On the other side of the crank {aside} N·m are left.", aside=Amount(aside, form=".1f")))
-    if not ways or min(leave) > abs(alone.roll or 0j):
+    if min(leave) > abs(alone.roll or 0j):
         ways.append(NEARER)
     return SPACE.join(ways)
 
@@ -384,18 +384,12 @@ def _peaks(what: str, before: float, left: SystemResult, off: TeethOff | None) -
 def _planes(
     tasks: Mapping[int, ShaftTask], engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]
 ) -> Iterator[Curve]:
-    """Of several shafts the vectors of each order; those that all lie on one line say no more than their sums do."""
+    """Of several shafts the vectors of each order."""
     for n, todo in tasks.items() if len(shafts) > 1 else ():
         for unit, one_cylinder in (("N", todo.one_force), ("N·m", todo.one_couple)):
             plane = phasor_plane(n, unit, engine[n], shafts)
-            if any(_off_line(chain.phasors) > DRAWN * one_cylinder for chain in plane.turning):
+            if max((abs(v) for chain in plane.turning for v in chain.phasors), default=0.0) > DRAWN * one_cylinder:
                 yield plane
-
-
-def _off_line(vectors: Sequence[complex]) -> float:
-    """How far the tip that is furthest off lies from the line of the longest vector."""
-    longest = max(vectors, key=abs)
-    return max(abs((vector * longest.conjugate()).imag) / abs(longest) for vector in vectors)
 
 
 def _bars(

@@ -5,7 +5,7 @@ At its end what the step stands on."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from calc.sheet.check import SIGNS, Check
@@ -23,14 +23,12 @@ from ..typesetting.tables import Column, Row, noted_below, table
 from .checks import counted, name_of, shown_value, sign_cell
 from .inputs import input_blocks, remarks
 from .proof import proof_blocks, proofs
-from .values import table_blocks, value_blocks
+from .values import table_blocks, there, value_blocks
 
 VERDICT, LONG_VERDICT = 46.0, 66.0
 EARLY = ("verdicts_of", "notes", "tables")
 AT_A_GLANCE = ("tables", "figures")
 LONG = ("not_verified", "accepted", "outside")
-
-VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
 
 Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 
@@ -39,8 +37,6 @@ def chapter_parts(context: Context, number: str, step: Step, outcome: Outcome[ob
     """The parts of a chapter in their order, each by the word that heads it."""
     proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
     values = [value for value in context.values_of(step) if value.short]
-    if len(context.design.shafts) > 1 or context.shaft:
-        values = list(there(values))
     parts: Parts = (
         ("verdicts_of", lambda: finding_blocks(context, outcome)),
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
@@ -144,15 +140,6 @@ def of_all(context: Context, step: Step, outcome: Outcome[object]) -> Outcome[ob
         errata=(),
         proposals=(),
     )
-
-
-def there(values: Iterable[Published]) -> Iterator[Published]:
-    """Without the forces and couples that are 0, and what belongs to their vectors: shafts of forces have no couple."""
-    length = 1.0
-    for value in values:
-        length = length if value.id.endswith("_phase") else value.shown
-        if length or value.unit not in VECTORS:
-            yield value
 
 
 def of_one(context: Context, whole: Outcome[object], outcome: Outcome[object], name: str) -> Outcome[object]:
