@@ -248,7 +248,7 @@ def driven(design: Design) -> tuple[str, ...]:
 
 
 def undriven(design: Design) -> tuple[str, ...]:
-    """The names of the others, which a file of schema 1 may have."""
+    """The names of the others."""
     turned = driven(design)
     return tuple(shaft.name for shaft in design.resolved if shaft.name not in turned)
 

@@ -466,9 +466,6 @@ def design(document: Document, sound: Sound | None = None) -> Design:
     """
     reader = _Reader(document)
     checked = reader.inputs(Design, document.data, "", like=(sound[0].data, sound[1]) if sound is not None else None)
-    if document.former is None:  # schema 1 has no words for the wheel of a twin
-        for key, reason in checked.undriven() if not reader.wrong else ():
-            reader.error(key, None, reason)
     if reader.errors:
         raise BadInput(document.place, reader.errors)
     return checked
