@@ -576,6 +576,8 @@ def test_a_key_of_a_twins_bearing_makes_its_row():
     assert value_at(document.data, key) is None and quantity_of(document.data, key).unit == "µm"
     changed = document.with_value(key, 90.0)
     assert changed.data["shafts"][1]["bearings"] == [{"name": "middle", "clearance_um": 90.0}]
+    assert document.with_value(key, None).data == document.data  # there is nothing to take out
+    assert "bearings" not in changed.with_value("bearings", None).data["shafts"][1]
     every = changed.with_value("shafts.image.bearings.*.clearance_um", 70.0).data["shafts"]
     assert {row["name"]: row["clearance_um"] for row in every[1]["bearings"]} == dict.fromkeys(NAMES, 70.0)
     own = changed.with_value("shafts.*.bearings.*.clearance_um", 50.0).data["shafts"]
