@@ -9,6 +9,7 @@ import pytest
 
 from calc import solve as recipe
 from calc.bearings.result import BearingResult
+from calc.countershaft.supports import gear_place
 from calc.design.step_inputs import parts_of_power, power, shaft_drive
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
@@ -307,6 +308,8 @@ def test_the_pull_of_a_chain_stands_on_the_bearings_of_its_shaft():
         stands = values[f"countershaft.right.stationary_{row}"].inside
         assert values[f"friction.journals.right.{row}.standing_load"].inside == pytest.approx(stands)
     assert "countershaft.left.chain_pull" not in values
+    beyond = replace(results.design.views["right"].own, gear_z=-0.3)  # its sprocket is no piece of the outline
+    assert gear_place(beyond, results.views["right"].shaft.outline) == -0.3
 
 
 # --- bolts of a support that holds several
