@@ -277,6 +277,9 @@ def test_a_given_power_is_that_of_the_whole_drive():
     assert shaft_drive(asked, train, f, parts, "left").power == parts["crank_wheel-left"]
     assert power(asked.gears, f, parts).of == parts
     assert parts_of_power(results.design, train, f) == {}  # not given
+    pump = replace(train.tree.links[0], key="pump", driver="wheel-left", driven="pump")  # nobody knows what it takes
+    further = replace(train, tree=replace(train.tree, links=(*train.tree.links, pump)))
+    assert parts_of_power(asked, further, none) == {**equal, "crank_wheel-left": 3000.0, "pump": 3000.0}
     alone = replace(train, shafts={"left": train.shafts["left"]})
     assert parts_of_power(asked, alone, none) == {}  # which takes it whole
 
