@@ -3,6 +3,7 @@ too."""
 
 import ast
 from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 Graph = Mapping[str, frozenset[str]]
@@ -20,12 +21,17 @@ def modules(root: Path, *packages: str) -> dict[str, Path]:
     return paths
 
 
-def imported(name: str, path: Path, top_only: bool = False, typing: bool = True) -> Iterator[str]:
+@cache
+def imported(name: str, path: Path, top_only: bool = False, typing: bool = True) -> tuple[str, ...]:
     """The full names that the module `name` imports: of `from a import b` both `a` and `a.b`, which may be a module.
 
     `top_only`: only what is imported when the module is loaded, outside of functions and of `if TYPE_CHECKING`.
     Not `typing`: all but what stands under `if TYPE_CHECKING`.
     """
+    return tuple(_imported(name, path, top_only, typing))
+
+
+def _imported(name: str, path: Path, top_only: bool, typing: bool) -> Iterator[str]:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
     for node in _loaded(tree, not top_only) if top_only or not typing else ast.walk(tree):

@@ -20,14 +20,14 @@ def copy(tmp_path):
     return made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name, row",
     [
         ("r753ie4_gamma", 1),
-        *(
-            pytest.param(*row, marks=pytest.mark.slow)
-            for row in [("r753ie4_gamma", 2), ("r753ie4_beta", 1), ("r753ie4_sized", 2)]
-        ),
+        ("r753ie4_gamma", 2),
+        ("r753ie4_beta", 1),
+        ("r753ie4_sized", 2),
     ],
 )
 def test_a_row_that_is_written_passes(copy, name, row):
@@ -88,6 +88,7 @@ def test_the_design_stands_in_its_row_as_the_others_are_judged(copy):
     assert now["h_2F"] == pytest.approx(values["bearings.front.film_double_load"]["value"], rel=2e-3)
 
 
+@pytest.mark.slow
 def test_what_is_locked_is_said_before_a_row_is_applied(copy):
     path = copy("r753ie4_gamma")
     assert "Row 1 changes what is locked: Oil (bearings.oil): " in " ".join(
@@ -96,6 +97,7 @@ def test_what_is_locked_is_said_before_a_row_is_applied(copy):
     assert "locked" not in run("choose", copy("r753ie4_sized"), "bearings", "--top", "1").stdout
 
 
+@pytest.mark.slow
 def test_the_json_has_all_tables(copy):
     path = copy("r753ie4_sized")
     found = json.loads(run("choose", path, "bearings", "--json", "--top", "50").stdout)

@@ -344,11 +344,11 @@ def test_the_exit_code_of_every_state(state):
 @pytest.mark.parametrize(
     "arguments",
     [
-        [GAMMA],
+        pytest.param([GAMMA], marks=pytest.mark.slow),
         [GAMMA, "--step", "engine"],
         [GAMMA, "--step", "mounting"],
         [GAMMA, "--step", "bearings", "--set", "countershaft.masses.front.mass_kg=300"],
-        [DESIGNS / "r754ie4_balance_shafts.toml"],
+        pytest.param([DESIGNS / "r754ie4_balance_shafts.toml"], marks=pytest.mark.slow),
         [DESIGNS / "r754ie4_balance_shafts.toml", "--step", "countershaft"],
         [DESIGNS / "thesis_oils.toml"],
         [DESIGNS / "twin_mounting.toml"],
@@ -462,7 +462,15 @@ def test_validate_compares_with_published_values(validation, monkeypatch):
     assert all(row["source"] and row["verdict"] == "pass" for row in found["rows"])
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "tests" / "replays").glob("*.toml")), ids=lambda p: p.stem)
+REPLAYS = sorted((ROOT / "tests" / "replays").glob("*.toml"))
+LONG = ("r753ie4_drive", "r753ie4_sized")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path for path in REPLAYS],
+    ids=lambda path: path.stem,
+)
 def test_shipped_replays_agree(path):
     done = run("replay", path)
     assert done.returncode == 0, done.stdout

@@ -74,6 +74,7 @@ def test_a_drive_is_picked_into_the_file_or_another(copy, tmp_path):
     assert run("design", copy, "--out", out, "--pick", 1, "-o", copy).returncode == 2
 
 
+@pytest.mark.slow
 def test_when_the_time_is_up_the_drives_that_are_known_are_kept(copy, tmp_path):
     out = tmp_path / "drive"
     done = run(
@@ -125,6 +126,7 @@ def test_what_it_can_not_do_is_said(copy, tmp_path, asked, said):
     assert done.returncode == 2 and said in done.stderr and not (tmp_path / "d").exists()
 
 
+@pytest.mark.slow
 def test_where_nothing_passes_it_ends_with_3_and_says_what_would_help(copy, tmp_path):
     done = run(
         "design", copy, "--out", tmp_path / "d", *FEW[:-2], "--most", "seat_mm=84", "--least", "margin_percent=40"

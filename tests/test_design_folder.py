@@ -57,6 +57,7 @@ def test_a_file_named_like_a_drive_is_not_written_over(tmp_path, name):
     assert run("design", other, "--out", tmp_path / "d", *ONE).returncode == 2  # nor the design itself
 
 
+@pytest.mark.slow
 def test_a_drive_can_not_be_searched_from_into_its_own_folder(tmp_path):
     own, out = put(tmp_path, "own.toml"), tmp_path / "d"
     assert run("design", own, "--out", out, *ONE).returncode == 0

@@ -28,8 +28,10 @@ def loaded(code: str) -> set[str]:
     "arguments",
     [
         ["check", str(GAMMA)],
-        ["check", str(GAMMA), "--json"],
-        ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))],
+        pytest.param(["check", str(GAMMA), "--json"], marks=pytest.mark.slow),
+        pytest.param(
+            ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))], marks=pytest.mark.slow
+        ),
     ],
 )
 def test_headless_commands_load_numpy_and_no_more(arguments):

@@ -63,6 +63,7 @@ def test_the_last_line_pasted_passes(capsys: pytest.CaptureFixture[str], argumen
     assert ("--step" in arguments) == ("--step" in words) and ("--short" in arguments) == ("--short" in words)
 
 
+@pytest.mark.slow
 def test_what_the_nearest_design_then_warns_of_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     """Of warnings those that are new, or that were failing."""
     file = DESIGNS / "r753ie4_beta.toml"
@@ -81,6 +82,7 @@ def test_a_name_that_a_shell_would_split_is_quoted(capsys: pytest.CaptureFixture
     assert main(pasted(lines)[1:]) == 0
 
 
+@pytest.mark.slow
 def test_a_key_that_is_set_stands_once(capsys: pytest.CaptureFixture[str]) -> None:
     _, lines = check(capsys, str(GAMMA), "--step", "bearings", "--set", "bearings.front.length_mm=20")
     assert lines[-1].count("bearings.front.length_mm=") == 1
@@ -100,6 +102,7 @@ def test_a_design_that_passes_says_nothing_of_it(capsys: pytest.CaptureFixture[s
     assert code == 0 and not any(PASTE.search(line) or "no passing design" in line for line in lines)
 
 
+@pytest.mark.slow
 def test_the_json_stays_one_object(capsys: pytest.CaptureFixture[str]) -> None:
     import json
 

@@ -33,6 +33,7 @@ def test_the_packages_say_that_they_are_typed(package):
     assert (ROOT / package / "py.typed").is_file()
 
 
+@pytest.mark.slow
 def test_the_source_distribution_holds_tests_and_fixtures(tmp_path):
     pytest.importorskip("setuptools", minversion="77")
     copy = tmp_path / "copy"

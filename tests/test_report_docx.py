@@ -46,6 +46,7 @@ def test_what_does_not_go_together_is_refused(tmp_path: Path, capsys) -> None:
     assert code == 2 and "is written as a PDF only" in err
 
 
+@pytest.mark.slow
 def test_the_pdf_needs_none_of_it(tmp_path: Path) -> None:
     names = loaded(
         f"from assistant.cli import main; "

@@ -138,6 +138,7 @@ def test_bearings_are_chosen_for_one_shaft_and_its_twins(two, pair):
     assert nobody.returncode == 2 and "there are left, right" in nobody.stderr
 
 
+@pytest.mark.slow
 def test_the_worst_shaft_is_chosen_for_where_none_is_named(two):
     done = run("choose", two, "countershaft", "--json")
     assert done.returncode == 0, done.stderr
@@ -155,6 +156,7 @@ def test_a_sum_lists_its_shafts_and_a_twin_is_its_original(pair):
     assert "that of left" in masses and "shafts.left.masses.front.mass_kg = 0.248   an input" in masses
 
 
+@pytest.mark.slow
 def test_what_is_judged_of_a_twin_by_itself_is_its_own(pair):
     pumps = pair.with_name("pumps.toml")
     mirror = 'mirrors = "left"\n'
@@ -164,6 +166,7 @@ def test_what_is_judged_of_a_twin_by_itself_is_its_own(pair):
     assert said.startswith("bearings.right.front.film_edge_standing: right: film at the edge over a turn")
 
 
+@pytest.mark.slow
 def test_a_drawing_for_each_that_is_no_twin(two, pair, tmp_path):
     assert run("export", two, "-o", tmp_path / "x.dxf").returncode == 0
     assert run("export", pair, "-o", tmp_path / "y.dxf").returncode == 0
@@ -191,6 +194,7 @@ def test_an_error_names_shaft_and_bearing(tmp_path):
     assert "shafts.left.bearings.front.length_mm: -22.0: must be" in done.stderr
 
 
+@pytest.mark.slow
 def test_shafts_of_other_names_are_compared(two, tmp_path):
     """Of the same ratio on the same side; that of the other has the name that it has in the first."""
     other = TWO.replace('"left"', '"port"').replace("mass_kg = 0.248", "mass_kg = 0.24")

@@ -67,6 +67,7 @@ def test_explain_tells_what_stands_behind_a_chain(capsys):
     assert cited["name"] == "Finotti 2013" and cited["known"] == "read in the source" and cited["places"] == ["4.1"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "language, words",
     [

@@ -145,7 +145,14 @@ def test_the_runout_of_ground_wheels_frees_the_twin(given: list[str], state: str
 SHIPPED = sorted(DESIGNS.glob("*.toml"))
 
 
-@pytest.mark.parametrize("file", SHIPPED, ids=lambda file: file.stem)
+LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized")
+
+
+@pytest.mark.parametrize(
+    "file",
+    [pytest.param(file, marks=pytest.mark.slow) if file.stem in LONG else file for file in SHIPPED],
+    ids=lambda file: file.stem,
+)
 def test_the_session_and_page_one_say_the_state_of_the_program(file: Path) -> None:
     """Of every design the words from which the session's step list and the first page are drawn; what plain text, JSON
     and a replay say `tests/test_findings.py` compares."""
@@ -167,7 +174,13 @@ def test_the_session_and_page_one_say_the_state_of_the_program(file: Path) -> No
     assert any(text.startswith(head) for text in page), page
 
 
-@pytest.mark.parametrize("name", ["r753ie4_sized", "r754ie4_balance_shafts", "finotti_gear_sheet"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "finotti_gear_sheet",
+        *(pytest.param(n, marks=pytest.mark.slow) for n in ("r753ie4_sized", "r754ie4_balance_shafts")),
+    ],
+)
 def test_the_report_says_the_state_of_the_program(name: str, tmp_path: Path) -> None:
     results, pdf = solve(design(read(DESIGNS / f"{name}.toml"))), tmp_path / "report.pdf"
     assert main(["report", str(DESIGNS / f"{name}.toml"), "-o", str(pdf), "--depth", "summary"]) == 0

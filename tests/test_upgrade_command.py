@@ -87,7 +87,7 @@ def test_what_is_no_design_is_bad_input(text: str | None, words: str, tmp_path: 
     assert done.returncode == 2 and words in done.stderr
 
 
-@pytest.mark.parametrize("folder", [OLD, NEW], ids=lambda folder: folder.name)
+@pytest.mark.parametrize("folder", [OLD, pytest.param(NEW, marks=pytest.mark.slow)], ids=lambda folder: folder.name)
 def test_a_key_of_schema_1_is_answered_by_that_of_today(folder: Path) -> None:
     said = run("explain", folder / "r753ie4_gamma.toml", "bearings.front.length_mm").stdout
     assert said.startswith("shafts.shaft.bearings.front.length_mm = 27.5 ")

@@ -27,7 +27,7 @@ def burst(pilot: Pilot[int], *keys: str) -> None:
         pilot.app.post_message(events.Key(key, key if len(key) == 1 else None))
 
 
-@pytest.mark.parametrize("key", ["ctrl+o", "f12"])
+@pytest.mark.parametrize("key", ["ctrl+o", pytest.param("f12", marks=pytest.mark.slow)])
 async def test_an_arrow_comes_before_the_dialog_has_its_list(screen: Screen, key: str) -> None:
     async with screen() as pilot:
         burst(pilot, key, "down", "up", "down")
@@ -36,6 +36,7 @@ async def test_an_arrow_comes_before_the_dialog_has_its_list(screen: Screen, key
         assert pilot.app.is_running and pilot.app._exception is None
 
 
+@pytest.mark.slow
 async def test_enter_twice_in_the_palette(screen: Screen) -> None:
     async with screen() as pilot:
         await strike(pilot, "ctrl+p", *BY_ID["next"].title, "enter", "enter")
@@ -62,6 +63,7 @@ async def test_what_is_typed_after_a_jump_goes_where_it_leads(screen: Screen, li
         assert light.value("engine.bore_mm") == 94.0
 
 
+@pytest.mark.slow
 async def test_enter_twice_in_a_list_of_words(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.layout")
@@ -79,7 +81,9 @@ ODD = ["x" * 5000, "a\0b", "~nobody-of-this-name/x.toml", "/", ".", "..", "", "x
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="what a name may be is another thing elsewhere")
-@pytest.mark.parametrize("key, dialog", [("ctrl+o", OpenDialog), ("f12", SaveDialog)])
+@pytest.mark.parametrize(
+    "key, dialog", [("f12", SaveDialog), pytest.param("ctrl+o", OpenDialog, marks=pytest.mark.slow)]
+)
 async def test_what_can_be_no_path_is_said_in_the_dialog(
     screen: Screen, light: Session, key: str, dialog: type
 ) -> None:
@@ -110,7 +114,14 @@ async def test_keys_for_a_form_that_is_being_made(screen: Screen) -> None:
         assert isinstance(work(pilot).form, Form) and pilot.app._exception is None
 
 
-@pytest.mark.parametrize("keys", [("ctrl+u",), ("home", "ctrl+k"), ("end", *("backspace",) * 8)])
+@pytest.mark.parametrize(
+    "keys",
+    [
+        ("ctrl+u",),
+        pytest.param(("home", "ctrl+k"), marks=pytest.mark.slow),
+        pytest.param(("end", *("backspace",) * 8), marks=pytest.mark.slow),
+    ],
+)
 async def test_what_deletes_comes_before_what_is_typed_after_it(screen: Screen, keys: tuple[str, ...]) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
@@ -119,6 +130,7 @@ async def test_what_deletes_comes_before_what_is_typed_after_it(screen: Screen, 
         assert isinstance(box, Input) and box.value == "113" and work(pilot).session.value("engine.bore_mm") == 113.0
 
 
+@pytest.mark.slow
 async def test_the_palette_is_paged_before_its_list_has_a_place(screen: Screen) -> None:
     async with screen() as pilot:
         await strike(pilot, "ctrl+p")
@@ -128,6 +140,7 @@ async def test_the_palette_is_paged_before_its_list_has_a_place(screen: Screen) 
         assert pilot.app.is_running and pilot.app._exception is None
 
 
+@pytest.mark.slow
 async def test_escape_right_after_undo_leaves_the_field(screen: Screen) -> None:
     """The focus that the undo brings to its field must not come after the key that takes it away."""
     async with screen() as pilot:
@@ -142,7 +155,7 @@ async def test_escape_right_after_undo_leaves_the_field(screen: Screen) -> None:
 
 @pytest.mark.parametrize(
     "key",
-    ["f3", "f12", *(pytest.param(key, marks=pytest.mark.slow) for key in ("alt+2", "f7", "f4", "f6", "f1", "escape"))],
+    ["f3", *(pytest.param(key, marks=pytest.mark.slow) for key in ("f12", "alt+2", "f7", "f4", "f6", "f1", "escape"))],
 )
 async def test_what_follows_a_key_that_leads_away_is_not_for_the_field_that_was_left(
     screen: Screen, light: Session, key: str

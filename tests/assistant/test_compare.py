@@ -90,7 +90,7 @@ def test_many_edits_are_all_listed(light: Session) -> None:
 
 # --- the screen
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("ascii", [False, True])
+@pytest.mark.parametrize("ascii", [True, pytest.param(False, marks=pytest.mark.slow)])
 async def test_an_earlier_state_beside_the_present_one(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
     async with screen(size=size, ascii=ascii) as pilot:
         for key, value in (("engine.crank_radius_mm", "54"), ("engine.bore_mm", "95")):
@@ -193,6 +193,7 @@ async def test_another_design_file(screen: Screen, tmp_path: Path) -> None:
         assert "other [red]design" in text(pilot)
 
 
+@pytest.mark.slow
 async def test_a_shipped_design_and_steps_that_are_not_asked(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         await strike(pilot, "escape")
@@ -208,6 +209,7 @@ async def test_a_shipped_design_and_steps_that_are_not_asked(screen: Screen) -> 
         assert "· not used" in text(pilot) and "5 steps change their verdict" in text(pilot)
 
 
+@pytest.mark.slow
 async def test_an_unchanged_design_is_equal(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         await strike(pilot, "shift+f7")
@@ -219,6 +221,7 @@ async def test_an_unchanged_design_is_equal(screen: Screen) -> None:
         assert isinstance(pilot.app.screen, CompareScreen) and "nothing to copy" in told(pilot)
 
 
+@pytest.mark.slow
 async def test_what_is_not_valid_is_said(screen: Screen, light: Session) -> None:
     async with screen(size=(80, 24)) as pilot:
         await go_to(pilot, "engine.bore_mm")

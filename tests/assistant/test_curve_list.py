@@ -61,7 +61,10 @@ def test_words_are_found_anywhere_in_the_title() -> None:
     assert found(MANY, "film backlash") == []
 
 
-@pytest.mark.parametrize(("size", "ascii"), [((120, 40), False), ((80, 24), False), ((80, 24), True)])
+@pytest.mark.parametrize(
+    ("size", "ascii"),
+    [((80, 24), True), *(pytest.param(size, False, marks=pytest.mark.slow) for size in ((120, 40), (80, 24)))],
+)
 async def test_a_curve_is_found_and_shown(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
     async with screen(size=size, ascii=ascii) as pilot:
         await show(pilot, *MANY)
@@ -100,6 +103,7 @@ async def test_the_list_is_moved_through_while_words_are_typed(screen: Screen) -
         assert pane.leaf is TABLE and pilot.app.focused is pane.list
 
 
+@pytest.mark.slow
 async def test_nothing_found_and_going_back(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         pane = await show(pilot, *MANY)

@@ -167,6 +167,7 @@ def test_a_curve_without_the_variant_shows_its_first() -> None:
     assert [s.label for s in Sight(shared).series] == ["both"]
 
 
+@pytest.mark.slow
 async def test_new_results_keep_the_variant(screen: Screen) -> None:
     async with screen() as pilot:
         pane = await show(pilot, LOCUS)
@@ -204,8 +205,10 @@ async def test_the_vectors_turn_with_the_crank(screen: Screen) -> None:
 
 
 # --- lines
-@pytest.mark.parametrize("ascii", [False, True])
-@pytest.mark.parametrize("backward", [0.0, 20.0])  # a circle, and a straight line that is run through more than once
+@pytest.mark.parametrize(
+    ("backward", "ascii"),  # a circle, and a straight line that is run through more than once
+    [(0.0, True), *(pytest.param(*row, marks=pytest.mark.slow) for row in ((0.0, False), (20.0, False), (20.0, True)))],
+)
 async def test_lines_that_run_over_each_other_are_both_seen(screen: Screen, backward: float, ascii: bool) -> None:
     theta = [math.radians(3 * n) for n in range(121)]
     x, y = [(20 - backward) * math.sin(t) for t in theta], [(20 + backward) * math.cos(t) for t in theta]
@@ -226,7 +229,10 @@ async def test_lines_that_run_over_each_other_are_both_seen(screen: Screen, back
 
 
 # --- bars
-@pytest.mark.parametrize(("size", "ascii"), [((120, 40), False), ((80, 24), False), ((80, 24), True)])
+@pytest.mark.parametrize(
+    ("size", "ascii"),
+    [((80, 24), True), *(pytest.param(size, False, marks=pytest.mark.slow) for size in ((120, 40), (80, 24)))],
+)
 async def test_bars_stand_on_the_zero_line_side_by_side(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
     async with screen(size=size, ascii=ascii) as pilot:
         pane = await show(pilot, BARS)
@@ -252,6 +258,7 @@ async def test_bars_stand_on_the_zero_line_side_by_side(screen: Screen, size: tu
             assert not set("█▒░▁▂▃▄▅▆▇") & set("".join(inner))
 
 
+@pytest.mark.slow
 async def test_names_stand_below_their_bars_where_they_fit_else_in_the_legend(screen: Screen) -> None:
     async with screen(size=(120, 40)) as pilot:
         for names, below in (

@@ -46,7 +46,7 @@ async def found(pilot) -> Driving:  # type: ignore[no-untyped-def]
     return shown
 
 
-@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
 async def test_a_drive_is_taken_and_taken_back(screen: Screen, few: Session, size: tuple[int, int]) -> None:
     async with screen(size=size, session=few) as pilot:
         shown = await found(pilot)
@@ -64,6 +64,7 @@ async def test_a_drive_is_taken_and_taken_back(screen: Screen, few: Session, siz
         assert value_at(session.data, SEAT) == 86.4 and "journal_fit" not in session.data["bearings"]
 
 
+@pytest.mark.slow
 async def test_the_front_is_sorted_narrowed_and_looked_at(screen: Screen, few: Session) -> None:
     async with screen(size=(120, 40), session=few) as pilot:
         shown = await found(pilot)
@@ -93,6 +94,7 @@ async def test_the_front_is_sorted_narrowed_and_looked_at(screen: Screen, few: S
         await until(pilot, lambda: not isinstance(pilot.app.screen, Driving))
 
 
+@pytest.mark.slow
 async def test_what_stops_every_drive_is_said(screen: Screen, few: Session) -> None:
     few.edit("gears.wheels.crank.span_allowance_um", "60, 50")
     async with screen(size=(120, 40), session=few) as pilot:

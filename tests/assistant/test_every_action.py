@@ -52,7 +52,9 @@ def test_every_action_has_its_deed() -> None:
 
 
 KEYS = [(action.id, keys.split(",")[0]) for action in ACTIONS for keys in (action.keys, action.letters) if keys]
-FIRST = [(action.id, action.binding.split(",")[0]) for action in ACTIONS]  # one key of each action
+FIRST = [
+    (action.id, action.binding.split(",")[0]) for action in ACTIONS
+]  # one key of each action; every second among the ordinary tests
 FROM_PALETTE = ("trouble", "export", "undo", "copy_line")
 ALONE = {"quit"}  # on a screen that nobody else uses
 
@@ -65,29 +67,28 @@ async def play(stage: Stage, id: str, do: Do) -> None:
         stage.played = True
 
 
-def rows(turn: int) -> list[Any]:
-    """Every key of every action: here the first of each at one of the two sizes, by turns; all others among the slow
-    tests."""
-    here = [row for n, row in enumerate(FIRST) if n % 2 == turn]
+def rows(*ordinary: tuple[str, str]) -> list[Any]:
+    """Every key of every action; all but these among the slow tests."""
     return [
-        pytest.param(*row, marks=() if row in here else pytest.mark.slow, id="-".join(row))
+        pytest.param(*row, marks=() if row in ordinary else pytest.mark.slow, id="-".join(row))
         for row in KEYS
         if row[0] not in ALONE
     ]
 
 
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize(("id", "key"), rows(0))
+@pytest.mark.parametrize(("id", "key"), rows())
 async def test_by_its_key_120x40(wide_stage: Stage, id: str, key: str) -> None:
     await play(wide_stage, id, partial(strike, wide_stage.pilot, key))
 
 
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize(("id", "key"), rows(1))
+@pytest.mark.parametrize(("id", "key"), rows(*FIRST[1::2]))
 async def test_by_its_key_80x24(narrow_stage: Stage, id: str, key: str) -> None:
     await play(narrow_stage, id, partial(strike, narrow_stage.pilot, key))
 
 
+@pytest.mark.slow
 @pytest.mark.asyncio(loop_scope="module")
 @pytest.mark.parametrize("id", FROM_PALETTE)
 async def test_from_the_palette(wide_stage: Stage, id: str) -> None:
@@ -102,8 +103,11 @@ async def test_from_the_palette(wide_stage: Stage, id: str) -> None:
     await play(wide_stage, id, do)
 
 
-@pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=["120x40", "80x24"])
-@pytest.mark.parametrize("key", BY_ID["quit"].binding.split(","))
+@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)], ids=["80x24", "120x40"])
+@pytest.mark.parametrize(
+    "key",
+    [pytest.param(key, marks=pytest.mark.slow if n else ()) for n, key in enumerate(BY_ID["quit"].binding.split(","))],
+)
 @pytest.mark.usefixtures("put_aside")
 async def test_the_end(light: Session, size: tuple[int, int], key: str) -> None:
     light.solve()

@@ -13,7 +13,8 @@ from tests.assistant.conftest import Screen
 from tests.assistant.driving import settled, strike, told, until, work
 
 
-@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
 async def test_from_a_check_to_the_field_of_an_input(screen: Screen, session: Session, size: tuple[int, int]) -> None:
     async with screen(size=size, session=session) as pilot:
         await strike(pilot, "escape")  # a moment before the letter, as a terminal needs it too

@@ -78,7 +78,8 @@ async def test_the_foot_shows_meaning_usual_and_source(screen: Screen, session: 
         assert f"Usual 0.1 to 0.8 µm ({THUMB})." in seen()
 
 
-@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
 async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Session, size: tuple[int, int]) -> None:
     async with screen(size=size, session=session) as pilot:
         await go_to(pilot, "bearings.front.clearance_factor")
@@ -89,6 +90,7 @@ async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Sess
         assert "Clearance g = K·d·u^¼ in mm, m and m/s. Usual 0.4 to 0.8. A number from 0.01 to 10." in said
 
 
+@pytest.mark.slow
 async def test_the_help_shows_the_comment_of_the_file_until_the_value_is_another(
     screen: Screen, session: Session
 ) -> None:

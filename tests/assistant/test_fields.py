@@ -50,7 +50,7 @@ async def test_what_is_typed_in_one_burst_is_kept_whole(screen: Screen) -> None:
         assert not box.has_focus and box.value == "2.691"
 
 
-@pytest.mark.parametrize("key", ["tab", "down", "enter"])
+@pytest.mark.parametrize("key", ["enter", *(pytest.param(key, marks=pytest.mark.slow) for key in ("tab", "down"))])
 async def test_what_is_typed_in_one_burst_goes_to_the_fields_that_it_was_typed_for(screen: Screen, key: str) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
@@ -64,6 +64,7 @@ async def test_what_is_typed_in_one_burst_goes_to_the_fields_that_it_was_typed_f
         assert isinstance(box, Entry) and box.value == "96"
 
 
+@pytest.mark.slow
 async def test_a_burst_passes_over_what_is_no_text(screen: Screen) -> None:
     """Over two folds, and the layout, which is a choice."""
     async with screen() as pilot:
@@ -90,6 +91,7 @@ async def test_a_comma_is_a_decimal_sign_and_the_field_is_rewritten(screen: Scre
         assert work(pilot).session.value("engine.bore_mm") == 3.5
 
 
+@pytest.mark.slow
 async def test_another_unit(screen: Screen) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
@@ -120,6 +122,7 @@ async def test_what_is_not_understood_stays_with_the_reason(screen: Screen) -> N
         assert box.value == "94" and "bore_mm" not in message(pilot)
 
 
+@pytest.mark.slow
 async def test_undo_and_redo_from_another_step(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
@@ -138,6 +141,7 @@ async def test_undo_and_redo_from_another_step(screen: Screen) -> None:
         assert screen_.session.value("engine.bore_mm") == 95.5
 
 
+@pytest.mark.slow
 async def test_shift_and_arrows_make_one_step(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         box = await go_to(pilot, "bearings.front.length_mm")
@@ -163,6 +167,7 @@ async def test_a_choice_is_made_from_a_list(screen: Screen, session: Session) ->
         assert work(pilot).session.value("bearings.oil") == "SAE 30"
 
 
+@pytest.mark.slow
 async def test_a_field_may_be_left_to_the_program(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         box = await go_to(pilot, "bearings.outlet_temperature_limit_C")
@@ -238,7 +243,7 @@ async def test_a_long_array_is_leafed_through_and_grows(screen: Screen, session:
         assert len(session.data["gears"]["wheels"]) == 4
 
 
-@pytest.mark.parametrize("size, rows_of_table", [((120, 40), 5), ((80, 24), 0)])
+@pytest.mark.parametrize("size, rows_of_table", [pytest.param((120, 40), 5, marks=pytest.mark.slow), ((80, 24), 0)])
 async def test_a_long_array_is_a_table_where_there_is_room(
     screen: Screen, session: Session, size: tuple[int, int], rows_of_table: int
 ) -> None:
@@ -327,6 +332,7 @@ async def test_words_show_how_they_begin_and_a_mistake_is_told_without_its_key(s
         assert "rod_length_mm" not in rows(pilot) and "rod length: must be" in message(pilot)
 
 
+@pytest.mark.slow
 async def test_a_lone_digit_that_was_meant_for_a_step_changes_no_number(screen: Screen, light: Session) -> None:
     """F3 after it: the number stays, and it is said; Enter after it, or a second digit, means it."""
     async with screen() as pilot:

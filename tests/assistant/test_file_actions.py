@@ -120,6 +120,7 @@ async def test_a_recording_is_given_up_or_asked_about(screen: Screen, light: Ses
         await until(pilot, lambda: f"Replay: {tmp_path / 'r.toml'}" in told(pilot))
 
 
+@pytest.mark.slow
 async def test_a_replay_that_can_not_be_written_leaves_the_recording(
     screen: Screen, light: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -138,7 +139,7 @@ async def test_a_replay_that_can_not_be_written_leaves_the_recording(
 
 
 # --- export
-@pytest.mark.parametrize(("size", "kind"), [((120, 40), "csv"), ((80, 24), "json")])
+@pytest.mark.parametrize(("size", "kind"), [((80, 24), "json"), pytest.param((120, 40), "csv", marks=pytest.mark.slow)])
 async def test_values_and_results_are_exported(
     screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int], kind: str
 ) -> None:
@@ -153,6 +154,7 @@ async def test_values_and_results_are_exported(
     assert "\nengine.stroke,107" in text if kind == "csv" else json.loads(text)["steps"]["engine"] == "computed"
 
 
+@pytest.mark.slow
 async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
     screen: Screen, small: Session, tmp_path: Path
 ) -> None:
@@ -168,6 +170,7 @@ async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
         assert (tmp_path / "there.csv.bak").read_text(encoding="utf-8") == "theirs"
 
 
+@pytest.mark.slow
 async def test_where_there_is_nothing_to_draw_it_says_what_to_add(
     screen: Screen, light: Session, tmp_path: Path
 ) -> None:
@@ -350,6 +353,7 @@ async def test_recent_designs_are_listed_first(
         assert work(pilot).session.value(BORE) == 99.0
 
 
+@pytest.mark.slow
 async def test_recent_designs_are_in_the_palette(screen: Screen, small: Session, design: Path) -> None:
     small.memory.remember(design)
     small.memory.remember(small.home)
@@ -365,6 +369,7 @@ async def test_recent_designs_are_in_the_palette(screen: Screen, small: Session,
 
 
 # --- settings
+@pytest.mark.slow
 async def test_theme_and_guide_are_kept(small: Session, memory: Memory) -> None:
     app = ContralberoApp(small)
     async with app.run_test(size=(80, 24)) as pilot:

@@ -31,6 +31,7 @@ async def test_saving(screen: Screen, light: Session) -> None:
         assert "No report" in told(pilot)
 
 
+@pytest.mark.slow
 async def test_saving_on_the_closing_page(screen: Screen, light: Session) -> None:
     """It stays there; the palette goes on in the main screen."""
     async with screen(size=(80, 24)) as pilot:
@@ -63,6 +64,7 @@ async def test_save_as(screen: Screen, tmp_path: Path) -> None:
         assert work(pilot).session.path == tmp_path / "other.toml"
 
 
+@pytest.mark.slow
 async def test_save_as_asks_before_it_overwrites(screen: Screen, tmp_path: Path) -> None:
     (tmp_path / "other.toml").write_text("theirs")
     async with screen() as pilot:
@@ -77,6 +79,7 @@ async def test_save_as_asks_before_it_overwrites(screen: Screen, tmp_path: Path)
         assert (tmp_path / "other.toml.bak").read_text() == "theirs"
 
 
+@pytest.mark.slow
 async def test_a_file_changed_by_another_program_needs_a_second_save(screen: Screen, light: Session) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")

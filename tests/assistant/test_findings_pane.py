@@ -54,6 +54,7 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         assert rows(checks)["hold"] == f"✓ {held} hold ▾" and ticks == held + 1 > 40
 
 
+@pytest.mark.slow
 async def test_what_holds_outside_the_validity_of_its_formula_has_no_tick(screen: Screen, session: Session) -> None:
     """What puts it there is said once, where the cursor is."""
     method = made_check(0.5, kind="method", id="gears.a_b.line_load", name=Text("Load per face width"))
@@ -86,6 +87,7 @@ async def test_a_step_says_its_state_and_how_many_findings_are_listed(screen: Sc
         assert heads == [group[0].id for group in listed]
 
 
+@pytest.mark.slow
 async def test_what_is_not_given_is_told_with_what_was_taken_and_both_ends(screen: Screen, session: Session) -> None:
     key, taken = "bearings.oil", (Text("235 MPa"),)
 
@@ -104,8 +106,7 @@ async def test_what_is_not_given_is_told_with_what_was_taken_and_both_ends(scree
         assert "Assumed: 235 MPa." in holds and "Not given" not in holds and "at worst" not in holds
 
 
-@pytest.mark.parametrize("width", [12, 30, 48, 80, 120, 200])
-async def test_columns_never_collide(screen: Screen, session: Session, width: int) -> None:
+async def test_columns_never_collide(screen: Screen, session: Session) -> None:
     """In rows with numbers there are two cells between all of them, and no row is wider than the list."""
     async with screen(session=session, size=(120, 40)) as pilot:
         await strike(pilot, "escape", "5")
@@ -113,18 +114,19 @@ async def test_columns_never_collide(screen: Screen, session: Session, width: in
         await solved(pilot)
         checks = work(pilot).query_one(Checks)
         checks.unfolded = {"advice", "method", "hold"}
-        items = checks.build(width)
-        for item in items:
-            for row in item.rows if width >= 30 else ():
-                assert row.cell_length <= width, row.plain
-        if width >= 120:
-            found = {check.id: check for check in checks.outcome.checks} if checks.outcome is not None else {}
-            say = work(pilot).app.say
-            for item in items[1:]:
+        found = {check.id: check for check in checks.outcome.checks} if checks.outcome is not None else {}
+        say = work(pilot).app.say
+        for width in (12, 30, 48, 80, 120, 200):
+            items = checks.build(width)
+            for item in items:
+                for row in item.rows if width >= 30 else ():
+                    assert row.cell_length <= width, row.plain
+            for item in items[1:] if width >= 120 else ():
                 if check := found.get(item.key):
                     assert f"  {say(check.limit_text())}  " in item.rows[0].plain + "  "
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [(20, 10), (12, 5), (5, 3)])
 async def test_a_window_that_is_too_small_says_so(screen: Screen, session: Session, size: tuple[int, int]) -> None:
     async with screen(session=session, size=size) as pilot:
@@ -135,6 +137,7 @@ async def test_a_window_that_is_too_small_says_so(screen: Screen, session: Sessi
         assert "needs 60" in top or "too small" in top or size[0] < 10
 
 
+@pytest.mark.slow
 async def test_a_step_is_left_for_the_closing_page(screen: Screen, session: Session) -> None:
     """The last row of the steps; it says on its page what is left."""
     async with screen(session=session, size=(120, 40)) as pilot:

@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -25,7 +26,6 @@ from calc.studies.starter.build import choice_made
 from tests.assistant.driving import until
 
 MOST = 60  # keys, beside the numbers
-SIZES = pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=lambda size: f"{size[0]}x{size[1]}")
 # what finds the engine, its own numbers, and the balancing that it comes to
 ENGINES = {
     "inline-3": ("inline-3", {"bore_mm": "95", "stroke": "110", "rod_length_mm": "170", "piston_mass_g": "1200",
@@ -80,8 +80,16 @@ class Hands:
         assert not left
 
 
-@SIZES
-@pytest.mark.parametrize("name", ENGINES)
+QUICK = [("v6-60", (80, 24))]  # a few seconds
+
+
+@pytest.mark.parametrize(
+    ("name", "size"),
+    [
+        pytest.param(*row, marks=() if row in QUICK else pytest.mark.slow)
+        for row in product(ENGINES, [(120, 40), (80, 24)])
+    ],
+)
 async def test_an_own_engine_comes_to_its_closing_page_within_sixty_keys(name, size, tmp_path, monkeypatch):
     """Ready, unless the balancing that it calls for leaves steps out that nobody has left out in words."""
     monkeypatch.chdir(tmp_path)
@@ -138,7 +146,14 @@ def choices(session: Session) -> Iterator[str]:
     session.solve()
 
 
-@pytest.mark.parametrize("path", OWN, ids=lambda path: path.stem)
+LONG = {"generating_set_mounting", "twin_mounting"}
+
+
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path for path in OWN],
+    ids=lambda path: path.stem,
+)
 def test_a_shipped_design_is_ready_by_what_is_offered(path: Path, tmp_path):
     session = Session.open(path, memory=Memory(tmp_path))
     session.solve()

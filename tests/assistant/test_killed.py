@@ -87,7 +87,7 @@ def reopened(path: Path, state: Path) -> Session:
     return Session.open(path, memory=Memory(state / "contralbero"))
 
 
-@pytest.mark.parametrize("seconds", [2.3, 4.1])
+@pytest.mark.parametrize("seconds", [2.3, pytest.param(4.1, marks=pytest.mark.slow)])
 def test_at_most_two_seconds_of_typing_are_lost(light: Session, state: Path, seconds: float) -> None:
     """Typing without a pause that would be long enough to keep the edits in."""
     before = light.home.read_bytes()
@@ -111,6 +111,7 @@ def test_at_most_two_seconds_of_typing_are_lost(light: Session, state: Path, sec
     assert not session.dirty
 
 
+@pytest.mark.slow
 def test_an_entry_that_is_not_accepted_comes_back(light: Session, state: Path) -> None:
     with Terminal(light.home, state) as terminal:
         terminal.write("\t12x")  # the bore
@@ -134,6 +135,7 @@ def whole(path: Path, session: Session, old: str, new: str, *earlier: str) -> st
     return found
 
 
+@pytest.mark.slow
 def test_killed_at_a_save_the_file_is_one_of_the_two_versions_and_whole(light: Session, state: Path) -> None:
     """At moments around the save of a program in a terminal; what was typed is on disk or comes back."""
     chance = random.Random(7)

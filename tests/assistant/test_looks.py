@@ -13,6 +13,7 @@ from tests.assistant.driving import rows, settled, strike
 
 
 # --- terminals
+@pytest.mark.slow
 async def test_plain_signs(screen: Screen, session: Session) -> None:
     async with screen(session=session, ascii=True) as pilot:
         await pilot.press("escape", "4")

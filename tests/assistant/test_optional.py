@@ -85,6 +85,7 @@ async def test_an_absent_table_is_one_line(screen: Screen) -> None:
         assert work(pilot).session.valid and not work(pilot).session.dirty
 
 
+@pytest.mark.slow
 async def test_a_table_is_added_filled_and_undone(screen: Screen) -> None:
     async with screen() as pilot:
         session = work(pilot).session

@@ -67,6 +67,7 @@ async def test_before_the_first_step_is_nothing_and_after_the_last_the_closing_p
         assert work(pilot).number == 6
 
 
+@pytest.mark.slow
 async def test_enter_goes_on_from_a_pane_in_which_nothing_can_be_chosen(screen: Screen) -> None:
     """A step that is not built opens with its inputs; from its empty plot Enter leads back to them."""
     async with screen(size=(80, 24)) as pilot:
@@ -83,6 +84,7 @@ async def test_enter_goes_on_from_a_pane_in_which_nothing_can_be_chosen(screen: 
         assert bench.pane == "inputs" and pilot.app.focused is bench.form
 
 
+@pytest.mark.slow
 async def test_while_an_input_is_not_valid_no_older_verdict_is_told(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         assert "WARN: 3 cautions  3 steps left" in screen_rows(pilot)[0]
@@ -94,6 +96,7 @@ async def test_while_an_input_is_not_valid_no_older_verdict_is_told(screen: Scre
         await until(pilot, lambda: "! input is not valid; 4 steps left" in screen_rows(pilot)[0])
 
 
+@pytest.mark.slow
 async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
     screen: Screen, session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -116,6 +119,7 @@ async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
         assert sorted(sought) == ["bearings", "gears"]
 
 
+@pytest.mark.slow
 async def test_the_form_of_a_step_is_made_once(
     screen: Screen, session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -196,8 +200,14 @@ async def test_panes_in_turn(screen: Screen) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ascii", [False, True])
-@pytest.mark.parametrize("size", [(110, 30), (80, 24)])
+@pytest.mark.parametrize(
+    ("size", "ascii"),
+    [
+        ((110, 30), False),
+        ((80, 24), True),
+        *(pytest.param(*row, marks=pytest.mark.slow) for row in (((110, 30), True), ((80, 24), False))),
+    ],
+)
 async def test_the_title_of_the_pane_that_has_the_focus_is_marked(
     screen: Screen, size: tuple[int, int], ascii: bool
 ) -> None:
@@ -233,6 +243,7 @@ async def test_a_pane_is_made_large_and_small(screen: Screen) -> None:
         assert work(pilot).query_one("#inputs").display
 
 
+@pytest.mark.slow
 async def test_findings_calculation_and_curve_take_turns(screen: Screen) -> None:
     """Wide, in one place; very wide the curve has a place of its own, where it stays."""
     async with screen(size=(120, 40)) as pilot:
@@ -256,6 +267,7 @@ async def test_narrow_shows_one_view_after_the_other(screen: Screen) -> None:
             assert shown == [view]
 
 
+@pytest.mark.slow
 async def test_resizing_keeps_the_focus_and_the_text(screen: Screen) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
@@ -351,6 +363,7 @@ async def test_no_key_fires_while_typing(screen: Screen) -> None:
         assert len(box.value) == len(letters) - 1 and work(pilot).query_one(CurvePane).cursor is None
 
 
+@pytest.mark.slow
 async def test_letters_act_after_escape(screen: Screen) -> None:
     async with screen() as pilot:
         await strike(pilot, "escape")
@@ -420,6 +433,7 @@ async def test_everything_can_be_clicked(screen: Screen, session: Session) -> No
         assert "2 of 3" in rows(pilot)
 
 
+@pytest.mark.slow
 async def test_a_field_that_the_palette_finds_comes_into_view(screen: Screen) -> None:
     """The form of its step is made on the way there, and has no size yet when the field gets the focus."""
     async with screen(size=(80, 24)) as pilot:

@@ -173,7 +173,10 @@ async def at_curve(pilot: Pilot[int], *leaves: Curve) -> CurvePane:
     return pane
 
 
-@pytest.mark.parametrize(("size", "ascii"), [((120, 40), False), ((80, 24), False), ((80, 24), True)])
+@pytest.mark.parametrize(
+    ("size", "ascii"),
+    [((80, 24), True), *(pytest.param(size, False, marks=pytest.mark.slow) for size in ((120, 40), (80, 24)))],
+)
 async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
     async with screen(size=size, ascii=ascii) as pilot:
         pane = await at_curve(pilot, FILM, PLAIN)
@@ -264,6 +267,7 @@ async def test_the_cursor_stays_where_it_is(screen: Screen) -> None:
         assert WITH in legend(pane) and "order 2" in legend(pane) and "100.0 N" in legend(pane)
 
 
+@pytest.mark.slow
 async def test_loci_have_marks_on_their_points(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         pane = await at_curve(pilot, CIRCLES, LOCUS)

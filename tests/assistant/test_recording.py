@@ -35,6 +35,7 @@ def end(script: replay.Script) -> dict[str, object]:
     return history[-1].data
 
 
+@pytest.mark.slow
 def test_edits_of_all_kinds_play_to_the_same_values(
     session: Session, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -73,6 +73,7 @@ async def test_a_fold_opens_stays_open_and_opens_for_a_field_that_is_sought(scre
         assert ("engine", "bank_angle_deg") not in places(pilot)  # an inline engine has none
 
 
+@pytest.mark.slow
 async def test_a_field_is_never_typed_into_unseen(screen: Screen) -> None:
     """Whatever grows above it."""
     async with screen(size=(80, 24)) as pilot:
@@ -83,6 +84,7 @@ async def test_a_field_is_never_typed_into_unseen(screen: Screen) -> None:
         await until(pilot, lambda: form.scroll_y > 0 and form.field is not None and form.field.region in form.region)
 
 
+@pytest.mark.slow
 async def test_keys_that_follow_a_jump_into_a_fold_are_not_lost(screen: Screen) -> None:
     async with screen() as pilot:
         bench = work(pilot)
@@ -92,6 +94,7 @@ async def test_keys_that_follow_a_jump_into_a_fold_are_not_lost(screen: Screen) 
         assert bench.number == 1 and bench.session.value("engine.rated_power_kW") == 61.0
 
 
+@pytest.mark.slow
 async def test_the_stroke_is_twice_the_crank_radius(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
@@ -108,6 +111,7 @@ async def test_the_stroke_is_twice_the_crank_radius(screen: Screen) -> None:
         ]
 
 
+@pytest.mark.slow
 async def test_escape_gives_the_old_text_back_and_a_second_one_leaves(screen: Screen) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
@@ -145,6 +149,7 @@ async def test_k_locks_the_field_that_is_not_being_typed_into(screen: Screen) ->
         assert work(pilot).session.value("engine.bore_mm") == 94.0
 
 
+@pytest.mark.slow
 async def test_the_row_that_is_called_for_keeps_its_mark_where_there_is_little_room(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "2")
@@ -189,6 +194,7 @@ async def test_a_step_that_was_built_is_left_by_the_next_enter(screen: Screen, l
         await until(pilot, lambda: bench.number == 6)
 
 
+@pytest.mark.slow
 async def test_the_document_control_is_asked_for_below_the_name(screen: Screen) -> None:
     async with screen() as pilot:
         bench = work(pilot)
@@ -210,6 +216,7 @@ async def test_what_can_not_be_built_yet_says_why(screen: Screen, light: Session
         assert work(pilot).number == 4 and "not built by rules: there is no shaft" in rows(pilot)
 
 
+@pytest.mark.slow
 async def test_the_choice_of_a_step_that_was_turned_to_takes_the_next_enter(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "3", "escape", "f3")

@@ -52,7 +52,9 @@ class Letters(Searching[str | None, str]):
         return str(self.query_one("#state", Static).content)
 
 
-@pytest.mark.parametrize(("ascii", "bar"), [(False, "████░░░░░░"), (True, "####......")])
+@pytest.mark.parametrize(
+    ("ascii", "bar"), [(False, "████░░░░░░"), pytest.param(True, "####......", marks=pytest.mark.slow)]
+)
 async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
     go_on = threading.Event()
 
@@ -98,6 +100,7 @@ async def test_why_it_ends(
         assert words in shown.state and shown.letters == ["a"]
 
 
+@pytest.mark.slow
 async def test_a_fault_in_a_table_of_rows_does_not_end_the_session(
     screen: Screen, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -152,6 +152,7 @@ async def test_shafts_are_leafed_through_added_and_taken_out(screen: Screen, lig
         assert not light.dirty
 
 
+@pytest.mark.slow
 async def test_a_bearing_by_another_name_has_that_name_above_its_column(screen: Screen, session: Session) -> None:
     async with screen(size=(120, 40), session=session) as pilot:
         await go_to(pilot, "shafts.shaft.bearings.front.name")
@@ -325,7 +326,7 @@ def test_a_further_chain_turns_the_twin_of_a_shaft_that_a_chain_turns() -> None:
     assert followed(data, renamed, (*SHAFTS, 0, "name"))["gears"]["stages"] == [{**stage, "driven": "low"}]
 
 
-@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
 async def test_everything_on_the_screen_is_of_the_shaft_in_view(
     screen: Screen, memory: Memory, tmp_path: Path, size: tuple[int, int]
 ) -> None:
@@ -481,7 +482,7 @@ def test_where_it_can_not_a_save_asks_for_schema_2_and_keeps_the_comments(sessio
     assert session.remark((*SHAFTS, 0, "half_length_mm")) == "assumed: up to the front journal"
 
 
-@pytest.mark.parametrize("answer", ["n", "y"])
+@pytest.mark.parametrize("answer", ["y", pytest.param("n", marks=pytest.mark.slow)])
 async def test_the_question_is_asked_and_no_work_is_lost(screen: Screen, light: Session, answer: str) -> None:
     async with screen() as pilot:
         await go_to(pilot, "shafts.shaft.name")

@@ -183,6 +183,7 @@ async def test_bearings(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_gears_on_a_narrow_screen(
     opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -200,6 +201,7 @@ async def test_ready(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_remedies(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assistant.screens.remedies.SECONDS", 1000.0)  # however slow the machine is, all are found
     async with opened(4, (120, 40)) as pilot:
@@ -210,6 +212,7 @@ async def test_remedies(opened: Opened, seen: SnapshotAssertion, monkeypatch: py
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_help(opened: Opened, seen: SnapshotAssertion) -> None:
     async with opened(4, (80, 24)) as pilot:
         await over(pilot, "f1", HelpScreen)
@@ -217,6 +220,7 @@ async def test_help(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion) -> None:
     """The firing orders, with what the first would do to all steps."""
     async with opened(1, (120, 40), ascii=True) as pilot:
@@ -226,6 +230,7 @@ async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_in_italian(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
     # sooner or later the foot and the findings would tell them
     monkeypatch.setattr(Workbench, "_seek_slopes", lambda self, kind, name: None)
@@ -233,6 +238,7 @@ async def test_in_italian(opened: Opened, seen: SnapshotAssertion, monkeypatch: 
         assert picture(pilot) == seen
 
 
+@pytest.mark.slow
 async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
     # sooner or later the foot and the findings would tell them
     monkeypatch.setattr(Workbench, "_seek_slopes", lambda self, kind, name: None)
@@ -241,6 +247,7 @@ async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monke
 
 
 # --- colours only help
+@pytest.mark.slow
 async def test_verdicts_are_told_without_colours(opened: Opened, monkeypatch: pytest.MonkeyPatch) -> None:
     """With NO_COLOR every cell is grey, and the same is read; but for curves, whose lines are then told apart by their
     pattern."""

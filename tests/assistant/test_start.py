@@ -42,7 +42,7 @@ def test_every_engine_begins_a_design_of_its_own(id: str, memory: Memory) -> Non
     assert found.lines and found.sketch is not None
 
 
-@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
 async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, size: tuple[int, int]) -> None:
     async with ContralberoApp(None, memory=memory).run_test(size=size) as pilot:
         await type_in(pilot, "6 v 60")  # in any order
@@ -60,8 +60,10 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
     assert tomllib.loads((tmp_path / "own-v6-60.toml").read_text("utf-8"))["name"] == "own-v6-60"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
-    ("columns", "columns_of_row"), [(80, ("±2ω",)), (120, ("±2ω",)), (200, ("74.5 × 80 mm", "order 2: 6100 N", "±2ω"))]
+    ("columns", "columns_of_row"),
+    [(80, ("±2ω",)), (200, ("74.5 × 80 mm", "order 2: 6100 N", "±2ω"))],
 )
 async def test_each_engine_says_what_balancing_it_calls_for(
     memory: Memory, columns: int, columns_of_row: tuple[str, ...]
@@ -90,6 +92,7 @@ async def test_a_file_that_is_not_there_is_begun(memory: Memory, tmp_path: Path)
         assert work(pilot).session.path == tmp_path / "mine.toml"
 
 
+@pytest.mark.slow
 async def test_over_an_open_design_and_back(screen: Screen, light: Session) -> None:
     async with screen() as pilot:
         await strike(pilot, "ctrl+n")
@@ -102,7 +105,7 @@ async def test_over_an_open_design_and_back(screen: Screen, light: Session) -> N
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).session.example)
 
 
-@pytest.mark.parametrize("size", [(20, 10), (10, 4), (80, 24)])
+@pytest.mark.parametrize("size", [(10, 4), pytest.param((20, 10), marks=pytest.mark.slow)])
 async def test_however_small_the_terminal_is(memory: Memory, size: tuple[int, int]) -> None:
     async with ContralberoApp(None, memory=memory).run_test(size=size) as pilot:
         await strike(pilot, "down", "pagedown", "pageup", "up", "ctrl+o", "escape", "ctrl+p", "q", "escape")
@@ -123,7 +126,13 @@ async def test_the_language_changes_while_it_stands(memory: Memory) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "engine"), [("own", ""), ("own inline 3", "inline-3"), ("parallel twin", "twin-360"), ("diesel", "")]
+    ("words", "engine"),
+    [
+        ("own", ""),
+        ("diesel", ""),
+        pytest.param("own inline 3", "inline-3", marks=pytest.mark.slow),
+        pytest.param("parallel twin", "twin-360", marks=pytest.mark.slow),
+    ],
 )
 async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory, words: str, engine: str) -> None:
     async with ContralberoApp(None, memory=memory).run_test(size=(120, 40)) as pilot:

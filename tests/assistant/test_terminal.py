@@ -65,7 +65,9 @@ def ended(pid: int, file: int) -> int:
     raise AssertionError("it did not end")
 
 
-@pytest.mark.parametrize("arguments", [["-m", "assistant.app"], ["-m", "assistant"]])
+@pytest.mark.parametrize(
+    "arguments", [["-m", "assistant"], pytest.param(["-m", "assistant.app"], marks=pytest.mark.slow)]
+)
 def test_it_starts_paints_solves_and_ends(design: Path, tmp_path: Path, arguments: list[str]) -> None:
     pid, file = started(tmp_path, [*arguments, str(design)])
     until(file, b"my design.toml")
@@ -74,6 +76,7 @@ def test_it_starts_paints_solves_and_ends(design: Path, tmp_path: Path, argument
     assert (tmp_path / "state" / "contralbero" / "last").read_text(encoding="utf-8") == str(design)
 
 
+@pytest.mark.slow
 def test_alt_and_a_digit_goes_to_a_step_from_within_a_field(design: Path, tmp_path: Path) -> None:
     """As a terminal sends it: Esc and the digit."""
     pid, file = started(tmp_path, ["-m", "assistant", str(design)])

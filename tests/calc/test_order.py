@@ -27,7 +27,7 @@ from hashlib import sha256
 from calc.design.toml_file import load
 from calc.studies.shipped import DESIGNS
 from calc.solve import solve
-for path in sorted(DESIGNS.glob("*.toml")):
+for path in sorted(DESIGNS.glob(sys.argv[1])):
     results = solve(load(path)[1])
     for key, outcome in results.outcomes.items():
         whole = outcome.whole
@@ -37,10 +37,11 @@ for path in sorted(DESIGNS.glob("*.toml")):
 """
 
 
-def test_every_line_of_every_shipped_design_comes_in_one_order() -> None:
+@pytest.mark.parametrize("designs", ["r754*.toml", pytest.param("*.toml", marks=pytest.mark.slow)])
+def test_every_line_of_every_shipped_design_comes_in_one_order(designs: str) -> None:
     runs = [
         subprocess.Popen(
-            [sys.executable, "-c", SOLVED],
+            [sys.executable, "-c", SOLVED, designs],
             cwd=ROOT,
             stdout=subprocess.PIPE,
             text=True,
@@ -49,7 +50,7 @@ def test_every_line_of_every_shipped_design_comes_in_one_order() -> None:
         for seed in ("1", "3")
     ]
     first, second = (run.communicate()[0].splitlines() for run in runs)
-    assert len(first) > 90 and [(a, b) for a, b in zip(first, second, strict=True) if a != b] == []
+    assert len(first) >= 6 and [(a, b) for a, b in zip(first, second, strict=True) if a != b] == []
 
 
 # --- the order of arrays

@@ -76,7 +76,7 @@ def test_a_number_of_no_size_is_bad_input(document: Document, key: str, value: f
         ("r753ie4_gamma", {"engine.crank_radius_mm": 5.9e-5}),
         ("generating_set_mounting", {"engine.crank_radius_mm": 1e-9}),
         ("twin_force_shaft", {"engine.crank_radius_mm": 1e-9}),
-        ("r753ie4_drive", {"countershaft.half_length_mm": 4999.999999999999}),
+        pytest.param("r753ie4_drive", {"countershaft.half_length_mm": 4999.999999999999}, marks=pytest.mark.slow),
     ],
     ids=str,
 )

@@ -88,8 +88,15 @@ def test_the_catalogues_are_installed_with_the_program() -> None:
 
 
 # --- what is shown
+LONG = ("r753ie4_beta", "r753ie4_drive", "r753ie4_gamma", "r753ie4_sized")
+
+
 @pytest.mark.parametrize("code", OTHERS)
-@pytest.mark.parametrize("file", DESIGNS, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "file",
+    [pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path for path in DESIGNS],
+    ids=lambda path: path.stem,
+)
 def test_no_english_word_is_left_in_what_a_design_gives(file: Path, code: str) -> None:
     say, names = (
         language(code),

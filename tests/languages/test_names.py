@@ -52,8 +52,15 @@ def with_names(file: Path, words: tuple[str, ...]) -> Results:
     return solve(design(parse(tomli_w.dumps(_renamed(data, names)).encode(), file.name)))
 
 
-@pytest.mark.parametrize("code", ["en", "it"])
-@pytest.mark.parametrize("file", DESIGNS, ids=lambda path: path.stem)
+LONG = {"twin_drive", *(path.stem for path in DESIGNS if path.stem.startswith("r753"))}
+
+
+@pytest.mark.parametrize("code", ["it", pytest.param("en", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "file",
+    [pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path for path in DESIGNS],
+    ids=lambda path: path.stem,
+)
 def test_names_that_are_words_of_the_program_are_not_translated(file: Path, code: str) -> None:
     """What is said of a design named in vocabulary is what is said of the one named in gibberish, name for name."""
     say = language(code)

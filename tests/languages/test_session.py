@@ -194,7 +194,7 @@ async def test_every_step_of_a_whole_design(name: str, memory: Memory, tmp_path:
             await back(pilot)
 
 
-@pytest.mark.parametrize("name", ["r753ie4_gamma", "r753ie4_beta"])
+@pytest.mark.parametrize("name", ["r753ie4_gamma", pytest.param("r753ie4_beta", marks=pytest.mark.slow)])
 def test_all_lists_of_a_whole_design(name: str) -> None:
     """The same lists without a screen: checks, calculation, values."""
     say, results = language(CODE), solve(design_of(read(DESIGNS / f"{name}.toml")))
@@ -248,6 +248,7 @@ async def test_what_asks(light: Session) -> None:
         reader.read("compare")
 
 
+@pytest.mark.slow
 async def test_what_is_said(light: Session) -> None:
     """Entries that are not valid, saving, recording, a remedy, going back."""
     async with opened(light) as (pilot, reader):

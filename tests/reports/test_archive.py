@@ -15,7 +15,8 @@ from tests.reports.reading import V12, Solved, solved
 
 
 @pytest.mark.parametrize(
-    ("depth", "lang"), [("summary", "en"), ("engineer", "it"), pytest.param("audit", "en", marks=pytest.mark.slow)]
+    ("depth", "lang"),
+    [("summary", "en"), *(pytest.param(*row, marks=pytest.mark.slow) for row in (("engineer", "it"), ("audit", "en")))],
 )
 def test_no_own_rule_is_broken(depth: str, lang: str, example: Solved) -> None:
     assert wrong(example.report(depth, lang))[:9] == []

@@ -95,6 +95,7 @@ def test_an_altered_page_is_not_as_written(
     assert "its pages were not looked at" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_it_is_signed_as_a_report_and_its_foot_names_both(sides: tuple[Solved, Solved]) -> None:
     pdf = report(*sides)
     assert verify(sign(pdf, "Approved"), "c.pdf").verdict is Verdict.SIGNED

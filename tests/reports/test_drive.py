@@ -34,7 +34,11 @@ def folder(tmp_path_factory):
 
 
 @pytest.mark.parametrize(
-    "lang, words", [("en", ("Whole drive", "What binds it")), ("it", ("Trasmissione completa", "Che cosa la vincola"))]
+    "lang, words",
+    [
+        pytest.param("en", ("Whole drive", "What binds it"), marks=pytest.mark.slow),
+        ("it", ("Trasmissione completa", "Che cosa la vincola")),
+    ],
 )
 def test_the_report_of_a_drive_has_its_chapter_and_is_verified(folder, tmp_path, lang, words):
     report = tmp_path / "drive.pdf"

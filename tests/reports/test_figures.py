@@ -70,6 +70,7 @@ def test_bars_differ_in_grey() -> None:
     assert min(b - a for a, b in pairwise(greys)) > 0.12
 
 
+@pytest.mark.slow
 def test_bars_that_are_no_numbers_or_go_down() -> None:
     nan = float("nan")
     curves = (
@@ -205,6 +206,7 @@ def test_loci_that_run_over_each_other_are_both_seen() -> None:
         assert f"{rgb(line_style(i)[0])} RG {wanted:.2f} w".encode() in drawn
 
 
+@pytest.mark.slow
 def test_figures_write_numbers_as_their_language_does(relazione: bytes) -> None:
     """Ticks, the value where the design stands, limits; and no sentence of the report has a decimal point before a
     unit but one that has no translation yet."""

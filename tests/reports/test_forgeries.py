@@ -50,14 +50,18 @@ def test_there_are_many_kinds() -> None:
     assert len(KINDS) >= 120
 
 
-@pytest.mark.parametrize("kind", OTHERS)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=pytest.mark.slow if n % 2 else ()) for n, kind in enumerate(OTHERS)]
+)
 def test_no_forgery_is_accepted(made: bytes, read_here: None, kind: str) -> None:
     forged = KINDS[kind](made)
     assert forged != made
     assert verdict(forged) not in ACCEPTED
 
 
-@pytest.mark.parametrize("kind", ENDLESS)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=pytest.mark.slow if n % 5 else ()) for n, kind in enumerate(ENDLESS)]
+)
 def test_what_has_no_end_ends_its_reader(made: bytes, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
     """In a process of its own, of which only the time is waited for."""
     monkeypatch.setattr("reports.apart.APPENDED_SECONDS", 5)
@@ -65,7 +69,7 @@ def test_what_has_no_end_ends_its_reader(made: bytes, monkeypatch: pytest.Monkey
 
 
 @pytest.mark.parametrize(
-    "kind", [pytest.param(kind, marks=pytest.mark.slow if n % 5 else ()) for n, kind in enumerate(OTHERS)]
+    "kind", [pytest.param(kind, marks=pytest.mark.slow if n % 10 else ()) for n, kind in enumerate(OTHERS)]
 )
 def test_no_forgery_is_accepted_that_is_signed_after_or_was_before(
     made: bytes, signed: bytes, read_here: None, kind: str

@@ -150,7 +150,17 @@ def test_a_chapter_says_once_how_a_long_list_is_written(engineer: bytes) -> None
     assert squeezed(text_of(engineer)).count(squeezed(WORDS["ranges"])) == 1
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized", "thesis_temperatures")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
+        for path in sorted(DESIGNS.glob("*.toml"))
+    ],
+    ids=lambda path: path.stem,
+)
 def test_what_fails_or_comes_near_its_limit_is_proven(path: Path) -> None:
     """Each such check of each shipped design has its block: its own number, limit, source, the formula behind it, and a
     remedy."""
@@ -375,6 +385,7 @@ def test_the_drawing_sheet_has_the_shaft_and_the_data_of_the_wheels(engineer: by
     assert f"{over:.4f}".rstrip("0") in read
 
 
+@pytest.mark.slow
 def test_headings_are_never_last_on_a_page(example: Solved) -> None:
     from reports.report import blocks
 

@@ -8,6 +8,7 @@ import zlib
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from calc.locale import language
 from calc.sheet.expression import governing
@@ -78,6 +79,7 @@ def test_reports_know_no_single_step() -> None:
                 assert node.module is not None and node.module.startswith(rooms), path
 
 
+@pytest.mark.slow
 def test_with_the_kernels_of_another_processor(engineer: bytes, tmp_path: Path) -> None:
     """Names that a library or a processor does not know change nothing there."""
     plain = dict(OPENBLAS_CORETYPE="Prescott", GLIBC_TUNABLES="glibc.cpu.hwcaps=-AVX2,-FMA")

@@ -15,7 +15,7 @@ def chapter(pdf: bytes) -> str:
     return read[read.rindex("Standards and rules") : read.rindex("Nomenclature")]
 
 
-@pytest.mark.parametrize("depth", ["engineer", "audit"])
+@pytest.mark.parametrize("depth", ["engineer", pytest.param("audit", marks=pytest.mark.slow)])
 def test_every_publication_has_its_row(depth: str, request: pytest.FixtureRequest) -> None:
     read = squeezed(chapter(request.getfixturevalue(depth)))
     for name in ("ISO 6336-2:2006", "VDI 2230-1", "Finotti 2013", "Raimondi & Boyd 1958"):

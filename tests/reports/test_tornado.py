@@ -80,6 +80,7 @@ def test_names_and_numbers_stand_whole_beside_their_rows() -> None:
     )
 
 
+@pytest.mark.slow
 def test_rows_without_effect_and_without_numbers_are_still_named() -> None:
     none = np.zeros(5)
     strange = np.array([NAN, float("inf"), 1.0, 0.0, -1e-14])

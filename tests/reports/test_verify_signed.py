@@ -35,7 +35,9 @@ def test_the_report_has_a_field_in_each_box_to_sign(made: bytes) -> None:
     assert all(field["/TU"].startswith("Signature: ") and not field["/AP"]["/N"].get_data() for field in fields)
 
 
-@pytest.mark.parametrize("names", [FIELDS[:1], FIELDS[1:], FIELDS[::-1]])
+@pytest.mark.parametrize(
+    "names", [FIELDS[::-1], *(pytest.param(names, marks=pytest.mark.slow) for names in (FIELDS[:1], FIELDS[1:]))]
+)
 def test_signatures_in_its_fields_are_signed(made: bytes, names: tuple[str, ...]) -> None:
     raw = made
     for name in names:
@@ -52,8 +54,8 @@ def test_signatures_in_its_fields_are_signed(made: bytes, names: tuple[str, ...]
 @pytest.mark.parametrize(
     "about",
     [
-        {"stamp": TextStampStyle(stamp_text="Signed by %(signer)s\n%(ts)s")},
-        {"subfilter": SigSeedSubFilter.PADES},
+        pytest.param({"stamp": TextStampStyle(stamp_text="Signed by %(signer)s\n%(ts)s")}, marks=pytest.mark.slow),
+        pytest.param({"subfilter": SigSeedSubFilter.PADES}, marks=pytest.mark.slow),
         {"subfilter": SigSeedSubFilter.PADES, "stamp": TextStampStyle(stamp_text="x")},
         {"reason": "checked", "location": "Turin", "name": "J. Doe", "contact_info": "none"},
     ],

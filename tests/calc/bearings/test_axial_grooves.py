@@ -35,7 +35,7 @@ def results(gamma):
     return solve(design(grooved(gamma)))
 
 
-@pytest.mark.parametrize("place", ["front", "rear"])
+@pytest.mark.parametrize("place", ["rear", pytest.param("front", marks=pytest.mark.slow)])
 def test_film_flow_and_coefficients_are_those_of_the_direct_solution(results, place):
     r = results.outcomes["bearings"].result.bearings[place]
     b = r.seat.bearing

@@ -98,11 +98,11 @@ ASLANT = tuple(Feed(math.radians(angle), TEN) for angle in (60, 240))
 @pytest.mark.parametrize(
     "length_ratio, feeds, places",
     [
-        (0.5, TWO, (0.06, 0.22, 0.24, 0.8, 0.955)),
-        (1.0, TWO, (0.15, 0.55, 0.9)),
+        pytest.param(0.5, TWO, (0.06, 0.22, 0.24, 0.8, 0.955), marks=pytest.mark.slow),
+        pytest.param(1.0, TWO, (0.15, 0.55, 0.9), marks=pytest.mark.slow),
         (0.5, POCKET, (0.24, 0.8)),
-        (0.2, ASLANT, (0.1, 0.36, 0.9)),
-        (2.0, ASLANT, (0.6, 0.63, 0.65)),
+        pytest.param(0.2, ASLANT, (0.1, 0.36, 0.9), marks=pytest.mark.slow),
+        pytest.param(2.0, ASLANT, (0.6, 0.63, 0.65), marks=pytest.mark.slow),
     ],
     ids=["0.5", "1", "pocket", "0.2 aslant", "2 aslant"],
 )

@@ -73,7 +73,17 @@ def test_what_is_shipped_is_usual(path: Path) -> None:
     assert found.items() <= {"gears.wheels.central.span_allowance_um": -2.0}.items()
 
 
-@pytest.mark.parametrize("name", [name for name in engines() if name not in ("r753ie4", "inline-4-cross")])
+LONG = ("twin-180", "twin-270", "twin-360", "v2-45")  # whose rules look at many trains
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.slow) if name in LONG else name
+        for name in engines()
+        if name not in ("r753ie4", "inline-4-cross")
+    ],
+)
 def test_what_a_design_is_begun_with_is_usual(name: str) -> None:
     """But for the clearance of fast journals, which are wider than usual so as not to grow hot; `check` says it."""
     wide = "clearance_factor"

@@ -99,6 +99,7 @@ def parents_first(blocks: list[list[str]]) -> bool:
     return heads[0].startswith("[countershaft]")
 
 
+@pytest.mark.slow
 @given(st.sampled_from(WITH_SHAFT), st.randoms(use_true_random=False), st.booleans())
 def test_tables_in_any_order_and_comments_everywhere(name: str, chance: random.Random, shuffled: bool) -> None:
     root, blocks = blocks_of(text_of(OLD / name))

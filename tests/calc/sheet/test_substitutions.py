@@ -145,6 +145,7 @@ def test_all_of_them_give_their_values():
     assert not (wrong := off(printed())), "\n".join(wrong)
 
 
+@pytest.mark.slow
 def test_no_dust_is_printed():
     """What is zero by cancellation is 0: nothing in these designs is as small as 10⁻¹³ of its unit."""
     small = re.compile(r"·10⁻(?:¹[³⁴⁵⁶⁷⁸⁹]|²[⁰¹²³⁴⁵⁶⁷⁸⁹])")

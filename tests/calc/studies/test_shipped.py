@@ -24,7 +24,7 @@ from calc.studies.shipped import DESIGNS, _rows, engine_design, engines
 from calc.studies.starter.balancing import what_shakes
 
 ENGINES = engines()
-SLOW = ("inline-4-cross",)  # whose rules look at many trains
+SLOW = ("inline-4-cross", "twin-180", "twin-270", "twin-360", "v2-45")  # whose rules look at many trains
 EACH = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ENGINES]
 ROWS = tomllib.loads((Path(__file__).parents[2] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
 PUBLISHED = {row["engine"]: (row["first"], row["second"]) for row in ROWS}
@@ -187,12 +187,12 @@ def test_the_dead_centres_fit_even_firing_just_where_it_is_claimed(name):
 @pytest.mark.parametrize(
     "name, order, intervals",
     [
-        ("inline-4-cross", (1, 3, 2, 4), (270, 180, 90, 180)),  # Yamaha 2009
+        pytest.param("inline-4-cross", (1, 3, 2, 4), (270, 180, 90, 180), marks=pytest.mark.slow),  # Yamaha 2009
         ("v6-90-uneven", (1, 6, 3, 5, 2, 4), (150, 90) * 3),  # PRV 1974
         ("v2-90", (1, 2), (450, 270)),
-        ("v2-45", (1, 2), (405, 315)),
-        ("twin-180", (1, 2), (180, 540)),
-        ("twin-270", (1, 2), (270, 450)),
+        pytest.param("v2-45", (1, 2), (405, 315), marks=pytest.mark.slow),
+        pytest.param("twin-180", (1, 2), (180, 540), marks=pytest.mark.slow),
+        pytest.param("twin-270", (1, 2), (270, 450), marks=pytest.mark.slow),
         ("v8-cross", (1, 8, 7, 2, 6, 5, 4, 3), (90,) * 8),  # GM 1997
         ("two-stroke-3", (1, 3, 2), (120,) * 3),
     ],
@@ -469,7 +469,17 @@ def test_every_curve_and_table_of_a_step_has_an_id_of_its_own(path):
         assert len(ids) == len(set(ids)), ids
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda p: p.stem)
+LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
+        for path in sorted(DESIGNS.glob("*.toml"))
+    ],
+    ids=lambda path: path.stem,
+)
 def test_curves_and_tables_of_a_step_are_told_apart_by_their_names(path):
     """The session and the JSON find them so."""
     for outcome in solve(design(read(path))).whole().outcomes.values():

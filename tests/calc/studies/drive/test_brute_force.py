@@ -61,6 +61,7 @@ def test_no_drive_of_a_tiny_grid_beats_the_front(sized):
     _against(sized, GRID, {"front": [80, 85], "rear": [95, 105]})
 
 
+@pytest.mark.slow
 def test_without_any_choice_but_the_clearance_the_front_is_that_of_all(sized):
     """One core, one size of each journal: the least power of all clearances, by a walk over every one about the
     best."""

@@ -34,6 +34,7 @@ def test_tables_and_whole_solutions_agree_on_every_engine_with_a_couple(engine, 
     assert misses == [] and power <= 0.05 and mass <= 1e-6 and -1e-9 <= least and most <= 0.006
 
 
+@pytest.mark.slow
 def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
     """From `new` alone, a few values of its sizes about the start."""
     document = written("inline-3", tmp_path)
@@ -47,6 +48,7 @@ def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
     assert all(one.sized.diameter == own for one in found.drives)
 
 
+@pytest.mark.slow
 def test_holes_that_would_run_into_the_core_or_out_of_the_sector(sized):
     """Sizes of holes are limits that change with core, seat and length: what breaks them is not offered, and hides
     nothing."""
@@ -76,6 +78,7 @@ def test_a_range_that_holds_one_drive_and_one_that_holds_none(sized):
         assert search(problem).drives == ()
 
 
+@pytest.mark.slow
 def test_a_start_that_fails_and_has_no_film_is_as_good_as_any(sized):
     vary = {
         "vary": GRID | {"shafts.shaft.bearings.rear.diameter_mm": [85.0, 86.0]},
@@ -95,6 +98,7 @@ def test_a_start_that_fails_and_has_no_film_is_as_good_as_any(sized):
     assert one.drives and [d.changes for d in one.drives] == [d.changes for d in other.drives]
 
 
+@pytest.mark.slow
 def test_bounds_hold_in_what_is_solved_whole(sized):
     bounds = {"most": {"mass_kg": 10.4, "power_W": 275.0}, "least": {"margin_percent": 2.0}}
     problem, _ = asked(sized, {"vary": SOME, "rows": 6, **bounds})
@@ -104,6 +108,7 @@ def test_bounds_hold_in_what_is_solved_whole(sized):
         assert one.objectives["mass"] <= 10.4 and one.objectives["power"] <= 275.0 and one.objectives["margin"] >= 2.0
 
 
+@pytest.mark.slow
 def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
     vary = GRID | {
         "shafts.shaft.bearings.front.length_mm": [38.0, 37.3, 36.9],
@@ -115,6 +120,7 @@ def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
     assert {one.sized.length["front"] for one in found.drives} <= {36.9, 37.3, 38.0}
 
 
+@pytest.mark.slow
 def test_a_gap_too_narrow_for_its_fillets_is_offered_where_that_is_waived(sized):
     """The wheel stands a little ahead of its journal: the usual list refuses it, and with the finding waived it passes
     whole as well."""

@@ -21,7 +21,12 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+QUICK = ("as shipped", "grooves")
+
+
+@pytest.mark.parametrize(
+    "name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in CASES]
+)
 def test_films_of_the_tables_are_those_of_the_step(sized, name):
     """At sizes from everywhere, the ends of the tables among them, whether they pass or not."""
     one = Class(changed(sized, CASES[name]), {"vary": SOME})
@@ -64,6 +69,7 @@ def test_films_of_the_tables_are_those_of_the_step(sized, name):
     assert seen >= (2 if name == "grooves" else 6)
 
 
+@pytest.mark.slow
 def test_films_over_the_speeds_are_known_where_they_are_the_thinnest(sized):
     """With cool oil at the rated speed that of the bench run's other speeds is the hotter: their films bind."""
     one = Class(changed(sized, CASES["cool"]), {"vary": SOME})
@@ -76,6 +82,7 @@ def test_films_over_the_speeds_are_known_where_they_are_the_thinnest(sized):
     assert any(f.speeds is not None for some in waived.sizes.films.values() for f in some), "a range that is given"
 
 
+@pytest.mark.slow
 def test_a_range_from_below_the_gear_hides_no_drive(sized):
     """A journal that the gear does not go through rubs less than any that it does."""
     vary = FEW | {

@@ -29,7 +29,7 @@ def found(few, tmp_path_factory):
     return search(few, 1, tmp_path_factory.mktemp("parts"))
 
 
-@pytest.mark.parametrize("positions", [[-167.5, 167.5], [-166.0, 169.0]])
+@pytest.mark.parametrize("positions", [pytest.param([-167.5, 167.5], marks=pytest.mark.slow), [-166.0, 169.0]])
 def test_tables_say_what_the_whole_solution_says(sized, positions):
     """Power, mass and verdict of rows from all over the front of a class; bearings about the middle of the shaft, and
     not."""
@@ -47,6 +47,7 @@ def test_tables_say_what_the_whole_solution_says(sized, positions):
         assert one.rows.margin[n] * 100 - 0.1 <= drive.objectives["margin"]
 
 
+@pytest.mark.slow
 def test_nothing_in_the_ranges_beats_the_front(few, found):
     """Random drives of the same steps, solved whole: those that pass are no better than the front by more than a
     grid step is worth, and reach no level of the margin with less."""
@@ -91,6 +92,7 @@ def test_every_drive_that_is_shown_holds_and_none_is_beaten_by_another(few, foun
     assert len(table(found).rows) == len(found.drives)
 
 
+@pytest.mark.slow
 def test_shaft_and_bearings_may_have_any_names(sized, few, found):
     """The same drives, by the keys that the design has then."""
     new = {"shaft": "left", "front": "fore", "rear": "aft"}
@@ -105,13 +107,14 @@ def test_shaft_and_bearings_may_have_any_names(sized, few, found):
         return ".".join(new.get(part, part) for part in old.split("."))
 
     problem, _ = asked(renamed, {"vary": {key(old): values for old, values in FEW.items()}, "rows": 8})
-    drives = search(problem).drives
+    front = search(problem)
+    drives = front.drives
     assert [one.objectives for one in drives] == [one.objectives for one in found.drives]
     assert [one.changes for one in drives] == [
         {key(old): value for old, value in one.changes.items()} for one in found.drives
     ]
     assert "shafts.left.bearings.aft.diameter_mm" in drives[0].changes
-    assert [str(head) for head, _ in table(search(problem)).columns if "Ø" in str(head)] == ["fore Ø×l/g", "aft Ø×l/g"]
+    assert [str(head) for head, _ in table(front).columns if "Ø" in str(head)] == ["fore Ø×l/g", "aft Ø×l/g"]
 
 
 def test_keys_of_schema_1_are_those_of_the_design(sized, few):
@@ -168,6 +171,7 @@ def test_what_is_wrong_in_a_file_of_schema_1_is_said_by_its_own_key_and_line():
     assert said == [(first + n, f"optimise.vary.{key}") for n, key in enumerate(wrong)]
 
 
+@pytest.mark.slow
 def test_it_does_not_matter_how_the_front_was_come_by(sized, tmp_path):
     """One process, two, and a run that goes on from parts of which one is cut off and one is of another problem: the
     same bytes."""
@@ -212,6 +216,7 @@ def test_a_row_that_fails_gives_its_place_to_one_that_should_not(few):
     assert _instead(line, 2, {0, 1, 2, 3, 4}, {2: 0.3}) is None
 
 
+@pytest.mark.slow
 def test_closer_making_costs_and_is_chosen_where_it_pays(sized):
     """Without prices the fits stay; with them the front has drives of each."""
     price = [{"what": "fit", "value": ["IT6", "IT6"], "piece_EUR": 2.0}]
@@ -226,6 +231,7 @@ def test_closer_making_costs_and_is_chosen_where_it_pays(sized):
     assert min(best) < 252.5
 
 
+@pytest.mark.slow
 def test_over_a_duty_cycle_the_power_is_a_mean(sized):
     cycle = [{"speed_rpm": 900.0, "hours": 3.0}, {"speed_rpm": 2600.0, "hours": 1.0}]
     problem, _ = asked(
@@ -236,6 +242,7 @@ def test_over_a_duty_cycle_the_power_is_a_mean(sized):
     assert 0.25 * one.objectives["power"] < found.drives[0].objectives["power"] < 0.45 * one.objectives["power"]
 
 
+@pytest.mark.slow
 def test_where_nothing_passes_each_line_holds_when_it_is_solved(sized):
     """The seat of the source's casting: what the spec of this search found, to within its grid."""
     problem, _ = asked(
@@ -309,7 +316,9 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
         ({"vary": {"shafts.shaft.core_radius_mm": [-1]}}, "shafts.shaft.core_radius_mm"),
         ({"most": {"weight": 3}}, "optimise.most.weight"),
         ({"objectives": ["beauty"]}, "optimise.objectives"),
-        ({"vary": {"gears.face_width_mm": {"from": 10, "to": 20, "step": 0.01}}}, ""),
+        pytest.param(
+            {"vary": {"gears.face_width_mm": {"from": 10, "to": 20, "step": 0.01}}}, "", marks=pytest.mark.slow
+        ),
     ],
 )
 def test_what_can_not_be_varied_is_said_with_its_key(sized, said, key):

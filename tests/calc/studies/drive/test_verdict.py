@@ -58,7 +58,13 @@ def changed(document, changes):
 
 
 @pytest.mark.parametrize(
-    "name, count", [("smoother", 16), ("the larger journal in front", 6), ("the gear apart", 6), ("off the middle", 6)]
+    "name, count",
+    [
+        pytest.param("smoother", 16, marks=pytest.mark.slow),
+        ("the larger journal in front", 6),
+        pytest.param("the gear apart", 6, marks=pytest.mark.slow),
+        ("off the middle", 6),
+    ],
 )
 def test_tables_and_the_whole_solution_agree(sized, name, count):
     """Half of the drives pass by the tables, the others miss by less than 15 % of the slope's limit."""

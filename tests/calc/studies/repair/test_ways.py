@@ -26,8 +26,12 @@ def ways_of(document: Document, id: str) -> tuple[Check, tuple[RepairOption, ...
 @pytest.mark.parametrize(
     ("id", "kinds"),
     [
-        ("bearings.front.film_edge", {"longer journal", "smoother surfaces", "thicker oil"}),
-        ("gears.central_idler.backlash_warm", {"thinner teeth", "closer tolerance"}),
+        pytest.param(
+            "bearings.front.film_edge", {"longer journal", "smoother surfaces", "thicker oil"}, marks=pytest.mark.slow
+        ),
+        pytest.param(
+            "gears.central_idler.backlash_warm", {"thinner teeth", "closer tolerance"}, marks=pytest.mark.slow
+        ),
         ("countershaft.bolts.slip_vdi", {"closer bolt holes", "more bolt torque"}),  # a caution
         ("bearings.front.mckee", {"longer journal"}),  # advice
     ],
@@ -56,6 +60,7 @@ def test_remedies_of_several_kinds_do_what_they_say(gamma: Document, id: str, ki
     assert ranks == sorted(ranks)
 
 
+@pytest.mark.slow
 def test_what_is_locked_is_shown_and_not_searched(gamma: Document) -> None:
     _, found = ways_of(gamma, "bearings.front.film_double_load")
     assert [(way.kind, way.locked) for way in found if way.locked] == [("thicker oil", "the oil is the engine's")]
@@ -65,6 +70,7 @@ def test_what_is_locked_is_shown_and_not_searched(gamma: Document) -> None:
     assert oil.passes and not oil.locked and oil.changes[0].startswith("bearings.oil=")
 
 
+@pytest.mark.slow
 def test_masses_that_leave_a_couple_are_set_each_in_its_way() -> None:
     _, found = ways_of(damaged("r753ie4_gamma", "shafts.shaft.masses.front.mass_kg=2.0"), "countershaft.residual")
     assert {"heavier mass", "mass further out"} <= {way.kind for way in found if way.passes}
@@ -93,7 +99,7 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
         ranked(search(gamma, check, gamma_results, stop))
 
 
-@pytest.mark.parametrize("name", ["timing_pair", "thesis_oils"])
+@pytest.mark.parametrize("name", ["timing_pair", pytest.param("thesis_oils", marks=pytest.mark.slow)])
 def test_what_can_not_be_verified_asks_for_what_is_missing_first(name: str) -> None:
     """Other numbers are looked at only where it does not even hold by what is taken."""
     document = read(ROOT / "tests" / "reference" / "designs_0_1" / f"{name}.toml")

@@ -33,7 +33,12 @@ def engine(name: str) -> Document:
     return Document({key: data[key] for key in ("schema", "name", "engine")})
 
 
-@pytest.mark.parametrize("name", CALLED)
+LONG = ("inline-5", "single", "twin-180", "twin-360", "v6-90")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in CALLED]
+)
 def test_one_balancing_is_called_for(name: str) -> None:
     offered = options(engine(name))
     assert [one.id for one in offered if one.called_for] == [CALLED[name]]
@@ -74,7 +79,9 @@ def test_what_offsets_turn_from_the_pins_is_not_said_to_be_taken() -> None:
 SLOW_PAIR = pytest.param("twin-360", "pair", marks=pytest.mark.slow)
 
 
-@pytest.mark.parametrize("name, id", [("inline-3", "shaft"), ("inline-4", "second"), SLOW_PAIR])
+@pytest.mark.parametrize(
+    "name, id", [("inline-4", "second"), pytest.param("inline-3", "shaft", marks=pytest.mark.slow), SLOW_PAIR]
+)
 def test_the_mass_is_about_that_of_the_shafts_that_are_built(name: str, id: str) -> None:
     """About, because the core that bending asks for is thicker than the one that is estimated with."""
     there = engine(name)

@@ -57,11 +57,11 @@ def open_findings(results: Results) -> list[str]:
 @pytest.mark.parametrize(
     "engine",
     [
-        DIESEL,
-        shipped("twin-360", speed=0.8),
-        shipped("twin-360", piston=1.2),
-        shipped("single", speed=1.2, size=0.9),
-        shipped("inline-3", piston=0.8, size=1.2),
+        pytest.param(DIESEL, marks=pytest.mark.slow),
+        pytest.param(shipped("twin-360", speed=0.8), marks=pytest.mark.slow),
+        pytest.param(shipped("twin-360", piston=1.2), marks=pytest.mark.slow),
+        pytest.param(shipped("single", speed=1.2, size=0.9), marks=pytest.mark.slow),
+        pytest.param(shipped("inline-3", piston=0.8, size=1.2), marks=pytest.mark.slow),
         shipped("boxer-2", speed=0.8),
         shipped("inline-5", size=0.8),
         shipped("v6-90", speed=1.2),
@@ -118,6 +118,7 @@ def test_journals_too_short_for_their_heat_are_a_case_for_rolling_bearings() -> 
     assert "rolling bearings" in made.data["without"]["bearings"] and "bearings" not in made.data  # type: ignore[index]
 
 
+@pytest.mark.slow
 def test_a_train_reaches_the_axis_of_the_shaft() -> None:
     twin = read(DESIGNS / "twin_force_shaft.toml").with_value("shafts.shaft.axis_mm", [0.0, 190.0])
     made = reduce(built, STEPS[1:], twin)
@@ -156,6 +157,7 @@ def test_steps_that_no_longer_fit_the_shaft_go_with_the_one_before() -> None:
     assert max(solved(kept).values()[f"countershaft.slope_{end}"].shown for end in ("front", "rear")) <= 0.2
 
 
+@pytest.mark.slow
 def test_a_pair_is_designed_step_by_step() -> None:
     pair = reduce(built, STEPS[1:], built(alone(shipped("inline-4")), "countershaft", "second"))
     shaft, twin = design(pair).shafts
@@ -190,6 +192,7 @@ def test_every_arrangement_is_written_whole(balancing: str) -> None:
     assert open_findings(results) == [] and {results.outcomes[step].verdict for step in STEPS} == {"pass"}
 
 
+@pytest.mark.slow
 def test_an_engine_of_ones_own_is_built_for_its_own_numbers() -> None:
     """A diesel of 4500 rpm, from nothing to its mounts."""
     own = {"engine.bore_mm": 84.0, "engine.crank_radius_mm": 45.0, "engine.rod_length_mm": 145.0}
@@ -205,7 +208,7 @@ def test_an_engine_of_ones_own_is_built_for_its_own_numbers() -> None:
     assert {results.outcomes[step].verdict for step in (*STEPS, "mounting")} == {"pass"}
 
 
-@pytest.mark.parametrize("step", STEPS[1:])
+@pytest.mark.parametrize("step", ["bearings", *(pytest.param(step, marks=pytest.mark.slow) for step in STEPS[2:])])
 def test_a_step_that_was_left_out_is_built_after_all(step: str) -> None:
     before = reduce(built, STEPS[: STEPS.index(step)], built(alone(DIESEL), "imbalance"))
     left = dict.fromkeys(STEPS[STEPS.index(step) :], "bought in")

@@ -51,7 +51,12 @@ def compare(document, inputs, rows, step=None):
     return swept
 
 
-@pytest.mark.parametrize("name", SWEEPS)
+LONG = ("r753ie4_gamma", "r753ie4_beta")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SWEEPS]
+)
 def test_each_design_is_what_it_is_alone(name):
     compare(*drawn(name, 4))
 
@@ -59,14 +64,20 @@ def test_each_design_is_what_it_is_alone(name):
 @pytest.mark.parametrize(
     "over",
     [
-        {
-            "shafts.shaft.bearings.front.length_mm": (29.0, 31.0),
-            "shafts.shaft.bearings.rear.length_mm": (24.0, 24.5, 25.0),
-        },  # the front goes apart, and is one in each part
-        {
-            "shafts.shaft.bearings.front.diameter_mm": (62.0, 64.0),
-            "shafts.shaft.bearings.rear.length_mm": (24.0, 25.0, 26.0),
-        },
+        pytest.param(
+            {
+                "shafts.shaft.bearings.front.length_mm": (29.0, 31.0),
+                "shafts.shaft.bearings.rear.length_mm": (24.0, 24.5, 25.0),
+            },  # the front goes apart, and is one in each part
+            marks=pytest.mark.slow,
+        ),
+        pytest.param(
+            {
+                "shafts.shaft.bearings.front.diameter_mm": (62.0, 64.0),
+                "shafts.shaft.bearings.rear.length_mm": (24.0, 25.0, 26.0),
+            },
+            marks=pytest.mark.slow,
+        ),
         {
             "shafts.shaft.bearings.front.length_mm": (58.9, 59.3, 59.7, 60.1, 60.5)
         },  # l/d through 1, up to which some of the routes reach
@@ -86,8 +97,8 @@ def test_a_grid_in_which_designs_share_numbers(over):
 @pytest.mark.parametrize(
     "texts",
     [
-        ["engine.rated_speed_rpm=800:2600:3", "engine.rod_length_mm=140,170"],
-        ["engine.cylinder_offset_mm=-5:5:3", "engine.piston_mass_g=900,1300"],
+        pytest.param(["engine.rated_speed_rpm=800:2600:3", "engine.rod_length_mm=140,170"], marks=pytest.mark.slow),
+        pytest.param(["engine.cylinder_offset_mm=-5:5:3", "engine.piston_mass_g=900,1300"], marks=pytest.mark.slow),
         ["imbalance.crank_balance_fraction=0:1:3"],
         ["engine.crank_radius_mm=40,60", "engine.rod_cg_to_big_end_mm=40:60:3"],
     ],

@@ -51,6 +51,7 @@ def test_a_run_goes_on_where_it_stood(expected, kept):
     assert text_of(kept) == expected
 
 
+@pytest.mark.slow
 def test_damage_to_a_kept_chunk_is_seen(expected, kept):
     swept(TASK, kept)
     rng = random.Random(5)
