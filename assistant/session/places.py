@@ -198,14 +198,16 @@ def further_shaft(there: list[Table], name: str, what: str, taken: Collection[ob
     shaft, names = next(shaft for shaft in there if shaft.get(NAME) == name), [*names_of(there), *taken]
     if what == OWN:
         return {**without(shaft, AXIS), NAME: _free(name, names)}
-    made = {**twin(shaft, name), NAME: _free(FACING.get(name, TWIN), names)}
+    made: dict[str, Any] = {**twin(shaft, name), NAME: _free(FACING.get(name, TWIN), names)}
     if what == MIRRORS:
         return made
+    start = made.get(AXIS)
     by_name = {other.get(NAME): other for other in there}
     places = [twin(by_name[other[MIRRORS]], "").get(AXIS) for other in there if other.get(MIRRORS) in by_name]
     places += [other.get(AXIS) for other in there]
-    while (place := made.get(AXIS)) is not None and place in places:
-        made[AXIS] = [place[0], place[1] + (mirror_image(shaft[AXIS])[1] or place[0] or 1.0)]
+    while start and made[AXIS] in places:
+        up, side = made[AXIS]
+        made[AXIS] = [up, side + (start[1] or up or 1.0)]
     return {**without(made, MIRRORS), REPEATS: name}
 
 

@@ -305,7 +305,9 @@ def _rows(
     along: list[str], failed: Iterable[str], beside: Mapping[str, Mates], placing: Placing
 ) -> Iterator[tuple[str, ...]]:
     """The rows of open wheels between two placed ones, these at their ends."""
-    ways = [(end, name) for end in along if end in placing.p for name in beside[end] if name not in placing.p]
+    ways: list[tuple[str, ...]] = [
+        (end, name) for end in along if end in placing.p for name in beside[end] if name not in placing.p
+    ]
     while ways:
         way = ways.pop(0)
         for mate in beside[way[-1]]:
