@@ -213,6 +213,7 @@ def _arc(a: tuple[Metre, ...], c: Metre) -> ComplexArray | None:
 USUAL_CLEARANCE: Metre = 1e-3  # rule of this program
 HERE = dotted("gears", GearsInputs.wheels, "W", Wheel.position)
 TEETH = dotted("gears", GearsInputs.wheels, "W", Wheel.teeth)
+SHAFT_AXIS = "shafts.S.axis_mm"
 
 REACH = CheckRule(
     "gears.W.position",
@@ -232,7 +233,7 @@ AXIS = CheckRule(
     unit="µm",
     source=Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
     role="self",
-    moved_by=(HERE, "shafts.S.axis_mm"),
+    moved_by=(HERE, SHAFT_AXIS),
 )
 DISTANCE = CheckRule(
     "gears.M.position",
@@ -365,9 +366,11 @@ def distance_check(
     return DISTANCE(error, limit, at=key, name=name, advice=advice, index=index, remedies=as_placed)
 
 
-def clearance_checks(wheel: str, free: dict[str, Clearance], order: Sequence[str], chosen: bool) -> Iterator[Check]:
+def clearance_checks(
+    wheel: str, free: dict[str, Clearance], order: Sequence[str], chosen: bool, axes: Mapping[str, str]
+) -> Iterator[Check]:
     """Of the tightest place around a wheel.  Two wheels that come too near each other are judged once, at the later
-    one."""
+    one.  `axes`: of the wheels that stand where their shafts do, the keys of these axes."""
     clearances = [c for c in free.values() if c.kind != "wheel" or order.index(c.to) < order.index(wheel)]
     if not clearances:
         return
@@ -387,9 +390,11 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: Sequence[str
     )
     if chosen and tight.kind != "wheel":
         advice += Text(" `choose FILE gears` tries its teeth.")
-    yield CLEARANCE(tight.g, 0.0, at=wheel, name=name, advice=advice, scale=USUAL_CLEARANCE)
+    moved = [axes[one] for one in (wheel, tight.to if tight.kind == "wheel" else "") if one in axes]
+    by = (*moved, wheel_key(wheel, Wheel.teeth)) if moved else None
+    yield CLEARANCE(tight.g, 0.0, at=wheel, name=name, advice=advice, scale=USUAL_CLEARANCE, moved_by=by)
     usual = Text("{name}, usual", name=name)
-    yield CLEARANCE_USUAL(tight.g, USUAL_CLEARANCE, at=wheel, name=usual, advice=advice)
+    yield CLEARANCE_USUAL(tight.g, USUAL_CLEARANCE, at=wheel, name=usual, advice=advice, moved_by=by)
 
 
 def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number, turns: Number) -> Check:

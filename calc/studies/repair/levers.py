@@ -45,12 +45,26 @@ def is_position(key: str) -> bool:
     return key.rpartition(".")[2] == ALONG[0]
 
 
-def together(keys: Iterable[str]) -> Iterable[list[str]]:
-    """Keys that are moved as one: the places of the bearings of a shaft; any other alone."""
+def together(state: RepairState, keys: Iterable[str]) -> Iterable[list[str]]:
+    """Keys that are moved as one: the places of the bearings of a shaft, the axes of a mirrored pair; any other
+    alone."""
     groups: dict[str, list[str]] = {}
     for key in keys:
-        groups.setdefault(place_of(key) if is_position(key) else key, []).append(key)
+        axes = axes_of_pair(state.design, key)
+        groups.setdefault(axes[0] if axes else place_of(key) if is_position(key) else key, []).append(key)
     return groups.values()
+
+
+def axes_of_pair(design: Design, key: str) -> list[str]:
+    """The keys of all given axes that move with that of one shaft, so that mirror images stay such; none of another
+    key."""
+    table, _, last = key.rpartition(".")
+    if last != dotted(ShaftInputs.axis):
+        return []
+    shaft = next((shaft for shaft in design.shafts if dotted(Design.shafts, shaft.name) == table), None)
+    original = shaft.mirrors or shaft.name if shaft is not None else ""
+    pair = [one for one in design.shafts if original in (one.name, one.mirrors) and one.axis is not None]
+    return [dotted(Design.shafts, one.name, ShaftInputs.axis) for one in pair]
 
 
 def words_of(document: Document, key: str) -> ChangeWords:
@@ -88,6 +102,7 @@ def named_keys(state: RepairState, checks: Iterable[Check]) -> list[str]:
     checks, data = tuple(checks), state.document.data
     keys = [key for check in checks for remedy in check.remedies for key, _ in remedy.changes]
     keys += [key for check in checks for key in check.moved_by]
+    keys = [each for key in keys for each in axes_of_pair(state.design, key) or [key]]
     numbers = [key for key, about in quantities(data) if about.kind in NUMBERS]
     inner = {key: [number for number in numbers if number.startswith(f"{key}.")] for key in keys}
     return list(dict.fromkeys(each for key in keys for each in inner[key] or [key] * _is_there(data, key)))
