@@ -5,6 +5,7 @@ schema 1, which have no words for all of it."""
 import tomllib
 from datetime import datetime
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -182,6 +183,24 @@ def two_of_their_own(memory: Memory, tmp_path: Path) -> Session:
     session.solve()
     assert session.valid and session.results is not None
     return session
+
+
+@pytest.mark.parametrize(
+    ("id", "moved_by", "shown"),
+    [
+        ("countershaft.right.fatigue", ("shafts.shaft.material",), 1),
+        ("countershaft.shafts.clear", ("shafts.right.axis_mm",), 1),
+        ("countershaft.shafts.clear", ("shafts.shaft.axis_mm", "shafts.right.axis_mm"), None),
+        ("countershaft.roll", ("engine.bore_mm", "shafts.right.axis_mm"), None),
+    ],
+)
+def test_a_finding_that_is_moved_by_one_shaft_alone_is_shown_there(
+    session: Session, monkeypatch: pytest.MonkeyPatch, id: str, moved_by: tuple[str, ...], shown: int | None
+) -> None:
+    session.add_shaft("shaft", "own")
+    session.edit((*SHAFTS, 1, "name"), "right")
+    monkeypatch.setattr(session, "results", SimpleNamespace(checks=lambda: [SimpleNamespace(id=id, moved_by=moved_by)]))
+    assert session.shaft_of_finding(id) == shown
 
 
 def test_the_view_is_of_the_shaft_in_view_or_of_the_original_of_a_twin(memory: Memory, tmp_path: Path) -> None:
