@@ -45,18 +45,16 @@ def is_position(key: str) -> bool:
     return key.rpartition(".")[2] == ALONG[0]
 
 
-def together(state: RepairState, keys: Iterable[str]) -> Iterable[list[str]]:
-    """Keys that are moved as one: the places of the bearings of a shaft, the axes of a mirrored pair; any other
-    alone."""
+def together(keys: Iterable[str]) -> Iterable[list[str]]:
+    """Keys that are moved as one: the places of the bearings of a shaft; any other alone."""
     groups: dict[str, list[str]] = {}
     for key in keys:
-        axes = axes_of_pair(state.design, key)
-        groups.setdefault(axes[0] if axes else place_of(key) if is_position(key) else key, []).append(key)
+        groups.setdefault(place_of(key) if is_position(key) else key, []).append(key)
     return groups.values()
 
 
 def axes_of_pair(design: Design, key: str) -> list[str]:
-    """The keys of all given axes that move with that of one shaft, so that mirror images stay such; none of another
+    """The keys of the given axes that move with that of a shaft, so that mirror images stay such; none of another
     key."""
     table, _, last = key.rpartition(".")
     if last != dotted(ShaftInputs.axis):
@@ -102,7 +100,7 @@ def named_keys(state: RepairState, checks: Iterable[Check]) -> list[str]:
     checks, data = tuple(checks), state.document.data
     keys = [key for check in checks for remedy in check.remedies for key, _ in remedy.changes]
     keys += [key for check in checks for key in check.moved_by]
-    keys = [each for key in keys for each in axes_of_pair(state.design, key) or [key]]
+    keys = [next(iter(axes_of_pair(state.design, key)), key) for key in keys]
     numbers = [key for key, about in quantities(data) if about.kind in NUMBERS]
     inner = {key: [number for number in numbers if number.startswith(f"{key}.")] for key in keys}
     return list(dict.fromkeys(each for key in keys for each in inner[key] or [key] * _is_there(data, key)))
@@ -176,6 +174,7 @@ class Lever:
 
 def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     """Of the keys of one kind in one place: what moves all of them, and other ways to do so."""
+    keys = axes_of_pair(state.design, keys[0]) or keys
     key, data = keys[0], state.document.data
     about, given, place = quantity_of(data, key), value_at(data, key), place_of(key)
     if about.kind not in NUMBERS or about.repair == "asked":

@@ -177,7 +177,7 @@ def _given(state: RepairState, key: str) -> bool:
 
 
 def _one_by_one(state: RepairState, keys: Iterable[str]) -> Iterator[Lever]:
-    for one in together(state, (key for key in keys if not locked(state.document.data, key))):
+    for one in together(key for key in keys if not locked(state.document.data, key)):
         yield from islice(levers(state, one), 1)
 
 
