@@ -100,7 +100,7 @@ class WorkbenchMoves(WorkbenchResults):
             )
         self.at_pane("checks")
         await self.open_step(step, stay=True)
-        if (shaft := session.shaft_of(check.id)) is not None:
+        if (shaft := session.shaft_of_finding(check.id)) is not None:
             self.look_at(shaft)
         self.set_focus(checks)
         self.call_after_refresh(checks.go_to, check.id)

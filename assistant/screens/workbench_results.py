@@ -483,7 +483,7 @@ class WorkbenchResults(WorkbenchPanes):
         line, checks = self.query_one(MessageLine), self.checks
         before, line.finding = line.finding, checks.key if checks.has_focus else ""
         line.redraw()
-        if line.finding not in ("", before) and (shaft := self.session.shaft_of(line.finding)) is not None:
+        if line.finding not in ("", before) and (shaft := self.session.shaft_of_finding(line.finding)) is not None:
             self.look_at(shaft)  # once: from there another may be leafed to
 
     def show_written(self) -> None:

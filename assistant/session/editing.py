@@ -34,6 +34,7 @@ from .places import (
     NAME,
     OWN,
     SHAFTS,
+    WHEELS,
     Place,
     content_at,
     described,
@@ -43,6 +44,7 @@ from .places import (
     further_shaft,
     less,
     named_key,
+    names_of,
     optional_table,
     with_shafts,
     with_wheel,
@@ -246,7 +248,7 @@ class Editing:
         """A further shaft beside the one of that name (see `further_shaft`); a twin is turned as that one is (see
         `with_wheel`).  Gives its index."""
         there = self.value(SHAFTS) or []
-        shaft = further_shaft(there, name, what)
+        shaft = further_shaft(there, name, what, names_of(content_at(self._state.data, WHEELS) or []))
         data = with_shafts(self._state.data, [*there, shaft], self.ids_of_shaft())
         if what != OWN and (carrier := self._carrier(name)):
             data = with_wheel(data, str(shaft[NAME]), name, carrier, what, meets=self._meets(name, carrier))

@@ -154,6 +154,7 @@ def twin_words(shaft: Table) -> Text:
 # --- elements of arrays of tables
 
 POSITION = dotted(BearingRow.position)
+AXIS, PLACE = dotted(ShaftInputs.axis), dotted(Wheel.position)
 VALUE = dotted(Measured.value)
 GEARS = dotted(Design.gears)
 WHEELS: Place = (GEARS, dotted(GearsInputs.wheels))
@@ -163,6 +164,10 @@ FRICTION, LOADS, CARRIED_BY = dotted(Design.friction), dotted(ShaftInputs.loads)
 SITS_ON, DRIVER, DRIVEN = dotted(Wheel.shaft), dotted(Mesh.driver), dotted(Mesh.driven)
 
 
+def names_of(there: list[Table]) -> list[object]:
+    return [element.get(NAME) for element in there]
+
+
 def further(where: Place, there: list[Table], of_twin: Sequence[str] = ()) -> tuple[list[Table], int]:
     """An array with one element more, and its index.
 
@@ -170,7 +175,7 @@ def further(where: Place, there: list[Table], of_twin: Sequence[str] = ()) -> tu
     one of a twin, whose original has the bearings `of_twin`, is the first of them of which nothing is said yet."""
     about, index = described(where), len(there)
     element = dict(there[-1]) if there else {}
-    names = [item.get(NAME) for item in there]
+    names = names_of(there)
     if of_twin:
         element = {NAME: next((name for name in of_twin if name not in names), "")}
     elif about.table is BearingRow and (gap := _widest(there)) is not None:
@@ -186,14 +191,30 @@ OWN = "own"  # beside MIRRORS and REPEATS: what a further shaft is
 FACING = {"left": "right", "right": "left", "upper": "lower", "lower": "upper"}
 
 
-def further_shaft(there: list[Table], name: str, what: str) -> Table:
-    """A shaft more: the mirror image of the one of that name, the same on the other side, or one of its own that is
-    like it, with no place yet."""
-    shaft, names = next(shaft for shaft in there if shaft.get(NAME) == name), [item.get(NAME) for item in there]
+def further_shaft(there: list[Table], name: str, what: str, taken: Collection[object] = ()) -> Table:
+    """A shaft more: the mirror image of the one of that name, the same on the other side, or further out where another
+    stands there, or one of its own that is like it, with no place yet.  `taken`: names that it can not have beside
+    those of the shafts."""
+    shaft, names = next(shaft for shaft in there if shaft.get(NAME) == name), [*names_of(there), *taken]
     if what == OWN:
-        return {**without(shaft, dotted(ShaftInputs.axis)), NAME: _free(name, names)}
-    made = {**twin(shaft, name), NAME: _free(FACING.get(name, TWIN), names)}
-    return made if what == MIRRORS else {**without(made, MIRRORS), REPEATS: name}
+        return {**without(shaft, AXIS), NAME: _free(name, names)}
+    made: dict[str, Any] = {**twin(shaft, name), NAME: _free(FACING.get(name, TWIN), names)}
+    if what == MIRRORS:
+        return made
+    start = made.get(AXIS)
+    by_name = {other.get(NAME): other for other in there}
+    places = [twin(by_name[other[MIRRORS]], "").get(AXIS) for other in there if other.get(MIRRORS) in by_name]
+    places += [other.get(AXIS) for other in there]
+    while start and made[AXIS] in places:
+        up, side = made[AXIS]
+        made[AXIS] = [up, side + (start[1] or up or 1.0)]
+    return {**without(made, MIRRORS), REPEATS: name}
+
+
+def mirror_image(place: list[Any]) -> list[Any]:
+    """Of a place beside the crank, up and to the side."""
+    up, side = place
+    return [up, 0 - side]  # not −0.0
 
 
 def ways_to_add(there: list[Table], name: str) -> dict[str, Text]:
@@ -237,8 +258,14 @@ def with_wheel(data: Table, name: str, of: str, carrier: str, what: str, *, meet
                 driver, by_name = way[0].get(DRIVER), {wheel.get(NAME): wheel for wheel in wheels}
                 further = [(f"{name}-idler", by_name[mesh.get(DRIVEN)], mesh) for mesh in way] + further
         for wanted, like, mesh in further:
-            called = _free(wanted, [wheel.get(NAME) for wheel in wheels])
+            called = (
+                wanted
+                if wanted == name
+                else _free(wanted, [name, *names_of(content_at(data, SHAFTS) or []), *names_of(wheels)])
+            )
             wheels.append({**without(like, *map(dotted, OF_ONE), SITS_ON), NAME: called})
+            if like is not on and isinstance(place := like.get(PLACE), list):
+                wheels[-1][PLACE] = mirror_image(place)
             meshes.append({**mesh, DRIVER: driver, DRIVEN: called})
             driver = called
         wheels[-1][SITS_ON] = name
@@ -426,7 +453,7 @@ def _with_ids(data: Table, called: Callable[[str], str]) -> Table:
 
 
 def _names(data: Table, array: Place) -> list[object]:
-    return [item.get(NAME) for item in content_at(data, array) or []]
+    return names_of(content_at(data, array) or [])
 
 
 def _renamed(key: str, was: str, now: str) -> str:

@@ -276,6 +276,13 @@ class Session(Editing):
         name = id.partition(".")[2].partition(".")[0]
         return self.shafts.index(name) if len(self.shafts) > 1 and name in self.shafts else None
 
+    def shaft_of_finding(self, id: str) -> int | None:
+        """That of a check; of one of all shafts, which inputs of a single one move, this one."""
+        checks = self.results.checks() if self.results is not None else ()
+        keys = next((check.moved_by for check in checks if check.id == id), ())
+        moved = {self.shaft_of(key) for key in keys}
+        return moved.pop() if self.shaft_of(id) is None and len(moved) == 1 else self.shaft_of(id)
+
     # --- solving
     def job(self) -> Job | None:
         """What is to be solved now; None where the results are up to date, or the input is not valid: then the last

@@ -15,7 +15,7 @@ from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.remedy import Remedy, by_key, down
-from ..sheet.text import EMPTY, Amount, Name, Text
+from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
 from ..sheet.units import Metre, Number
 from .bending.shaft import Bending
 from .inputs import ShaftInputs
@@ -392,10 +392,12 @@ def _between_check(shaft: ShaftInputs, shaft_result: CountershaftResult, journal
 @record
 class InPlace:
     """A shaft beside the crank: its axis (real up, imaginary 90° further in the sense of crank rotation) and the radius
-    that it sweeps, None where one is not known."""
+    that it sweeps, None where one is not known.  `placed_by`: the shaft whose mirror image it is, where that alone says
+    where it stands."""
 
     axis: complex | None
     radius: Metre | None
+    placed_by: str = ""
 
 
 def swept(shaft: ShaftInputs, outline: Outline | None) -> Metre | None:
@@ -410,12 +412,13 @@ def shafts_clear(shafts: Mapping[str, InPlace], crank_sweeps: Metre) -> Iterator
     """Whether all shafts of a design, twins too, turn clear of each other and of what the crank sweeps at least: the
     pair that comes nearest.
 
-    Not verified where a place or a radius is not known, and of two shafts about one axis, of which one is not placed
-    yet; of a single shaft nothing is asked then."""
+    Not verified where a place or a radius is not known, and where a mirror image falls on its original, which has no
+    side yet; of a single shaft nothing is asked then."""
     bodies = [(Name(name), one, dotted("shafts", name, ShaftInputs.axis)) for name, one in shafts.items()]
     crank = InPlace(0j, crank_sweeps)
     found: list[tuple[Metre, Metre, Text, tuple[str, ...]]] = []
     lacking: list[str] = []
+    fallen: list[Text] = []
     for (name, one, key), (name_2, other, key_2) in combinations(
         [*bodies, (Text("the crank (at least its pins)"), crank, "")], 2
     ):
@@ -423,8 +426,9 @@ def shafts_clear(shafts: Mapping[str, InPlace], crank_sweeps: Metre) -> Iterator
         lacking += [OUTER for body in (one, other) if body.radius is None]
         if one.axis is None or other.axis is None or one.radius is None or other.radius is None:
             continue
-        if one.axis == other.axis and other is not crank:
+        if one.axis == other.axis and key == dotted("shafts", other.placed_by, ShaftInputs.axis):
             lacking.append(key_2)
+            fallen.append(Text("The mirror image falls on its original's axis: give {key} a side.", key=key))
             continue
         words = Text("Distance of the axes of {one} and {other}", one=name, other=name_2)
         needed = one.radius + other.radius + APART * (other is not crank)
@@ -434,7 +438,7 @@ def shafts_clear(shafts: Mapping[str, InPlace], crank_sweeps: Metre) -> Iterator
         yield SHAFTS_CLEAR(distance, needed, name=words, moved_by=keys)
     elif len(shafts) > 1:
         missing = Missing(tuple(dict.fromkeys(lacking)), (), "holds", "none")
-        yield SHAFTS_CLEAR(None, APART, missing=missing)
+        yield SHAFTS_CLEAR(None, APART, missing=missing, advice=SPACE.join(fallen) if fallen else None)
 
 
 def _no_longer(field: object, length: Metre) -> Callable[[], tuple[Remedy, ...]]:

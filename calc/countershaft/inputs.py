@@ -296,6 +296,7 @@ class ShaftInputs:
         symbol="p_S",
         help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft "
         "raises a roll torque.",
+        change=("another place beside the crank", "another place beside the crank"),
     )
     masses: tuple[EccentricMass, ...] = tables(
         "Eccentric masses", EccentricMass, default=(), decides=9, where=(mode, "given")

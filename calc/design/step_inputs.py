@@ -132,8 +132,13 @@ def shares(design: Design, shaft: ShaftInputs) -> bool:
 
 def in_place(design: Design, solved: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, InPlace]:
     """Where every shaft turns, and what it sweeps."""
+    placed_by = {shaft.name: shaft.mirrors or "" for shaft in design.shafts if shaft.axis is None}
     return {
-        shaft.name: InPlace(axis_of(shaft.inputs), swept(shaft.inputs, solved[shaft.name].solution.outline))
+        shaft.name: InPlace(
+            axis_of(shaft.inputs),
+            swept(shaft.inputs, solved[shaft.name].solution.outline),
+            placed_by.get(shaft.name, ""),
+        )
         for shaft in turning(design)
     }
 

@@ -308,15 +308,15 @@ STROKE_RATIOS = (0.4, 1.8)
 PITCH = CheckRule(
     "engine.inputs.cylinder_pitch",
     "caution",
-    "Cylinders in a row must not overlap, and nobody sets them two bores apart.",
+    "Nobody sets cylinders in a row two bores apart.",
     Text("Cylinder pitch over bore"),
-    "in",
+    "<=",
     source=MAKERS,
     advice=Text("The pitch is the distance of neighbouring cylinders of a row, the bore a diameter."),
     moved_by=(dotted(ENGINE, EngineInputs.cylinder_pitch), dotted(ENGINE, EngineInputs.bore)),
     of_input=True,
 )
-PITCHES = (1.0, 1.9)
+WIDEST_PITCH = 1.9
 
 ROD_CG = CheckRule(
     "engine.inputs.rod_cg",
@@ -396,7 +396,7 @@ def _engine(design: Design) -> Iterator[Check]:
     diameter = (_to(EngineInputs.bore, 2 * D, ENGINE),)
     yield from _doubted(STROKE, 2 * r / D, STROKE_RATIOS, (r / D, diameter))
     if engine.layout == "inline" and engine.cylinders > 1 and a is not None:
-        yield from _doubted(PITCH, a / D, PITCHES, (a / (2 * D), diameter))
+        yield from _doubted(PITCH, a / D, WIDEST_PITCH, (a / (2 * D), diameter))
     if piston and rod:
         heavy = (piston + rod) / D**3 > HEAVY
         swapped = (_to(EngineInputs.piston_mass, rod, ENGINE), _to(EngineInputs.rod_mass, piston, ENGINE))

@@ -3,6 +3,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import combinations
 
 from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import dotted
@@ -78,6 +79,23 @@ GAS_GAP = CheckRule(
     Text("Give points at least every 60° of the whole cycle."),
     moved_by=(dotted("engine", EngineInputs.gas, GasInputs.pressure),),
 )
+BORES = CheckRule(
+    "engine.bores",
+    "limit",
+    "Bores that overlap can not be made.",
+    Text("Distance of the axes of the nearest cylinders of a bank"),
+    unit="mm",
+    source=Text("geometry: two bores side by side"),
+    advice=Text("It must exceed the bore by the wall between them."),
+    role="physics",
+    moved_by=(
+        dotted("engine", EngineInputs.cylinder_pitch),
+        dotted("engine", EngineInputs.axial_positions),
+        dotted("engine", EngineInputs.bore),
+    ),
+    short=Text("bores"),
+    of_input=True,
+)
 LAMBDA_USUAL = CheckRule(
     "engine.crank.lambda_usual",
     "advice",
@@ -107,11 +125,22 @@ EVEN_FIRING = CheckRule(
 
 
 def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> Iterator[Check]:
+    yield from _bores_checks(engine, e)
     yield from _gas_checks(engine, e, turning)
     if turning.speed_irregularity is not None:
         yield SPEED_IRREGULARITY(turning.speed_irregularity, IRREGULAR)
     yield _crank_ratio_check(e)
     yield _firing_check(e)
+
+
+def _bores_checks(engine: EngineInputs, e: EngineResult) -> Iterator[Check]:
+    """Of cylinders in one direction, whose axes may be offset from the crank's by unlike lengths; only where there is
+    no wall between them, or hardly one."""
+    places = zip(e.crank.z.tolist(), engine.offsets, e.crank.psi.tolist())
+    pairs = combinations(places, 2)
+    apart = [math.hypot(z - z_2, d - d_2) for (z, d, psi), (z_2, d_2, psi_2) in pairs if abs(psi - psi_2) < DUST]
+    if apart and (check := BORES(based_on(min(apart), e.crank.z), engine.bore)).open:
+        yield check
 
 
 def _gas_checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> Iterator[Check]:

@@ -471,7 +471,7 @@ class Check:
 
     def ways_text(self) -> Text:
         """What would make it hold, with which its advice begins; empty where nothing is known."""
-        return sentence(self.remedies, verified=self.at_worst != "none")
+        return sentence(self.remedies, verified=self.at_worst != "none" or not self.taken)
 
     def ends_text(self) -> Text:
         """How far the value goes with all that is not given."""

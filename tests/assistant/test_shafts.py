@@ -5,6 +5,7 @@ schema 1, which have no words for all of it."""
 import tomllib
 from datetime import datetime
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -184,6 +185,24 @@ def two_of_their_own(memory: Memory, tmp_path: Path) -> Session:
     return session
 
 
+@pytest.mark.parametrize(
+    ("id", "moved_by", "shown"),
+    [
+        ("countershaft.right.fatigue", ("shafts.shaft.material",), 1),
+        ("countershaft.shafts.clear", ("shafts.right.axis_mm",), 1),
+        ("countershaft.shafts.clear", ("shafts.shaft.axis_mm", "shafts.right.axis_mm"), None),
+        ("countershaft.roll", ("engine.bore_mm", "shafts.right.axis_mm"), None),
+    ],
+)
+def test_a_finding_that_is_moved_by_one_shaft_alone_is_shown_there(
+    session: Session, monkeypatch: pytest.MonkeyPatch, id: str, moved_by: tuple[str, ...], shown: int | None
+) -> None:
+    session.add_shaft("shaft", "own")
+    session.edit((*SHAFTS, 1, "name"), "right")
+    monkeypatch.setattr(session, "results", SimpleNamespace(checks=lambda: [SimpleNamespace(id=id, moved_by=moved_by)]))
+    assert session.shaft_of_finding(id) == shown
+
+
 def test_the_view_is_of_the_shaft_in_view_or_of_the_original_of_a_twin(memory: Memory, tmp_path: Path) -> None:
     pair = opened(FOUR, memory, tmp_path)
     pair.solve()
@@ -301,6 +320,11 @@ def test_the_wheel_of_a_mirror_image_that_the_originals_does_not_meet_has_one_id
     assert [wheel["name"] for wheel in gears["wheels"]][3:] == ["right-idler", "right-idler-2", "right"]
     assert [wheel["teeth"] for wheel in gears["wheels"]] == [wheel["teeth"] for wheel in before["wheels"]]
     assert [mesh["tolerance_um"] for mesh in gears["meshes"]] == [mesh["tolerance_um"] for mesh in before["meshes"]]
+    session.remove(SHAFTS, 1)
+    session.apply(["gears.wheels.left-idler.position_mm=[10.0, -60.0]"])
+    session.add_shaft("left", "mirrors")
+    places = {wheel["name"]: wheel.get("position_mm") for wheel in session.data["gears"]["wheels"]}
+    assert places["right-idler"] == [10.0, 60.0] and places["right-idler-2"] is None
     session.apply(['friction.other_losses=[{name="pump", wheel="right-idler", power_W=50.0}]'])
     session.remove(SHAFTS, 1)
     assert [wheel["name"] for wheel in session.data["gears"]["wheels"]][3:] == ["right-idler"] and session.valid
@@ -370,6 +394,13 @@ def test_a_further_shaft_is_a_twin_on_the_other_side_or_one_of_its_own_without_a
     assert further_shaft([left], "left", "mirrors") == {**twin, "mirrors": "left"}
     assert further_shaft([left], "left", "repeats") == {**twin, "repeats": "left"}
     assert further_shaft([left], "left", "own") == {"name": "left-2", "speed_ratio": -1}
+    assert further_shaft([left], "left", "mirrors", ["right", "right-1"])["name"] == "right-2"  # wheels are called so
+    there = [left, {"name": "right", "mirrors": "left"}]  # where the twin would stand
+    further = further_shaft(there, "left", "repeats")
+    assert further["axis_mm"] == [10.0, -100.0] and further_shaft([*there, further], "left", "repeats")["axis_mm"] == [
+        10.0,
+        -150.0,
+    ]
     assert list(ways_to_add([left], "left")) == ["mirrors", "repeats", "own"]
     assert list(ways_to_add([left, {**twin, "mirrors": "left"}], "left")) == ["repeats", "own"]
 

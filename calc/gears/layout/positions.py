@@ -2,12 +2,12 @@
 """Where the axes stand: given, found by two circles, or chosen where a chain of two wheels leaves one angle free.
 
 A wheel between two placed ones stands where the circles of its centre distances cross: twice, or never.  Two open
-wheels in a row can turn about their ends like a linkage: the place with the most room is taken.  What nothing fixes
-gets no place."""
+wheels in a row can turn about their ends like a linkage: the place with the most room is taken.  More of them get no
+place, but whether they span the distance of their ends is judged all the same."""
 
 import math
-from collections.abc import Mapping
-from itertools import product
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise, product
 
 from ...sheet.check import Check
 from ...sheet.record import record
@@ -18,7 +18,7 @@ from ..inputs import GearsInputs
 from ..limits import mm
 from ..result import MeshResult, TrainResult
 from . import formulas as f
-from .room import Room, at, axis_check, distance_check, most_room, reach_check
+from .room import Room, at, axis_check, bowed, distance_check, most_room, reach_check, unplaced_check
 
 SAME = 1e-9  # m: two points that are no further apart are one
 TIED = 1e-9  # m: so little more room does not tell two places apart
@@ -90,7 +90,10 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, axes: Mapping[str,
             break
         if not _swing(*pair, beside, placing, room, train):
             failed |= set(pair)
-    if open_ := [name for name in along if name not in placing.p]:
+    rows = [*_rows(along, failed, beside, placing)]
+    _judge(rows, beside, placing, room)
+    in_rows = {name for row in rows for name in row}
+    if open_ := [name for name in along if name not in placing.p and name not in in_rows]:
         placing.notes.append(
             Text(
                 "{open}: no place, since nothing fixes it or its neighbours are out of reach: give "
@@ -293,6 +296,46 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
         )
     )
     return True
+
+
+# --- three and more open wheels in a row
+
+
+def _rows(
+    along: list[str], failed: Iterable[str], beside: Mapping[str, Mates], placing: Placing
+) -> Iterator[tuple[str, ...]]:
+    """The rows of open wheels between two placed ones, these at their ends."""
+    ways: list[tuple[str, ...]] = [
+        (end, name) for end in along if end in placing.p for name in beside[end] if name not in placing.p
+    ]
+    while ways:
+        way = ways.pop(0)
+        for mate in beside[way[-1]]:
+            if mate in way or way[-1] in failed:
+                continue
+            if mate not in placing.p:
+                ways.append((*way, mate))
+            elif along.index(way[0]) < along.index(mate):
+                yield (*way, mate)
+
+
+def _judge(rows: Iterable[tuple[str, ...]], beside: Mapping[str, Mates], placing: Placing, room: Room) -> None:
+    """Whether each row spans the distance of its ends; where it does, its wheels could stand in many places, of which
+    one is proposed."""
+    proposed: dict[str, complex] = {}
+    for row in rows:
+        first, *names, last = row
+        if names[0] in proposed:  # of two branches
+            names.reverse()
+        a = tuple(beside[wheel][mate].centre_distance for wheel, mate in pairwise(row))
+        c, high = abs(placing.p[last] - placing.p[first]), sum(a)
+        low = max(2 * max(a) - high, 0.0)
+        placing.checks.append(reach_check(names[0], listed(map(Name, row[1:-1])), first, last, c, low, high, 0.0))
+        if not low <= c <= high:
+            continue
+        with untraced():
+            proposed |= bowed(room, placing.p | proposed, row, a)
+        placing.checks.append(unplaced_check(row[1:-1], proposed))
 
 
 # --- what is given and does not fit

@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """What stands around the wheels, how much room each has, and the checks of reach, room and assembly.
 
-Two wheels in a row between placed ones get the free angle with the most room."""
+Two wheels in a row between placed ones get the free angle with the most room; more of them are proposed an arc."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
-from ...sheet.check import Check, CheckRule
+from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.record import record
-from ...sheet.remedy import by_key
-from ...sheet.text import Amount, Text, alternatives
+from ...sheet.remedy import Remedy, by_key, change, remedy
+from ...sheet.text import EMPTY, Amount, Name, Text, alternatives, listed
 from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import about, based_on
 from ..inputs import GearsInputs, Mesh, mesh_key, wheel_key
@@ -27,6 +28,8 @@ from .result import MeshLayout
 
 FREE = math.inf  # the clearance of a wheel that has nothing near it
 COARSE, FINE = 180, 65  # directions of the scan, and of the one about its best
+WELL_WITHIN = 0.85  # of what wheels span at most: nearer to it a small error moves them far
+HALVINGS, NEAR = 50, 1e-9  # of the curvature of an arc, and m within which it then meets its end
 DUST = 1e-12  # stretched or folded, the circles only touch
 
 
@@ -162,11 +165,55 @@ def _clearances(
     return np.where((c2 > 0) & (square >= -DUST * a[1] ** 2 * c2), tighter, -math.inf)
 
 
+# --- more wheels in a row between two placed ones: a place for them all, on an arc
+
+
+def to_give(wheels: Sequence[str]) -> Sequence[str]:
+    """Those of three and more open wheels in a row whose places fix all, or leave two that find theirs."""
+    return wheels[1:-1:2]
+
+
+def bowed(room: Room, places: dict[str, complex], row: Sequence[str], a: Sequence[Metre]) -> dict[str, complex]:
+    """The places to give of a row on an arc through its ends, bowed to the side where the tightest of them has more
+    room, and well within what the wheels between them span; `a`: the distance from each wheel of the row to the next.
+    None where there is no such arc."""
+    p, q, names = places[row[0]], places[row[-1]], to_give(row[1:-1])
+    ends = [0, *(row.index(name) for name in names), len(a)]
+    spans = [sum(a[start:end]) for start, end in pairwise(ends)]
+    c = abs(q - p)
+    drawn_in = max(WELL_WITHIN, c / sum(spans))
+    if (shape := _arc(tuple(min(drawn_in * span, c) for span in spans), c)) is None:
+        return {}
+
+    def least(there: dict[str, complex]) -> Metre:
+        return min(room.around(name, place, places | there) for name, place in there.items())
+
+    sides = (shape, shape.conjugate())
+    return max((dict(zip(names, p + (q - p) / side[-1] * side)) for side in sides), key=least)
+
+
+def _arc(a: tuple[Metre, ...], c: Metre) -> ComplexArray | None:
+    """The corners of a row of chords `a` of one circle, from 0, where the last stands `c` off the first: the curvature
+    halved down to."""
+    low, high = 0.0, 2 / max(a)
+    corners: ComplexArray = np.cumsum(a) + 0j
+    for _ in range(HALVINGS):
+        curvature = (low + high) / 2
+        turns = 2 * np.arcsin(np.array(a) * curvature / 2)
+        corners = np.cumsum(a * np.exp(1j * (np.cumsum(turns) - turns / 2)))
+        if abs(corners[-1]) > c and sum(turns) < 2 * math.pi:
+            low = curvature
+        else:
+            high = curvature
+    return corners if c > 0 and abs(abs(corners[-1]) - c) < NEAR else None
+
+
 # --- whether the wheels reach each other in their places, have room there, and can be put together
 
 USUAL_CLEARANCE: Metre = 1e-3  # rule of this program
 HERE = dotted("gears", GearsInputs.wheels, "W", Wheel.position)
 TEETH = dotted("gears", GearsInputs.wheels, "W", Wheel.teeth)
+SHAFT_AXIS = "shafts.S.axis_mm"
 
 REACH = CheckRule(
     "gears.W.position",
@@ -186,7 +233,7 @@ AXIS = CheckRule(
     unit="µm",
     source=Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
     role="self",
-    moved_by=(HERE, "shafts.S.axis_mm"),
+    moved_by=(HERE, SHAFT_AXIS),
 )
 DISTANCE = CheckRule(
     "gears.M.position",
@@ -278,6 +325,23 @@ def reach_check(
     return REACH(c, limits, at=wheel, name=name, advice=advice)
 
 
+def unplaced_check(wheels: Sequence[str], proposed: Mapping[str, complex]) -> Check:
+    """Of three and more wheels in a row that have no place, though they reach."""
+    given = to_give(wheels)
+    keys = {name: wheel_key(name, Wheel.position) for name in given}
+
+    def places() -> tuple[Remedy, ...]:
+        mm = {name: [round(part * 1e3, 2) for part in (p.real, p.imag)] for name, p in proposed.items()}
+        changes = [change(Wheel, keys[name], mm[name], place=name) for name in given if name in mm]
+        return (remedy(*changes),) if changes else ()
+
+    name = Text("Clearance of {wheels}", wheels=listed(map(Name, wheels)))
+    missing = Missing(tuple(keys.values()), (), "holds", "none")
+    return CLEARANCE(
+        None, 0.0, at=given[0], name=name, advice=EMPTY, scale=USUAL_CLEARANCE, missing=missing, remedies=places
+    )
+
+
 def axis_check(last: str, off: Metre, limit: Metre) -> Check:
     """`off`: between the given position of the last wheel and the axis of the counter-shaft."""
     name = Text("Position of {last} from the axis of the counter-shaft", last=last)
@@ -302,9 +366,11 @@ def distance_check(
     return DISTANCE(error, limit, at=key, name=name, advice=advice, index=index, remedies=as_placed)
 
 
-def clearance_checks(wheel: str, free: dict[str, Clearance], order: Sequence[str], chosen: bool) -> Iterator[Check]:
+def clearance_checks(
+    wheel: str, free: dict[str, Clearance], order: Sequence[str], chosen: bool, axes: Mapping[str, str]
+) -> Iterator[Check]:
     """Of the tightest place around a wheel.  Two wheels that come too near each other are judged once, at the later
-    one."""
+    one.  `axes`: of the wheels that stand where their shafts do, the keys of these axes."""
     clearances = [c for c in free.values() if c.kind != "wheel" or order.index(c.to) < order.index(wheel)]
     if not clearances:
         return
@@ -324,9 +390,11 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: Sequence[str
     )
     if chosen and tight.kind != "wheel":
         advice += Text(" `choose FILE gears` tries its teeth.")
-    yield CLEARANCE(tight.g, 0.0, at=wheel, name=name, advice=advice, scale=USUAL_CLEARANCE)
+    moved = [axes[one] for one in (wheel, tight.to if tight.kind == "wheel" else "") if one in axes]
+    by = (*moved, wheel_key(wheel, Wheel.teeth)) if moved else None
+    yield CLEARANCE(tight.g, 0.0, at=wheel, name=name, advice=advice, scale=USUAL_CLEARANCE, moved_by=by)
     usual = Text("{name}, usual", name=name)
-    yield CLEARANCE_USUAL(tight.g, USUAL_CLEARANCE, at=wheel, name=usual, advice=advice)
+    yield CLEARANCE_USUAL(tight.g, USUAL_CLEARANCE, at=wheel, name=usual, advice=advice, moved_by=by)
 
 
 def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number, turns: Number) -> Check:

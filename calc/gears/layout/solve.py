@@ -21,7 +21,7 @@ from .curves import errata, layout_curve, notes, tables
 from .phase import Phase, hunting, phase
 from .positions import Placing, place
 from .result import LayoutResult, MeshLayout, ShaftLayout, WheelLayout
-from .room import Clearance, Room, clearance_checks, clearances, hunting_check, insertion_check, room
+from .room import SHAFT_AXIS, Clearance, Room, clearance_checks, clearances, hunting_check, insertion_check, room
 
 
 class ShaftInTrain(NamedTuple):
@@ -107,8 +107,10 @@ def _checks(
         teeth = result.meshes[key]
         yield hunting_check(key, mesh, z_1, z_2, teeth.common_factor, teeth.turns_to_repeat)
     order = tuple(free)
+    placed = [(wheel, name) for wheel, name in zip(on, result.shafts) if on[wheel].axis is not None]
+    axes = {wheel: SHAFT_AXIS.replace(".S.", f".{name}.") for wheel, name in placed if len(on) > 1}
     for name in order:
-        yield from clearance_checks(name, free[name], order, placing.by.get(name) in ("two circles", "chosen"))
+        yield from clearance_checks(name, free[name], order, placing.by.get(name) in ("two circles", "chosen"), axes)
     for (wheel, shaft), (name, assembled) in zip(on.items(), result.shafts.items()):
         if assembled.insertion_gap is not None:
             end = Text("front") if shaft.inserted_end == "front" else Text("rear")

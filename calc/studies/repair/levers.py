@@ -53,6 +53,18 @@ def together(keys: Iterable[str]) -> Iterable[list[str]]:
     return groups.values()
 
 
+def axes_of_pair(design: Design, key: str) -> list[str]:
+    """The keys of the given axes that move with that of a shaft, so that mirror images stay such; none of another
+    key."""
+    table, _, last = key.rpartition(".")
+    if last != dotted(ShaftInputs.axis):
+        return []
+    shaft = next((shaft for shaft in design.shafts if dotted(Design.shafts, shaft.name) == table), None)
+    original = shaft.mirrors or shaft.name if shaft is not None else ""
+    pair = [one for one in design.shafts if original in (one.name, one.mirrors) and one.axis is not None]
+    return [dotted(Design.shafts, one.name, ShaftInputs.axis) for one in pair]
+
+
 def words_of(document: Document, key: str) -> ChangeWords:
     """What a change of a key is called: where its field says nothing, by its label."""
     about = quantity_of(document.data, key)
@@ -88,6 +100,7 @@ def named_keys(state: RepairState, checks: Iterable[Check]) -> list[str]:
     checks, data = tuple(checks), state.document.data
     keys = [key for check in checks for remedy in check.remedies for key, _ in remedy.changes]
     keys += [key for check in checks for key in check.moved_by]
+    keys = [next(iter(axes_of_pair(state.design, key)), key) for key in keys]
     numbers = [key for key, about in quantities(data) if about.kind in NUMBERS]
     inner = {key: [number for number in numbers if number.startswith(f"{key}.")] for key in keys}
     return list(dict.fromkeys(each for key in keys for each in inner[key] or [key] * _is_there(data, key)))
@@ -161,6 +174,7 @@ class Lever:
 
 def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     """Of the keys of one kind in one place: what moves all of them, and other ways to do so."""
+    keys = axes_of_pair(state.design, keys[0]) or keys
     key, data = keys[0], state.document.data
     about, given, place = quantity_of(data, key), value_at(data, key), place_of(key)
     if about.kind not in NUMBERS or about.repair == "asked":

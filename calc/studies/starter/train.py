@@ -18,7 +18,8 @@ from ...friction.checks import MESH_MODELS
 from ...friction.inputs import FrictionInputs, RollingBearing
 from ...friction.result import FrictionResult
 from ...gears import formulas as g
-from ...gears.inputs import GearsInputs, Mesh
+from ...gears.inputs import GearsInputs, Mesh, wheel_key
+from ...gears.layout.room import CLEARANCE
 from ...gears.rating.checks import SAFETY_CONTACT, SCUFFING
 from ...gears.result import TrainResult
 from ...gears.wheel_inputs import Wheel
@@ -139,19 +140,27 @@ def _loaded(
     """The tables of a train, its power in kW, and the whole with it.
 
     `power`: None where plain bearings close the balance; else what is tried first, and then changed to what is lost."""
-    solved_design, allowance = results.design, ALLOWANCE
+    solved_design, allowance, places = results.design, ALLOWANCE, dict[str, object]()
     for _ in range(3):
-        wheels = _gears(solved_design, train, power, allowance)
+        wheels = _gears(solved_design, train, power, allowance, places)
         results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results, compared=False)
         balance = results.result(FrictionResult)
         delivered = balance.delivered_power if balance is not None else None
         less = _too_tight(results)
         allowance = (allowance[0] - less, allowance[1] - less)
+        open_ = _proposed(results)
+        places |= open_
         if power is not None and delivered is not None and not 0 < delivered < 2 * LEFT:
             power = round(up(power - delivered / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
-        elif less == 0:
+        elif less == 0 and not open_:
             break
     return wheels, power, results
+
+
+def _proposed(results: Results) -> dict[str, object]:
+    """Places, by their keys, for wheels in a row that nothing fixes."""
+    unplaced = [c for c in results.outcomes["gears"].checks if c.rule is CLEARANCE and c.missing]
+    return {key: place for check in unplaced for way in check.remedies for key, place in way.changes}
 
 
 def _too_tight(results: Results) -> int:
@@ -247,7 +256,10 @@ def _wheels(design: Design, train: Train) -> list[Row]:
     return rows
 
 
-def _gears(design: Design, train: Train, power: float | None, allowance: tuple[int, int]) -> list[Section]:
+def _gears(
+    design: Design, train: Train, power: float | None, allowance: tuple[int, int], places: dict[str, object]
+) -> list[Section]:
+    """`places`: of wheels, by their keys, where nothing else fixes them."""
     usual = train.teeth == WHEELS[0]
     module = (
         "the largest up to 2 whose wheel goes through the seats" if usual else "below the main resonance of the teeth"
@@ -279,6 +291,8 @@ def _gears(design: Design, train: Train, power: float | None, allowance: tuple[i
             Wheel.teeth: (row.teeth, row.why),
             Wheel.span_allowance: (allowance, free),
         }
+        if (place := places.get(wheel_key(row.name, Wheel.position))) is not None:
+            wheel[Wheel.position] = (place, "assumed: on an arc from the crank to the shaft; the others follow")
         if row is not wheels[-1] and not row.shaft:
             diameter = float(round(BORE * row.teeth * train.module * 1e3 / math.cos(HELIX)))
             sits = "assumed: turns on a pin" if row.driver else "assumed: sits on the crank"

@@ -387,7 +387,10 @@ def test_shafts_turn_clear_of_each_other_and_of_the_crank():
 def test_what_is_not_known_is_not_verified_unless_something_fails():
     left, right = (-0.06 - 0.095j, 0.03), (-0.06 + 0.095j, 0.03)
     assert clear(0.07, left=left, right=(None, 0.03)).missing == ("shafts.right.axis_mm",)
-    assert clear(0.07, left=left, right=left).verdict == "not_verified"  # a mirror image that has no place yet
+    fallen = clear(0.07, left=left, right=(*left, "left"))  # a mirror image that has no place yet
+    assert fallen.verdict == "not_verified" and "shafts.left.axis_mm a side" in fallen.advice
+    on_one_axis = clear(0.07, left=left, right=left)
+    assert (on_one_axis.verdict, on_one_axis.value) == ("fail", 0.0)
     assert clear(0.05, left=left, right=(-0.06 - 0.1j, 0.03), third=(None, 0.03)).verdict == "fail"
     assert clear(0.07, left=left, right=(right[0], None)).missing == ("shafts.S.outer_radius_mm",)
     assert clear(0.05, left=(None, 0.03)) is None and clear(0.05, left=left).verdict == "pass"

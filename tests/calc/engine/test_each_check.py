@@ -113,6 +113,25 @@ def test_of_a_gas_that_is_not_given_as_a_table_no_gap_is_judged():
     assert "engine.gas.gap" not in found(replace(ENGINE, gas=None))
 
 
+def bores(engine, **changes):
+    return {c.id: c.verdict for c in solve(replace(engine, gas=None, **changes)).checks}.get("engine.bores")
+
+
+def test_bores_of_a_bank_that_overlap_fail():
+    pitch = ENGINE.bore * 1.06
+    assert [bores(ENGINE, cylinder_pitch=share * pitch) for share in (1.0, 0.97, 0.9)] == [None, "warn", "fail"]
+    z = (-pitch, 0.0, pitch)
+    assert bores(ENGINE, axial_positions=z) is None
+    assert bores(ENGINE, axial_positions=(*z[:2], 0.9 * pitch)) == "fail"  # whatever the pitch
+    aside = (0.0, 0.5 * pitch, 0.0)  # as in a row that stands in a zigzag
+    assert bores(ENGINE, axial_positions=tuple(0.9 * x for x in z), cylinder_offsets=aside) is None
+
+
+def test_bores_of_two_banks_stand_side_by_side():
+    pair = dict(cylinders=2, layout="vee", bank_angle=math.pi / 2, crank_angles=(0.0, 0.0), firing_order=None)
+    assert bores(ENGINE, **pair, axial_positions=(0.0, 0.01)) is None
+
+
 def test_the_power_is_judged_where_both_pressures_are_known():
     assert "engine.rated_power" not in found(brake_mean_pressure=None)
     assert "engine.rated_power" not in turning(indicated_mean_pressure=None)

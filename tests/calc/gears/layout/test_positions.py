@@ -16,6 +16,8 @@ from tests.calc.gears.layout.trains import AXIS, at, laid, mesh, r753, screw, so
 TRIANGLE = triangle()
 SOLVED = solved(TRIANGLE)
 
+NOWHERE = {}
+
 
 def place(outcome, name):
     return outcome.result.wheels[name].position * 1e3
@@ -133,13 +135,39 @@ def test_two_idlers_in_a_row_find_the_most_room():
     assert min(found.wheels[name].clearance for name in ("central", "idler")) == pytest.approx(best, abs=0.05e-3)
 
 
-def test_three_open_wheels_get_no_place():
-    wheels = [at("crank", 20), at("a", 30), at("b", 30), at("c", 30), at("shaft", 20)]
-    names = [w.name for w in wheels]
-    gears = train(wheels, [mesh(*pair) for pair in pairwise(names)], m_n=1.0, beta=0.0, ball=None)
-    found = laid(gears, 0.08j)
-    assert found.result.wheels["b"].position is None
-    assert any("a, b, c" in note for note in found.notes)
+def row(open_, places=NOWHERE):
+    """A train of so many wheels of 30 teeth between crank and shaft, with a module of 1 mm."""
+    names = ["crank", *(f"i{n}" for n in range(1, open_ + 1)), "shaft"]
+    wheels = [at(name, 30, places.get(name)) for name in names]
+    return train(wheels, [mesh(*pair) for pair in pairwise(names)], m_n=1.0, beta=0.0, ball=None)
+
+
+@pytest.mark.parametrize("open_", [2, 3, 4, 5, 6])
+def test_a_row_that_can_not_span_the_distance_of_its_ends_fails_however_many_they_are(open_):
+    spans = (open_ + 1) * 30e-3
+    for far, verdict in ((0.5 * spans, "pass"), (1.001 * spans, "fail"), (5 * spans, "fail")):
+        assert verdicts(laid(row(open_), 1j * far))["i1.position"] == verdict
+
+
+@pytest.mark.parametrize("open_", [3, 4, 5, 6])
+@pytest.mark.parametrize("share", [0.3, 0.6, 0.95])
+def test_a_longer_row_is_not_verified_until_the_proposed_places_are_given(open_, share):
+    axis = 1j * share * (open_ + 1) * 30e-3
+    found = laid(row(open_), axis)
+    (unplaced,) = (check for check in found.checks if check.verdict == "not_verified")
+    assert found.result.wheels["i2"].position is None
+    (proposed,) = unplaced.remedies
+    assert tuple(key for key, _ in proposed.changes) == unplaced.missing
+    places = {key.split(".")[2]: place for key, place in proposed.changes}
+    placed = laid(row(open_, places), axis)
+    assert all(wheel.position is not None for wheel in placed.result.wheels.values())
+    assert not any(c.verdict in ("fail", "not_verified") for c in placed.checks if ".position" in c.id)
+
+
+def test_a_row_whose_longest_distance_is_more_than_all_others_can_not_fold():
+    wheels = [at(name, teeth) for name, teeth in (("crank", 300), ("a", 20), ("b", 20), ("c", 20), ("shaft", 20))]
+    gears = train(wheels, [mesh(*pair) for pair in pairwise(w.name for w in wheels)], m_n=1.0, beta=0.0, ball=None)
+    assert [verdicts(laid(gears, 1j * c))["a.position"] for c in (0.09, 0.16)] == ["fail", "pass"]
 
 
 def test_clearances_take_runout_tolerance_and_the_upper_deviation():

@@ -206,7 +206,7 @@ def test_a_distance_that_is_off_is_judged_at_its_own_mesh():
 def test_the_room_of_a_wheel(g, limit, usual):
     """The tightest place around it; below a twentieth of a millimetre it is narrow."""
     free = {"wall": Clearance(g * MM, "wall", "head"), "neighbour": Clearance(5 * MM, "neighbour", "screw")}
-    hard, soft = clearance_checks("idler", free, ["crank", "idler"], False)
+    hard, soft = clearance_checks("idler", free, ["crank", "idler"], False, {})
     assert (hard.id, hard.verdict, hard.kind, hard.role) == ("gears.idler.clearance", limit, "limit", "physics")
     assert (soft.id, soft.verdict, soft.kind) == ("gears.idler.clearance_usual", usual, "advice")
     assert hard.margin == pytest.approx(g) and soft.limit == pytest.approx(1.0)
@@ -229,19 +229,19 @@ def test_the_room_of_a_wheel(g, limit, usual):
     ],
 )
 def test_what_a_wheel_that_has_no_room_is_told(kind, chosen, name, advice):
-    hard, soft = clearance_checks("idler", {kind: Clearance(-2 * MM, kind, "x")}, ["x", "idler"], chosen)
+    hard, soft = clearance_checks("idler", {kind: Clearance(-2 * MM, kind, "x")}, ["x", "idler"], chosen, {})
     assert hard.name == f"Clearance of idler to {name}" and soft.name == f"{hard.name}, usual"
     assert advice in hard.advice and ("choose FILE" in hard.advice) == (chosen and kind == "wall")
     assert ("by 2 mm" in hard.advice) is not chosen and hard.zero_scale == pytest.approx(1.0)
-    touching, _ = clearance_checks("idler", {kind: Clearance(0.0, kind, "x")}, ["x", "idler"], chosen)
+    touching, _ = clearance_checks("idler", {kind: Clearance(0.0, kind, "x")}, ["x", "idler"], chosen, {})
     assert "mm" not in touching.advice
 
 
 def test_two_wheels_that_come_near_each_other_are_judged_at_the_later_one():
     near, order = {"wheel": Clearance(-1 * MM, "wheel", "crank")}, ["crank", "idler"]
-    assert next(c.id for c in clearance_checks("idler", near, order, False)) == "gears.idler.clearance"
-    assert not [*clearance_checks("crank", {"wheel": Clearance(-1 * MM, "wheel", "idler")}, order, False)]
-    assert not [*clearance_checks("idler", {}, order, False)]
+    assert next(c.id for c in clearance_checks("idler", near, order, False, {})) == "gears.idler.clearance"
+    assert not [*clearance_checks("crank", {"wheel": Clearance(-1 * MM, "wheel", "idler")}, order, False, {})]
+    assert not [*clearance_checks("idler", {}, order, False, {})]
 
 
 def test_a_wall_is_judged_where_it_stands():

@@ -18,7 +18,7 @@ from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
 from calc.sheet.text import EMPTY
 from calc.solve import Results, solve
-from calc.studies.repair.levers import Lever, called, disturbance, kind_of, levers, together
+from calc.studies.repair.levers import Lever, called, disturbance, kind_of, levers, named_keys, together
 from calc.studies.repair.nearest import nearest
 from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
 from calc.studies.repair.state import broken, closer_limits, is_mended, state_of
@@ -210,6 +210,19 @@ def test_numbers_of_one_kind_in_one_place_move_together(gamma: Document) -> None
     assert lever(gamma, *surfaces).write(0.4) == dict.fromkeys(surfaces, 0.4)
     allowance = lever(gamma, "gears.wheels.central.span_allowance_um")
     assert allowance.write(allowance.now - 3) == {"gears.wheels.central.span_allowance_um": [-5, -23]}
+
+
+@pytest.mark.parametrize("own", [None, [-60.0, 80.0]])
+def test_the_axes_of_a_mirrored_pair_move_as_one(own: list[float] | None) -> None:
+    pair = read(DESIGNS / "r754ie4_balance_shafts.toml").with_value("shafts.left.axis_mm", [-60.0, -80.0])
+    pair = pair.with_value("shafts.right.axis_mm", own)
+    state = SimpleNamespace(design=design(pair), document=pair)
+    for key in ("shafts.left.axis_mm", "shafts.right.axis_mm"):
+        named = named_keys(state, [SimpleNamespace(remedies=(), moved_by=(key,))])
+        assert named == ["shafts.left.axis_mm"]
+        (axes,) = levers(state, named)
+        moved = {"shafts.left.axis_mm": [-66.0, -88.0]} | ({"shafts.right.axis_mm": [-66.0, 88.0]} if own else {})
+        assert axes.at(-66.0) == moved
 
 
 def test_a_number_of_nothing_moves_by_its_step(gamma: Document) -> None:
