@@ -362,9 +362,14 @@ APART = CELL + 2  # with its brackets
 UNIT = 5
 
 
-def side(width: int) -> int:
-    """How many elements fit side by side into a form of so many cells."""
-    return max(1, (width - label_width(width) - UNIT) // APART)
+def side(width: int, unit: int = UNIT) -> int:
+    """How many elements fit side by side into a form of so many cells, before a unit that takes so many."""
+    return max(1, (width - label_width(width) - unit) // APART)
+
+
+def sides(width: int) -> tuple[int, int]:
+    """The same before any unit, and before one of two letters."""
+    return side(width), side(width, 3)
 
 
 def label_width(width: int) -> int:
