@@ -153,6 +153,7 @@ class Editing:
         self.history = History(EditState(self.document.data, {}))
         self._valid: Table = self.document.data  # the last tables that were a valid design
         self.recording: Recording | None = None  # follows the edits, if it was asked for
+        self.typed = set[Place]()  # where something was typed since the design was opened
 
     # --- what is shown
     @property
@@ -206,6 +207,7 @@ class Editing:
         Edits of one field that follow each other are one step of the undo; `seal()` ends the step.
         """
         where = self.place(key)
+        self.typed.add(where)
         texts = {k: v for k, v in self._state.texts.items() if k != where}
         try:
             # such a table goes with its last key, so a key must go too
