@@ -153,6 +153,9 @@ class StepBar(Widget):
             several = {"countershaft": Text("Shafts")} if len(self.session.shafts) > 1 else {}
             brief = {**BRIEF, **several}
             titles = [self.app.say(brief.get(step.key, step.title)) for step in STEPS]
+        if sum(map(len, titles)) > room:  # a number is enough of what the design does not ask for
+            idle = [state.state == "not_asked" and state.key != self.current for state in states]
+            titles = ["" if n else title for n, title in zip(idle, titles)]
         longest = max(map(len, titles))
         while sum(min(len(title), longest) for title in titles) > room and longest > 3:
             longest -= 1
