@@ -44,10 +44,12 @@ from .places import (
     less,
     named_key,
     optional_table,
+    with_bearings,
     with_shafts,
     with_wheel,
     without_empty,
     without_row,
+    without_silent,
 )
 from .recording import Recording
 from .undo import EditState, History
@@ -221,11 +223,10 @@ class Editing:
         old = self.value(where)
         if isinstance(content, list) and len(content) == 1 and old is not None and not isinstance(old, list):
             content = content[0]  # a list of one may stand in the file as a number
-        data = (
-            self._state.data
-            if content == old and type(content) is not bool
-            else changed(self._state.data, where, content)
-        )
+        data = self._state.data
+        if content != old or type(content) is bool:
+            there = with_bearings(data, where) if self.value(where[:-1]) is None else data
+            data = without_silent(changed(there, where, content), where)
         self._step(EditState(followed(self._valid, without_empty(data, where), where), texts), where)
         return self.reason(where)
 

@@ -37,7 +37,7 @@ from ..session.guide import (
     layout_of,
     of_twin,
 )
-from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described
+from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described, with_bearings
 from .text import fit, wrap
 
 LAST = 99  # the rank of what stands behind all that decides
@@ -224,10 +224,17 @@ class _Rows:
         shaft = (*SHAFTS, n := min(self.asked.chosen.get(SHAFTS, 0), len(shafts) - 1))
         if len(shafts) > 1:
             yield FormRow("leaf", SHAFTS, described(SHAFTS), shown=n)
-        if bearings := as_list(as_table(shafts[n]).get(ROWS)):
-            yield from self.array(described((*shaft, ROWS)), bearings, (*shaft, ROWS))
-        if of_twin(shaft, self.data):
+        here = (*shaft, ROWS)
+        bearings = as_list(content_at(with_bearings(self.data, here), here))
+        if bearings and of_twin(shaft, self.data):
+            about = described(here)
+            assert about.table is not None
+            at = min(self.asked.chosen.get(here, 0), len(bearings) - 1)
+            yield FormRow("leaf", here, about, shown=at)
+            yield from self.of(about.table, bearings[at], (*here, at), True)
             yield FormRow("original", shaft, described(SHAFTS))
+        elif bearings:
+            yield from self.array(described(here), bearings, here)
 
     def array(self, about: Quantity, content: list[object], here: Place) -> Iterator[FormRow]:
         """Elements side by side, below each other, or where that were too many rows one at a time."""
