@@ -11,6 +11,7 @@ from typing import Any
 
 from assistant.commands.published import reference_lines
 from assistant.results_text import shaft_words
+from calc.bearings.result import BearingResult, OnShaftResult
 from calc.countershaft.result import CountershaftResult
 from calc.design.addresses import every, quantities, quantity_of, value_at
 from calc.design.key_results import outside
@@ -32,6 +33,7 @@ from calc.solve import Results, solve
 from calc.studies.explain import Chains, Link, chain, origin, shortened
 
 ORDER = re.compile(r"order_(\d)")
+SHARED = (BearingResult.load, OnShaftResult.share, OnShaftResult.displacement, OnShaftResult.tilt)
 SCENARIOS = dotted(Design.friction, FrictionInputs.scenarios)
 
 
@@ -119,7 +121,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         return _scenario(asked, document, design)
     value = values[asked.value]
     head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}{_beyond(results, value.id)}"
-    head += "".join(f"\n  {part}" for part in _summed(results, value))
+    head += "".join(f"\n  {part}" for part in (*_summed(results, value), *on_films(results, value)))
     return _print_chain(asked, design, head, chain(results, asked.value), origin(results, asked.value))
 
 
@@ -134,6 +136,24 @@ def _summed(results: Results, value: Published) -> Iterator[str]:
             there = [results.values()[id] for id in ids if id in results.values()]
             numbers = ", ".join(f"{v.id} {short(v.shown)} {v.unit}" for v in there)
             yield f"{shaft_words(shaft)}: {numbers}"
+
+
+def on_films(results: Results, value: Published) -> Iterator[str]:
+    """Of what the films of a shaft share: how each of them holds it."""
+    if not any(value in results.values_of(field) for field in SHARED):
+        return
+    values, shaft = results.values(), _above(_above(value.id))
+    for share in results.values_of(OnShaftResult.share):
+        if _above(bearing := _above(share.id)) == shaft:
+            eps, c = (values[dotted(bearing, key)] for key in (BearingResult.eccentricity, BearingResult.clearance_hot))
+            said = (
+                f"{short(share.shown)} of its load on pins, ε {short(eps.shown)}, clearance {short(c.shown)} {c.unit}"
+            )
+            yield f"{bearing.rpartition('.')[2]}: {said}"
+
+
+def _above(id: str) -> str:
+    return id.rpartition(".")[0]
 
 
 def _beyond(results: Results, id: str) -> str:

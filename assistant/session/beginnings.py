@@ -3,6 +3,7 @@
 
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -105,8 +106,19 @@ def engine_only(id: str, path: Path) -> "Table":
     """A design with nothing but an engine, both named like its file: its steps are built one by one, its numbers are
     replaced."""
     engine = engines()[id]
-    note = f"Begun with the data of {engine.name}: {engine.what}. They are from: {engine.source}."
+    note = f"{_begun_with(engine.name)} {engine.what}. They are from: {engine.source}."
     return {"schema": SCHEMA, "name": path.stem, "note": note, "engine": {**engine_table(id), "name": path.stem}}
+
+
+def _begun_with(name: str) -> str:
+    return f"Begun with the data of {name}:"
+
+
+@cache
+def sample(note: str) -> "tuple[str, Table]":
+    """The name and the table of the engine that a design began with, as its note says; empty where it says none."""
+    of = next((id for id, engine in engines().items() if note.startswith(_begun_with(engine.name))), None)
+    return ("", {}) if of is None else (engines()[of].name, engine_table(of))
 
 
 @dataclass(frozen=True)

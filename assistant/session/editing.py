@@ -46,10 +46,12 @@ from .places import (
     named_key,
     names_of,
     optional_table,
+    with_bearings,
     with_shafts,
     with_wheel,
     without_empty,
     without_row,
+    without_silent,
 )
 from .recording import Recording
 from .undo import EditState, History
@@ -157,6 +159,7 @@ class Editing:
         self.history = History(EditState(self.document.data, {}))
         self._valid: Table = self.document.data  # the last tables that were a valid design
         self.recording: Recording | None = None  # follows the edits, if it was asked for
+        self.typed = set[Place]()  # where something was typed since the design was opened
 
     # --- what is shown
     @property
@@ -210,6 +213,7 @@ class Editing:
         Edits of one field that follow each other are one step of the undo; `seal()` ends the step.
         """
         where = self.place(key)
+        self.typed.add(where)
         texts = {k: v for k, v in self._state.texts.items() if k != where}
         try:
             # such a table goes with its last key, so a key must go too
@@ -221,11 +225,10 @@ class Editing:
         old = self.value(where)
         if isinstance(content, list) and len(content) == 1 and old is not None and not isinstance(old, list):
             content = content[0]  # a list of one may stand in the file as a number
-        data = (
-            self._state.data
-            if content == old and type(content) is not bool
-            else changed(self._state.data, where, content)
-        )
+        data = self._state.data
+        if content != old or type(content) is bool:
+            there = with_bearings(data, where) if self.value(where[:-1]) is None else data
+            data = without_silent(changed(there, where, content), where)
         self._step(EditState(followed(self._valid, without_empty(data, where), where), texts), where)
         return self.reason(where)
 

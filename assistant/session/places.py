@@ -10,7 +10,7 @@ from typing import Any
 from calc.countershaft.inputs import ShaftInputs, ShaftLoad
 from calc.countershaft.making.inputs import Bolts
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of
+from calc.design.addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of, rows_of
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, is_twin, twin, without
@@ -23,6 +23,7 @@ from calc.sheet.text import EMPTY, Name, Small, Text
 Place = tuple[str | int, ...]
 
 SHAFTS: Place = (dotted(Design.shafts),)
+BEARINGS: Place = (dotted(ShaftInputs.bearings),)  # of a shaft
 OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that have something of each shaft
 CARRIES = (dotted(ShaftInputs.bolts), dotted(Bolts.carries))
 NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
@@ -94,7 +95,7 @@ def key_at(where: Place) -> str:
 def named_key(data: Table, where: Place) -> str:
     """A place as a dotted key, in which elements of arrays go by their names where they have one."""
     parts: list[str] = []
-    here: Any = data
+    here: Any = with_bearings(data, where)
     for part in where:
         here = content_at(here, (part,))
         name = here.get("name") if isinstance(part, int) and isinstance(here, dict) else None
@@ -129,9 +130,10 @@ def label_of(data: Table, key: str) -> Text:
     numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
     if numbered is None or (where[:numbered] == (dotted(Design.shafts),) and len(own_shafts(data)) == 1):
         return words
-    several = where[:1] == SHAFTS and numbered > 1 and len(own_shafts(data)) > 1
+    several = where[:1] == SHAFTS and numbered > 1
+    several &= len(own_shafts(data)) > 1 or is_twin(as_table(content_at(data, where[:2])))
     ways = [where[:2], where[: numbered + 1]] if several else [where[: numbered + 1]]
-    elements = [content_at(data, way) for way in ways]
+    elements = [content_at(with_bearings(data, where), way) for way in ways]
     names = [str(as_table(element).get(NAME) or int(way[-1]) + 1) for way, element in zip(ways, elements)]
     return Text("{label} of {place}", label=words, place=" ".join(names))
 
@@ -149,6 +151,23 @@ def twin_words(shaft: Table) -> Text:
     if MIRRORS in shaft:
         return Text("mirrors {name}", name=Name(original_of(shaft)))
     return Text("repeats {name}", name=Name(original_of(shaft))) if REPEATS in shaft else EMPTY
+
+
+def with_bearings(data: Table, where: Place) -> Table:
+    """The tables with a row for each bearing of the twin that a place lies in; as they are for any other place."""
+    if where[:1] != SHAFTS or where[2:3] != BEARINGS:
+        return data
+    there = as_list(content_at(data, where[:3]))
+    rows = rows_of(data, ".".join(map(str, where[:3])), there)
+    return data if len(rows) == len(there) else changed(data, where[:3], rows)
+
+
+def without_silent(data: Table, where: Place) -> Table:
+    """The tables once a twin says nothing of any bearing: without a row for each."""
+    if where[:1] != SHAFTS or where[2:3] != BEARINGS or where[-1] == NAME or not is_twin(content_at(data, where[:2])):
+        return data
+    silent = all(as_table(row).keys() == {NAME} for row in as_list(content_at(data, where[:3])))
+    return changed(data, where[:3], None) if silent else data
 
 
 # --- elements of arrays of tables

@@ -22,6 +22,7 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
+from ..session.beginnings import sample
 from ..session.guide import DOCUMENT, NOTE
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
@@ -94,7 +95,18 @@ class Field(Widget):
         locked, say = self.session.lock_reason(self.place), self.app.say
         explanation = meaning(self.about, say)
         text = f"{say(Text('Locked: {reason}', reason=locked))}. {explanation}".strip() if locked else explanation
+        if engine := self._sample():
+            still = Text("Still of {engine}, with which this design began: type your own.", engine=Name(engine))
+            text = f"{say(still)} {text}"
         return self.about.label, text, allowed(self.about, say)
+
+    def _sample(self) -> str:
+        """The engine that the design began with, where this is still its number; empty where it is not."""
+        of_engine = self.place[:1] == RADIUS[:1] and self.about.kind == "number"
+        if not of_engine or self.place in self.session.typed or (content := self.content) is None:
+            return ""
+        name, engine = sample(str(self.session.data.get(key_at(NOTE), "")))
+        return name if engine.get(key_at(self.place)) == content else ""
 
     def _made(self) -> Entry | Choice:
         text, optional = self.text, self.about.optional
@@ -229,6 +241,8 @@ class Field(Widget):
             return self.app.say(Text("locked")), "muted"
         if self._else() is not None:
             return self.app.say(Text("rules here")), "muted"
+        if self._sample():
+            return self.app.say(Text("sample")), "muted"
         return "", ""
 
     def _label_width(self) -> int:
@@ -362,9 +376,14 @@ APART = CELL + 2  # with its brackets
 UNIT = 5
 
 
-def side(width: int) -> int:
-    """How many elements fit side by side into a form of so many cells."""
-    return max(1, (width - label_width(width) - UNIT) // APART)
+def side(width: int, unit: int = UNIT) -> int:
+    """How many elements fit side by side into a form of so many cells, before a unit that takes so many."""
+    return max(1, (width - label_width(width) - unit) // APART)
+
+
+def sides(width: int) -> tuple[int, int]:
+    """The same before any unit, and before one of two letters."""
+    return side(width), side(width, 3)
 
 
 def label_width(width: int) -> int:

@@ -31,7 +31,7 @@ from ..session.guide import GUIDES, fold_at, taken_over
 from ..session.places import SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
-from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, side
+from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, sides
 from .headings import ArrayHeading, Fold, ShaftsHeading, TableHeading
 from .item_list import Item, ItemList
 from .radio import Balance, Radio, Todo
@@ -263,14 +263,14 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self._back = False  # the focus was on a part that goes
         self._ahead: list[events.Key] = []  # struck while the form is put in order
         self._identities: dict[Widget, Identity] = {}
-        self._side = 1
+        self._sides = 1, 1
         self._parts = FormParts(step, session, self.app.say)
 
     # --- content
     def compose(self):  # type: ignore[no-untyped-def]
         known = self.parent.size.width if isinstance(self.parent, Widget) else 0  # where another form has stood before
         alone = not self.screen.has_class("-wide") and not self.screen.has_class("-huge")
-        self._side = side(known or (self.app.size.width if alone else WIDE))
+        self._sides = sides(known or (self.app.size.width if alone else WIDE))
         for part, make in self._parts.parts(self._rows()):
             yield self._made(part, make)
 
@@ -287,7 +287,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.opened |= {n for place in reasons if (n := self._parts.fold(place)) is not None}
         editing = [field.place] if field is not None else []
         chosen = {**self.chosen, SHAFTS: self.session.shaft}
-        return self._parts.rows(Asked(chosen, [*editing, *reasons], self._side), self.opened)
+        return self._parts.rows(Asked(chosen, [*editing, *reasons], *self._sides), self.opened)
 
     def refresh_fields(self, reasons: dict[Place, Text]) -> None:
         """Show what the session says; a design of another shape gets a form of another shape."""
@@ -332,8 +332,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                     child.rebuild()
 
     def on_resize(self, event: events.Resize) -> None:
-        if (side_ := side(event.size.width)) != self._side:
-            self._side = side_
+        if (found := sides(event.size.width)) != self._sides:
+            self._sides = found
             self.rebuild()
 
     def watch_virtual_size(self) -> None:

@@ -16,13 +16,14 @@ from textual.style import Style
 from textual.widget import Widget
 
 from calc.countershaft.inputs import ShaftInputs
+from calc.design.upgrade import is_twin
 from calc.sheet.number import short
 from calc.sheet.quantity import dotted, keys
-from calc.sheet.text import EMPTY, Text
+from calc.sheet.text import EMPTY, Name, Text
 
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NOTE
-from ..session.places import SHAFTS, content_at, original_of, twin_words
+from ..session.places import BEARINGS, NAME, SHAFTS, content_at, original_of, twin_words, with_bearings
 from ..session.session import Session
 from .entry import LEAVING
 from .rows import FormRow, heading_help
@@ -90,17 +91,23 @@ class ArrayHeading(Widget, can_focus=True):
         return not self.names()
 
     def names(self) -> list[str]:
-        return [
-            str(item.get("name", n + 1)) for n, item in enumerate(content_at(self.session.data, self.row.place) or [])
-        ]
+        return [str(item.get("name", n + 1)) for n, item in enumerate(self._elements())]
+
+    def _elements(self) -> list[dict[str, object]]:
+        return content_at(with_bearings(self.session.data, self.row.place), self.row.place) or []
 
     def items(self) -> list[dict[str, object]]:
         """The elements of the table; none where they stand in the form themselves, or there is no room."""
-        items = content_at(self.session.data, self.row.place) or []
+        items = self._elements()
         return items if self.row.shown is not None and len(items) <= MOST and self.app.size.height >= TALL else []
 
     def cells(self) -> list[tuple[str, ...]]:
         """Their names, and what each must have beside it, below the labels."""
+        shaft = content_at(self.session.data, self.row.place[:2])
+        if self.row.place[2:] == BEARINGS and is_twin(shaft):
+            elsewhere = self.app.say(Text("as {name}", name=Name(original_of(shaft))))
+            said = [elsewhere if set(item) == {NAME} else self.app.say(Text("rules here")) for item in self.items()]
+            return [("", ""), *zip(self.names(), said)] if said else []
         assert self.row.about.table is not None
         known = {key: field.about for key, field in keys(self.row.about.table).items()}
         columns = [

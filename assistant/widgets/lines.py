@@ -259,17 +259,17 @@ class TopLine(Widget):
 SPARED = ("variant", "curve", "choose", "trouble")
 SPARED_NARROW = (
     "variant",
-    "curve",
     "choose",
     "pane",
-    "trouble",
     "quit",
+    "back",
     "undo",
+    "curve",
     "save",
     "report",
     "palette",
+    "trouble",
     "fix",
-    "back",
 )
 
 

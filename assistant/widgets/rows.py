@@ -37,7 +37,7 @@ from ..session.guide import (
     layout_of,
     of_twin,
 )
-from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described
+from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described, with_bearings
 from .text import fit, wrap
 
 LAST = 99  # the rank of what stands behind all that decides
@@ -71,11 +71,12 @@ class FormRow:
 class Asked:
     """`chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
     the one that is being edited and has just been emptied, and those in which something is not accepted.  `side`: how
-    many elements fit side by side."""
+    many elements fit side by side; `short`: how many inputs, where their unit has two letters at most."""
 
     chosen: Mapping[Place, int]
     held: Sequence[Place] = ()
     side: int = 1
+    short: int = 1
 
 
 def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
@@ -197,6 +198,18 @@ class _Rows:
             cells = [FormRow("field", (*column.place, key), about, required=not about.optional) for column in columns]
             yield FormRow("cells", cells[0].place, about, inside=tuple(cells))
 
+    def _below_each_other(
+        self, about: Quantity, content: list[object], here: Place, known: dict[str, Quantity], unit: str
+    ) -> Iterator[FormRow]:
+        """One row for each table, with a column for each input."""
+        headings = tuple(FormRow("heading", (*here, 0, key), column) for key, column in known.items())
+        yield FormRow("columns", here, about, inside=headings)
+        for i, item in enumerate(content):
+            cells = tuple(
+                FormRow("field", (*here, i, key), column, required=not column.optional) for key, column in known.items()
+            )
+            yield FormRow("cells", cells[0].place, replace(_titled(about, item), unit=unit), inside=cells)
+
     def _table(self, about: Quantity, content: object, here: Place, there: bool) -> Iterator[FormRow]:
         assert about.table is not None
         yield FormRow("option" if about.optional else "heading", here, about)
@@ -211,10 +224,17 @@ class _Rows:
         shaft = (*SHAFTS, n := min(self.asked.chosen.get(SHAFTS, 0), len(shafts) - 1))
         if len(shafts) > 1:
             yield FormRow("leaf", SHAFTS, described(SHAFTS), shown=n)
-        if bearings := as_list(as_table(shafts[n]).get(ROWS)):
-            yield from self.array(described((*shaft, ROWS)), bearings, (*shaft, ROWS))
-        if of_twin(shaft, self.data):
+        here = (*shaft, ROWS)
+        bearings = as_list(content_at(with_bearings(self.data, here), here))
+        if bearings and of_twin(shaft, self.data):
+            about = described(here)
+            assert about.table is not None
+            at = min(self.asked.chosen.get(here, 0), len(bearings) - 1)
+            yield FormRow("leaf", here, about, shown=at)
+            yield from self.of(about.table, bearings[at], (*here, at), True)
             yield FormRow("original", shaft, described(SHAFTS))
+        elif bearings:
+            yield from self.array(described(here), bearings, here)
 
     def array(self, about: Quantity, content: list[object], here: Place) -> Iterator[FormRow]:
         """Elements side by side, below each other, or where that were too many rows one at a time."""
@@ -227,14 +247,21 @@ class _Rows:
             yield FormRow("array", here, about) if BEARING_NAME in known or about.table is not BearingRow else names
             yield from cells
             return
-        long = len(content) > 1 and len(content) * len(known) > MOST
+        first = {key: column for key, column in known.items() if column.decides}
+        unit = "".join({column.unit for column in first.values()})  # a row has room for one
+        if len(content) < 2 or not flat or not 1 < len(first) <= self.asked.short or len(unit) > 2:
+            first = {}
+        long = len(content) > 1 and len(content) * (len(known) - len(first)) > MOST
         shown = min(self.asked.chosen.get(here, 0), len(content) - 1) if long else None
         yield FormRow("array", here, about, shown=shown)
+        if first:
+            yield from self._below_each_other(about, content, here, first, unit)
         for i, item in enumerate(content):
             if shown is None or i == shown:
                 if not long and here != SHAFTS:
                     yield FormRow("heading", (*here, i), about)
-                yield from self.of(about.table, item, (*here, i), True)
+                inner = self.of(about.table, item, (*here, i), True)
+                yield from (row for row in inner if row.place[-1] not in first)
                 if here == SHAFTS and of_twin((*here, i), self.data):
                     yield FormRow("original", (*here, i), about)
 

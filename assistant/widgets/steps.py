@@ -146,26 +146,24 @@ class StepBar(Widget):
 
     def render(self) -> Content:
         signs, states = self.app.signs, states_of(self.session)
-        shown = [
-            (n, step, state)
-            for n, (step, state) in enumerate(zip(STEPS, states), 1)
-            if not step.optional or state.state != "not_asked" or step.key == self.current
-        ]
         end = self.app.say(Text("Ready"))
-        room = self.size.width - 3 * len(shown) - 1 - len(end) - 2  # of the titles
-        titles = [self.app.say(title_of(step, self.session.data)) for _, step, _ in shown]
+        room = self.size.width - 3 * len(STEPS) - 1 - len(end) - 2  # of the titles
+        titles = [self.app.say(title_of(step, self.session.data)) for step in STEPS]
         if sum(map(len, titles)) > room:
             several = {"countershaft": Text("Shafts")} if len(self.session.shafts) > 1 else {}
             brief = {**BRIEF, **several}
-            titles = [self.app.say(brief.get(step.key, step.title)) for _, step, _ in shown]
+            titles = [self.app.say(brief.get(step.key, step.title)) for step in STEPS]
+        if sum(map(len, titles)) > room:  # a number is enough of what the design does not ask for
+            idle = [state.state == "not_asked" and state.key != self.current for state in states]
+            titles = ["" if n else title for n, title in zip(idle, titles)]
         longest = max(map(len, titles))
         while sum(min(len(title), longest) for title in titles) > room and longest > 3:
             longest -= 1
         parts: list[Content | str] = []
-        for (n, step, state), title in zip(shown, titles):
-            current = step.key == self.current
+        for n, (state, title) in enumerate(zip(states, titles), 1):
+            current = state.key == self.current
             text = Content.assemble(
-                "[" if current else "" if parts and shown[n - 2][1].key == self.current else " ",
+                "[" if current else "" if n > 1 and states[n - 2].key == self.current else " ",
                 str(n),
                 (signs.mark(state.state), signs.style(state.colour)),
                 (fit(title, longest, ""), "bold" if current else ""),

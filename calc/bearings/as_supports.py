@@ -163,13 +163,21 @@ class Shared:
     moved: Number
 
 
-def on_films(shaft: Condensed, films: Shared, names: Sequence[str]) -> Shared:
+def on_films(shaft: Condensed, films: Shared, seats: Sequence[BearingCase], duty: OperatingPoint[Any]) -> Shared:
     """The same films with what they share by lines of the calculation; what is rounding alone is nothing."""
+    laws = [_found(*row, duty) for row in zip(films.laws, seats)]
     with about(Text("shaft on its films")):
-        on = carried(shaft, films.laws, names, near=films.carried.x)
+        on = carried(shaft, laws, [seat.bearing.name for seat in seats], near=films.carried.x)
     carries = np.abs(on.load) > NOTHING * np.abs(on.load).max()
     load, x = (based_on(np.where(carries, z, 0.0), z) for z in (on.load, on.x))
     return replace(films, carried=replace(on, load=load, x=x))
+
+
+def _found(law: Film, seat: BearingCase, duty: OperatingPoint[Any]) -> Film:
+    """The same film with what its numbers were found from."""
+    d, length, T = seat.bearing.diameter, seat.bearing.length, duty.supply_temperature
+    c, mu = based_on(law.c, seat.clearance, d, T), based_on(law.mu, seat.lubricant.oil, T)
+    return replace(law, d=d, l=based_on(law.l, length), c=c, mu=mu, n=based_on(law.n, duty.speed))
 
 
 def film_law(seat: BearingCase, c: Metre, mu: PascalSecond, n: RevPerSecond, sense: int) -> Film:
@@ -325,7 +333,7 @@ def _lying(found: BearingsResult, sense: int, turning: Condensed, films: Shared 
         theta = tilted(theta_0=turning.theta_0, Theta=turning.Theta, x=x)
         along = elements(tilt_along(theta=theta, x=x))
         half_angle = cone(x_f=item(x[0]), x_r=item(x[-1]), z_f=item(turning.z[0]), z_r=item(turning.z[-1]))
-    pins = np.abs(turning.f_c)
+    pins = based_on(np.abs(turning.f_c), turning.f_c)
     bearings = {}
     for i, ((place, r), P_i, x_i, theta_i) in enumerate(zip(found.bearings.items(), *map(elements, (P, x, theta)))):
         with about(Text("{place} bearing, in its film", place=called(place))):
@@ -333,11 +341,11 @@ def _lying(found: BearingsResult, sense: int, turning: Condensed, films: Shared 
             if films is not None and pins[i] >= JUDGED * pins.max():
                 share = f.share(P=r.load, R=item(pins[i]))
             lies = OnShaftResult(
-                load_phase=argument(P_i) if P_i else None,
+                load_phase=based_on(argument(P_i), P_i) if P_i else None,
                 share=share,
-                displacement=modulus(x_i),
-                displacement_phase=argument(x_i) if x_i else None,
-                tilt=modulus(theta_i),
+                displacement=based_on(modulus(x_i), x_i),
+                displacement_phase=based_on(argument(x_i), x_i) if x_i else None,
+                tilt=based_on(modulus(theta_i), theta_i),
                 tilt_along=along[i],
                 film_edge_tilted=f.film_at_edge(h_0=r.film, theta=along[i], l=r.seat.bearing.length),
                 standing_stiffness=None if films is None else item(films.carried.stiffness[i]),

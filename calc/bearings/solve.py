@@ -124,7 +124,7 @@ def solve(
         sense = -1 if speed_ratio is not None and speed_ratio < 0 else 1
         if turning is not None and len(rows) > 2:
             films = shared(turning, seats, duty, sense)
-            films = on_films(turning, films, [row.name for row in rows])
+            films = on_films(turning, films, seats, duty)
             with about(Text("shaft on its films")):
                 loads = [reaction(R=P) for P in elements(films.carried.load)]
         else:
@@ -227,7 +227,8 @@ def _condensed(
         return None
     if bearings.load_speed_ratio != TURNING or bearings.bush_speed_ratio != 0:
         return None
-    return of_beam(shaft.bending.model, shaft.omega)
+    turning = of_beam(shaft.bending.model, shaft.omega)
+    return replace(turning, f_c=based_on(turning.f_c, shaft.bending.reactions))
 
 
 def _some_centred(seats: list[BearingCase], loads: list[float], duty: OperatingPoint) -> list[BearingCase]:

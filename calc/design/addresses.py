@@ -29,7 +29,7 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
     With `whole` the key may be that of a table, which else has to be one of a value in it.
     """
     path: list[str | int] = []
-    here: object = with_row(data, key)
+    here: object = with_row(data, key, others=True)
     cls: type | None = Design
     parts = current(data, key).split(".")
     for i, part in enumerate(parts):
@@ -94,16 +94,26 @@ def rows_of_twin(data: Table, key: str) -> list[str]:
     return _rows_of_original(data, twin) if is_twin(twin) else []
 
 
-def with_row(data: Table, key: str) -> Table:
-    """The tables in which a twin has a row for its bearing that a key is of, so that something can be said of it."""
+def with_row(data: Table, key: str, *, others: bool = False) -> Table:
+    """The tables in which a twin has a row for its bearing that a key is of, so that something can be said of it;
+    `others`: for all of its bearings (`rows_of`)."""
     array, _, rest = key.rpartition(f".{dotted(ShaftInputs.bearings)}.")
-    name = rest.partition(".")[0]
-    if name not in rows_of_twin(data, dotted(array, ShaftInputs.bearings)):
+    name, array = rest.partition(".")[0], dotted(array, ShaftInputs.bearings)
+    if name not in rows_of_twin(data, array):
         return data
-    where = address(data, dotted(array, ShaftInputs.bearings), whole=True)
-    rows = as_list(value_at(data, dotted(array, ShaftInputs.bearings), whole=True))
+    where = address(data, array, whole=True)
+    rows = as_list(value_at(data, array, whole=True))
     there = [as_table(row).get("name") for row in rows]
-    return data if name in there else changed(data, where, [*rows, {"name": name}])
+    if name in there and not others:
+        return data
+    return changed(data, where, rows_of(data, array, rows) if others else [*rows, {"name": name}])
+
+
+def rows_of(data: Table, key: str, there: list[object]) -> list[object]:
+    """The bearings of a shaft as a form has them, `key` that of their array: of a twin those that it says something of,
+    and behind them the others of its original, each with a name alone."""
+    said = [as_table(row).get("name") for row in there]
+    return [*there, *({"name": name} for name in rows_of_twin(data, key) if name not in said)]
 
 
 def by_names(data: Table, key: str) -> str:

@@ -125,8 +125,8 @@ class Document:
                 former = replace(former, was={})  # of rows in other places the file says nothing
             return replace(self, data=data, lines=lines, former=former)
         array = isinstance(value, list) and all(isinstance(item, dict) for item in value)
-        where = address(self.data, key, whole=array or value is None or isinstance(value, dict))
         there = with_row(self.data, key)
+        where = address(there, key, whole=array or value is None or isinstance(value, dict))
         if value is None and there is not self.data:
             return self  # of this bearing a twin says nothing that could be taken out
         if isinstance(value, dict) and first != key and where[-2:-1] == (dotted(ShaftInputs.bearings),):

@@ -271,7 +271,7 @@ class EngineInputs:
         rule_of_thumb=(35, 200),
         help="Distance of neighbouring cylinders of a bank. May be left out where axial positions are given: then it "
         "is theirs.",
-        decides=6,
+        decides=8,
     )
     cylinder_offset: float = quantity(
         "Cylinder offset",
@@ -379,6 +379,7 @@ class EngineInputs:
         symbol="M_B",
         rule_of_thumb=(200, 2000),
         help="Mass of one rod with bush and screws, without big-end shells.",
+        decides=5,
     )
     rod_cg_to_big_end: float | None = quantity(
         "Rod CG to big end",
@@ -389,6 +390,7 @@ class EngineInputs:
         rule_of_thumb=(20, 120),
         help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds "
         "rotate.",
+        decides=6,
     )
     crankpin_bearing_mass: float = quantity(
         "Big-end shells",
@@ -424,7 +426,7 @@ class EngineInputs:
         rule_of_thumb=(1000, 13000),
         help="The speed at which forces and bearings are judged.",
         repair="asked",
-        decides=5,
+        decides=7,
         taken_by=("imbalance", "countershaft", "bearings", "gears"),
     )
     rated_power: float | None = quantity(

@@ -92,7 +92,7 @@ def test_keys_are_named_as_on_the_keyboard() -> None:
 @pytest.mark.parametrize(
     ("size", "shown"),
     [
-        ((80, 24), "F1 Help F2 Back F3 Next F4 View F5 Remedy F8 PDF ^z Undo ^s Save ^p All"),
+        ((80, 24), "F1 Help F3 Next F4 View F5 Remedy F7 Finding F8 PDF F9 Plot ^s Save ^p All"),
         (
             (120, 40),
             "F1 Help F2 Back F3 Next F4 View F5 Remedy ^t Choose F6 Pane F7 Finding F8 PDF F9 Plot ^z Undo ^s Save ^q "

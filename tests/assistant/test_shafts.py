@@ -53,7 +53,8 @@ def opened(name: str, memory: Memory, tmp_path: Path) -> Session:
 
 def form_of(key: str, data: Table, side: int = 1, shaft: int = 0, bearing: int = 0) -> list[FormRow]:
     step = next(step for step in STEPS if step.key == key)
-    return routed(step, data, Asked({SHAFTS: shaft, ROWS: bearing}, side=side), ())
+    chosen = {SHAFTS: shaft, ROWS: bearing, (*SHAFTS, shaft, ROWS[-1]): bearing}
+    return routed(step, data, Asked(chosen, side=side), ())
 
 
 # --- forms
@@ -232,7 +233,7 @@ def test_a_twin_says_of_its_bearings_what_is_added(memory: Memory, tmp_path: Pat
     judged = [(row.kind, row.place) for row in form_of("bearings", session.data, shaft=1)]
     assert judged[:5] == [
         ("leaf", SHAFTS),
-        ("array", there),
+        ("leaf", there),
         ("field", (*there, 0, "clearance_um")),
         ("field", (*there, 0, "clearance_factor")),
         ("original", (*SHAFTS, 1)),
@@ -251,6 +252,21 @@ def test_a_twin_says_of_its_bearings_what_is_added(memory: Memory, tmp_path: Pat
     session.shaft = 1
     views = [session.view(step) for step in ("countershaft", "bearings")]
     assert [view.design.own_name for view in views if view is not None] == ["left", "right"]
+
+
+def test_what_is_typed_for_a_bearing_of_a_twin_is_said_of_that_one(memory: Memory, tmp_path: Path) -> None:
+    """Its form has a row for each bearing of the original, in places that stay where they are."""
+    session, there = opened("r754ie4_balance_shafts", memory, tmp_path), (*SHAFTS, 1, "bearings")
+    place: Place = (*there, 1, "clearance_um")
+    assert place in [row.place for row in form_of("bearings", session.data, shaft=1, bearing=1)]
+    assert session.place("shafts.right.bearings.middle.clearance_um") == place
+    assert str(label_of(session.data, "shafts.right.bearings.middle.clearance_um")).endswith(" of right middle")
+    session.edit(place, "90")
+    assert session.valid and session.value("shafts.right.bearings.middle.clearance_um") == 90
+    assert session.design.shafts[1].bearings[1].clearance == pytest.approx(90e-6)
+    assert [row["name"] for row in session.value(there)] == ["front", "middle", "rear"]
+    session.edit(place, "")
+    assert session.valid and session.value(there) is None  # all as the original again
 
 
 def test_what_a_row_says_of_its_supply_stands_in_a_fold_with_what_that_needs() -> None:

@@ -11,9 +11,10 @@ from textual.widgets import Input
 from assistant.app import ContralberoApp
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
-from assistant.session.beginnings import engine_only, finding, groups
+from assistant.session.beginnings import engine_only, finding, groups, sample
 from assistant.session.recovery import Memory
 from assistant.session.session import Session
+from assistant.widgets.field import Field
 from assistant.widgets.text import match
 from calc.design.toml_file import Document, design
 from calc.studies.shipped import engines
@@ -37,6 +38,7 @@ def test_every_engine_begins_a_design_of_its_own(id: str, memory: Memory) -> Non
     data = engine_only(id, Path("own-one.toml"))
     assert data["name"] == "own-one" and set(data) == {"schema", "name", "note", "engine"}
     assert design(Document(data)).engine is not None
+    assert sample(data["note"])[1] == {**data["engine"], "name": sample(data["note"])[0]}
     (row,) = [row for _, rows in groups(memory) for row in rows if row.kind == "engine" and row.id == id]
     found = finding(row, memory)
     assert found.lines and found.sketch is not None
@@ -54,6 +56,10 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands)
         session = work(pilot).session
         assert list(session.data) == ["schema", "name", "note", "engine"] and session.dirty
+        bore = next(field for field in work(pilot).query(Field) if field.place == session.place("engine.bore_mm"))
+        assert bore.note()[0] == "sample" and bore.explained()[1].startswith("Still of ")
+        session.edit(bore.place, bore.text)  # it is theirs, too
+        assert bore.note()[0] == ""
         assert not (tmp_path / "own-v6-60.toml").exists()  # before it is saved
         await strike(pilot, "ctrl+s")
         await until(pilot, lambda: not session.dirty)

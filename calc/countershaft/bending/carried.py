@@ -18,6 +18,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text
 from ...sheet.units import Metre, Newton, NewtonPerMetre, Number
+from ...sheet.value import based_on
 from . import formulas as f
 from .condensed import Condensed
 
@@ -133,11 +134,12 @@ def carried(
     x[rows] = now.x
     load = shaft.f_c - shaft.K_c @ x
     load[rows] = now.load
+    load = f.shared_load(K_c=shaft.K_c, f_c=shaft.f_c, x=based_on(x, shaft.f_c, *laws), P=load)
     tangents = np.full((2, len(laws)), math.inf)
     tangents[:, rows] = [[held.slope for held in now.held], [held.secant for held in now.held]]
     return Carried(
-        x=x,
-        load=f.shared_load(K_c=shaft.K_c, f_c=shaft.f_c, x=x, P=load),
+        x=based_on(x, load),
+        load=load,
         theta=f.tilted(theta_0=shaft.theta_0, Theta=shaft.Theta, x=x),
         stiffness=f.mean_stiffness(k_t=tangents[0], k_s=tangents[1]),
         steps=now.step,

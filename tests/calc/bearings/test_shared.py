@@ -426,9 +426,8 @@ def _beam(results):
 def _films(results):
     found = results.result(BearingsResult)
     seats = [row.seat for row in found.bearings.values()]
-    turning = of_beam(*_beam(results))
-    films = shared(turning, seats, found.bearings["front"].duty, 1)
-    return on_films(turning, films, [seat.bearing.name for seat in seats])
+    turning, duty = of_beam(*_beam(results)), found.bearings["front"].duty
+    return on_films(turning, shared(turning, seats, duty, 1), seats, duty)
 
 
 def test_the_loop_ends_within_its_passes(three):
@@ -490,7 +489,7 @@ def test_a_bearing_that_is_fed_otherwise_than_the_others_is_warmed_by_itself(thr
     seats, duty = [row.seat for row in rows.values()], rows["front"].duty
     grooved = replace(seats[1].inputs, supply="groove", groove_width=2e-3)
     mixed = [seats[0], replace(seats[1], inputs=grooved), seats[2]]
-    films = on_films(turning, shared(turning, mixed, duty, 1), NAMES)
+    films = on_films(turning, shared(turning, mixed, duty, 1), mixed, duty)
     assert [law.lands for law in films.laws] == [1, 2, 1]
     _corners_are_those_of_each_alone(turning, films, mixed, duty)
     again = [replace(seat, inputs=replace(seat.inputs)) for seat in seats]  # as of rows that say what all share

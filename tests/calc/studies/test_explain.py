@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from assistant.commands.explain import on_films
 from calc.design.toml_file import design, read
 from calc.sheet.value import Line
 from calc.solve import solve
@@ -35,6 +36,8 @@ OUTLINE = {
 BOLT = {
     f"shafts.shaft.bolts.{key}" for key in ("thread", "torque_Nm", "friction", "head_diameter_mm", "hole_diameter_mm")
 }
+FILMS = {f"shafts.left.bearings.{name}.clearance_um" for name in ("front", "middle", "rear")}
+FILMS |= {"bearings.oil (10W-40 Q8 T905)", "shafts.left.sections.3.core_radius_mm"}
 KEYS = ("mass_kg", "radius_mm", "angle_deg", "z_mm")
 MASSES = {f"shafts.shaft.masses.{name}.{key}" for name in ("front", "rear") for key in KEYS}
 
@@ -125,6 +128,8 @@ def inputs_of(name, value):
             "imbalance.remedy.backward_shaft.backward.unbalance_product",
             {"engine.cylinder_pitch_mm", "engine.rod_cg_to_big_end_mm"},
         ),
+        *(("r754ie4_balance_shafts", f"bearings.left.middle.{name}", FILMS) for name in ("load", "share", "tilt")),
+        ("r754ie4_balance_shafts", "bearings.left.middle.displacement", FILMS),
         (SIZED, "countershaft.couple", ENGINE | {"shafts.shaft.outer_radius_mm", "shafts.shaft.overdesign_percent"}),
         (
             SIZED,
@@ -212,6 +217,14 @@ def inputs_of(name, value):
 def test_it_reaches_the_inputs(name, value, expected):
     found = inputs_of(name, value)
     assert expected <= found, expected - found
+
+
+def test_what_films_share_is_said_in_numbers():
+    results = RESULTS["r754ie4_balance_shafts"]
+    front, middle, _ = on_films(results, results.values()["bearings.left.middle.load"])
+    assert front.startswith("front: 1.0") and ", clearance 58." in front
+    assert middle.startswith("middle: 0.9574 of its load on pins, ε 0.82")
+    assert not [*on_films(results, results.values()["bearings.left.middle.film"])]
 
 
 # Counted among shafts tried by chance: no formula leads to them.
