@@ -167,7 +167,7 @@ def search(case: SelectionCase, progress: Progress | None = None) -> SharedFound
         slopes,
         asked,
         left_out,
-        tasks is own,
+        all(task.corners for task in tasks.values()),
         stays,
         tuple(refused),
     )
