@@ -22,7 +22,7 @@ from ...sheet.record import record
 from ...sheet.search import first, least
 from ...sheet.step import Table
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
-from ...sheet.units import Metre, Radian, Watt
+from ...sheet.units import Metre, Number, Radian, Watt
 from ..as_supports import shared
 from ..checks import LENGTH_RATIO, LENGTH_RATIO_USUAL
 from ..film.table import FilmRangeError
@@ -48,13 +48,10 @@ from .variants import (
 )
 
 NODES = 4  # lengths, and clearances, at which the share is found
-MARGINS = (
-    KEPT,
-    0.02,
-    0.05,
-)  # of what kinds a row has to keep the rules, one after the other: where it can, it mends the cautions of the design
+# of what kinds a row has to keep every rule, one after the other: where it can, it mends the cautions of the design
 KINDS: tuple[tuple[Kind, ...], ...] = (("limit", "caution"), ("limit",))
-# asked one after the other, where the step itself refuses what has less; rule of this program
+# of a film, asked one after the other, where the step itself refuses what has less; rule of this program
+SPARE = (KEPT, 0.1, 0.2)
 ALL_ALIKE = Text("all alike")
 
 
@@ -107,10 +104,10 @@ class Group:
     moved: tuple[str, ...]
     fields: Mapping[str, CandidateField]
 
-    def margin(self, slopes: Slopes, asked: Asked) -> Array:
-        """The least of all; of bearings that stay only what a limit asks."""
+    def margin(self, slopes: Slopes, asked: Asked, spare: Number = KEPT) -> Array:
+        """The least of all, of a film less what is to be spare of it; of bearings that stay only what a limit asks."""
         return least(
-            limit if rule in OF_FILM else replace(limit, margin=limit.margin + KEPT)
+            replace(limit, margin=limit.margin - spare) if rule in OF_FILM else limit
             for place, field in self.fields.items()
             for rule, limit in field.judged(slopes[place]).items()
             if rule.kind == "limit" or (place in self.moved and rule in asked.rules[place])
@@ -130,6 +127,14 @@ class Group:
         moved: Array = np.sum([self.fields[place].change() for place in self.moved], axis=0)
         return moved
 
+    def as_given(self) -> "Group":
+        """The same, judged as they are given and not at the corners of the tolerances."""
+        fields = dict[str, CandidateField]()
+        for place, field in self.fields.items():
+            task, l, g = replace(field.task, corners=False), field.states.length, field.states.clearance
+            fields[place] = CandidateField(task, field.variant, solved(task, l, g, all_rises=False))
+        return replace(self, fields=fields)
+
     def picked(self, at: tuple[np.intp, ...], slopes: Slopes) -> tuple[Pick, ...]:
         """One candidate: of the bearings that it changes."""
         return tuple(_pick(self.fields[place], at, slopes[place]) for place in self.moved)
@@ -143,11 +148,13 @@ def search(case: SelectionCase, progress: Progress | None = None) -> SharedFound
     if not own:
         raise NoSolution(Text("none of the bearings carries a load that is judged"), EMPTY, STIFFER)
     stays = next(filter(None, (tied(case, row) for row in case.rows)), EMPTY)
-    given = {place: replace(task, corners=False) for place, task in own.items()}
+    tasks, every = own, _as_they_are(own, slopes)
+    groups = list(_groups(case, own, there, variant, not stays, _asked(every, KINDS[-1]), progress))
     refused, rows = list[Text](), list[SharedRow]()
-    for tasks in (own,) if case.bearings.fits_given else (own, given):
-        every = [picks(task, [task.length], [task.clearance], slopes[place])[0] for place, task in tasks.items()]
-        groups = list(_groups(case, tasks, there, variant, not stays, _asked(every, KINDS[-1]), progress))
+    for corners in (True,) if case.bearings.fits_given else (True, False):
+        if not corners:
+            tasks = {place: replace(task, corners=False) for place, task in own.items()}
+            groups, every = [group.as_given() for group in groups], _as_they_are(tasks, slopes)
         for kinds in KINDS:
             refused, asked = [], _asked(every, kinds)
             rows = list(_rows(case, groups, variant, slopes, asked, refused, progress))
@@ -159,7 +166,7 @@ def search(case: SelectionCase, progress: Progress | None = None) -> SharedFound
         raise NoSolution(Text("no bearings keep every rule of the search"), SEMICOLON.join(refused[:2]), STIFFER)
     left_out = tuple(c for pick in every for c in pick.checks if c.rule not in asked.rules[pick.task.place])
     solved_now = all(pick.power == pick.power for pick in every)
-    now = CandidateRow("now", variant, tuple(every))
+    now = CandidateRow("now", variant, every)
     return SharedFound(
         case,
         SharedRow(EMPTY, now, now.picks, _governing(now.picks, asked)) if solved_now else None,
@@ -171,6 +178,10 @@ def search(case: SelectionCase, progress: Progress | None = None) -> SharedFound
         stays,
         tuple(refused),
     )
+
+
+def _as_they_are(tasks: Mapping[str, BearingTask], slopes: Slopes) -> tuple[Pick, ...]:
+    return tuple(picks(task, [task.length], [task.clearance], slopes[place])[0] for place, task in tasks.items())
 
 
 def _asked(every: Iterable[Pick], kinds: tuple[Kind, ...]) -> Asked:
@@ -260,7 +271,7 @@ def _group(
     of_each = [set(np.round(_lengths(tasks[place], asked.rules[place]), 9)) for place in moved]
     l = np.array(sorted(set.intersection(*of_each)))
     widest = max(widest_usual(first_task), WIDEST * first_task.seat.bearing.diameter)
-    g = clearances(first_task, widest, FEW)
+    g = clearances(replace(first_task, corners=False), widest, FEW)
     if not l.size or not g.size:
         return
     loads = _loads(case, tasks, there, moved, l, g)
@@ -334,7 +345,7 @@ def _rows(
     alike = [group for group in groups if group.which == ALL_ALIKE]
     by_nearness = sorted(alike, key=lambda group: _least_change(group, slopes, asked_rules))
     asked = [("nearest", group) for group in by_nearness[:1]]
-    asked += [("least power", group) for group in (*alike, *(group for group in groups if group not in alike))]
+    asked += [("least power", group) for group in groups]
     written: list[tuple[tuple[str, Metre, Metre, Metre], ...]] = []
     for n, (what, group) in enumerate(asked):
         tell(progress, 0.5 + 0.5 * n / len(asked), group.which)
@@ -350,7 +361,7 @@ def _rows(
 
 
 def _least_change(group: Group, slopes: Slopes, asked: Asked) -> float:
-    kept = group.margin(slopes, asked) >= KEPT
+    kept = group.margin(slopes, asked) >= 0
     return float(group.change()[kept].min()) if kept.any() else np.inf
 
 
@@ -358,10 +369,10 @@ def _settled(
     case: SelectionCase, what: str, group: Group, variant: Variant, slopes: dict[str, Radian], asked: Asked
 ) -> tuple[SharedRow | None, tuple[Pick, ...], Text]:
     """The first of a group that the step passes; else why there is none."""
-    margin, why = group.margin(slopes, asked), EMPTY
+    why = EMPTY
     power, change = np.round(group.power() / ALIKE), np.round(group.change(), 9)
-    for least_margin in MARGINS:
-        kept = margin >= least_margin
+    for spare in SPARE:
+        kept = group.margin(slopes, asked, spare) >= 0
         kept = kept & group.usual() if (kept & group.usual()).any() else kept
         at = first(kept, *((change, power) if what == "nearest" else (power, change)))
         if at is None:
@@ -374,11 +385,12 @@ def _settled(
         why = settled.why
     if why:
         return None, (), Text("{which}: {why}", which=group.which, why=why)
-    return None, (), Text("{which}: {why}", which=group.which, why=_stopped(group, margin, slopes, asked))
+    return None, (), Text("{which}: {why}", which=group.which, why=_stopped(group, slopes, asked))
 
 
-def _stopped(group: Group, margin: Array, slopes: Slopes, asked: Asked) -> Text:
+def _stopped(group: Group, slopes: Slopes, asked: Asked) -> Text:
     """What stops the candidate that comes nearest."""
+    margin = group.margin(slopes, asked)
     if not np.isfinite(margin).any():
         return Text("no film carries what it would have to")
     at = np.unravel_index(int(margin.argmax()), margin.shape)
