@@ -3,6 +3,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 
 from calc.bearings.selection import search as bearing_search
 from calc.bearings.selection import tables as bearing_tables
@@ -240,10 +241,10 @@ def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer
         tables = (
             *idler_tables,
             gear_tables.sliding_table(selection, top),
-            gear_tables.wants_table(selection),
-            gear_tables.around_table(selection),
+            gear_tables.first_rows(gear_tables.wants_table(selection), top),
+            gear_tables.first_rows(gear_tables.around_table(selection), top),
             gear_tables.limits_table(selection),
-            gear_tables.cuts_now_table(selection),
+            gear_tables.first_rows(gear_tables.cuts_now_table(selection), top),
             gear_tables.cuts_best_table(selection, top),
         )
         return tuple(table for table in tables if table is not None)
@@ -349,6 +350,8 @@ def _known(step: str, design: Design, shaft: str) -> None:
         why = Text("is as {name}: choose for that", name=Name(twin.mirrors or twin.repeats or ""))
     elif shaft not in design.originals:
         why = Text("is no shaft of this design; there are {names}", names=", ".join(design.originals))
+        if near := get_close_matches(shaft, [each.name for each in design.shafts], 1):
+            why = Text('is no shaft of this design; did you mean "{near}"?', near=near[0])
     else:
         return
     raise BadInput("contralbero choose", [InputError(0, "--shaft", shaft, why)])

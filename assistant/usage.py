@@ -47,7 +47,9 @@ def new(it: argparse.ArgumentParser) -> None:
         default="",
         choices=("none", "half", "shaft", "repeat", "pair", "second", "pair_and_second"),
         metavar="ID",
-        help="which shafts: %(choices)s (left out: those that the engine is built with)",
+        help="which shafts (left out: those that the engine is built with): none; half, none, and half of the "
+        "reciprocating mass on the crank; shaft, one against the crank at its speed; repeat, two such; pair, one with "
+        "the crank and one against it at its speed; second, such a pair at twice its speed; pair_and_second, both",
     )
     it.add_argument(
         "--set",

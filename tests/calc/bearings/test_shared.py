@@ -14,7 +14,7 @@ from calc.bearings.loads import _standing as standing_part
 from calc.bearings.result import BearingsResult
 from calc.bearings.routes.states import resized
 from calc.bearings.routes.thermal_balance import settled
-from calc.bearings.selection.search import search
+from calc.bearings.selection.search import nearest_row
 from calc.bearings.sketch import sketch
 from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
@@ -345,7 +345,7 @@ def test_a_film_that_can_not_carry_its_share_ends_the_step():
 
 def test_only_two_bearings_are_searched(three):
     with pytest.raises(NoSolution, match="has two"):
-        search(bearings_case(three.design, solve, three))
+        nearest_row(bearings_case(three.design, solve, three))
     with pytest.raises(BadInput) as caught:
         problem(on_bearings("r754-films"), None)
     assert any("not searched whole yet" in str(error.reason) for error in caught.value.errors)
