@@ -275,7 +275,7 @@ class _Reader:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
         if not _lies_within(key, self.told):
             own, words = own_key(self.was, key), "" if value is None else written(value)
-            has_name = own == key and key.startswith(NAMED)
+            has_name = own == key and key.startswith(NAMED) and len(self.errors) < SHOWN_ERRORS  # else nobody reads it
             called = by_names(self.document.data, key) if has_name else ""
             self.errors.append(InputError(self.line(key), own, words, reason, called))
         self.wrong.add(key)

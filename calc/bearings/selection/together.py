@@ -56,7 +56,7 @@ ALL_ALIKE = Text("all alike")
 
 
 @record
-class Asked:
+class AskedRules:
     """What a row has to keep: every rule of these `kinds`, and the `rules` of each judged bearing that is changed."""
 
     kinds: tuple[Kind, ...]
@@ -88,7 +88,7 @@ class SharedFound:
     now: SharedRow | None
     rows: tuple[SharedRow, ...]
     slopes: dict[str, Radian]
-    asked: Asked
+    asked: AskedRules
     left_out: tuple[Check, ...]
     corners: bool
     stays: Text
@@ -96,7 +96,7 @@ class SharedFound:
 
 
 @record
-class Group:
+class MovedTogether:
     """Bearings that are changed together, and the candidates: of every judged bearing a field over the same lengths and
     clearances of those that are `moved`."""
 
@@ -104,7 +104,7 @@ class Group:
     moved: tuple[str, ...]
     fields: Mapping[str, CandidateField]
 
-    def margin(self, slopes: Slopes, asked: Asked, spare: Number = KEPT) -> Array:
+    def margin(self, slopes: Slopes, asked: AskedRules, spare: Number = KEPT) -> Array:
         """The least of all, of a film less what is to be spare of it; of bearings that stay only what a limit asks."""
         return least(
             replace(limit, margin=limit.margin - spare) if rule in OF_FILM else limit
@@ -127,7 +127,7 @@ class Group:
         moved: Array = np.sum([self.fields[place].change() for place in self.moved], axis=0)
         return moved
 
-    def as_given(self) -> "Group":
+    def as_given(self) -> "MovedTogether":
         """The same, judged as they are given and not at the corners of the tolerances."""
         fields = dict[str, CandidateField]()
         for place, field in self.fields.items():
@@ -184,17 +184,17 @@ def _as_they_are(tasks: Mapping[str, BearingTask], slopes: Slopes) -> tuple[Pick
     return tuple(picks(task, [task.length], [task.clearance], slopes[place])[0] for place, task in tasks.items())
 
 
-def _asked(every: Iterable[Pick], kinds: tuple[Kind, ...]) -> Asked:
+def _asked(every: Iterable[Pick], kinds: tuple[Kind, ...]) -> AskedRules:
     """Rules of these kinds, and of the others those that the design itself keeps: a fast shaft has some that no bearing
     of it can keep."""
     rules = {
         pick.task.place: frozenset(c.rule for c in pick.checks if c.rule.kind in kinds or c.margin >= 0)
         for pick in every
     }
-    return Asked(kinds, rules)
+    return AskedRules(kinds, rules)
 
 
-def _governing(picked: Iterable[Pick], asked: Asked) -> Check:
+def _governing(picked: Iterable[Pick], asked: AskedRules) -> Check:
     """The least margin by the rules that are asked."""
     return min(
         (c for pick in picked for c in pick.checks if c.rule in asked.rules[pick.task.place]), key=lambda c: c.margin
@@ -202,7 +202,7 @@ def _governing(picked: Iterable[Pick], asked: Asked) -> Check:
 
 
 def confirmed(
-    case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian], asked: Asked, *, last: bool = False
+    case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian], asked: AskedRules, *, last: bool = False
 ) -> Settled:
     """A row through the solution itself, with what each bearing then carries.  `last`: no step after the bearings is
     solved."""
@@ -239,9 +239,9 @@ def _groups(
     there: Solution,
     variant: Variant,
     free: bool,
-    asked: Asked,
+    asked: AskedRules,
     progress: Progress | None,
-) -> Iterator[Group]:
+) -> Iterator[MovedTogether]:
     """All alike at each diameter, the design's own first, then each alone at its own."""
     yield from _group(case, ALL_ALIKE, own, there, variant, tuple(own), asked)
     for n, share in enumerate(DIAMETERS if free else ()):
@@ -264,8 +264,8 @@ def _group(
     there: Solution,
     variant: Variant,
     moved: tuple[str, ...],
-    asked: Asked,
-) -> Iterator[Group]:
+    asked: AskedRules,
+) -> Iterator[MovedTogether]:
     """Its candidates, with clearances wider than the usual ones among them; nothing where no length is left."""
     first_task = tasks[moved[0]]
     of_each = [set(np.round(_lengths(tasks[place], asked.rules[place]), 9)) for place in moved]
@@ -283,7 +283,7 @@ def _group(
         l_here = np.broadcast_to(l if place in moved else task.length, shape)
         g_here = np.broadcast_to(g[:, None] if place in moved else task.clearance, shape)
         fields[place] = CandidateField(under, variant, solved(under, l_here, g_here, all_rises=False))
-    yield Group(which, moved, fields)
+    yield MovedTogether(which, moved, fields)
 
 
 def _lengths(task: BearingTask, asked: frozenset[CheckRule]) -> Array:
@@ -333,10 +333,10 @@ def _loads(
 
 def _rows(
     case: SelectionCase,
-    groups: Sequence[Group],
+    groups: Sequence[MovedTogether],
     variant: Variant,
     slopes: dict[str, Radian],
-    asked_rules: Asked,
+    asked_rules: AskedRules,
     refused: list[Text],
     progress: Progress | None,
 ) -> Iterator[SharedRow]:
@@ -360,13 +360,13 @@ def _rows(
             yield settled
 
 
-def _least_change(group: Group, slopes: Slopes, asked: Asked) -> float:
+def _least_change(group: MovedTogether, slopes: Slopes, asked: AskedRules) -> float:
     kept = group.margin(slopes, asked) >= 0
     return float(group.change()[kept].min()) if kept.any() else np.inf
 
 
 def _settled(
-    case: SelectionCase, what: str, group: Group, variant: Variant, slopes: dict[str, Radian], asked: Asked
+    case: SelectionCase, what: str, group: MovedTogether, variant: Variant, slopes: dict[str, Radian], asked: AskedRules
 ) -> tuple[SharedRow | None, tuple[Pick, ...], Text]:
     """The first of a group that the step passes; else why there is none."""
     why = EMPTY
@@ -388,7 +388,7 @@ def _settled(
     return None, (), Text("{which}: {why}", which=group.which, why=_stopped(group, slopes, asked))
 
 
-def _stopped(group: Group, slopes: Slopes, asked: Asked) -> Text:
+def _stopped(group: MovedTogether, slopes: Slopes, asked: AskedRules) -> Text:
     """What stops the candidate that comes nearest."""
     margin = group.margin(slopes, asked)
     if not np.isfinite(margin).any():
@@ -406,7 +406,7 @@ def _pick(field: CandidateField, at: tuple[np.intp, ...], slope: float) -> Pick:
     return picks(task, [field.states.length[at]], [field.states.clearance[at]], slope)[0]
 
 
-def _every(case: SelectionCase, settled: Settled, group: Group) -> tuple[Pick, ...]:
+def _every(case: SelectionCase, settled: Settled, group: MovedTogether) -> tuple[Pick, ...]:
     """All bearings that are judged, as they run with a row that has passed."""
     assert settled.row is not None and settled.results is not None
     changed = {pick.task.place: pick for pick in settled.row.picks}
