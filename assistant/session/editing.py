@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from calc.countershaft.rows import BearingRow
 from calc.design.addresses import (
     Table,
     address,
@@ -46,6 +47,7 @@ from .places import (
     with_shafts,
     with_wheel,
     without_empty,
+    without_row,
 )
 from .recording import Recording
 from .undo import EditState, History
@@ -270,15 +272,19 @@ class Editing:
         return abs(2 * abs(axis[1]) - diameter) <= NEAR * diameter
 
     def remove(self, key: str | Place, index: int) -> None:
-        """Take an element out of an array of tables; a shaft with its twins."""
+        """Take an element out of an array of tables; a shaft with its twins, a bearing with what twins say of it."""
         where = self._array(key)
-        left = less(where, self.value(where) or [], index)
+        there = self.value(where) or []
+        left = less(where, there, index)
         if where == SHAFTS:
             self._put_shafts(with_shafts(self._state.data, left, self.ids_of_shaft()))
             return
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
+        data = changed(self._state.data, where, left or None)
+        if described(where).table is BearingRow:
+            data = without_row(data, where[:-1], there[index].get(NAME))
         self.seal()
-        self._step(EditState(changed(self._state.data, where, left or None), texts), where)
+        self._step(EditState(data, texts), where)
         self.seal()
 
     def _put_shafts(self, data: Table) -> None:

@@ -316,6 +316,16 @@ def less(where: Place, there: list[Table], index: int) -> list[Table]:
     return [item for item in left if original_of(item) != gone] if described(where).table is ShaftInputs else left
 
 
+def without_row(data: Table, shaft: Place, bearing: object) -> Table:
+    """The tables in which no twin of a shaft says anything of a bearing that the shaft has no more."""
+    of, rows = content_at(data, (*shaft, NAME)), dotted(ShaftInputs.bearings)
+    for i, item in enumerate(content_at(data, SHAFTS)):
+        if is_twin(item) and original_of(item) == of:
+            left = [row for row in item.get(rows, []) if row.get(NAME) != bearing]
+            data = changed(data, (*SHAFTS, i, rows), left or None)
+    return data
+
+
 def with_shafts(data: Table, shafts: list[Table], of_shaft: Collection[str]) -> Table:
     """The tables with other shafts: the wheel of one that is gone goes with it, or sits on none where it drives
     something, bolts carry none, and where one becomes several, or one of them is left, the ids of what is accepted and

@@ -311,7 +311,7 @@ def _places_of_less_roll(alone: OrderVectors, shafts: Sequence[SystemShaft], rol
     if aside < (1 - DRAWN) * abs(roll):
         leave.append(aside)
         ways.append(Text("On the other side of the crank {aside} N·m are left.", aside=Amount(aside, form=".1f")))
-    if not ways or min(leave) > abs(alone.roll or 0j):
+    if min(leave) > abs(alone.roll or 0j):
         ways.append(NEARER)
     return SPACE.join(ways)
 

@@ -101,7 +101,7 @@ def solve(
             )
         outline = _outline(step, masses, sized, R, gear)
         with about(Text("standing part of the load")):
-            result = replace(result, wheel=gear_place(shaft, outline, gear))
+            result = replace(result, wheel=gear_place(shaft, outline))
         if outline is not None:
             certain = sized is not None or not outline.derived
             result = _with_outline(step, masses, result, outline, certain, fastest)

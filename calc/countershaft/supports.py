@@ -324,12 +324,11 @@ def _shared(
     )
 
 
-def gear_place(shaft: ShaftInputs, outline: Outline | None, gear: Gear | None) -> Metre:
+def gear_place(shaft: ShaftInputs, outline: Outline | None) -> Metre:
     """The middle of the gear, or of a sprocket that turns the shaft: given, or as the outline has it; else the front
     bearing's."""
+    if shaft.gear_z is not None:
+        return shaft.gear_z
     pieces = outline.pieces if outline is not None else ()
-    on_shaft = not pieces or gear is not None
-    if (z := shaft.gear_z) is not None and (on_shaft or pieces[0].start <= z <= pieces[-1].end):
-        return z
     places = (middles(z_1=piece.start, z_2=piece.end) for piece in pieces if piece.what == "gear")
     return next(places, shaft.bearing_positions[0])

@@ -16,7 +16,7 @@ from ..sheet.quantity import Key, Quantity, described, dotted, keys, unknown
 from ..sheet.step import Step
 from ..sheet.text import Name, Small, Text
 from .model import SCREENED, STEPS, Design, step_of
-from .upgrade import MANY, current, formerly, is_twin, place_in
+from .upgrade import MANY, current, formerly, is_twin, place_in, without
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
 Table = dict[str, object]  # of a TOML document; what stands under a key is narrowed where it is read
@@ -269,11 +269,13 @@ def step_at(data: Table, key: str) -> str:
 
 
 def unjudged(data: Table) -> Table:
-    """The tables once [bearings] is out: what it alone judges goes from the bearings of the shafts."""
+    """The tables once [bearings] is out: what it alone judges goes from the bearings of shafts, and all of twins."""
     key, rows = dotted(Design.shafts), dotted(ShaftInputs.bearings)
     kept = {entry.key for entry in keys(BearingRow).values() if entry.attribute in SCREENED}
     shafts = [
-        {**shaft, rows: [{k: x for k, x in as_table(row).items() if k in kept} for row in as_list(shaft[rows])]}
+        without(shaft, rows)
+        if is_twin(shaft)
+        else {**shaft, rows: [{k: x for k, x in as_table(row).items() if k in kept} for row in as_list(shaft[rows])]}
         if rows in shaft
         else shaft
         for shaft in map(as_table, as_list(data.get(key)))

@@ -325,16 +325,6 @@ class Design:
         if self.gears is not None:
             yield from _within("gears", self._gears(self.gears))
 
-    def undriven(self) -> Problems:
-        """Of several shafts those that the train does not turn, where there is one."""
-        if self.gears is None or len(self.shafts) < 2:
-            return
-        turned = {wheel.shaft for wheel in self.gears.wheels} | set(self.gears.along)
-        for n, shaft in enumerate(self.shafts):
-            if shaft.name not in turned:
-                way = 'no wheel of the train turns it: give shaft = "{name}" under its wheel in [[gears.wheels]]'
-                yield dotted(Design.shafts, n, ShaftInputs.name), Text(way, name=shaft.name)
-
     def _reasons(self) -> Problems:
         """Of what is accepted, locked and left out: whether there is such a thing, and whether that can be."""
         for key, _ in self.locked:

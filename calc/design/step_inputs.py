@@ -248,7 +248,7 @@ def driven(design: Design) -> tuple[str, ...]:
 
 
 def undriven(design: Design) -> tuple[str, ...]:
-    """The names of the others, which a file of schema 1 may have."""
+    """The names of the others."""
     turned = driven(design)
     return tuple(shaft.name for shaft in design.resolved if shaft.name not in turned)
 
@@ -340,12 +340,15 @@ def parts_of_power(design: Design, train: TrainResult | None, f: Outcome[Frictio
     taken = powers_in(f.result) if f.result is not None else {}
     first = [taken[link.key] for link in links if taken and link.driver == train.tree.first]
     P_1, n = based_on(sum(first), *first), len(train.shafts)
+    of_shafts = {turn.wheel for turn in train.shafts.values()}
+    others = {link.driven for link in links} - {link.driver for link in links} - of_shafts
     for link in links:
         with about(Text("mesh {pair}", pair=link.title)):
             if taken:
                 parts[link.key] = power_by_balance(P=P, P_i=taken[link.key], P_1=P_1)
-            else:  # where no shaft lies behind, nobody knows what does: all of it at most
-                k = sum(link in train.tree.way(turn.wheel) for turn in train.shafts.values()) or n
+            else:  # of an end that is no shaft nobody knows what it takes: all of it at most
+                unknown = any(link in train.tree.way(end) for end in others)
+                k = n if unknown else sum(link in train.tree.way(wheel) for wheel in of_shafts)
                 parts[link.key] = power_by_shafts(P=P, k=float(k), n=float(n))
     return parts
 

@@ -222,6 +222,12 @@ def test_a_twin_says_of_its_bearings_what_is_added(memory: Memory, tmp_path: Pat
     assert placed[-4:] == [("array", "bearings"), ("heading", 0), ("field", "name"), ("original", 1)]
     session.edit((*ROWS, 0, "name"), "fore")
     assert session.valid and session.data["shafts"][1]["bearings"] == [{"name": "fore", "clearance_um": 50.0}]
+    session.put_table(("bearings",), False)
+    assert "bearings" not in session.data["shafts"][1]  # which are not judged any more
+    session.undo()
+    session.remove(ROWS, 0)
+    assert "bearings" not in session.data["shafts"][1]  # of which the one is gone
+    session.undo()
     session.solve()
     session.shaft = 1
     views = [session.view(step) for step in ("countershaft", "bearings")]

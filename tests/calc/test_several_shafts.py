@@ -9,6 +9,7 @@ import pytest
 
 from calc import solve as recipe
 from calc.bearings.result import BearingResult
+from calc.countershaft.supports import gear_place
 from calc.design.step_inputs import parts_of_power, power, shaft_drive
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
@@ -276,19 +277,24 @@ def test_a_given_power_is_that_of_the_whole_drive():
     assert shaft_drive(asked, train, f, parts, "left").power == parts["crank_wheel-left"]
     assert power(asked.gears, f, parts).of == parts
     assert parts_of_power(results.design, train, f) == {}  # not given
+    pump = replace(train.tree.links[0], key="pump", driver="wheel-left", driven="pump")  # nobody knows what it takes
+    further = replace(train, tree=replace(train.tree, links=(*train.tree.links, pump)))
+    assert parts_of_power(asked, further, none) == {**equal, "crank_wheel-left": 3000.0, "pump": 3000.0}
     alone = replace(train, shafts={"left": train.shafts["left"]})
     assert parts_of_power(asked, alone, none) == {}  # which takes it whole
 
 
-def test_a_shaft_without_a_wheel_is_an_error_at_the_shaft():
+def test_a_shaft_without_a_wheel_is_a_finding_that_names_the_wheel():
+    """No error: a file of schema 1 has no words for the wheel of a twin, and is one of schema 2 after an upgrade."""
     data = two()
-    del data["gears"]["wheels"][-1]["shaft"]
-    with pytest.raises(BadInput) as caught:
-        design(Document(data))
-    (error,) = caught.value.errors
-    assert error.key == "shafts.1.name" and 'give shaft = "right"' in str(error.reason)
-    notes = " ".join(map(str, gamma_and_its_image().outcomes["friction"].notes))
-    assert "No wheel of the train turns image" in notes  # which schema 1 has no words for
+    last = data["gears"]["wheels"].pop()
+    data["gears"]["meshes"].pop()
+    results = solved(data)
+    check = results.check("gears.right.speed_ratio")
+    assert check.verdict == "not_verified"
+    for said in (f"teeth = {last['teeth']}", 'shaft = "right"', 'driver = "crank"'):
+        assert said in str(check.advice)
+    assert "No wheel of the train turns right" in " ".join(map(str, results.outcomes["friction"].notes))
 
 
 def test_the_pull_of_a_chain_stands_on_the_bearings_of_its_shaft():
@@ -305,6 +311,8 @@ def test_the_pull_of_a_chain_stands_on_the_bearings_of_its_shaft():
         stands = values[f"countershaft.right.stationary_{row}"].inside
         assert values[f"friction.journals.right.{row}.standing_load"].inside == pytest.approx(stands)
     assert "countershaft.left.chain_pull" not in values
+    beyond = replace(results.design.views["right"].own, gear_z=-0.3)  # its sprocket is no piece of the outline
+    assert gear_place(beyond, results.views["right"].shaft.outline) == -0.3
 
 
 # --- bolts of a support that holds several

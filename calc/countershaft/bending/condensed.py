@@ -133,12 +133,14 @@ def at_rest(
     effectiveness: Number = 1.0,
     wheel: Metre | None = None,
 ) -> AtRest:
-    """The same shaft while it stands in its housing, `wheel` the middle of its wheel.
+    """The same shaft while it stands in its housing, `wheel` the middle of its wheel, which beyond an end of the
+    outline stands on a stiff stub.
 
     Its sectors go round, so that they bend by the mean of both planes."""
     shape = _shape(pieces)
     if wheel is not None:  # a node for it
-        points = (*points, EccentricMass(name="wheel", mass=0.0, radius=0.0, angle=0.0, z=wheel))
+        node = min(max(wheel, shape.pieces[0].start), shape.pieces[-1].end)
+        points = (*points, EccentricMass(name="wheel", mass=0.0, radius=0.0, angle=0.0, z=node))
     within_shaft(shape, supports, points)
     with untraced():
         still = prepared(shape, material, 0.0, supports, points)
@@ -150,8 +152,9 @@ def at_rest(
     model = still.model(shared_stiffness(material, core, effectiveness, mean))
     loads = [model.f.real]
     if wheel is not None:
-        w = 2 * int(np.abs(model.z - wheel).argmin())
-        loads += [*np.eye(model.f.size)[w : w + 2]]
+        w = 2 * int(np.abs(model.z - node).argmin())
+        force, couple = np.eye(model.f.size)[w : w + 2]
+        loads += [force + (wheel - node) * couple, couple]
     _, r = _reduced(model, np.stack(loads, 1), 0.0)
     return AtRest(model.z[model.pinned // 2], r[:, len(loads) :], *-r[:, : len(loads)].T)
 

@@ -128,7 +128,7 @@ def power_by_balance(P: Watt, P_i: Watt, P_1: Watt) -> Watt:
     names={"k": "k_S", "n": "n_S"},
 )
 def power_by_shafts(P: Watt, k: Number, n: Number) -> Watt:
-    """`k` of all `n` shafts lie behind it.
+    """`k` of all `n` shafts lie behind it; all of them count where an end lies there that is no shaft.
 
     >>> power_by_shafts(P=1000.0, k=1, n=4)
     250.0

@@ -12,7 +12,7 @@ from statistics import NormalDist
 
 import numpy as np
 
-from ...design.addresses import address, every, quantity_of, value_at
+from ...design.addresses import Table, address, every, quantity_of, value_at, with_row
 from ...design.toml_file import Document
 from ...design.upgrade import MANY, current
 from ...sheet.arrays import Array
@@ -118,17 +118,20 @@ def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
     """The key of an input that another one of these is too, by whichever name of its element; None: all are
     different."""
     first: dict[tuple[str | int, ...], str] = {}
+    data = document.data
     for variable in inputs:
-        for where in (_place(document, key) for key in every(document.data, variable.key)):
+        for key in every(document.data, variable.key):
+            data = with_row(data, key)  # of a twin each bearing has a place of its own
+            where = _place(data, key)
             if where in first:
                 return first[where]
             first[where] = variable.key
     return None
 
 
-def _place(document: Document, key: str) -> tuple[str | int, ...]:
+def _place(data: Table, key: str) -> tuple[str | int, ...]:
     """Where an input stands; of one of schema 1 that has become many its key alone."""
-    return (key,) if key in MANY else address(document.data, key)
+    return (key,) if key in MANY else address(data, key)
 
 
 def _about(document: Document, key: str, errors: list[InputError]) -> Quantity:
@@ -161,7 +164,7 @@ def _read(
             key = current(document.data, key)
             variable = read_input(key, spec, about)
             single = about.count is not None and about.count[0] == 1  # where one number may stand for the list
-            whole = about.kind in ("series", "integers") and not isinstance(_place(document, key)[-1], int)
+            whole = about.kind in ("series", "integers") and not isinstance(_place(document.data, key)[-1], int)
             if whole and not single:
                 raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
             if (twice := same_input(document, [*inputs, variable])) == key:

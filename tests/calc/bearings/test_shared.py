@@ -21,6 +21,7 @@ from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
 from calc.countershaft.result import CountershaftResult
 from calc.countershaft.rows import BearingRow, row_key
+from calc.countershaft.supports import Gear, ShaftDrive, Sprocket, standing_of
 from calc.countershaft.twins import resolved
 from calc.design.addresses import quantities, quantity_of, value_at
 from calc.design.step_inputs import bearings_case
@@ -548,6 +549,30 @@ def test_a_twin_that_says_nothing_is_the_very_object():
     assert found[1].rows == () and found[1].inputs.bearings is found[0].inputs.bearings
 
 
+def test_a_repetition_says_of_its_bearings_what_a_mirror_image_may():
+    original, image = design(with_image(on_bearings("r754-films"), {"name": "middle", "clearance_um": 90.0})).shafts
+    _, again = resolved((original, replace(image, mirrors=None, repeats=original.name, axis=(0.1, 0.0))))
+    assert again.how == "repeats" and again.rows == image.bearings
+    clearances = {row.name: row.clearance for row in again.inputs.bearings}
+    assert clearances == {row.name: row.clearance for row in original.bearings} | {"middle": 90e-6}
+
+
+def test_the_pull_of_a_chain_is_shared_as_a_force_at_the_wheel_is(three):
+    """By shaft and films, and added to the tooth force of a wheel beside the sprocket."""
+    shaft, bearings = three.result(CountershaftResult), three.result(BearingsResult)
+    inputs, gear = three.design.own, Gear(0.05, 0.054, 0.015, math.radians(20), 0.0)
+    strands = ((Sprocket("chain", 0.06, 50.0), 1400.0),)
+
+    def stands(*drive):
+        found = standing_of(shaft, inputs, gear, ShaftDrive(*drive), bearings.stands, bearings)
+        return np.array(list(found.stationary.values()))
+
+    idle, chained = stands(None, 50.0), stands(None, 50.0, strands)
+    pull = 2 * 1400.0 / (2 * math.pi * 50.0) / 0.06 + 100.0
+    assert chained - idle == pytest.approx(pull * abs(bearings.stands.force))
+    assert stands(900.0, 50.0, strands) - stands(900.0, 50.0) == pytest.approx(chained - idle)
+
+
 def test_the_films_of_a_mirror_image_lie_the_other_way(three):
     found = three.result(BearingsResult)
     image = turned_over(found)
@@ -595,6 +620,8 @@ def test_a_key_of_a_twins_bearing_makes_its_row():
     assert value_at(document.data, key) is None and quantity_of(document.data, key).unit == "µm"
     changed = document.with_value(key, 90.0)
     assert changed.data["shafts"][1]["bearings"] == [{"name": "middle", "clearance_um": 90.0}]
+    assert document.with_value(key, None).data == document.data  # there is nothing to take out
+    assert "bearings" not in changed.with_value("bearings", None).data["shafts"][1]
     every = changed.with_value("shafts.image.bearings.*.clearance_um", 70.0).data["shafts"]
     assert {row["name"]: row["clearance_um"] for row in every[1]["bearings"]} == dict.fromkeys(NAMES, 70.0)
     own = changed.with_value("shafts.*.bearings.*.clearance_um", 50.0).data["shafts"]

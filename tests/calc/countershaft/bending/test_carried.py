@@ -104,8 +104,11 @@ class Stiffening:
         return f"bearing {name}"
 
 
+WAYS = st.floats(-5e-5, 5e-5, allow_subnormal=False)  # of which a direction can still be taken
+
+
 @settings(max_examples=50)
-@given(re=st.floats(-5e-5, 5e-5), im=st.floats(-5e-5, 5e-5), turns=st.floats(-2e4, 2e4))
+@given(re=WAYS, im=WAYS, turns=st.floats(-2e4, 2e4))
 def test_the_tangent_is_the_slope_of_the_load(re, im, turns):
     law, h = Stiffening(5e7, 4e16, turns), 1e-9
     x = complex(re, im)

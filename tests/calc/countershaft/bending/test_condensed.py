@@ -147,7 +147,7 @@ def test_what_stands_agrees_with_another_program(name):
 ROW = cases.STANDING["bore-up-20"]
 
 
-@pytest.mark.parametrize("z", [-0.122, -0.05, 0.0, 0.11])
+@pytest.mark.parametrize("z", [-0.2, -0.122, -0.05, 0.0, 0.11, 0.15])  # beyond both ends as well
 def test_two_supports_know_nothing_of_their_stiffness(z):
     """Weight by the levers, a wheel by today's bound, which the columns give where the wheel is not between them."""
     case = ROW | {"supports_mm": [-112, 100]}

@@ -11,8 +11,9 @@ from calc.sheet.errors import BadInput
 from calc.solve import solve
 from calc.studies.sweep import sweep, varied
 from calc.studies.sweep.inputs import listed, toleranced
+from tests.conftest import DESIGNS
 
-GAMMA = read(Path(__file__).parents[4] / "designs" / "r753ie4_gamma.toml")
+GAMMA = read(DESIGNS / "r753ie4_gamma.toml")
 FILMS = ["bearings.front.film_edge", "bearings.rear.film_edge"]
 
 
@@ -107,7 +108,7 @@ def test_an_unknown_value_is_named():
 
 
 def test_a_step_that_is_not_asked_is_named():
-    pair = read(Path(__file__).parents[4] / "designs" / "timing_pair.toml")
+    pair = read(DESIGNS / "timing_pair.toml")
     with pytest.raises(BadInput, match="not asked"):
         sweep(pair, varied(pair, ["gears.speed_rpm=1000,2000"]), "bearings")
 
@@ -163,6 +164,16 @@ def test_keys_of_schema_1_are_those_of_today(tmp_path: Path) -> None:
     assert [one.key for one in listed(GAMMA, str(file))[0]] == new
     with pytest.raises(BadInput, match="stands twice"):
         varied(GAMMA, [f"{key}=30,31" for key in (old[0], new[0])])
+
+
+def test_each_bearing_of_a_twin_is_an_input_of_its_own() -> None:
+    """Also where the twin says nothing of them yet."""
+    pair, rows = read(DESIGNS / "r754ie4_balance_shafts.toml"), "shafts.right.bearings"
+    (together,) = varied(pair, [f"{rows}.*.clearance_um=40,50"])
+    assert together.key == f"{rows}.*.clearance_um"
+    assert len(varied(pair, [f"{rows}.{name}.clearance_um=40,50" for name in ("front", "rear")])) == 2
+    with pytest.raises(BadInput, match="stands twice"):
+        varied(pair, [f"{rows}.rear.clearance_um=40,50"] * 2)
 
 
 def test_slopes_of_schema_1_are_varied_together() -> None:
