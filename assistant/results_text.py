@@ -231,6 +231,7 @@ LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
 
 # units of vectors: one without length says nothing by its number or its phase
+UNBROKEN = "\N{NO-BREAK SPACE}"  # a value and its unit stand in one line
 VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
 
 
@@ -385,9 +386,10 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
         if key in OPTIONAL and outcome.state == "not_asked":
             continue
         words = str(outcome.reason) or " · ".join(
-            f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads(results, key)[:2]
+            f"{head.id} {short(head.shown)} {head.unit}".rstrip().replace(" ", UNBROKEN)
+            for head in heads(results, key)[:2]
         )
-        first, *rest = _wrapped(words, LINE - 30) or [""]
+        first, *rest = [line.replace(UNBROKEN, " ") for line in _wrapped(words, LINE - 30)] or [""]
         print(
             f"{results.design.title(key):<14} {sign(outcome.verdict):<14} {first}".rstrip(),
             *(" " * 30 + line for line in rest),

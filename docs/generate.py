@@ -128,7 +128,9 @@ file says so. At 90 °C of oil every limit holds; with 120 °C, as in its sister
 
     contralbero check designs/r754ie4_balance_shafts.toml --set bearings.supply_temperature_C=120
 
-Both shafts stand at one height, so they do not roll the engine; {roll:.0f} N·m of inertia roll stay as they were. Heights a rod's length apart would take most of it.
+Both shafts stand at one height, so they do not roll the engine; {roll:.0f} N·m of inertia roll stay as they were. Heights a rod's length apart would take most of
+it: the shaft that turns with the crank the higher one (`axis_mm` is [up, side] from the crank's axis; `speed_ratio` above 0). The other way
+round the roll doubles.
 
 ## One of your own
 

@@ -254,8 +254,11 @@ class Context:
 
     def title(self, step: Step) -> str:
         """What a step is called: that of several shafts by these."""
-        shafts = self.shafts and step.key == OF_SHAFTS[0]
-        return self.say(described(Design.shafts).label if shafts else step.title)
+        if step.key != OF_SHAFTS[0]:
+            return self.say(step.title)
+        if self.shaft:
+            return self.say(Text("Balance shaft"))
+        return self.say(described(Design.shafts).label if self.shafts else step.title)
 
     def values_of(self, step: Step) -> list[Published]:
         """The values of a step that stand where this is told."""

@@ -18,7 +18,7 @@ from calc.sheet.text import COMMA, Amount, Text
 
 from ..actions import ACTIONS, BY_ID, key_names
 from ..base_app import BaseApp
-from ..session.guide import GUIDES
+from ..session.guide import GUIDES, title_of
 from ..session.places import Place, label_of
 from ..widgets.checks import Checks
 from ..widgets.headings import ArrayHeading, TableHeading
@@ -154,11 +154,11 @@ class HelpScreen(Once, ModalScreen[None]):
         elif isinstance(work.focused, Checks) and work.session.results is not None:
             lines = self.about_check(work.focused.key)
         if not lines:
-            step = work.step
+            step, title = work.step, title_of(work.step, work.session.data)
             outcome = work.session.results.outcomes[step.key] if work.session.results is not None else None
             lines = [
                 Content.styled(
-                    say(Text("Step {n} of {count}: {title}", n=work.number, count=len(STEPS), title=step.title)), "bold"
+                    say(Text("Step {n} of {count}: {title}", n=work.number, count=len(STEPS), title=title)), "bold"
                 )
             ]
             texts = (*outcome.proposals, *outcome.notes) if outcome is not None else ()
@@ -168,7 +168,9 @@ class HelpScreen(Once, ModalScreen[None]):
         guide = GUIDES[work.step.key]
         lines += [
             Content(""),
-            Content.styled(say(Text("In step {n}, {title}", n=work.number, title=work.step.title)), "bold"),
+            Content.styled(
+                say(Text("In step {n}, {title}", n=work.number, title=title_of(work.step, work.session.data))), "bold"
+            ),
         ]
         for word, text in ((Text("Decide"), guide.decide), (Text("Good"), guide.good), (Text("Try"), guide.trying)):
             lines += [Content(row) for row in wrap(f"{say(word)}: {say(text)}", self.room, 2)]

@@ -17,7 +17,7 @@ from calc.sheet.verdict import severity
 from ..actions import BY_ID
 from ..session.calculation import VALUES
 from ..session.compare_with import Chosen
-from ..session.guide import step_of
+from ..session.guide import step_of, title_of
 from ..session.places import Place
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
@@ -249,7 +249,10 @@ class WorkbenchMoves(WorkbenchResults):
                 self.action_to_view("curve")
 
         self.app.push_screen(
-            CurveList(f"{self.number} {self.app.say(self.step.title)}", pane.leaves, pane.leaf.id), choose
+            CurveList(
+                f"{self.number} {self.app.say(title_of(self.step, self.session.data))}", pane.leaves, pane.leaf.id
+            ),
+            choose,
         )
 
     def action_pixels(self) -> None:

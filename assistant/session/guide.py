@@ -207,8 +207,8 @@ GUIDES: dict[str, Guide] = {
         Text("build it by rules: four mounts at the corners, masses assumed until they are weighed"),
         Text("Mass, inertia and mounts of the engine, the frame below them, and where it is felt at which speeds."),
         Text(
-            "All modes between the road's frequency and idle, roll and bounce pure. The shaft takes order 1; the "
-            "firing torque stays."
+            "All modes between the road's frequency and idle, roll and bounce pure. What no shaft takes stays, and "
+            "the firing torque with it."
         ),
         Text("Softer mounts, other ratios, an inclination: the search for mounts finds those that decouple the modes."),
     ),

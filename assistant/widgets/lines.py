@@ -10,6 +10,7 @@ from textual.content import Content
 from textual.style import Style
 from textual.widget import Widget
 
+from calc.design.addresses import Table
 from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
@@ -19,7 +20,7 @@ from calc.studies.ready import StepState
 
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
-from ..session.guide import step_of
+from ..session.guide import step_of, title_of
 from ..session.places import Place, label_of, named_key
 from ..session.session import Session
 from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of
@@ -68,7 +69,7 @@ class MessageLine(Widget):
         if chosen is not None:
             return judged(chosen), self._check(chosen)
         states = states_of(session)
-        ahead = _ahead(states)
+        ahead = _ahead(states, session.data)
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
             return "todo", say(ahead)
         if urgent := self._urgent_here(outcome) or self._urgent_anywhere(session.results):
@@ -116,7 +117,8 @@ class MessageLine(Widget):
         return None
 
     def _title(self, key: str) -> str:
-        return next((f"{n} {self.app.say(step.title)}: " for n, step in enumerate(STEPS, 1) if step.key == key), "")
+        data = self.session.data
+        return next((f"{n} {self.app.say(title_of(s, data))}: " for n, s in enumerate(STEPS, 1) if s.key == key), "")
 
     def _check(self, check: Check) -> str:
         soft = check.kind in ("advice", "method")
@@ -158,12 +160,12 @@ class MessageLine(Widget):
         return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
 
 
-def _ahead(states: Sequence[StepState]) -> Text:
+def _ahead(states: Sequence[StepState], data: Table) -> Text:
     """The next step that is to do; empty where none is."""
     todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
     if todo is None:
         return EMPTY
-    return Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title)
+    return Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=title_of(STEPS[todo], data))
 
 
 # --- the first row

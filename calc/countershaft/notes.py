@@ -12,10 +12,15 @@ from .outline import Journals
 SLOPES_GIVEN = Text("The slopes of the journals are those given with them (slope_mrad), not computed.")
 
 
-def notes(shaft: ShaftInputs, journals: Journals) -> Iterator[Text]:
-    """What holds for every shaft; `journals`: (diameter, length) of each, empty where they are not known."""
-    yield Text(
-        "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter."
+def notes(shaft: ShaftInputs, journals: Journals, force: bool) -> Iterator[Text]:
+    """What holds for every shaft; `journals`: (diameter, length) of each, empty where they are not known; `force`:
+    whether it carries one."""
+    yield (
+        Text("The middle of the shaft is taken as the middle of the engine.")
+        if force
+        else Text(
+            "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter."
+        )
     )
     yield Text(
         "The reactions turn with the shaft. Its weight and the gear force stand still: they are given beside, where "

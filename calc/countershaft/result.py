@@ -124,7 +124,7 @@ class CountershaftResult:
     sector: "dict[str, SizedSector] | None" = group(default=None, words="sector")
     utilisation: Number | None = value("Utilisation of the envelope", "", "u", default=None)
     mass: Kilogram | None = value(
-        "Mass of the whole shaft", "kg", "m_S", default=None, short=True, page_one=5, headline=2
+        "Mass of the whole shaft", "kg", "m_S", default=None, short=True, page_one=7, headline=2
     )
     centre_of_gravity: Metre | None = value("its centre of gravity from mid-shaft", "mm", "z_S", default=None)
     moment_of_inertia: KilogramMetre2 | None = value(
@@ -150,7 +150,7 @@ class CountershaftResult:
         called=called,
         sign=sign,
         short=True,
-        page_one=6,
+        page_one=8,
     )
     slopes_stiff: dict[str, Radian] = values(
         "Slope of the {row} journal, full stiffness",
@@ -159,7 +159,7 @@ class CountershaftResult:
         id="slope_*_stiff",
         called=called,
         sign=sign,
-        page_one=6,
+        page_one=8,
     )
     first_critical_speed: RevPerSecond | None = value(
         "First bending critical speed on pins (natural frequency)", "rpm", "n_1", default=None, short=True

@@ -98,7 +98,7 @@ class ShaftsResult:
 
     sums: SystemResult = group(spread=True)
     shafts: dict[str, CountershaftResult | TwinResult] = group(spread=True)
-    shaft_mass: Kilogram | None = value("Mass of all shafts", "kg", "Σm_S", default=None, page_one=5)
+    shaft_mass: Kilogram | None = value("Mass of all shafts", "kg", "Σm_S", default=None, page_one=7)
     moment_of_inertia_at_crank: KilogramMetre2 | None = value(
         "Moment of inertia of all shafts, as the crank has it", "kg·mm²", "Σi²J_S", default=None
     )

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from ..imbalance.curves import DRAWN
 from ..imbalance.remedies import roll_torque
 from ..imbalance.result import ImbalanceResult
 from ..library.catalogue import WEAKEST_TENSILE, Material
@@ -120,7 +121,7 @@ def solve(
         lines=tuple(lines),
         curves=Later(partial(curves, result, omega, shaft.bearing_positions)) + step.curves,
         tables=step.tables,
-        notes=Later(lambda: (*notes(shaft, journals), *further)),
+        notes=Later(lambda: (*notes(shaft, journals, result.force > DRAWN * todo.one_force), *further)),
     )
 
 

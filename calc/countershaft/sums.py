@@ -191,19 +191,23 @@ class SystemResult:
         "First-order force left over", "N", "F_left", default=None, short=True, page_one=2
     )
     residual_order_2_couple: NewtonMetre | None = value(
-        "Second-order couple left over", "N·m", "C_left", default=None, short=True, page_one=3
+        "Second-order couple left over", "N·m", "C_left", default=None, short=True, page_one=4
     )
     residual_order_2_force: Newton | None = value(
-        "Second-order force left over", "N", "F_left", default=None, short=True, page_one=4
+        "Second-order force left over", "N", "F_left", default=None, short=True, page_one=5
     )
     residual: dict[str, OrderLeft] = group(words="residual")
     roll_torque_order_1: NewtonMetre | None = value("First-order roll of all shafts", "N·m", "T_roll", default=None)
     roll_torque_order_1_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
-    roll_left_order_1: NewtonMetre | None = value("First-order roll left over", "N·m", "T_left", default=None)
+    roll_left_order_1: NewtonMetre | None = value(
+        "First-order roll left over", "N·m", "T_left", default=None, short=True, page_one=3
+    )
     roll_left_order_1_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
     roll_torque_order_2: NewtonMetre | None = value("Second-order roll of all shafts", "N·m", "T_roll", default=None)
     roll_torque_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
-    roll_left_order_2: NewtonMetre | None = value("Second-order roll left over", "N·m", "T_left", default=None)
+    roll_left_order_2: NewtonMetre | None = value(
+        "Second-order roll left over", "N·m", "T_left", default=None, short=True, page_one=6
+    )
     roll_left_order_2_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
     scatter: SystemScatter | None = group(default=None, words="scatter")
     vectors: dict[int, OrderVectors]  # what is left, by order

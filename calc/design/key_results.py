@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from operator import attrgetter
 
 from ..sheet.check import Check
-from ..sheet.quantity import Published, dotted
+from ..sheet.quantity import Described, Published, ValueKey, dotted
 from .model import STEP_KEYS, Design
 
 Line = tuple[str, int, str]  # a line of the first page: its step, its place there, and the part that it is of
@@ -16,7 +16,10 @@ Line = tuple[str, int, str]  # a line of the first page: its step, its place the
 
 def key_results(values: Mapping[str, Published]) -> dict[Line, Published]:
     """The results of the first page by its lines, each of the part where it is worst; no imbalance that the engine does
-    not have."""
+    not have, and no couple that shafts of forces have not."""
+    from ..countershaft.sums import NOTHING, SystemResult  # with numpy, which the session begins without
+    from ..gears.result import ShaftTurn
+
     lines: dict[Line, list[Published]] = {}
     for v in values.values():
         if v.page_one and v.shown == v.shown:
@@ -26,7 +29,27 @@ def key_results(values: Mapping[str, Published]) -> dict[Line, Published]:
     for line in sorted(lines, key=lambda line: (STEP_KEYS.index(line[0]), line[1])):  # of one place each as it comes
         values_of_line = lines[line]
         worst[line] = (min if is_least(values_of_line[0]) else max)(values_of_line, key=attrgetter("shown"))
-    return {line: v for line, v in worst.items() if v.shown or line[0] != dotted(Design.imbalance)}
+    nothing = {v.about for v in worst.values() if abs(v.inside) <= NOTHING}
+    silent = nothing.intersection(map(_about, (SystemResult.roll_left_order_1, SystemResult.roll_left_order_2)))
+    for couple, force in (
+        (SystemResult.residual_order_1_couple, SystemResult.residual_order_1_force),
+        (SystemResult.residual_order_2_couple, SystemResult.residual_order_2_force),
+        (ShaftTurn.residual_couple, ShaftTurn.residual_force),
+    ):
+        if _about(couple) in nothing and _about(force) not in nothing:
+            silent.add(_about(couple))
+    if _about(ShaftTurn.residual_couple) not in silent:  # one of both is enough
+        silent.add(_about(ShaftTurn.residual_force))
+    return {
+        line: v
+        for line, v in worst.items()
+        if v.about not in silent and (v.shown or line[0] != dotted(Design.imbalance))
+    }
+
+
+def _about(field: object) -> Described:
+    assert isinstance(field, ValueKey), field
+    return field.about
 
 
 def is_least(v: Published) -> bool:

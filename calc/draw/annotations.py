@@ -73,7 +73,11 @@ class Leaf:
         self.marks.append(Dimension(DIMENSION, *ends, high, upright, shift=shift * _MM, label=Name(label)))
 
     def table(self, rows: list[tuple[str, ...]], columns: tuple[float, ...], head: str = "", row: float = 5.0) -> None:
-        """Ruled rows below the origin, the first column's words on its left; a head stands above them."""
+        """Ruled rows below the origin, the first column's words on its left; a head stands above them.  Of two columns
+        the second takes of the first what its longest cell needs: a size is never cut."""
+        if len(columns) == 2 and rows:
+            last = max(columns[1], *(width(cells[1], LETTER) + 3.0 for cells in rows))
+            columns = (sum(columns) - last, last)
         lines: list[tuple[str, ...]] = [(head,), *rows] if head else list(rows)
         low, right = -row * len(lines), sum(columns)
         for n, cells in enumerate(lines):

@@ -65,6 +65,7 @@ def sketch(design: "Design", results: "Results") -> Sketch:
             state = judged(checks, f"friction.{place}")
             losses.append(Loss(words, journal.friction_power, row_key(place), state))
     losses += [
+        Loss(Text("turning masses"), result.mass_loss or 0.0),
         Loss(Text("windage"), result.windage_loss or 0.0),
         Loss(Text("churning"), result.churning_loss or 0.0),
         Loss(Text("oil thrown on"), result.thrown_oil_loss or 0.0),

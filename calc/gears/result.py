@@ -198,7 +198,7 @@ class ShaftTurn:
     residual_couple: NewtonMetre | None = value(
         "Couple left by the phase error", "N·m", "C_Δφ", default=None, short=True, page_one=7, headline=2
     )
-    residual_force: Newton | None = value("Force left by the phase error", "N", "F_Δφ", default=None)
+    residual_force: Newton | None = value("Force left by the phase error", "N", "F_Δφ", default=None, page_one=8)
     tooth_late: "ToothOff | None" = group(default=None, words="one tooth off")
     pair_late: "ToothOff | None" = group(default=None, words="with its mirror image one tooth off")
     wheel: str  # or sprocket

@@ -184,7 +184,10 @@ def roll_notes(imbalance: ImbalanceInputs) -> Iterator[Text]:
             "No pair of shafts carries a force of order {n} here: their places raise no roll torque.",
             n=imbalance.shaft_pair_order,
         )
-    yield Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it.")
+    yield Text(
+        "The torque reaction about the crank's axis stands in the engine step. Of its inertia part two shafts of "
+        "forces at unlike heights take some; that of the gas no mass takes."
+    )
 
 
 def pair_table(pair: ShaftPair, n: int, remedy: dict[str, BalancingRemedy]) -> Table:

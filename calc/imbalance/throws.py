@@ -103,7 +103,7 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
 
 def polygons(engine: EngineInputs, e: EngineResult, throws: Throws) -> tuple[Curve, ...]:
     """The vectors of the cylinders tip to tail: a closed polygon is balanced.  Inline also those of second order, at
-    double angles."""
+    double angles.  A short report has none whose vectors all lie on one line, as those of a flat crank do."""
     crank = e.crank
     if engine.cylinders < 2 or not throws.force:
         return ()
@@ -116,8 +116,9 @@ def polygons(engine: EngineInputs, e: EngineResult, throws: Throws) -> tuple[Cur
         kinds.append((Text("double angles: order 2"), second * np.exp(2j * angles)))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
     couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"
+    flat = all(np.all(np.abs((v * v[0].conj()).imag) <= DUST * abs(v[0]) ** 2) for _, v in kinds)
     moments = [(name, vectors * crank.z) for name, vectors in kinds]
-    drawn = _polygon(*forces, kinds, 4), _polygon(*couples, moments, 5)
+    drawn = _polygon(*forces, kinds, 0 if flat else 4), _polygon(*couples, moments, 0 if flat else 5)
     return tuple(curve for curve in drawn if curve.series)
 
 

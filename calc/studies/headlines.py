@@ -8,7 +8,7 @@ from ..bearings.result import BearingResult
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import called
 from ..countershaft.shafts import ShaftsResult
-from ..countershaft.sums import SystemResult
+from ..countershaft.sums import NOTHING, SystemResult
 from ..design.model import STEPS, Design
 from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
@@ -32,6 +32,7 @@ LEFT = (
     (2, SystemResult.residual_order_2_couple, Order.couple_peak),
     (2, SystemResult.residual_order_2_force, Order.force_peak),
 )
+ROLLS = ((1, SystemResult.roll_left_order_1), (2, SystemResult.roll_left_order_2))
 
 
 @record
@@ -61,11 +62,13 @@ def headline(results: Results, key: str) -> Headline | None:
 
 
 def heads(results: Results, key: str) -> list[Published]:
-    """The values that stand for a step, those that say most first: of several shafts what all leave, and the thinnest
-    films."""
+    """The values that stand for a step, those that say most first: of several shafts the force, the roll and the couple
+    that all leave, and the thinnest films."""
     if len(results.design.shafts) > 1 and key == "countershaft":
-        left = [(n, results.value(field)) for n, field, _ in LEFT]
-        return sorted((v for _, v in left if v is not None and v.shown), key=lambda v: v.unit != "N")
+        left = [results.value(field) for _, field, _ in LEFT]
+        rolls = [results.value(field) for _, field in ROLLS]
+        forces, couples = ([v for v in left if v is not None and v.unit == unit] for unit in ("N", "N·m"))
+        return [v for v in (*forces, *rolls, *couples) if v is not None and v.inside > NOTHING]
     if len(results.design.shafts) > 1 and key == "bearings":
         return sorted(results.values_of(BearingResult.film_edge), key=lambda v: v.shown)
     own = {value.id: value for value in results.outcomes[key].values()}
@@ -275,6 +278,9 @@ def remaining(results: Results) -> Iterator[tuple[str, Text]]:
             yield "countershaft", of_shaft if alone else of_shafts
         elif left is None and before is not None and before.shown:
             yield dotted(Design.imbalance), Text("of order {n} stay {value}", n=n, value=_three(before))
+    for n, field in ROLLS:
+        if (roll := results.value(field)) is not None and roll.inside > NOTHING:
+            yield "countershaft", Text("of the roll of order {n} stay {value}", n=n, value=_three(roll))
     for field, left_field in _SUPPLIED_ELSEWHERE:
         wanted, left = results.value(field), results.value(left_field) if left_field is not None else None
         if wanted is None or not wanted.shown:

@@ -23,7 +23,7 @@ from ..typesetting.tables import Column, Row, noted_below, table
 from .checks import counted, name_of, shown_value, sign_cell
 from .inputs import input_blocks, remarks
 from .proof import proof_blocks, proofs
-from .values import table_blocks, value_blocks
+from .values import table_blocks, there, value_blocks
 
 VERDICT, LONG_VERDICT = 46.0, 66.0
 EARLY = ("verdicts_of", "notes", "tables")
@@ -179,15 +179,16 @@ def twin_blocks(context: Context, step: Step, outcome: Outcome[object], name: st
     """What a twin is, and what it gives; all else is its original's.  The audit has every value of its own."""
     twin = next(shaft for shaft in context.design.resolved if shaft.name == name)
     values = _values_of(context, step, name)
+    how = f"{twin.how}_own" if "bearings" in context.results.of_shafts.get(name, {}) else twin.how
     words = paragraph(
-        context.text(twin.how, of=Name(str(twin.of)), ratio=Amount(twin.inputs.speed_ratio)), BODY, gap=1.0, keep=True
+        context.text(how, of=Name(str(twin.of)), ratio=Amount(twin.inputs.speed_ratio)), BODY, gap=1.0, keep=True
     )
     if context.audit:
         lines = _twin_lines(context, step, outcome, name)
         return words + derivation(context, step, lines) + value_blocks(context, outcome, values)
     told = [
         Text("{label} {value}", label=value.label, value=Amount(value.shown, value.unit))
-        for value in values
+        for value in there(values)
         if value.short
     ]
     return words + paragraph(context.say(Name(" · ").join(told)) + ".", BODY, gap=1.0)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import prod
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -269,7 +270,10 @@ def proof_blocks(context: Context, number: str, step: Step, outcome: Outcome[obj
 
 def _headline(context: Context, step: Step, proven: set[str], known: Known) -> list[Block]:
     """How the value comes about that stands for a step, where no proof shows it."""
-    head = next((value for value in step.heads(context.values) if context.tells(value.id)), None)
+    heads = [value for value in step.heads(context.values) if context.tells(value.id)]
+    if heads and heads[0].about.worst == "least":  # of the bearings the one with the thinnest film
+        heads = sorted((value for value in heads if value.about is heads[0].about), key=attrgetter("shown"))
+    head = next(iter(heads), None)
     if head is None or head.id in proven or not head.shown or not (walk := value(context, head.id, known)).entries:
         return []
     title = f"{context.say(head.label)}: {context.written(head.shown, head.unit)}"

@@ -23,6 +23,7 @@ from .nomenclature import noted
 ACROSS = 7
 NUMBERS = 56.0  # most width of values in a table of two halves
 LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
+VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
 ALIKE = 0.6  # share of results in common, with their names and units, that puts two parts beside each other
 
 
@@ -39,6 +40,15 @@ class _Part:
         return all(v.shown == 0 for v in self.values.values())
 
 
+def there(values: Iterable[Published]) -> Iterator[Published]:
+    """Without the forces and couples that are 0, and the phases behind them: shafts of forces have no couple."""
+    length = 1.0
+    for value in values:
+        length = length if value.id.endswith("_phase") else value.shown
+        if length or value.unit not in VECTORS:
+            yield value
+
+
 def value_blocks(context: Context, outcome: Outcome[object], values: Iterable[Published]) -> list[Block]:
     """Values of a step.  What is zero throughout is named, not tabulated, unless everything is asked for."""
     parts: dict[str, _Part] = {}
@@ -48,7 +58,11 @@ def value_blocks(context: Context, outcome: Outcome[object], values: Iterable[Pu
     nothing = [p for p in parts.values() if p.zero and p.prefix and not context.audit]
     zero = [p.name for p in nothing]
     blocks: list[Block] = []
-    for cluster in _clusters(p for p in parts.values() if p not in nothing):
+    told = [p for p in parts.values() if p not in nothing]
+    if (context.shafts or context.shaft) and not context.audit:
+        for part in told:
+            part.values = {value.id.rpartition(".")[2]: value for value in there(part.values.values())}
+    for cluster in _clusters(p for p in told if p.values):
         if len(cluster) == 1:
             blocks += _single(context, cluster[0])
         else:

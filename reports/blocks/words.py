@@ -133,6 +133,14 @@ WORDS: dict[str, Text] = {
         "{of} once more about an axis of its own, at {ratio} × crank speed. Its drawing, bearings and bending are "
         "those of {of}, as is all that is not said here."
     ),
+    "mirrors_own": Text(
+        "The mirror image of {of}, at {ratio} × crank speed, in bearings of its own. Its drawing is that of {of}, as "
+        "is all that is not said here."
+    ),
+    "repeats_own": Text(
+        "{of} once more about an axis of its own, at {ratio} × crank speed, in bearings of its own. Its drawing is "
+        "that of {of}, as is all that is not said here."
+    ),
     "two": Text("{name} (continued)"), "between": Text("{count} more; {total} in all"),
 }  # fmt: skip
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from ...imbalance.curves import DRAWN
 from ...library.catalogue import Material, proof_of
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.deferred import Later, Many
@@ -128,7 +129,8 @@ def making(
         seat = max((Seat(d, l, load) for (d, l), load in ends), key=lambda seat: seat.diameter, default=None)
         mass = result.mass if shaft.sector_material is None else None  # else not all of it is in the other material
         other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, mass, seat)
-        step.tables += Later(lambda: [compared_table(shaft, other)])
+        what = Text("force") if result.force > DRAWN * step.todo.one_force else Text("couple")
+        step.tables += Later(lambda: [compared_table(shaft, other, what)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
         bolted = bolts.tightened(shaft.bolts, support)

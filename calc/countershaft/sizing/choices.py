@@ -202,8 +202,9 @@ COLUMNS = (
 )
 
 
-def compared_table(shaft: ShaftInputs, results: Mapping[str, MaterialResult]) -> Table:
-    """The materials beside each other; columns that nothing is known of are left out."""
+def compared_table(shaft: ShaftInputs, results: Mapping[str, MaterialResult], what: Text) -> Table:
+    """The materials beside each other; columns that nothing is known of are left out.  `what`: that they all give, the
+    couple or the force."""
     rows = list(results.values())
     whole = any(row.shaft_mass is not None for row in rows)  # which says more than the sectors alone
     shown = [
@@ -224,8 +225,9 @@ def compared_table(shaft: ShaftInputs, results: Mapping[str, MaterialResult]) ->
         for row in rows
     )
     note = Text(
-        "The same couple from sectors of the same length and half-angle, so that a lighter material needs a larger "
-        "radius."
+        "The same {what} from sectors of the same length and half-angle, so that a lighter material needs a larger "
+        "radius.",
+        what=what,
     )
     if whole:
         note += Text(" The largest journal grows with them, the rest of the shaft keeps its shape.")

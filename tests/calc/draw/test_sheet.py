@@ -7,7 +7,7 @@ from itertools import combinations, pairwise
 import pytest
 
 from calc.design.toml_file import Document, design, read
-from calc.draw.annotations import corners
+from calc.draw.annotations import Leaf, corners
 from calc.draw.drawing import (
     CENTRE,
     DIMENSION,
@@ -293,3 +293,12 @@ def test_sections_are_lettered_once_for_each_kind_and_a_whole_ring_has_no_angle(
 def test_a_shaft_without_outline_has_no_sheet():
     data = copy.deepcopy(read(DESIGNS / "twin_force_shaft.toml").data)
     assert shaft_sheet(solve(design(Document(data)))) is None
+
+
+def test_a_size_is_never_cut_in_a_table():
+    """The column of sizes takes of the words what it needs, and no more."""
+    size = "15.463 (−0.035/−0.045)"
+    for cell, words in ((size, ["Span over 3 teeth", size]), ("15", ["Span over 3 teeth", "15"])):
+        leaf = Leaf()
+        leaf.table([("Span over 3 teeth", cell)], (68.0, 44.0))
+        assert [mark.text for mark in leaf.marks if isinstance(mark, Words)] == words

@@ -9,7 +9,7 @@ from calc.design.addresses import Table
 from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.check import Check
 from calc.solve import Results, solve
-from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
+from calc.studies.headlines import closest_limit, headline, heads, main_numbers, remaining
 from calc.studies.ready import NO_PLAIN, OF_PROGRAM, Readiness, limits_hold, readiness, whole
 from calc.studies.shipped import DESIGNS, EXAMPLE, engine_design
 from calc.studies.starter import build
@@ -189,5 +189,11 @@ def test_a_number_of_the_drive_is_told_where_there_is_one(name: str) -> None:
     if (loss := results.values().get("friction.total_loss")) is not None:
         assert float(told["loss"].split(" W")[0]) == pytest.approx(loss.shown, rel=5e-3)
     assert ("force for the shaft" in told) == (name in ("twin_drive", "twin_force_shaft", "twin_mounting"))
+    if name == "r754ie4_balance_shafts":  # the roll beside the force, at the end and in the step's line
+        assert ("countershaft", "of the roll of order 2 stay 842 N·m") in list(remaining(results))
+        assert [v.id.rpartition(".")[2] for v in heads(results, "countershaft")] == [
+            "residual_order_2_force",
+            "roll_left_order_2",
+        ]
     of_one = "bearings.front.film" in results.values() and len(results.design.shafts) < 2
     assert ("films at the edge" in told) == of_one

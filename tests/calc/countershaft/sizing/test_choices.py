@@ -29,6 +29,7 @@ from calc.imbalance import solve as imbalance
 from calc.library.catalogue import Material
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.remedy import assignments
+from calc.sheet.text import Text
 from tests.calc.countershaft.shafts import bearing_rows
 
 STEEL, ADI = 7860.0, 7200.0
@@ -140,7 +141,10 @@ def test_what_is_not_known_is_left_out(case):
     shaft = replace(case[0], cost=None, support=None)
     (only,) = compared(shaft, MATERIALS, None, None, 5.0).values()
     assert only.density == STEEL and only.outer_radius is only.first_year_cost is only.wall_left is None
-    assert [label for label, _ in compared_table(shaft, {"steel": only}).columns] == ["material", "density"]
+    assert [label for label, _ in compared_table(shaft, {"steel": only}, Text("couple")).columns] == [
+        "material",
+        "density",
+    ]
     partly = replace(case[0], cost=replace(FINOTTI, alternatives=FINOTTI.alternatives[1:]))
     found = compared(partly, MATERIALS, 0.0405, 0.015, 5.0)
     assert (
@@ -151,7 +155,7 @@ def test_what_is_not_known_is_left_out(case):
 
 
 def test_the_table_of_materials_is_in_its_units(case):
-    table = compared_table(case[0], compared(case[0], MATERIALS, 0.0405, 0.015, 5.379))
+    table = compared_table(case[0], compared(case[0], MATERIALS, 0.0405, 0.015, 5.379), Text("couple"))
     rows = {row[0]: dict(zip((label for label, _ in table.columns), row)) for row in table.rows}
     assert rows["steel"]["outer radius"] == pytest.approx(40.5) and rows["steel"]["first year"] == 210
     assert rows["ADI"]["development it bears"] == 40 and rows["steel"]["development it bears"] is None
