@@ -3,10 +3,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 
 from calc.bearings.selection import search as bearing_search
 from calc.bearings.selection import tables as bearing_tables
-from calc.bearings.selection.variants import SUPPLY
+from calc.bearings.selection import together
+from calc.bearings.selection.search import Settled
+from calc.bearings.selection.variants import SUPPLY, SelectionCase
 from calc.countershaft.sizing import choices as sizing
 from calc.countershaft.sums import SystemShaft
 from calc.design.model import Design
@@ -125,15 +128,15 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
     fit the shaft and keep every rule at the worst corner."""
     assert design.bearings is not None
     case = bearings_case(design, solve, shaft=name)
+    if len(case.rows) > 2:
+        return _sharing(case, progress)
     selection = bearing_search.search(case, progress=progress)
 
     def taken(number: int) -> Changes:
         """Rows that were not solved as whole designs are so now."""
         row = selection.all[number - 1]
         if number > selection.verified:
-            settled = bearing_search.confirmed(case, row, selection.slopes[0])
-            if settled.row is None:
-                raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
+            _confirm(bearing_search.confirmed(case, row, selection.slopes[0]), number)
         return bearing_search.bearing_changes(row, case)
 
     def written(number: int) -> Text:
@@ -167,6 +170,41 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
         notes=bearing_tables.notes(selection),
         hidden=lambda top: bearing_tables.hidden(selection, top),
     )
+
+
+def _sharing(case: SelectionCase, progress: Progress | None) -> Offer:
+    """The same of more than two bearings, which share their load: sizes and clearances alone."""
+    selection = together.search(case, progress)
+
+    def taken(number: int) -> Changes:
+        row = selection.rows[number - 1].row
+        _confirm(together.confirmed(case, row, selection.slopes, selection.asked), number)
+        return bearing_search.bearing_changes(row, case)
+
+    def written(number: int) -> Text:
+        chosen = selection.rows[number - 1]
+        return Text(
+            "now has the bearings of row {row} ({change}): {power}",
+            row=number,
+            change=bearing_tables.changed(chosen.row) or Text("lengths and clearances as they were"),
+            power=Amount(chosen.power, "W"),
+        )
+
+    return Offer(
+        count=len(selection.rows),
+        table=lambda top: together.choices_table(selection, top),
+        keys=taken,
+        said=written,
+        hint=Text("`--apply N` writes the N-th row into the design; `--top N` shows more."),
+        summary=together.summary(selection),
+        notes=together.notes(selection),
+    )
+
+
+def _confirm(settled: Settled, number: int) -> None:
+    """Raises NoSolution where a row does not pass in the whole design."""
+    if settled.row is None:
+        raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
 
 
 def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer:
@@ -203,10 +241,10 @@ def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer
         tables = (
             *idler_tables,
             gear_tables.sliding_table(selection, top),
-            gear_tables.wants_table(selection),
-            gear_tables.around_table(selection),
+            gear_tables.first_rows(gear_tables.wants_table(selection), top),
+            gear_tables.first_rows(gear_tables.around_table(selection), top),
             gear_tables.limits_table(selection),
-            gear_tables.cuts_now_table(selection),
+            gear_tables.first_rows(gear_tables.cuts_now_table(selection), top),
             gear_tables.cuts_best_table(selection, top),
         )
         return tuple(table for table in tables if table is not None)
@@ -312,6 +350,8 @@ def _known(step: str, design: Design, shaft: str) -> None:
         why = Text("is as {name}: choose for that", name=Name(twin.mirrors or twin.repeats or ""))
     elif shaft not in design.originals:
         why = Text("is no shaft of this design; there are {names}", names=", ".join(design.originals))
+        if near := get_close_matches(shaft, [each.name for each in design.shafts], 1):
+            why = Text('is no shaft of this design; did you mean "{near}"?', near=near[0])
     else:
         return
     raise BadInput("contralbero choose", [InputError(0, "--shaft", shaft, why)])

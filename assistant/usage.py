@@ -47,7 +47,9 @@ def new(it: argparse.ArgumentParser) -> None:
         default="",
         choices=("none", "half", "shaft", "repeat", "pair", "second", "pair_and_second"),
         metavar="ID",
-        help="which shafts: %(choices)s (left out: those that the engine is built with)",
+        help="which shafts (left out: those that the engine is built with): none; half, none, and half of the "
+        "reciprocating mass on the crank; shaft, one against the crank at its speed; repeat, two such; pair, one with "
+        "the crank and one against it at its speed; second, such a pair at twice its speed; pair_and_second, both",
     )
     it.add_argument(
         "--set",
@@ -56,7 +58,8 @@ def new(it: argparse.ArgumentParser) -> None:
         default=[],
         metavar=KEY_VALUE,
         dest="changes",
-        help="numbers of an engine of your own, for which all the rest is built: engine.bore_mm=84",
+        help="numbers of an engine of your own, for which all the rest is built: engine.bore_mm=84; crank_radius_mm, "
+        "rod_length_mm, piston_mass_g, rod_mass_g, rod_cg_to_big_end_mm, rated_speed_rpm …; and its name=",
     )
     it.add_argument("--mounts", action="store_true", help="put it on four mounts too")
     it.add_argument("--list", action="store_true", help="list the shipped engines")

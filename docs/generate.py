@@ -116,7 +116,8 @@ The diesel R754IE4, with the crank train of its sister of three cylinders, leave
 stay. One shaft a tooth of 24 off, and {tooth:.0f} N stay.
 
 Each shaft runs in three bearings. On rigid supports the middle one would carry {pin:.0f} N and the outer ones {end:.0f} N; in their films they carry {middle:.0f} and
-{outer:.0f} N, because a film that is loaded more gives way more. A middle bore that is wider gives still more of its load to its neighbours, {wide_middle:.0f} and {wide_outer:.0f} N:
+{outer:.0f} N, because a film that is loaded more gives way more. A middle bore that is wider gives still more of its load to its neighbours, {wide_middle:.0f} and {wide_outer:.0f} N,
+and fails: its own film is then {wide_film:.1f} µm of {wide_needs:.1f}:
 
     contralbero check designs/r754ie4_balance_shafts.toml --set shafts.left.bearings.middle.clearance_um=90
 
@@ -177,6 +178,8 @@ def pair() -> str:
         outer=as_built["bearings.left.front.load"],
         wide_middle=wide["bearings.left.middle.load"],
         wide_outer=wide["bearings.left.front.load"],
+        wide_film=wide["bearings.left.middle.film_edge"],
+        wide_needs=film.limit,
         hot=results.values()[film.id].shown,
         needs=film.limit,
         roll=as_built["countershaft.roll_left_order_2"],

@@ -569,3 +569,15 @@ def test_an_input_is_explained_by_its_help(key, head, help):
 def test_a_check_on_no_published_value_is_explained_by_what_it_judges(check, said):
     done = run("explain", GAMMA, check)
     assert done.returncode == 0 and done.stdout.startswith(f"{check}: ") and said in done.stdout
+
+
+def test_an_engine_with_numbers_of_its_own_is_no_shipped_one():
+    from calc.sheet.errors import BadInput
+    from calc.studies.shipped import engine_alone
+
+    assert engine_alone("inline-4", {}).data["engine"]["name"] != "own-inline-4"
+    assert engine_alone("inline-4", {"engine.bore_mm": 84}).data["engine"]["name"] == "own-inline-4"
+    assert engine_alone("inline-4", {"engine.bore_mm": 84, "name": "mine"}).data["engine"]["name"] == "mine"
+    with pytest.raises(BadInput) as caught:
+        engine_alone("inline-4", {"engine.bore_mm": -84, "engine.bor": 3})
+    assert len(caught.value.errors) == 2

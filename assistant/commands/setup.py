@@ -10,11 +10,12 @@ from pathlib import Path
 
 from assistant.session.saving import write_asked
 from calc.design.addresses import parse_assignment
-from calc.design.model import step_of
+from calc.design.model import Design, step_of
 from calc.design.schema import schema_text
 from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
-from calc.studies.shipped import engine_design, engines
+from calc.studies.shipped import engine_alone, engine_design, engines
 
 # --- contralbero completion SHELL
 
@@ -57,32 +58,34 @@ def run_new(asked: Namespace) -> int:
         for row in rows:
             print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
         return 0
+    errors: list[InputError] = []
     if asked.engine not in shipped:
-        raise BadInput(
-            "--engine",
-            [
-                InputError(
-                    0,
-                    "",
-                    asked.engine,
-                    Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)),
-                )
-            ],
-        )
+        unknown = Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped))
+        errors.append(InputError(0, "--engine", asked.engine, unknown))
     if asked.file is None:
-        raise BadInput(
-            "contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))]
-        )
+        errors.append(InputError(0, "FILE", "", Text("needs the name of the file to write, like my_engine.toml")))
+    elif Path(asked.file).exists():
+        there = Text("exists already and is left alone; choose another name")
+        errors.append(InputError(0, asked.file, "", there))
+    changes = dict[str, object]()
+    for assignment in asked.changes:
+        try:
+            key, value = parse_assignment(assignment)
+        except BadInput as bad:
+            errors += bad.errors
+            continue
+        if key != dotted(Design.name) and step_of(key, judged=True) != "engine":
+            errors.append(InputError(0, key, "", Text("is no key of the engine; change it in the file")))
+        else:
+            changes[key] = value
+    if asked.engine in shipped:
+        try:
+            engine_alone(asked.engine, changes)
+        except BadInput as bad:
+            errors += bad.errors
+    if errors:
+        raise BadInput("contralbero new", errors)
     path = Path(asked.file)
-    if path.exists():
-        raise BadInput(
-            str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))]
-        )
-    changes = dict(map(parse_assignment, asked.changes))
-    if others := [key for key in changes if step_of(key, judged=True) != "engine"]:
-        raise BadInput(
-            "--set", [InputError(0, key, "", Text("is no key of the engine; change it in the file")) for key in others]
-        )
     try:
         text = engine_design(asked.engine, asked.arrangement, changes, asked.mounts)
     except NoSolution as none:

@@ -120,7 +120,7 @@ def solve(
             seats.append(BearingCase(bearing, bearings.of(bearing), lubricant, clearance, *expansions))
         with untraced():
             duty = operating_point(bearings, 0.0, speed)
-        turning, films = _condensed(bearings, rows, shaft), None
+        turning, films = condensed(bearings, rows, shaft), None
         sense = -1 if speed_ratio is not None and speed_ratio < 0 else 1
         if turning is not None and len(rows) > 2:
             films = shared(turning, seats, duty, sense)
@@ -218,7 +218,7 @@ def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:
     return 0.0 if shaft is None else shaft.loads[bearing.name]
 
 
-def _condensed(
+def condensed(
     bearings: BearingsInputs, rows: tuple[BearingRow, ...], shaft: CountershaftResult | None
 ) -> Condensed | None:
     """The turning shaft as its films know it; None where it is not known how it bends, where a load is given, which

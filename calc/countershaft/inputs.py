@@ -210,8 +210,8 @@ class Scatter:
 
 
 NO_ORDER = Text(
-    "must be -1, 1, -2 or 2: half orders are of the gas torque, which no rotating mass takes, and orders of 4 and "
-    "above are lived with; a pump or a cam at 0.5 is a wheel, not a shaft"
+    "no shaft balances this order, must be -1, 1, -2 or 2: half orders are of the gas torque, which no rotating mass "
+    "takes, and those above 2 are lived with; a pump or a cam at 0.5 is a wheel, not a shaft"
 )
 
 
@@ -282,7 +282,7 @@ class ShaftInputs:
     speed_ratio: float = quantity(
         "Speed ratio to the crank",
         default=ASKED_ELSEWHERE,
-        within=(-2, 2),
+        within=(-100, 100),
         symbol="i",
         source="Finotti 2013, 2.3.3",
         help="−1: crank speed, opposite sense; 1, 2 and −2.",

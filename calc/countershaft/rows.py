@@ -345,7 +345,12 @@ class BearingRow:
         if self.name.isascii() and self.name.isdigit():
             yield dotted(BearingRow.name), Text("must not be figures alone, by which elements are counted")
         if self.clearance is not None and self.clearance_factor is not None:
-            yield dotted(BearingRow.clearance), Text("give either clearance_um or clearance_factor, one of the two")
+            both = Text(
+                "give either clearance_um or clearance_factor, one of the two; `--set ….{row}.clearance_factor=` takes "
+                "that out",
+                row=self.name,
+            )
+            yield dotted(BearingRow.clearance), both
         if self.clearance is not None and self.diameter is not None and self.clearance >= 0.1 * self.diameter:
             yield dotted(BearingRow.clearance), Text("must stay below a tenth of the diameter")
         if self.carrier_bore is not None and self.diameter is not None and self.carrier_bore <= self.diameter:

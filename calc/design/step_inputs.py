@@ -588,10 +588,6 @@ def bearings_case(
     view = design.views[shaft] if shaft is not None else next(iter(design.views.values()))
     own = view.own
     assert own is not None  # bearings stand in its rows
-    if len(own.bearings) != 2:
-        three = Text("the shaft has {n}, which share its load", n=len(own.bearings))
-        advice = Text("vary one of them: sweep its key, or set it")
-        raise NoSolution(Text("only the bearings of a shaft that has two are searched"), three, advice)
     done = results if results is not None else solve(design)
     gear = shaft_gear(design, done.result(TrainResult), own.name)
 

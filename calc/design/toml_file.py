@@ -18,6 +18,7 @@ from typing import Any, TypeVar
 
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.rows import BearingRow
+from ..gears.inputs import GearsInputs
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from ..sheet.quantity import Quantity, dotted, keys, unknown
 from ..sheet.record import record
@@ -258,6 +259,10 @@ PLACEHOLDER: Table = {
 # --- checking
 
 
+# arrays whose elements an error calls by their names
+NAMED = tuple(f"{dotted(key)}." for key in (Design.shafts, dotted(Design.gears, GearsInputs.wheels)))
+
+
 class _Reader:
     """Walks a document along the Inputs classes and collects every error."""
 
@@ -272,8 +277,8 @@ class _Reader:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
         if not _lies_within(key, self.told):
             own, words = own_key(self.was, key), "" if value is None else written(value)
-            of_shaft = own == key and key.startswith(f"{dotted(Design.shafts)}.")
-            called = by_names(self.document.data, key) if of_shaft else ""
+            has_name = own == key and key.startswith(NAMED) and len(self.errors) < SHOWN_ERRORS  # else nobody reads it
+            called = by_names(self.document.data, key) if has_name else ""
             self.errors.append(InputError(self.line(key), own, words, reason, called))
         self.wrong.add(key)
         return PLACEHOLDER[kind]

@@ -14,6 +14,7 @@ from ..design.model import SCHEMA, Design
 from ..design.toml_file import Document, design, parse
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.table_file import parsed, text_of_table
+from ..sheet.errors import BadInput, InputError
 from ..sheet.quantity import dotted
 from ..sheet.text import Text
 from ..sheet.value import recorded
@@ -93,9 +94,8 @@ def engine_design(
     arrangement = row.get("arrangement", Arrangement())
     if "design" in row and not (balancing or changes or mounts):
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
-    document = Document({"schema": SCHEMA, "name": name, "engine": deepcopy(_engine(row))}, name)
-    for key, value in (changes or {}).items():
-        document = document.with_value(key, value)
+    document = engine_alone(name, changes or {})
+    own = [key for key in changes or {} if key not in (NAME, ENGINE_NAME)]
     usual = {dotted(ImbalanceInputs.crank_balance_fraction): 0.5, dotted(ImbalanceInputs.kinematics): "exact"}
     document = document.with_value(dotted(Design.imbalance), usual | row.get("imbalance", {}))
     from ..solve import solve
@@ -107,13 +107,19 @@ def engine_design(
     if balancing not in ("", "shaft"):
         document = built(document, "imbalance", balancing)
     engine, imbalance = as_table(document.data["engine"]), as_table(document.data["imbalance"])
-    title = str(engine["name"])
+    title = str(document.data[NAME] if NAME in (changes or {}) else engine[NAME])
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
-    words = dict(what=row["what"], source=row["source"])
+    words = dict(what=row["what"], source=row["source"], engine=name, keys=", ".join(own))
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
-    if balancing == arrangement.get("balancing") and "built" in arrangement:
+    if own:
+        note = Text(
+            "An engine of its own, by {keys}; all else of [engine] is that of the shipped {engine}, to be replaced. "
+            "What rules of this program have added is marked as assumed.",
+            **words,
+        )
+    elif balancing == arrangement.get("balancing") and "built" in arrangement:
         there = dict(note=note, built=arrangement["built"], source=arrangement["source"])
         note = Text("{note} Built with: {built} ({source}); bearings here are plain, wheels a train.", **there)
     with recorded(False):
@@ -122,6 +128,34 @@ def engine_design(
             document = parse(text.encode("utf-8"), name)
             text += written(mounting(document, solve(design(document))))
     return text
+
+
+NAME = dotted(Design.name)
+ENGINE_NAME = f"{dotted(Design.engine)}.{NAME}"
+
+
+def engine_alone(name: str, changes: "Mapping[str, object]") -> Document:
+    """A design of the engine alone with keys that are others; one with numbers of its own has a name of its own.
+
+    Raises BadInput with all that is wrong of them."""
+    engine = engine_table(name)
+    document = Document({"schema": SCHEMA, "name": name, "engine": engine}, name)
+    if not changes:
+        return document
+    errors: list[InputError] = []
+    called = changes.get(NAME, engine[NAME] if set(changes) <= {ENGINE_NAME} else f"own-{name}")
+    for key, value in {ENGINE_NAME: called, **changes}.items():
+        try:
+            document = document.with_value(key, value)
+        except BadInput as bad:
+            errors += bad.errors
+    try:
+        design(document)
+    except BadInput as bad:
+        errors += bad.errors
+    if errors:
+        raise BadInput("--set", errors)
+    return document
 
 
 def engine_table(name: str) -> "Table":

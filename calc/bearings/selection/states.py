@@ -18,6 +18,7 @@ import numpy as np
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import called
+from ...countershaft.sizing.stretches import gap_of
 from ...library import journal_rules
 from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
@@ -191,6 +192,12 @@ def room(given: ShaftInputs | None, shaft: CountershaftResult | None, place: str
     if given is None:
         return JournalRoom(None, Text("no counter-shaft is given, so that the room for the journals is not known"))
     z = next(row.position for row in given.bearings if row.name == place)
+    inner = given.bearings[0].position < z < given.bearings[-1].position
+    if given.mode == "size" and inner:
+        if given.gap is None:
+            return JournalRoom(None, Text("the sectors leave an inner journal what it needs"))
+        why = Text("the sectors leave {gap} there (gap_mm), with two fillets on either side", gap=mm(given.gap))
+        return JournalRoom(given.gap - gap_of(l=0.0, r=given.fillet_radius or 0.0), why)
     if given.mode == "size" and given.half_length is not None:
         reach = Amount(given.half_length * 1e3, "mm", form="g")
         why = Text("the sectors reach to ±{half_length} (half_length_mm)", half_length=reach)

@@ -148,8 +148,8 @@ def _sizes(row: CandidateRow, wide: bool) -> Cells:
     cells: list[str | float | None] = []
     for pick in row.picks:
         size = Text("{d}×{l}", d=short_mm(pick.diameter), l=short_mm(pick.length))
-        cells.append(size if wide else _rounded(pick.length * 1e3, 4))
-        cells.append(_rounded(pick.clearance * 1e6, 3))
+        cells.append(size if wide else rounded(pick.length * 1e3, 4))
+        cells.append(rounded(pick.clearance * 1e6, 3))
     return tuple(cells)
 
 
@@ -161,9 +161,9 @@ def _cells(number: str, row: CandidateRow, wide: bool, extra: Text) -> Cells:
         max(pick.rise for pick in row.picks),
     )
     mckee = () if wide and extra else (min(pick.mckee for pick in row.picks),)
-    numbers = (_rounded(x, 3) for x in (*films, *mckee, round(worse.margin * 100, 1)))
-    by = Text("{rule} {letter}", rule=_short_name(worse.governing), letter=letter_of(worse.task.place))
-    cells: Cells = (*_first_cells(number, row, wide), _rounded(row.power, 4), *numbers, by)
+    numbers = (rounded(x, 3) for x in (*films, *mckee, round(worse.margin * 100, 1)))
+    by = Text("{rule} {letter}", rule=short_name(worse.governing), letter=letter_of(worse.task.place))
+    cells: Cells = (*_first_cells(number, row, wide), rounded(row.power, 4), *numbers, by)
     return (*cells, _too_long(row) if extra == TOO_LONG else _asks(row)) if extra else cells
 
 
@@ -190,12 +190,12 @@ def _asks(row: CandidateRow) -> Text:
     return COMMA.join([*words, *(["/".join(row.variant.fits)] if row.variant.fits else [])])
 
 
-def _short_name(check: Check) -> Text:
+def short_name(check: Check) -> Text:
     """Its word in a column, else its name."""
     return RULES.get(check.rule, check.name)
 
 
-def _rounded(number: float, digits: int = 6) -> float | None:
+def rounded(number: float, digits: int = 6) -> float | None:
     return float(f"{number:.{digits}g}") if abs(number) < float("inf") else None
 
 
@@ -311,7 +311,7 @@ def _outcome(choices: BearingsFound, row: CandidateRow, neighbour: Neighbour) ->
     if neighbour.instead.margin < 0:
         digits = 4 if f"≥ {short(c.value)} {c.unit}" != c.limit_text() else 6  # a miss that four digits would hide
         corner = neighbour.instead.corner
-        return _short_name(c), value_of(c, digits), c.limit_text(), CORNERS.get(corner, corner)
+        return short_name(c), value_of(c, digits), c.limit_text(), CORNERS.get(corner, corner)
     more = Amount(abs(neighbour.more), "W", form=".2g")
     words = Text("passes, {power} less", power=more)
     if neighbour.more >= 0:
@@ -339,7 +339,7 @@ def pareto_table(choices: BearingsFound) -> Table:
     rows = []
     for number, row in enumerate(choices.pareto, len(choices.rows) + len(choices.beyond) + 1):
         last = (_too_long(row) if extra == TOO_LONG else _asks(row),) if extra else ()
-        rows.append((*_first_cells(str(number), row, wide), _rounded(row.power, 4), _rounded(row.film * 1e6, 3), *last))
+        rows.append((*_first_cells(str(number), row, wide), rounded(row.power, 4), rounded(row.film * 1e6, 3), *last))
     note = Text("h_edge: the thinner of both. Between two rows lies no candidate with less power for its film.")
     title = Text("Pareto set: power against film")
     if not choices.rows:

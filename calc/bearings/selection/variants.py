@@ -111,15 +111,16 @@ class Variant:
 def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
     """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be
     known."""
+    only_two(case)
     if any(case.bearings.of(row).supply == "axial_groove" for row in case.rows):
         what = Text("the search for bearings does not know films between axial grooves")
         raise NoSolution(what, EMPTY, Text("search with a hole, then set the grooves"))
     by_place = {place: [task] for place, task in own_tasks(case).items()}
     free = [row.name for row in case.rows if not tied(case, row)]
     for share in DIAMETERS if free else ():
-        other = _with_diameters(case.rows, share, free)
+        other = with_diameters(case.rows, share, free)
         try:
-            there = _solved(case, other)
+            there = solved_or_probed(case, other)
         except NoSolution:
             continue
         for row in other:
@@ -130,8 +131,31 @@ def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
 
 def own_tasks(case: SelectionCase) -> dict[str, BearingTask]:
     """Each bearing at the design's own diameter.  Raises NoSolution where what it carries can not be known."""
-    solved = _solved(case, case.rows)
+    only_two(case)
+    solved = solved_or_probed(case, case.rows)
     return {row.name: _task(case, row, solved) for row in case.rows}
+
+
+def only_two(case: SelectionCase) -> None:
+    """Raises NoSolution where the bearings share their load, so that none can be chosen for itself."""
+    if len(case.rows) != 2:
+        three = Text("the shaft has {n}, which share its load", n=len(case.rows))
+        advice = Text("choose them: `contralbero choose FILE bearings`")
+        raise NoSolution(Text("only the bearings of a shaft that has two are searched here"), three, advice)
+
+
+def tasks_of(
+    case: SelectionCase,
+    solved: Solution,
+    rows: tuple[BearingRow, ...] = (),
+    at_own: Mapping[str, BearingTask] | None = None,
+) -> dict[str, BearingTask]:
+    """Each bearing of a solved design that carries enough to be judged.  `rows`: as they are there, else those of the
+    design; `at_own`: the tasks of the design, whose sizes a change counts from."""
+    there = solved.result(BearingsResult)
+    assert there is not None
+    loaded = [row for row in rows or case.rows if not there.bearings[row.name].seat.centred]
+    return {row.name: _task(case, row, solved, (at_own or {}).get(row.name)) for row in loaded}
 
 
 def tied(case: SelectionCase, row: BearingRow) -> Text:
@@ -158,7 +182,7 @@ def tied(case: SelectionCase, row: BearingRow) -> Text:
     return EMPTY
 
 
-def _solved(case: SelectionCase, rows: tuple[BearingRow, ...]) -> Solution:
+def solved_or_probed(case: SelectionCase, rows: tuple[BearingRow, ...]) -> Solution:
     """Results, with the shaft in view, in which its bearings have an answer: those of the design, else of one with
     other lengths and clearances.
 
@@ -189,7 +213,7 @@ def _task(case: SelectionCase, bearing: BearingRow, solved: Solution, at_own: Be
     """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts
     from."""
     there = solved.result(BearingsResult)
-    assert there is not None  # what `_solved` gave
+    assert there is not None  # what `solved_or_probed` gave
     place, bearings = bearing.name, case.bearings
     result = there.bearings[place]
     space = room(case.shaft, case.seen(drawn(case)).result(CountershaftResult), place, bearing.diameter)
@@ -259,7 +283,7 @@ def closer_fits(bearings: BearingsInputs) -> list[tuple[str, str]]:
     return closer
 
 
-def _with_diameters(rows: tuple[BearingRow, ...], share: float, free: list[str]) -> tuple[BearingRow, ...]:
+def with_diameters(rows: tuple[BearingRow, ...], share: float, free: list[str]) -> tuple[BearingRow, ...]:
     """Diameters of those that are free changed by a share, on the step of their input."""
     step = DIAMETER.units.inside(DIAMETER.step or 0.5)
     return tuple(

@@ -82,6 +82,16 @@ def around_table(result: ShiftsFound) -> Table | None:
     return _rows_table(result, "around", title, _numbered(result, result.around), note)
 
 
+def first_rows(table: Table | None, top: int) -> Table | None:
+    """A table up to its `top` numbered rows, and how many more there are."""
+    numbered = [n for n, row in enumerate(table.rows) if str(row[0]).isdigit()] if table is not None else []
+    if table is None or len(numbered) <= top:
+        return table
+    more = Text("{n} more; --top N shows more.", n=len(numbered) - top)
+    note = Text(" ").join([table.note, more]) if table.note else more
+    return replace(table, rows=table.rows[: numbered[top]], note=note)
+
+
 def _now(result: ShiftsFound) -> list[tuple[str, ShiftRow]]:
     return [(NOW, result.now)] if result.now else []
 
@@ -150,7 +160,7 @@ def sliding_table(result: ShiftsFound, top: int) -> Table:
     columns += _columns(Text("ζ_A driver"), Text("ζ_A driven"), Text("ζ_B driver"), Text("ζ_B driven"), Name("ε_α"))
     columns += _columns(Name("s_an/m_n"), Text("above fillet/m_n"), Name("c/m_n"))
     cells: list[Cells] = []
-    for n, row in _now(result) + _numbered(result, (*result.optima[:top], *result.wants)):
+    for n, row in _now(result) + _numbered(result, (*result.optima, *result.wants)[:top]):
         for i, key in enumerate(row.states.contact_ratio):
             cells.append((n if i == 0 else "", *_mesh_cells(result, row, key)))
     note = Text(

@@ -14,7 +14,8 @@ from calc.bearings.loads import _standing as standing_part
 from calc.bearings.result import BearingsResult
 from calc.bearings.routes.states import resized
 from calc.bearings.routes.thermal_balance import settled
-from calc.bearings.selection.search import search
+from calc.bearings.selection import together
+from calc.bearings.selection.search import nearest_row
 from calc.bearings.sketch import sketch
 from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
@@ -344,9 +345,27 @@ def test_a_film_that_can_not_carry_its_share_ends_the_step():
     assert found.state == "no_solution" and found.reason
 
 
+def test_a_row_of_several_bearings_that_is_written_passes(monkeypatch):
+    """One alone, on few nodes: what is offered holds as it then stands in the file."""
+
+    def middle(case, own, there, variant, free, asked, progress):
+        return together._group(case, "middle alone", own, there, variant, ("middle",), asked)
+
+    monkeypatch.setattr(together, "_groups", middle)
+    monkeypatch.setattr(together, "NODES", 2)
+    monkeypatch.setattr(together, "KINDS", (("limit",),))
+    smooth = {name: {"journal_roughness_um": 0.2, "housing_roughness_um": 0.2} for name in NAMES}
+    three = solved("r754-films", rows=smooth)
+    case = bearings_case(three.design, solve, three)
+    found = together.search(case)
+    assert found.rows
+    settled = together.confirmed(case, found.rows[-1].row, found.slopes, found.asked)
+    assert settled.row is not None and not settled.results.outcomes["bearings"].verdict == "fail"
+
+
 def test_only_two_bearings_are_searched(three):
     with pytest.raises(NoSolution, match="has two"):
-        search(bearings_case(three.design, solve, three))
+        nearest_row(bearings_case(three.design, solve, three))
     with pytest.raises(BadInput) as caught:
         problem(on_bearings("r754-films"), None)
     assert any("not searched whole yet" in str(error.reason) for error in caught.value.errors)
