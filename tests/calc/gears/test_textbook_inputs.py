@@ -60,8 +60,8 @@ def test_the_module_is_given_once(new, wanted):
 @pytest.mark.parametrize(
     "old, new, key",
     [
-        (r"teeth = \d+", "teeth = -70", "gears.wheels.0.teeth: -70: must be a whole number from 5 to 1000; "),
-        (r"teeth = \d+", "teeth = 70\ninternal = true", "gears.wheels.0.internal: "),
+        (r"teeth = \d+", "teeth = -70", "gears.wheels.crank.teeth: -70: must be a whole number from 5 to 1000; "),
+        (r"teeth = \d+", "teeth = 70\ninternal = true", "gears.wheels.crank.internal: "),
         (r"driven = ", "internal = true\ndriven = ", "gears.meshes.0.internal: "),
         (
             r"centre_distance_mm = [\d.]+",

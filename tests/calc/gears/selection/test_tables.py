@@ -88,11 +88,13 @@ def test_the_rows_around_the_optimum_are_round_and_rise_on_both_sides(found):
 
 
 def test_the_sliding_of_every_mesh(found, trains):
-    """Of the design as it is, of the first optima and of what the pairs want: a row for each mesh, numbered at the
-    first."""
-    rows = rows_of(tables.sliding_table(found, 1))
+    """Of the design as it is, of the optima and of what the pairs want, as many as are asked for: a row for each mesh,
+    numbered at the first."""
+    rows = rows_of(tables.sliding_table(found, len(found.optima) + len(found.wants)))
+    first = rows_of(tables.sliding_table(found, 1))
+    assert first == rows[: len(first)] and 0 < len(first) < len(rows)
     shown = iter(rows)
-    for row in (found.now, found.optima[0], *found.wants):
+    for row in (found.now, *found.optima, *found.wants):
         made, m_n = trains(row), found.case.system.m_n
         for i, m in enumerate(made.meshes.values()):
             one, both = next(shown), (made.wheels[m.driver], made.wheels[m.driven])
