@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import Any, ClassVar
 
-from ..bearings.inputs import BearingsInputs
+from ..bearings.inputs import OF_ROWS, BearingsInputs
 from ..bearings.materials import application_problem, applications, bushes
 from ..countershaft.inputs import ShaftInputs, ShaftLoad
 from ..countershaft.making.inputs import Bolts
@@ -634,6 +634,7 @@ class Design:
 PLACES_OF_ROWS = tuple(
     dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.kind, BearingRow.offset)
 )
+SHARED_OF_ROWS = OF_ROWS  # what a row may say for its bearing alone, where else that of all of them holds
 
 
 def step_of(key: str, *, judged: bool) -> str:

@@ -9,8 +9,6 @@ from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
-from calc.bearings.inputs import OF_ROWS
-from calc.countershaft.rows import BearingRow
 from calc.design.addresses import (
     Table,
     arrays_of,
@@ -21,7 +19,7 @@ from calc.design.addresses import (
     tables_of,
     value_at,
 )
-from calc.design.model import Design
+from calc.design.model import SHARED_OF_ROWS, Design
 from calc.design.names import choice_word
 from calc.design.upgrade import is_twin
 from calc.locale import Language
@@ -212,7 +210,7 @@ class _Tables:
             if key.key == "name" or key.about.kind in ("table", "tables"):
                 continue
             if all(g.left_out for g in given):
-                if cls is not BearingRow or key not in OF_ROWS:  # which is said of what all bearings share
+                if key not in SHARED_OF_ROWS:  # which is said of what all bearings share
                     self.left_out.append(_left_out(key, self.say))
             else:
                 shown.append((key, given))
@@ -265,7 +263,7 @@ class _Tables:
 
 def beside_own(rows: list[Table], shared: Table) -> list[Table]:
     """Bearings with what all share of supply and seat, where one of them has its own."""
-    own = {entry.key for entry in OF_ROWS if any(entry.key in row for row in rows)}
+    own = {entry.key for entry in SHARED_OF_ROWS if any(entry.key in row for row in rows)}
     return [{key: shared[key] for key in own & shared.keys()} | row for row in rows]
 
 
