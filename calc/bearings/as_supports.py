@@ -6,6 +6,7 @@ The laws are those that `countershaft.carried` asks for, in the frame of the sha
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -187,16 +188,22 @@ def film_law(seat: BearingCase, c: Metre, mu: PascalSecond, n: RevPerSecond, sen
     return Film(seat.bearing.diameter, length, c, mu, n, sense, lands)
 
 
-def runs_centred(seat: BearingCase, duty: OperatingPoint) -> bool:
+def as_supplied(seat: BearingCase, duty: OperatingPoint, sense: int = 1) -> Film:
+    """The film with the oil as it is supplied."""
+    T = duty.supply_temperature
+    return film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, duty.effective_speed, sense)
+
+
+def runs_centred(seat: BearingCase, duty: OperatingPoint, supplied: Film | None = None) -> bool:
     """Whether the load is smaller than any of the film table, in the balance that the film then has.
 
-    With the oil as it is supplied the table begins at a larger load, which is asked first."""
+    With the oil as it is `supplied` the table begins at a larger load, which is asked first."""
     if seat.grooves is not None:
         return False
-    T, n = duty.supply_temperature, duty.effective_speed
+    n = duty.effective_speed
     with untraced():
         try:
-            if duty.load > film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, n, 1).centred.force:
+            if duty.load > (supplied or as_supplied(seat, duty)).centred.force:
                 return False
             film = balanced(own_warm, replace(seat, centred=True), duty)
         except (FilmRangeError, NoSolution):
@@ -210,23 +217,23 @@ def shared(shaft: Condensed, seats: Sequence[BearingCase], duty: OperatingPoint[
 
     `duty`: speed and oil of all bearings; its load is not asked.  A film that finds no balance under its load keeps its
     last state, at first that of the oil as it is supplied."""
-    names, T, n = [seat.bearing.name for seat in seats], duty.supply_temperature, duty.effective_speed
+    names, n = [seat.bearing.name for seat in seats], duty.effective_speed
 
-    def warm(seat: BearingCase, load: Newton, before: Film) -> Film:
+    def warm(seat: BearingCase, load: Newton, supplied: Film, before: Film) -> Film:
         asked = replace(duty, load=load)
         least = replace(seat, centred=True)
         try:
-            film = balanced(own_warm, least if runs_centred(seat, asked) else seat, asked, tolerance=WARM)
+            film = balanced(own_warm, least if runs_centred(seat, asked, supplied) else seat, asked, tolerance=WARM)
         except NoSolution:
             balanced(own_warm, least, duty)  # says why, where it would not even run centred
             return before
         return film_law(seat, film.clearance, film.oil.mu, n, sense)
 
     with untraced():
-        laws = [film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, n, sense) for seat in seats]
+        supplied = laws = [as_supplied(seat, duty, sense) for seat in seats]
         loads = np.abs(shaft.f_c)
         for n_pass in range(1, PASSES + 1):
-            laws = [warm(*row) for row in zip(seats, loads.tolist(), laws)]
+            laws = [warm(*row) for row in zip(seats, loads.tolist(), supplied, laws)]
             on = carried(shaft, laws, names)
             now = np.abs(on.load)
             moved = float(np.abs(now - loads).max() / (now.max() or 1.0))
@@ -361,10 +368,8 @@ def _out_of_line(place: str, r: BearingResult, R_c: Newton) -> BearingResult:
     film = None
     with about(Text("{place} bearing, bores out of line", place=called(place))):
         duty, seat = replace(r.duty, load=f.load_peak(F=r.load, R_0=R_c)), r.seat
-        try:
-            film = balanced(own_warm, replace(seat, centred=seat.centred and runs_centred(seat, duty)), duty).film
-        except NoSolution:
-            pass  # its check fails
+    with untraced(), suppress(NoSolution):  # its check fails
+        film = balanced(own_warm, replace(seat, centred=seat.centred and runs_centred(seat, duty)), duty).film
     return replace(r, on_shaft=replace(r.on_shaft, alignment_load=R_c, film_alignment=film))
 
 

@@ -412,9 +412,9 @@ class Check:
         return self.but(
             id=placed(self.id),
             name=Text("{name}: {check}", name=Name(name), check=Small(self.name)),
-            cause=placed(self.cause),
-            value_id=placed(self.value_id),
-            limit_id=placed(self.limit_id),
+            cause=self.cause and placed(self.cause),
+            value_id=self.value_id and placed(self.value_id),
+            limit_id=self.limit_id and placed(self.limit_id),
             outside=tuple(map(placed, self.outside)),
         )
 
