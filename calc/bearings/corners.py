@@ -79,16 +79,22 @@ class Corners:
 
 
 def limits(
-    inputs: BearingsInputs, d: Metre, g: Metre, *, exact: bool = False
+    inputs: BearingsInputs, d: Metre, g: Metre, *, exact: bool = False, seat: BearingCase[Any] | None = None
 ) -> tuple[tuple[Metre, Metre], tuple[Metre, Metre]]:
     """Lower and upper deviation of the journal, and of the seat.  Fits without a place lie about the middle of
-    clearance `g`.  `exact`: a fit that is not given has no width."""
-    journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
-    if journal.letter is not None and seat.letter is not None:
-        return deviations(journal, d), deviations(seat, d)
+    clearance `g`.  `exact`: a fit that is not given has no width.  `seat`: one whose parts make its clearance has their
+    limits instead."""
+    if seat is not None and seat.stack is not None:
+        with untraced():
+            least, most = seat.stack.clearances(seat.rings)
+        half = min(seat.stack.journal_width, most - least) / 2
+        return (-half, half), (least + half, most - half)
+    journal, hole = parse(inputs.journal_fit), parse(inputs.seat_fit)
+    if journal.letter is not None and hole.letter is not None:
+        return deviations(journal, d), deviations(hole, d)
     half_J, half_S = (
         0.0 if exact and isinstance(given, Assumed) else tolerance(fit.grade, d) / 2
-        for given, fit in ((inputs.journal_fit, journal), (inputs.seat_fit, seat))
+        for given, fit in ((inputs.journal_fit, journal), (inputs.seat_fit, hole))
     )
     return (-half_J, half_J), (g - half_S, g + half_S)
 
@@ -106,7 +112,7 @@ def corner_points(
     where the clearance moves it."""
     g, factor = corner_values(seat)
     clearances, loads = [g, g], [1.0, 2.0]
-    if _assumed(seat.inputs):
+    if assumed(seat):
         clearances.append(corner_values(seat, exact=True)[0])
         loads.append(1.0)
     load = duty.load * np.repeat(loads, len(g))
@@ -116,11 +122,11 @@ def corner_points(
 
 def corner_values(seat: BearingCase, *, exact: bool = False) -> tuple[Array, Array]:
     """Clearance at the reference temperature and viscosity factor of each corner, shape (8,)."""
-    journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance, exact=exact)
+    journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance, exact=exact, seat=seat)
     g = [hole[s > 0] - journal[j > 0] for (_, j), (_, s), _ in CORNERS]
-    numbers = based_on(
-        gathered(g), seat.clearance, seat.bearing.diameter, seat.inputs.seat_fit, seat.inputs.journal_fit
-    )
+    inputs = seat.inputs
+    made_by = (seat.bearing.diameter, inputs.seat_fit, inputs.journal_fit) if seat.stack is None else ()
+    numbers = based_on(gathered(g), seat.clearance, *made_by)
     return numbers, np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
@@ -138,7 +144,9 @@ def corners(
     the `bearing`."""
     inputs, d, l = seat.inputs, seat.bearing.diameter, seat.bearing.length
     (ei, es), (EI, ES) = limits(inputs, d, seat.clearance)
-    if _have_a_place(inputs):
+    if seat.stack is not None:
+        least, most = seat.stack.clearances(seat.rings)
+    elif _have_a_place(inputs):
         least = f.least_clearance_of_fits(EI=based_on(EI, inputs.seat_fit, d), es=based_on(es, inputs.journal_fit, d))
         most = f.most_clearance_of_fits(ES=based_on(ES, inputs.seat_fit, d), ei=based_on(ei, inputs.journal_fit, d))
     else:
@@ -192,7 +200,7 @@ def corners(
         film_double_load=None if doubled is None else doubled.film,
         outlet_temperature=outlet,
         names=NAMES,
-        exact=_exact(seat, duty, slope, film, slice(2 * len(g), None)) if _assumed(inputs) else None,
+        exact=_exact(seat, duty, slope, film, slice(2 * len(g), None)) if assumed(seat) else None,
         columns=columns,
     )
 
@@ -215,8 +223,9 @@ def _worst(quantity: str, numbers: Array) -> int:
     return int(numbers.argmax() if quantity == "outlet_temperature" else numbers.argmin())
 
 
-def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table:
+def corners_table(place: str, corners: Corners, seat: BearingCase[Any]) -> Table:
     """All corners of one bearing; a cell without film is empty."""
+    inputs = seat.inputs
 
     def cell(name: str, row: int, factor: float) -> float | None:
         number = float(corners.columns[name][row])
@@ -225,11 +234,17 @@ def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table
     where = Text(" about the clearance at its reference temperature")
     if _have_a_place(inputs):
         where = Text(", as they make the clearance")
-    note = Text(
-        "Journal {journal_fit}, seat {seat_fit}{where}; oil ±{viscosity_tolerance} % of its viscosity.",
+    fits = Text(
+        "Journal {journal_fit}, seat {seat_fit}{where}",
         journal_fit=inputs.journal_fit,
         seat_fit=inputs.seat_fit,
         where=where,
+    )
+    if seat.stack is not None:
+        fits = Text("Journal and seat by the limits of their parts")
+    note = Text(
+        "{fits}; oil ±{viscosity_tolerance} % of its viscosity.",
+        fits=fits,
         viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
     )
     return Table(
@@ -242,8 +257,11 @@ def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table
     )
 
 
-def _assumed(inputs: BearingsInputs) -> bool:
-    """Whether a fit is not given."""
+def assumed(seat: BearingCase[Any]) -> bool:
+    """Whether what opens the corners of the clearance is not given."""
+    inputs = seat.inputs
+    if seat.stack is not None:
+        return False
     return isinstance(inputs.journal_fit, Assumed) or isinstance(inputs.seat_fit, Assumed)
 
 

@@ -6,15 +6,16 @@ from dataclasses import replace
 from math import pi
 from typing import ClassVar
 
-from ..countershaft.rows import BearingRow, called
+from ..countershaft.rows import BearingRow, called, near
 from ..library import journal_rules as rules
 from ..library import tolerances as fits
 from ..library.catalogue import Oil
 from ..library.tolerances import ASSUMED_FIT, Assumed
-from ..sheet.quantity import Key, as_in, choice, described, dotted, inputs, keys, quantity, series, text
+from ..sheet.quantity import Key, as_in, choice, described, dotted, inputs, keys, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
 from .materials import DEFAULT_APPLICATION, bush_problem
+from .seats.classes import Select
 
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 LEAST_SPEED_SHARE = 0.02
@@ -94,6 +95,18 @@ class BearingsInputs:
         source="Finotti 2013, Table 3.1",
         help="The row of the source's table that the heat index is held against: how the oil comes, and what cools.",
     )
+    housing_temperature: float | None = quantity(
+        "Housing temperature",
+        "°C",
+        default=None,
+        within=(-40, 200),
+        symbol="T_H",
+        step=5,
+        help="Of the metal around bushes and shells while the engine is hot. Left out: that of the film.",
+        repair="asked",
+        fold=MATERIALS,
+    )
+    select: Select | None = table("Shells by classes", Select, default=None, fold=MATERIALS)
     expansion_restraint: float = quantity(
         "Expansion held back",
         default=0.0,
@@ -362,12 +375,45 @@ class BearingsInputs:
         ):
             if there is None:
                 yield dotted(key), Text("is missing; needs {allowed}", allowed=described(key).allowed())
-        if row.clearance is None and row.clearance_factor is None and not self.of(row)._placed:
+        sorted_ = self.select is not None and row.seat == "shells"
+        if row.ringed and row.wall is None and not sorted_:
+            yield dotted(BearingRow.wall), Text('needed with seat = "{seat}"', seat=row.seat)
+        if sorted_:
+            yield from self._by_classes(row)
+        elif (
+            row.clearance is None
+            and row.clearance_factor is None
+            and not row.limited
+            and not self.of(row)._placed
+        ):
             letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
             yield (
                 dotted(BearingRow.clearance),
-                Text("give clearance_um or clearance_factor, or {letters}", letters=letters),
+                Text(
+                    "give clearance_um or clearance_factor, or journal_mm and bore_mm, or {letters}", letters=letters
+                ),
             )
+
+    def _by_classes(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
+        """Shells whose clearance the classes make."""
+        assert self.select is not None
+        made = Text("leave it out: the classes of [bearings.select] make the clearance")
+        for key, there in (
+            (BearingRow.clearance, row.clearance),
+            (BearingRow.clearance_factor, row.clearance_factor),
+            (BearingRow.journal_fit, row.journal_fit),
+            (BearingRow.seat_fit, row.seat_fit),
+        ):
+            if there is not None:
+                yield dotted(key), made
+        for key, limits, classes in (
+            (BearingRow.journal, row.journal, self.select.journals),
+            (BearingRow.bore, row.bore, self.select.bores),
+        ):
+            if limits is not None and classes and not limits[0] <= classes[0][0] <= classes[-1][1] <= limits[-1]:
+                yield dotted(key), Text("the classes of [bearings.select] must lie within it")
+        if row.diameter and self.select.journals and not near(row.diameter, self.select.journals):
+            yield dotted(BearingRow.diameter), Text("is not the size of the journal classes of [bearings.select]")
 
 
 # of what all share what a row may say for its bearing alone

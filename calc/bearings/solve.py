@@ -33,7 +33,7 @@ from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks, turned_over
 from .checks import SLOPE, checks, oil_check
-from .corners import corner_points, corners, corners_table
+from .corners import assumed, corner_points, corners, corners_table
 from .curves import charts, curves, in_films
 from .film import short_bearing as short
 from .film import table as optimum
@@ -47,7 +47,11 @@ from .routes import supply
 from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
-from .routes.thermal_balance import balanced, closed, settled_together
+from .routes.thermal_balance import balanced, closed, settled, settled_together
+from .seats import formulas as seats_by
+from .seats.result import SeatResult
+from .seats.seat import GUESSED, chosen, rings_of, seated, states
+from .seats.stack import stack_of
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
 from .suitability import (
     Journal,
@@ -73,16 +77,20 @@ SLOPE_GIVEN = CheckRule(
 )
 
 
+CHOSEN_PASSES, CHOSEN_WITHIN = 6, 0.05  # until the hottest film of a chosen interference stays, in K
+EIGHT = 8  # corners of the tolerances under one load
+
 HTHS_TEMPERATURE: Celsius = 150.0  # at which the viscosity at high shear is measured, SAE J300
 
 
 class BearingMaterials(NamedTuple):
-    """What the bearings of a shaft run with: their oil, the material of the journals and that of the housing at each,
-    front to rear."""
+    """What the bearings of a shaft run with: their oil, the material of the journals, and at each, front to rear, that of
+    the housing and that of a bush in it."""
 
     oil: Oil
     journal: Material
     housings: tuple[Material, ...]
+    backings: tuple[Material, ...]
 
 
 def solve(
@@ -113,13 +121,18 @@ def solve(
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
         seats = []
-        for bearing, housing in zip(rows, solids.housings):
-            with about(Text("{place} bearing", place=called(bearing.name))):
-                clearance = clearance_of(bearings, bearing, speed)
-            expansions = solids.journal.expansion, housing.expansion
-            seats.append(BearingCase(bearing, bearings.of(bearing), lubricant, clearance, *expansions))
         with untraced():
             duty = operating_point(bearings, 0.0, speed)
+        for bearing, housing, backing in zip(rows, solids.housings, solids.backings):
+            own, stack = bearings.of(bearing), stack_of(bearing, bearings.select)
+            d = bearing.diameter
+            with about(Text("{place} bearing", place=called(bearing.name))):
+                rings = rings_of(bearing, own, stack, backing, housing, d)
+                clearance = clearance_of(bearings, bearing, speed) if stack is None else 0.0
+            expansions = solids.journal.expansion, housing.expansion
+            seat = BearingCase(bearing, own, lubricant, clearance, *expansions, stack=stack, rings=rings)
+            with about(Text("{place} bearing, seat", place=called(bearing.name))):
+                seats.append(sitting(seat, replace(duty, load=_load(bearing, shaft))))
         turning, films = condensed(bearings, rows, shaft), None
         sense = -1 if speed_ratio is not None and speed_ratio < 0 else 1
         if turning is not None and len(rows) > 2:
@@ -169,7 +182,7 @@ def _by_row(row: BearingRow, found: list[Check]) -> list[Check]:
 def _tables(results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
     for place, r in results.items():
         yield routes_table(place, r.side)
-        yield corners_table(place, r.corners, r.seat.inputs)
+        yield corners_table(place, r.corners, r.seat)
     runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
     yield bushes_table(runs, [r.seat.inputs.bush_material or r.seat.inputs.housing_material for r in results.values()])
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
@@ -209,6 +222,42 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecon
         for fit in (inputs.journal_fit, inputs.seat_fit)
     )
     return f.clearance_of_fits(EI=EI, ES=ES, ei=ei, es=es)
+
+
+def sitting(seat: BearingCase, duty: OperatingPoint) -> BearingCase:
+    """The same bearing with the interference of what is pressed in and the clearance that its parts make.
+
+    An interference that is chosen holds where the film is hottest, which hangs on the clearance: until it stays."""
+    row, rings = seat.bearing, seat.rings
+    if rings is not None and rings.chosen:
+        with untraced():
+            hot = duty.supply_temperature + GUESSED
+            for _ in range(CHOSEN_PASSES):
+                at = states(seat.inputs, hot)
+                seat = replace(seat, rings=chosen(rings, row, seat.clearance, duty.load, at))
+                seat = replace(seat, clearance=_of_parts(seat))
+                before, hot = hot, _hottest(seat, duty)
+                if abs(hot - before) < CHOSEN_WITHIN:
+                    break
+        seat = replace(seat, rings=chosen(rings, row, seat.clearance, duty.load, at))
+    return replace(seat, clearance=_of_parts(seat))
+
+
+def _of_parts(seat: BearingCase) -> Metre:
+    """The clearance: of its parts, where they make it, their middle."""
+    if seat.stack is None:
+        return seat.clearance
+    least, most = seat.stack.clearances(seat.rings)
+    return seats_by.middle_clearance(g_min=least, g_max=most)
+
+
+def _hottest(seat: BearingCase, duty: OperatingPoint) -> Celsius:
+    """Highest mean temperature of the film over its corners; of the film where fits are not given.  The limit of the
+    outlet where no film answers."""
+    at = replace(duty, load=max(duty.load, 1.0))
+    film = settled(*((seat, at) if assumed(seat) else corner_points(seat, at)))
+    corners = np.atleast_1d(film.mean_temperature)[:EIGHT]
+    return float(np.nanmax(corners)) if np.isfinite(corners).any() else seat.inputs.outlet_temperature_limit
 
 
 def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:
@@ -358,6 +407,17 @@ def _bearing(
     with about(Text("{place} bearing, corners of the tolerances", place=called(place))):
         of = Text("{place} bearing", place=called(place))
         at_worst = corners(seat, duty, theta, corner_films, of, None if share is None else points[1].load)
+    pressed = None
+    if seat.rings is not None:
+        with about(Text("{place} bearing, seat", place=called(place))):
+            mean = np.atleast_1d(corner_films.mean_temperature)[:EIGHT]
+            hottest = hot.mean_temperature
+            if not assumed(seat):
+                there = np.isfinite(mean).any()
+                hottest = float(np.nanmax(mean)) if there else inputs.outlet_temperature_limit
+            omega = f.angular_speed(n=speed)
+            at = states(inputs, hottest)
+            pressed = seated(seat.rings, bearing, seat.clearance, load, hot.friction_power, omega, at)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -408,6 +468,7 @@ def _bearing(
             name: route_result(side.films[name]) for name in sorted(side.films, key=lambda name: ROUTES[name].listed)
         },
         corners=at_worst,
+        seat_=pressed,
         dynamics=moving,
         hot=hot,
         seat=seat,

@@ -551,7 +551,7 @@ class ShaftInputs:
         if self.assembly in LAID_IN:
             return None
         if self.assembly == "cartridge":
-            return max((row.carrier_bore for row in self.bearings if row.carrier_bore is not None), default=None)
+            return max((row.carrier_bore[0] for row in self.bearings if row.carrier_bore is not None), default=None)
         return max((d for d, _ in self.journals), default=None)
 
     @property
@@ -645,6 +645,13 @@ class ShaftInputs:
                 'leave it out with assembly = "{assembly}": nothing has to pass a seat', assembly=self.assembly
             )
             yield dotted(ShaftInputs.radial_clearance), laid_in
+        for i, row in enumerate(self.bearings):
+            if row.seat == "shells" and self.assembly not in LAID_IN:
+                key = dotted(ShaftInputs.bearings, i, BearingRow.seat)
+                yield key, Text('half shells go in with a divided housing; assembly = "split", "caps" or "module"')
+            if row.carrier is not None and row.carrier_bore is None:
+                key = dotted(ShaftInputs.bearings, i, BearingRow.carrier)
+                yield key, Text("needs carrier_bore_mm beside it: the bore that the carrier fills")
         carriers = {i: row.carrier_bore for i, row in enumerate(self.bearings) if row.carrier_bore is not None}
         for i in carriers:
             key = dotted(ShaftInputs.bearings, i, BearingRow.carrier_bore)

@@ -2,7 +2,7 @@
 """One bearing of a shaft: a row of [[shafts.bearings]], front to rear.  What a row needs is asked by the whole design:
 all of it where [bearings] judges the films, else its name and its place alone."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,7 +17,9 @@ from ..sheet.text import Amount, Text
 SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
 # of what brings the oil, over the length, for guide texts
 USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
-OF_ITS_OWN = Text("Supply and seat of its own")  # a fold of the form
+OF_ITS_OWN = Text("Supply and seat of its own")  # folds of the form
+SEAT = Text("Seat: bush, shells, limits")
+RELIEF, RELIEF_LENGTH = 8e-6, 2.5e-3  # m, of shells at the split, where not given; from memory, confidence low
 ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is needed, the whole design says so
 
 
@@ -164,10 +166,11 @@ class BearingRow:
         repair="asked",
     )
 
-    carrier_bore: float | None = quantity(
+    carrier_bore: tuple[float, ...] | None = series(
         "Bore for its carrier",
         "mm",
         default=None,
+        count=(1, 2),
         up_to=2000,
         symbol="D_c",
         step=0.5,
@@ -175,6 +178,180 @@ class BearingRow:
         "it the shaft comes in.",
         change=("smaller carrier", "larger carrier"),
         repair="free",
+    )
+    carrier: tuple[float, ...] | None = series(
+        "Outside of its carrier",
+        "mm",
+        default=None,
+        count=(1, 2),
+        up_to=2000,
+        symbol="D_k",
+        help="One number, or least and most. With the bore for it: whether it goes in.",
+    )
+
+    # how the journal sits
+    seat: str = choice(
+        "Seat",
+        "direct",
+        "bush",
+        "shells",
+        default="direct",
+        help="direct: in the housing itself. bush: a ring pressed in. shells: two halves between housing and cap.",
+        fold=SEAT,
+    )
+    journal: tuple[float, ...] | None = series(
+        "Limits of the journal",
+        "mm",
+        default=None,
+        count=(2, 2),
+        up_to=1000,
+        symbol="d_J",
+        help="Least and most. With bore_mm they make the clearance, and fits are left out.",
+        fold=SEAT,
+    )
+    bore: tuple[float, ...] | None = series(
+        "Limits of the housing's bore",
+        "mm",
+        default=None,
+        count=(2, 2),
+        up_to=1000,
+        symbol="D_b",
+        help='Least and most; with seat = "direct" of the seat itself.',
+        fold=SEAT,
+    )
+    wall: tuple[float, ...] | None = series(
+        "Wall",
+        "mm",
+        default=None,
+        count=(1, 2),
+        within=(0.5, 10),
+        symbol="w",
+        help="One number, or least and most: of the bush, or of a shell at its crown, lining included.",
+        where=(seat, "bush", "shells"),
+        fold=SEAT,
+    )
+    bore_: str = choice(
+        "Running bore",
+        "as_pressed",
+        "finished",
+        default="as_pressed",
+        help="as_pressed: as housing and wall leave it. finished: cut to finished_mm after pressing.",
+        where=(seat, "bush"),
+        fold=SEAT,
+    )
+    finished: tuple[float, ...] | None = series(
+        "Finished bore",
+        "mm",
+        default=None,
+        count=(2, 2),
+        up_to=1000,
+        symbol="D_f",
+        help="Least and most of the running bore, cut after pressing.",
+        where=(bore_, "finished"),
+        fold=SEAT,
+    )
+    interference: tuple[float, ...] | None = series(
+        "Interference",
+        "µm",
+        default=None,
+        count=(2, 2),
+        within=(0, 1000),
+        symbol="delta",
+        help="Least and most: outside of the bush less bore, both free, at the reference temperature. Left out: what "
+        "holds the bush.",
+        where=(seat, "bush", "shells"),
+        fold=SEAT,
+    )
+    crush: tuple[float, ...] | None = series(
+        "Crush of a shell",
+        "µm",
+        default=None,
+        count=(2, 2),
+        within=(0, 1000),
+        symbol="c",
+        help="Least and most: by how much one half's outer length exceeds half the bore's circumference.",
+        where=(seat, "shells"),
+        fold=SEAT,
+    )
+    crush_load: float = quantity(
+        "Checking load of the crush",
+        "N",
+        default=0.0,
+        within=(0, 1e6),
+        symbol="F_c",
+        help="Under which the crush was measured.",
+        where=(seat, "shells"),
+        fold=SEAT,
+    )
+    spread: float | None = quantity(
+        "Free spread of a shell",
+        "µm",
+        default=None,
+        within=(-1000, 5000),
+        symbol="s_f",
+        help="Its free outside less the bore; above nought it holds itself in the housing.",
+        where=(seat, "shells"),
+        fold=SEAT,
+    )
+    relief: float | None = quantity(
+        "Relief at the split",
+        "µm",
+        default=None,
+        within=(0, 100),
+        symbol="r",
+        help="How far a shell stands back at its parting line. Left out: 8.",
+        where=(seat, "shells"),
+        fold=SEAT,
+    )
+    relief_length: float | None = quantity(
+        "Length of the relief",
+        "mm",
+        default=None,
+        within=(0, 20),
+        symbol="a_r",
+        help="Along the shell, to each side of its parting line. Left out: 2.5.",
+        where=(seat, "shells"),
+        fold=SEAT,
+    )
+    split_angle: float = quantity(
+        "Plane of the joint",
+        "°",
+        default=0.0,
+        within=(-90, 90),
+        symbol="gamma_s",
+        step=15,
+        help="0: horizontal. For the drawing, and for loads that stand.",
+        fold=SEAT,
+    )
+    housing_outer: float | None = quantity(
+        "Outside of the housing",
+        "mm",
+        default=None,
+        up_to=2000,
+        symbol="D",
+        step=1,
+        help="Of a ring as stiff as the metal around the bore. Left out: twice the bore.",
+        where=(seat, "bush", "shells"),
+        change=("less metal around the bore", "more metal around the bore"),
+        repair="free",
+        fold=SEAT,
+    )
+    backing: str = text(
+        "Backing",
+        default="strip",
+        help="A material from the table or from [[material]]: what bush or shell are made of under their lining.",
+        catalogue="materials",
+        where=(seat, "bush", "shells"),
+        fold=SEAT,
+    )
+    retained: str = choice(
+        "Held by",
+        "press",
+        "pin",
+        default="press",
+        help="pin: a pin or shoulder holds it although the press is gone; a tab does not.",
+        where=(seat, "bush", "shells"),
+        fold=SEAT,
     )
 
     # of supply and seat, in place of what all bearings share
@@ -327,8 +504,8 @@ class BearingRow:
     def with_own(self, twin: "BearingRow") -> "BearingRow":
         """The bearing of a twin: this one of its original, with what the twin's row says."""
         own = {entry.attribute: getattr(twin, entry.attribute) for entry in said_in(twin)}
-        if not {"clearance", "clearance_factor"}.isdisjoint(own):  # one of the two, in place of what the original has
-            own = {"clearance": None, "clearance_factor": None} | own
+        if not CLEARANCES.isdisjoint(own):  # one of them, in place of what the original has
+            own = dict.fromkeys(CLEARANCES) | own
         return replace(self, **own)
 
     @property
@@ -340,6 +517,16 @@ class BearingRow:
     def sized(self) -> bool:
         """Whether the size of its journal is known."""
         return self.diameter is not None and self.length is not None
+
+    @property
+    def limited(self) -> bool:
+        """Whether the limits of journal and bore make the clearance."""
+        return self.journal is not None and (self.bore is not None or self.finished is not None)
+
+    @property
+    def ringed(self) -> bool:
+        """Whether something is pressed into the housing."""
+        return self.seat != "direct"
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.name.isascii() and self.name.isdigit():
@@ -353,8 +540,106 @@ class BearingRow:
             yield dotted(BearingRow.clearance), both
         if self.clearance is not None and self.diameter is not None and self.clearance >= 0.1 * self.diameter:
             yield dotted(BearingRow.clearance), Text("must stay below a tenth of the diameter")
-        if self.carrier_bore is not None and self.diameter is not None and self.carrier_bore <= self.diameter:
+        if self.carrier_bore is not None and self.diameter is not None and self.carrier_bore[0] <= self.diameter:
             yield dotted(BearingRow.carrier_bore), Text("must be larger than the diameter: the carrier holds its seat")
+        yield from self._limits()
+        yield from self._seat()
+
+    def _limits(self) -> Iterable[tuple[str, Text]]:
+        """Pairs of least and most, and what they leave to say."""
+        for key, pair in (
+            (BearingRow.journal, self.journal),
+            (BearingRow.bore, self.bore),
+            (BearingRow.wall, self.wall),
+            (BearingRow.finished, self.finished),
+            (BearingRow.interference, self.interference),
+            (BearingRow.crush, self.crush),
+            (BearingRow.carrier_bore, self.carrier_bore),
+            (BearingRow.carrier, self.carrier),
+        ):
+            if pair is not None and pair[0] > pair[-1]:
+                yield dotted(key), Text("least before most")
+        if self.limited:
+            instead = Text("leave it out: journal_mm and the bore make the clearance")
+            for key, there in (
+                (BearingRow.clearance, self.clearance),
+                (BearingRow.clearance_factor, self.clearance_factor),
+                (BearingRow.journal_fit, self.journal_fit),
+                (BearingRow.seat_fit, self.seat_fit),
+            ):
+                if there is not None:
+                    yield dotted(key), instead
+        elif self.journal is not None:
+            yield dotted(BearingRow.journal), Text("needs bore_mm beside it: both make the clearance")
+        for key, pair in ((BearingRow.journal, self.journal), (BearingRow.finished, self.finished)):
+            if pair is not None and self.diameter is not None and not near(self.diameter, (pair,)):
+                yield dotted(key), Text(
+                    "is not the size of diameter_mm, {diameter}", diameter=Amount(self.diameter * 1e3, "mm")
+                )
+
+    def _seat(self) -> Iterable[tuple[str, Text]]:
+        """What seat, bush and shells need, and what says nothing of them."""
+        if self.crush is not None and self.interference is not None:
+            yield dotted(BearingRow.crush), Text("give either crush_um or interference_um, one of the two")
+        if self.bore_ == "finished" and self.finished is None:
+            yield dotted(BearingRow.finished), Text('needed with bore = "finished"')
+        for key, words in SAYS_WITH.items():
+            entry = keys(BearingRow)[key]
+            if self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
+                of = " or ".join(f'seat = "{word}"' for word in words)
+                yield key, Text("belongs to {seats}", seats=of)
+        if self.bore_ != "finished" and self.finished is not None and self.seat == "bush":
+            yield dotted(BearingRow.finished), Text('belongs to bore = "finished"')
+        if self.housing_outer is not None and self.ringed and self.diameter is not None and self.wall is not None:
+            bore = self.bore[-1] if self.bore is not None else self.diameter + 2 * self.wall[-1]
+            if self.housing_outer <= bore + LEAST_METAL:
+                yield dotted(BearingRow.housing_outer), Text(
+                    "must be above {least}: the bore and 1 mm of metal around it",
+                    least=Amount((bore + LEAST_METAL) * 1e3, "mm"),
+                )
+
+
+def near(diameter: float, limits: Sequence[tuple[float, ...]]) -> bool:
+    """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself."""
+    return limits[0][0] - diameter / 100 <= diameter <= limits[-1][-1] + diameter / 100
+
+
+LEAST_METAL = 2e-3  # m, in diameter
+
+# what says nothing but with these seats
+RINGED = ("bush", "shells")
+SAYS_WITH = {
+    **dict.fromkeys(
+        map(
+            dotted,
+            (
+                BearingRow.wall,
+                BearingRow.interference,
+                BearingRow.housing_outer,
+                BearingRow.backing,
+                BearingRow.retained,
+            ),
+        ),
+        RINGED,
+    ),
+    **dict.fromkeys(map(dotted, (BearingRow.bore_, BearingRow.finished)), ("bush",)),
+    **dict.fromkeys(
+        map(
+            dotted,
+            (
+                BearingRow.crush,
+                BearingRow.crush_load,
+                BearingRow.spread,
+                BearingRow.relief,
+                BearingRow.relief_length,
+            ),
+        ),
+        ("shells",),
+    ),
+}
+
+
+CLEARANCES = {"clearance", "clearance_factor", "journal", "bore", "finished"}  # what may say a clearance
 
 
 def said_in(row: BearingRow) -> list[Key]:
@@ -365,4 +650,4 @@ def said_in(row: BearingRow) -> list[Key]:
 
 # what a bearing of a twin has of its original
 SIZES = BearingRow.position, BearingRow.kind, BearingRow.diameter, BearingRow.length
-OF_ORIGINAL = tuple(map(dotted, (*SIZES, BearingRow.offset, BearingRow.carrier_bore)))
+OF_ORIGINAL = tuple(map(dotted, (*SIZES, BearingRow.offset, BearingRow.carrier_bore, BearingRow.carrier)))

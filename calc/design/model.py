@@ -62,7 +62,7 @@ MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
 CARRIED = Text("is carried by the balance that [bearings] begin: add that table, or leave it out")
 # of a bearing that [bearings] does not judge
-SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore", "offset")
+SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore", "carrier", "offset")
 
 
 @inputs

@@ -319,6 +319,7 @@ def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInpu
         oil=bearings.in_bearings(design.oils[bearings.oil]),
         journal=solids[bearings.journal_material or shaft.material],
         housings=tuple(solids[bearings.of(row).housing_material] for row in shaft.bearings),
+        backings=tuple(solids[row.backing] for row in shaft.bearings),
     )
 
 

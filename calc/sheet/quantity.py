@@ -648,8 +648,9 @@ def _inside(
         elif held.spread:
             yield from _inside(content, prefix, formerly, wanted, held, short, leads)
         else:
-            had = f"{before}.{held.former or name}" if formerly or held.former else ""
-            yield from _inside(content, f"{prefix}.{name}", had, wanted, held, short, leads)
+            key = name.rstrip("_")
+            had = f"{before}.{held.former or key}" if formerly or held.former else ""
+            yield from _inside(content, f"{prefix}.{key}", had, wanted, held, short, leads)
 
 
 def _lets(which: bool | tuple[str, ...], name: str) -> bool:

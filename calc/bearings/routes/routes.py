@@ -142,7 +142,7 @@ def _reynolds(
     b = seat.bearing
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
-    g = seat.clearance_at(T) if warm else seat.clearance
+    g = seat.running_clearance(T) if warm else seat.clearance
     lands, l, p = _land(seat, duty)
     ratio = f.length_ratio(l=l, d=b.diameter)
     one_point = isinstance(rise, float)

@@ -15,6 +15,9 @@ from ...sheet.record import record
 from .. import formulas as f
 from ..film.grooved import Feed, Feeds
 from ..inputs import BearingsInputs
+from ..seats import formulas as seats
+from ..seats.rings import Rings
+from ..seats.stack import Stack
 
 
 @record
@@ -28,6 +31,8 @@ class BearingCase(Generic[Value]):
     journal_expansion: float
     housing_expansion: float
     viscosity_factor: Value | None = None  # on the oil's viscosity, at a corner of its tolerance
+    stack: Stack | None = None  # the parts that make its clearance; None: it is given otherwise
+    rings: Rings | None = None  # what is pressed into its housing
     centred: bool = False  # it carries next to nothing: its film is the thickest of the table, whatever the load
 
     @property
@@ -45,14 +50,33 @@ class BearingCase(Generic[Value]):
         return Feeds(tuple(Feed(float(angle), float(arc), float(share)) for angle in i.axial_groove_angles))
 
     def clearance_at(self, T: Any) -> Any:
+        """All at one temperature."""
+        return self._clearance(T, T)
+
+    def running_clearance(self, T: Any) -> Any:
+        """With film, journal and bush at a temperature, and the housing at its own where that is given."""
+        T_H = self.inputs.housing_temperature
+        return self._clearance(T, T if T_H is None else T_H)
+
+    def _clearance(self, T: Any, T_H: Any) -> Any:
+        inputs, d = self.inputs, self.bearing.diameter
+        T_ref = inputs.clearance_reference_temperature
+        if self.rings is not None:
+            return self.rings.clearance_at(d, self.clearance, self.journal_expansion, T, T_H)
+        if self.stack is not None:
+            d_J = (self.stack.journal[0] + self.stack.journal[1]) / 2
+            d_iT = seats.own_bore_at(
+                d_i=d_J + self.clearance, alpha_H=self.housing_expansion, chi=inputs.expansion_restraint, T=T, T_ref=T_ref
+            )
+            return seats.clearance_in(d_iT=d_iT, d_J=d_J, alpha_J=self.journal_expansion, T=T, T_ref=T_ref)
         return f.clearance_at(
             g=self.clearance,
-            d=self.bearing.diameter,
+            d=d,
             alpha_H=self.housing_expansion,
-            chi=self.inputs.expansion_restraint,
+            chi=inputs.expansion_restraint,
             alpha_J=self.journal_expansion,
             T=T,
-            T_ref=self.inputs.clearance_reference_temperature,
+            T_ref=T_ref,
         )
 
     def oil_at(self, T: Any) -> OilState[Any]:

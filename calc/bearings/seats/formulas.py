@@ -202,3 +202,8 @@ def clearance_direct(D_b: Metre, d_J: Metre) -> Metre:
 )
 def clearance_as_pressed(D_b: Metre, w: Metre, d_J: Metre, delta: Metre, c_i: Metre) -> Metre:
     return D_b - 2 * w - d_J + (delta - c_i)
+
+
+@formula("g", "definition: the middle of what the parts leave", unit="µm")
+def middle_clearance(g_min: Metre, g_max: Metre) -> Metre:
+    return (g_min + g_max) / 2

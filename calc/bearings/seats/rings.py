@@ -54,7 +54,9 @@ class Rings:
     def fit(self, diameter: Any, clearance: Any) -> Fit:
         """For a journal of this nominal diameter and the clearance as assembled at the reference temperature."""
         d_i = (diameter if self.journal is None else self.journal) + clearance
-        d_o = d_i + 2 * self.wall if self.bore is None else self.bore
+        return self.fit_of(d_i + 2 * self.wall if self.bore is None else self.bore, d_i)
+
+    def fit_of(self, d_o: Any, d_i: Any) -> Fit:
         D = HOUSING_RATIO * d_o if self.outside is None else self.outside
         k_B = f.bush_compliance(d_o=d_o, d_i=d_i, nu_B=self.backing.poisson, E_B=self.backing.E)
         k_H = f.housing_compliance(D=D, d_o=d_o, nu_H=self.housing.poisson, E_H=self.housing.E)
