@@ -25,6 +25,7 @@ from .result import BearingResult, RouteResult
 from .routes import supply
 from .routes.routes import ROUTES
 from .routes.side_by_side import SPREAD
+from .seats.checks import seat_checks, unknown_check
 from .suitability import DIAMETER, LENGTH, MATERIAL_TEMPERATURE, OIL, SUPPLY_TEMPERATURE
 
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (from memory), in m.
@@ -576,8 +577,12 @@ def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
     if lubricant.polymer_thickened:
         yield on_bearing(SHEAR_RATE, place, r.shear_rate, SHEAR_THINNING)
     yield from _corner_checks(place, r)
+    band = None if inputs.select is None else inputs.select.clearance_band
+    yield from seat_checks(place, bearing, r.seat_, r.seat.stack, band)
+    if (unknown := unknown_check(place, bearing, housing, inputs, r.clearance, r.hot.mean_temperature)) is not None:
+        yield unknown
     journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
-    if journal.letter is not None and seat.letter is not None:
+    if journal.letter is not None and seat.letter is not None and r.seat.stack is None:
         clearances = clearance_limits(journal, seat, bearing.diameter)
         advice = Text(
             "{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",

@@ -380,18 +380,11 @@ class BearingsInputs:
             yield dotted(BearingRow.wall), Text('needed with seat = "{seat}"', seat=row.seat)
         if sorted_:
             yield from self._by_classes(row)
-        elif (
-            row.clearance is None
-            and row.clearance_factor is None
-            and not row.limited
-            and not self.of(row)._placed
-        ):
+        elif row.clearance is None and row.clearance_factor is None and not row.limited and not self.of(row)._placed:
             letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
             yield (
                 dotted(BearingRow.clearance),
-                Text(
-                    "give clearance_um or clearance_factor, or journal_mm and bore_mm, or {letters}", letters=letters
-                ),
+                Text("give clearance_um or clearance_factor, or journal_mm and bore_mm, or {letters}", letters=letters),
             )
 
     def _by_classes(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
@@ -406,12 +399,12 @@ class BearingsInputs:
         ):
             if there is not None:
                 yield dotted(key), made
-        for key, limits, classes in (
+        for limited, limits, classes in (
             (BearingRow.journal, row.journal, self.select.journals),
             (BearingRow.bore, row.bore, self.select.bores),
         ):
             if limits is not None and classes and not limits[0] <= classes[0][0] <= classes[-1][1] <= limits[-1]:
-                yield dotted(key), Text("the classes of [bearings.select] must lie within it")
+                yield dotted(limited), Text("the classes of [bearings.select] must lie within it")
         if row.diameter and self.select.journals and not near(row.diameter, self.select.journals):
             yield dotted(BearingRow.diameter), Text("is not the size of the journal classes of [bearings.select]")
 

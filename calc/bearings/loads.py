@@ -35,7 +35,12 @@ from .result import BearingResult, BearingsResult, StandingResult, TwinBearing, 
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, settled
+from .seats.checks import SEAT_FRETTING, SEAT_PRESS, SEAT_TURN, press_checks
+from .seats.formulas import press_needed
+from .seats.result import SeatResult
 from .suitability import DIAMETER, LENGTH
+
+PRESSED = (SEAT_PRESS, SEAT_FRETTING, SEAT_TURN)  # which stand on the largest load of a turn
 
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
 ALIKE = 1e-3  # of a standing load: so much more of it makes no other film
@@ -78,7 +83,11 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
             bearing = outcome.result.bearings[place]
             with about(Text("{place} bearing, standing part of the load", place=called(place))):
                 part = _standing(bearing, load, place, notes)
-            bearings[place] = replace(bearing, standing=part)
+                bearing = replace(bearing, standing=part, seat_=_more_pressed(bearing, part.load_peak))
+            bearings[place] = bearing
+            checks = [check for check in checks if not (check.rule in PRESSED and f".{place}." in check.id)]
+            if bearing.seat_ is not None:
+                checks += press_checks(place, bearing.seat.bearing, bearing.seat_)
             checks += _checks(place, bearing, part)
     return replace(
         outcome,
@@ -87,6 +96,15 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
         lines=(*outcome.lines, *lines),
         notes=outcome.notes + tuple(notes),
     )
+
+
+def _more_pressed(bearing: BearingResult, peak: Newton) -> SeatResult | None:
+    """The seat with the pressure that the largest load of a turn asks of its fit."""
+    seat, row = bearing.seat_, bearing.seat.bearing
+    if seat is None:
+        return None
+    fit = seat.rings.fit(row.diameter, bearing.clearance)
+    return replace(seat, press_needed=press_needed(F=peak, d_o=fit.d_o, l=row.length))
 
 
 def of_twin(

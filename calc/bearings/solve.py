@@ -49,7 +49,6 @@ from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, closed, settled, settled_together
 from .seats import formulas as seats_by
-from .seats.result import SeatResult
 from .seats.seat import GUESSED, chosen, rings_of, seated, states
 from .seats.stack import stack_of
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
@@ -84,8 +83,8 @@ HTHS_TEMPERATURE: Celsius = 150.0  # at which the viscosity at high shear is mea
 
 
 class BearingMaterials(NamedTuple):
-    """What the bearings of a shaft run with: their oil, the material of the journals, and at each, front to rear, that of
-    the housing and that of a bush in it."""
+    """What the bearings of a shaft run with: their oil, the material of the journals; front to rear that of the housing
+    at each, and that of a bush in it."""
 
     oil: Oil
     journal: Material
@@ -227,19 +226,31 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecon
 def sitting(seat: BearingCase, duty: OperatingPoint) -> BearingCase:
     """The same bearing with the interference of what is pressed in and the clearance that its parts make.
 
-    An interference that is chosen holds where the film is hottest, which hangs on the clearance: until it stays."""
-    row, rings = seat.bearing, seat.rings
-    if rings is not None and rings.chosen:
+    An interference that is chosen holds where the film is hottest, which hangs on the clearance, and walls that are
+    found allow for what the press does to the bore: until both stay."""
+    if seat.rings is None:
+        return replace(seat, clearance=_of_parts(seat))
+    hot = duty.supply_temperature + GUESSED
+    with untraced():
+        for _ in range(CHOSEN_PASSES):
+            before, seat = hot, _pressed(seat, duty, hot)
+            hot = _hottest(seat, duty) if seat.rings is not None and seat.rings.chosen else hot
+            if abs(hot - before) < CHOSEN_WITHIN:
+                break
+    return _pressed(seat, duty, hot)
+
+
+def _pressed(seat: BearingCase, duty: OperatingPoint, hot: Celsius) -> BearingCase:
+    """With bush and shells as they sit where the film is so hot."""
+    row, inputs, rings = seat.bearing, seat.inputs, seat.rings
+    assert rings is not None
+    rings = chosen(rings, row, seat.clearance, duty.load, states(inputs, hot))
+    if seat.stack is not None and seat.stack.pairs is not None:
         with untraced():
-            hot = duty.supply_temperature + GUESSED
-            for _ in range(CHOSEN_PASSES):
-                at = states(seat.inputs, hot)
-                seat = replace(seat, rings=chosen(rings, row, seat.clearance, duty.load, at))
-                seat = replace(seat, clearance=_of_parts(seat))
-                before, hot = hot, _hottest(seat, duty)
-                if abs(hot - before) < CHOSEN_WITHIN:
-                    break
-        seat = replace(seat, rings=chosen(rings, row, seat.clearance, duty.load, at))
+            stack = stack_of(row, inputs.select, rings.rise(row.diameter, seat.clearance))
+        assert stack is not None and stack.walls is not None
+        seat, rings = replace(seat, stack=stack), replace(rings, wall=sum(stack.walls) / 2)
+    seat = replace(seat, rings=rings)
     return replace(seat, clearance=_of_parts(seat))
 
 

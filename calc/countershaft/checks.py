@@ -350,7 +350,14 @@ def _envelope_checks(
     R = max(radii, default=shaft.outer_radius)
     clearance, seat, cartridge = shaft.room_asked, shaft.seat, shaft.assembly == "cartridge"
     if cartridge and R is not None:  # all journals pass but the one that its carrier holds
-        R = max(R, *(d / 2 for row, (d, _) in zip(shaft.bearings, journals) if row.carrier_bore is None or row.carrier_bore[0] != seat))
+        R = max(
+            R,
+            *(
+                d / 2
+                for row, (d, _) in zip(shaft.bearings, journals)
+                if row.carrier_bore is None or row.carrier_bore[0] != seat
+            ),
+        )
     if clearance is not None and seat is not None and R is not None:
         room = seat / 2 - R
         smaller = _no_longer(ShaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None

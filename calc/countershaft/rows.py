@@ -561,20 +561,21 @@ class BearingRow:
                 yield dotted(key), Text("least before most")
         if self.limited:
             instead = Text("leave it out: journal_mm and the bore make the clearance")
-            for key, there in (
+            for other, there in (
                 (BearingRow.clearance, self.clearance),
                 (BearingRow.clearance_factor, self.clearance_factor),
                 (BearingRow.journal_fit, self.journal_fit),
                 (BearingRow.seat_fit, self.seat_fit),
             ):
                 if there is not None:
-                    yield dotted(key), instead
+                    yield dotted(other), instead
         elif self.journal is not None:
             yield dotted(BearingRow.journal), Text("needs bore_mm beside it: both make the clearance")
         for key, pair in ((BearingRow.journal, self.journal), (BearingRow.finished, self.finished)):
             if pair is not None and self.diameter is not None and not near(self.diameter, (pair,)):
-                yield dotted(key), Text(
-                    "is not the size of diameter_mm, {diameter}", diameter=Amount(self.diameter * 1e3, "mm")
+                yield (
+                    dotted(key),
+                    Text("is not the size of diameter_mm, {diameter}", diameter=Amount(self.diameter * 1e3, "mm")),
                 )
 
     def _seat(self) -> Iterable[tuple[str, Text]]:
@@ -593,9 +594,12 @@ class BearingRow:
         if self.housing_outer is not None and self.ringed and self.diameter is not None and self.wall is not None:
             bore = self.bore[-1] if self.bore is not None else self.diameter + 2 * self.wall[-1]
             if self.housing_outer <= bore + LEAST_METAL:
-                yield dotted(BearingRow.housing_outer), Text(
-                    "must be above {least}: the bore and 1 mm of metal around it",
-                    least=Amount((bore + LEAST_METAL) * 1e3, "mm"),
+                yield (
+                    dotted(BearingRow.housing_outer),
+                    Text(
+                        "must be above {least}: the bore and 1 mm of metal around it",
+                        least=Amount((bore + LEAST_METAL) * 1e3, "mm"),
+                    ),
                 )
 
 

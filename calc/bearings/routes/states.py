@@ -66,7 +66,11 @@ class BearingCase(Generic[Value]):
         if self.stack is not None:
             d_J = (self.stack.journal[0] + self.stack.journal[1]) / 2
             d_iT = seats.own_bore_at(
-                d_i=d_J + self.clearance, alpha_H=self.housing_expansion, chi=inputs.expansion_restraint, T=T, T_ref=T_ref
+                d_i=d_J + self.clearance,
+                alpha_H=self.housing_expansion,
+                chi=inputs.expansion_restraint,
+                T=T,
+                T_ref=T_ref,
             )
             return seats.clearance_in(d_iT=d_iT, d_J=d_J, alpha_J=self.journal_expansion, T=T, T_ref=T_ref)
         return f.clearance_at(

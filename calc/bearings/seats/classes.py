@@ -73,27 +73,30 @@ class Select:
     def bores(self) -> tuple[Range, ...]:
         return _ranges(self.bore_classes_mm) or ()
 
-    @property
-    def walls(self) -> tuple[Range, ...]:
-        """As given, else as found."""
+    def walls(self, rise: Metre = 0.0) -> tuple[Range, ...]:
+        """As given, else as found.  `rise`: by which a seated bore stands wider than housing bore and walls leave it."""
         if self.walls_mm is not None:
             return _ranges(self.walls_mm) or ()
-        band = (self.clearance_band[0] + self.clearance_band[1]) / 2
-        return tuple((w - WALL_FIELD / 2, w + WALL_FIELD / 2) for w in found_walls(self.bores, self.journals, band))
+        found = found_walls(self.bores, self.journals, self._middle(rise))
+        return tuple((w - WALL_FIELD / 2, w + WALL_FIELD / 2) for w in found)
 
-    def picked(self) -> tuple[tuple[int, ...], ...]:
+    def _middle(self, rise: Metre) -> Metre:
+        """Of the clearance asked for, less what the seated bore adds."""
+        return (self.clearance_band[0] + self.clearance_band[-1]) / 2 - rise
+
+    def picked(self, rise: Metre = 0.0) -> tuple[tuple[int, ...], ...]:
         """By bore class and journal class the index of the wall."""
         if self.pick is not None:
             return tuple(tuple(row) for row in self.pick)
-        band, walls = (self.clearance_band[0] + self.clearance_band[1]) / 2, self.walls
+        band, walls = self._middle(rise), self.walls(rise)
         wanted = [[(_middle(D) - _middle(d) - band) / 2 for d in self.journals] for D in self.bores]
         return tuple(
             tuple(min(range(len(walls)), key=lambda i: abs(_middle(walls[i]) - w)) for w in row) for row in wanted
         )
 
-    def pairs(self) -> dict[tuple[int, int], tuple[Range, Range, Range]]:
+    def pairs(self, rise: Metre = 0.0) -> dict[tuple[int, int], tuple[Range, Range, Range]]:
         """By the numbers of bore class and journal class, from 1: bore, wall, journal."""
-        picked, walls = self.picked(), self.walls
+        picked, walls = self.picked(rise), self.walls(rise)
         return {
             (i + 1, j + 1): (self.bores[i], walls[picked[i][j]], self.journals[j])
             for i, j in product(range(len(self.bores)), range(len(self.journals)))
@@ -111,7 +114,7 @@ class Select:
             yield key, Text("must be {pairs}", pairs=PAIRS)
         if self.clearance_band[0] >= self.clearance_band[-1]:
             yield dotted(Select.clearance_band), Text("least before most")
-        elif not wrong and self.walls_mm is None and any(low <= 0 for low, _ in self.walls):
+        elif not wrong and self.walls_mm is None and any(low <= 0 for low, _ in self.walls()):
             none = Text("leaves no wall between bore and journal")
             yield dotted(Select.clearance_band), none
         if self.pick is not None and not wrong:

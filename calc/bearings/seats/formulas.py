@@ -128,17 +128,13 @@ def clearance_in(d_iT: Metre, d_J: Metre, alpha_J: PerKelvin, T: Celsius, T_ref:
 
 
 @formula("α_eff", "physics: expansion of the assembled bore while the fit is tight", names={"s": "(c_i/δ)"})
-def bore_expansion(
-    alpha_B: PerKelvin, s: Number, d_o: Metre, d_i: Metre, alpha_H: PerKelvin, chi: Number
-) -> PerKelvin:
+def bore_expansion(alpha_B: PerKelvin, s: Number, d_o: Metre, d_i: Metre, alpha_H: PerKelvin, chi: Number) -> PerKelvin:
     """A thin wall in a stiff block follows the block, a thick one does not."""
     return alpha_B + s * (d_o / d_i) * (alpha_H * (1 - chi) - alpha_B)
 
 
 @formula("T_0", "physics: temperature at which the interference is used up, all parts alike warm")
-def loose_at(
-    T_ref: Celsius, delta: Metre, d_o: Metre, alpha_H: PerKelvin, chi: Number, alpha_B: PerKelvin
-) -> Celsius:
+def loose_at(T_ref: Celsius, delta: Metre, d_o: Metre, alpha_H: PerKelvin, chi: Number, alpha_B: PerKelvin) -> Celsius:
     return T_ref + delta / (d_o * (alpha_H * (1 - chi) - alpha_B))
 
 

@@ -84,15 +84,17 @@ class Rings:
         """`T`: of journal and bush, `T_H`: of the housing."""
         fit = self.fit(diameter, clearance)
         c_i, c_T = self.pressed(fit, self.middle).c, self.at(fit, self.middle, T, T_H).c
-        d_iT = f.bore_at(
-            d_i=fit.d_i, c_i=c_i, alpha_B=self.backing.expansion, T_B=T, T_ref=self.reference, c_T=c_T
-        )
+        d_iT = f.bore_at(d_i=fit.d_i, c_i=c_i, alpha_B=self.backing.expansion, T_B=T, T_ref=self.reference, c_T=c_T)
         d_J = fit.d_i - clearance
         return f.clearance_in(d_iT=d_iT, d_J=d_J, alpha_J=journal_expansion, T=T, T_ref=self.reference)
 
+    def rise(self, diameter: Any, clearance: Any) -> Any:
+        """By how much the seated bore stands wider than housing bore and walls leave it, at the middle interference."""
+        return self.middle - self.pressed(self.fit(diameter, clearance), self.middle).c
+
     def needed(self, fit: Fit, p_need: Pascal, T_B: float, T_H: float) -> Metre:
         """Interference at the reference temperature that leaves this pressure at others."""
-        return f.interference_needed(
+        delta: Metre = f.interference_needed(
             p_need=p_need,
             d_o=fit.d_o,
             k_B=fit.k_B,
@@ -104,3 +106,4 @@ class Rings:
             T_H=T_H,
             T_ref=self.reference,
         )
+        return delta

@@ -15,7 +15,9 @@ from .result import SeatResult, Temperatures
 from .rings import Rings
 from .stack import Stack
 
-CRUSH_FIELD: Metre = 12e-6  # of the interference of shells that are sorted by their crush, assumed; rule of this program
+CRUSH_FIELD: Metre = (
+    12e-6  # of the interference of shells that are sorted by their crush, assumed; rule of this program
+)
 BUSH_GRADE = 7  # IT of the interference of a bush, assumed
 GUESSED = 15.0  # K of the film above its supply, before it is solved
 HOLDING_FRICTION: Number = 0.10  # μ_s of steel pressed in metal; from memory

@@ -38,9 +38,7 @@ class Stack:
         assert self.pairs is not None
         return self._of(*self.pairs[pair], rings, selected=True)
 
-    def _of(
-        self, bore: Range, walls: Range | None, journal: Range, rings: Rings | None, *, selected: bool
-    ) -> Range:
+    def _of(self, bore: Range, walls: Range | None, journal: Range, rings: Rings | None, *, selected: bool) -> Range:
         if walls is None or rings is None:
             least, most = (
                 f.clearance_direct(D_b=based_on(D, self.bore), d_J=based_on(d, self.journal))
@@ -56,14 +54,11 @@ class Stack:
         return g[0], g[1]
 
 
-def stack_of(row: BearingRow, select: Select | None) -> Stack | None:
-    """Of a bearing whose clearance its parts make; None where it is given otherwise."""
+def stack_of(row: BearingRow, select: Select | None, rise: Metre = 0.0) -> Stack | None:
+    """Of a bearing whose clearance its parts make; None where it is given otherwise.  `rise`: by which its seated bore
+    stands wider, which walls that are found allow for."""
     if select is not None and row.seat == "shells":
-        pairs, walls = select.pairs(), select.walls
-        bores, journals = select.bores, select.journals
-        return Stack(
-            (bores[0][0], bores[-1][1]), (walls[0][0], walls[-1][1]), (journals[0][0], journals[-1][1]), pairs
-        )
+        return _sorted(select, rise)
     if row.journal is None:
         return None
     journal = row.journal[0], row.journal[1]
@@ -72,3 +67,10 @@ def stack_of(row: BearingRow, select: Select | None) -> Stack | None:
     assert row.bore is not None
     walls = None if row.wall is None or not row.ringed else (row.wall[0], row.wall[-1])
     return Stack((row.bore[0], row.bore[1]), walls, journal)
+
+
+def _sorted(select: Select, rise: Metre) -> Stack:
+    walls, bores, journals = select.walls(rise), select.bores, select.journals
+    return Stack(
+        (bores[0][0], bores[-1][1]), (walls[0][0], walls[-1][1]), (journals[0][0], journals[-1][1]), select.pairs(rise)
+    )

@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a seat is judged by: does the bush hold, what it does to its housing and itself, do the classes fit."""
+
+from collections.abc import Iterator
+
+from ...countershaft.rows import ROW, BearingRow, called, row_key
+from ...library.catalogue import Material, materials, proof_of
+from ...sheet.check import Check, CheckRule, Missing
+from ...sheet.quantity import dotted
+from ...sheet.remedy import Remedy, by_key, up
+from ...sheet.text import Amount, Text
+from ...sheet.units import Celsius, Metre, Pascal
+from ..inputs import BearingsInputs
+from . import formulas as f
+from .classes import Select
+from .result import SeatResult
+from .rings import Rings
+from .stack import Stack
+
+LAME = Text("elasticity: thick rings in plane stress (Lamé)")
+CAUSE = "bearings.B.seat"
+INTERFERENCE, WALL = dotted(ROW, BearingRow.interference), dotted(ROW, BearingRow.wall)
+OUTER, RETAINED = dotted(ROW, BearingRow.housing_outer), dotted(ROW, BearingRow.retained)
+OF_SEAT = dotted("bearings", "B", "seat")
+T_HOUSING = dotted("bearings", BearingsInputs.housing_temperature)
+
+SEAT_PRESS = CheckRule(
+    "bearings.B.seat_press",
+    "caution",
+    "The bush creeps under a load that turns once its fit opens; how much pressure that takes is an estimate.",
+    Text("Pressure of the fit where the film is hottest"),
+    unit="MPa",
+    source=Text("statics, an estimate: pressure q·cos θ around the seat; {lame}", lame=LAME),
+    advice=Text("More interference, a thicker wall, or a pin that holds the bush."),
+    zero="1 MPa",
+    cause=CAUSE,
+    value_id=dotted(OF_SEAT, SeatResult.press_hot),
+    limit_id=dotted(OF_SEAT, SeatResult.press_needed),
+    moved_by=(INTERFERENCE, WALL, RETAINED, OUTER),
+    short=Text("press"),
+)
+SEAT_FRETTING = CheckRule(
+    "bearings.B.seat_fretting",
+    "caution",
+    "A pin holds the bush; where its fit opens under the turning load it frets.",
+    Text("Pressure of the fit where the film is hottest"),
+    unit="MPa",
+    source=SEAT_PRESS.source,
+    advice=Text("More interference, or a thicker wall."),
+    zero="1 MPa",
+    cause=CAUSE,
+    value_id=dotted(OF_SEAT, SeatResult.press_hot),
+    limit_id=dotted(OF_SEAT, SeatResult.press_needed),
+    moved_by=(INTERFERENCE, WALL, OUTER),
+    short=Text("press"),
+)
+SEAT_TURN = CheckRule(
+    "bearings.B.seat_turn",
+    "limit",
+    "The bush turns with the film and shuts its oil hole.",
+    Text("Torque that holds the bush, against twice that of the film"),
+    unit="N·m",
+    source=Text("statics: friction of the press with μ_s 0.10, from memory, against the film's own drag"),
+    advice=Text("More interference, or a pin that holds the bush."),
+    role="physics",
+    zero="1 N·m",
+    cause=CAUSE,
+    value_id=dotted(OF_SEAT, SeatResult.holding_torque),
+    moved_by=(INTERFERENCE, WALL, RETAINED, OUTER),
+    short=Text("hold"),
+)
+SEAT_STRESS = CheckRule(
+    "bearings.B.seat_stress",
+    "limit",
+    "The housing yields or cracks around the bush.",
+    Text("Stress of the housing around the bush"),
+    "<=",
+    "MPa",
+    LAME,
+    Text("More metal around the bore, or less interference."),
+    role="physics",
+    zero="1 MPa",
+    cause=CAUSE,
+    value_id=dotted(OF_SEAT, SeatResult.housing_stress),
+    moved_by=(OUTER, INTERFERENCE, WALL, dotted("bearings", BearingsInputs.housing_material)),
+    short=Text("housing"),
+)
+BUSH_STRESS = CheckRule(
+    "bearings.B.bush_stress",
+    "caution",
+    "The bush yields when pressed in; a shell that sets once keeps its press less the set.",
+    Text("Hoop stress of the bush"),
+    "<=",
+    "MPa",
+    LAME,
+    Text("Less interference, a thicker wall or a stronger backing."),
+    cause=CAUSE,
+    moved_by=(INTERFERENCE, WALL, dotted(ROW, BearingRow.backing)),
+    short=Text("bush"),
+)
+SELECT = CheckRule(
+    "bearings.B.select",
+    "caution",
+    "A pair of classes has another clearance than was asked for.",
+    unit="µm",
+    source=Text("geometry: least and most clearance of every pair of classes"),
+    advice=Text("Narrower classes, more of them, or a wider band."),
+    sense="in",
+    moved_by=(
+        dotted("bearings", BearingsInputs.select, Select.clearance_band),
+        dotted("bearings", BearingsInputs.select, Select.bore_classes_mm),
+    ),
+)
+SPREAD = CheckRule(
+    "bearings.B.spread",
+    "advice",
+    "Shells without spread do not hold themselves in the housing while it is put together.",
+    Text("Free spread of the shells"),
+    sense=">",
+    unit="µm",
+    source=Text("rule of thumb: a shell is a little wider than its bore"),
+    zero="100 µm",
+    moved_by=(dotted(ROW, BearingRow.spread),),
+)
+BORE_CLEARANCE = CheckRule(
+    "bearings.B.bore_clearance",
+    "limit",
+    "A carrier that is larger than its bore can not be put in.",
+    Text("Least clearance of the carrier in its bore"),
+    unit="µm",
+    source=Text("geometry"),
+    advice=Text("A larger bore, or a smaller carrier."),
+    role="chosen",
+    zero="10 µm",
+    exact=True,
+    moved_by=(dotted(ROW, BearingRow.carrier), dotted(ROW, BearingRow.carrier_bore)),
+)
+SEAT_UNKNOWN = CheckRule(
+    "bearings.B.seat_unknown",
+    "method",
+    "A bush of unknown wall: its bore is taken to grow like the housing, which a pressed one does in part.",
+    Text("Warm clearance that a steel bush of 2 mm would not have"),
+    "<=",
+    "µm",
+    Text("{lame}; rule of this program: a twentieth of the clearance", lame=LAME),
+    Text('Say how it sits: seat = "bush" or "shells", with its wall.'),
+    moved_by=(dotted(ROW, BearingRow.seat),),
+)
+STEEL_BUSH: Metre = 2e-3  # wall of the bush that is held against one of unknown wall
+UNKNOWN_SHARE = 0.05  # of the clearance, up to which its wall does not matter
+
+MEGAPASCAL, NEWTON_METRE, HUNDRED_MICRONS, TEN_MICRONS = 1e6, 1.0, 100e-6, 10e-6  # what margins from nought are of
+
+
+def seat_checks(
+    place: str, row: BearingRow, seat: SeatResult | None, stack: Stack | None, band: tuple[Metre, ...] | None
+) -> Iterator[Check]:
+    """`band`: of the clearance that classes shall make; None: there are none."""
+    if seat is not None:
+        yield from press_checks(place, row, seat)
+        yield from _stress_checks(place, seat)
+    if stack is not None and stack.pairs is not None and band is not None and seat is not None:
+        yield _worst_pair(place, stack, seat.rings, (band[0], band[-1]))
+    if row.spread is not None:
+        yield SPREAD(row.spread, 0.0, at=place, name=_at(SPREAD, place), scale=HUNDRED_MICRONS)
+    if row.carrier is not None and row.carrier_bore is not None:
+        room = row.carrier_bore[0] - row.carrier[-1]
+        yield BORE_CLEARANCE(room, 0.0, at=place, name=_at(BORE_CLEARANCE, place), scale=TEN_MICRONS)
+
+
+def press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Check]:
+    """Whether the bush stays where it is; not asked of an interference that was chosen so that it does."""
+    if seat.rings.chosen:
+        return
+    rule = SEAT_FRETTING if row.retained == "pin" else SEAT_PRESS
+    hot, best = seat.press_hot, seat.press_hot_cool
+    tighter = _tighter(place, seat, seat.press_needed - hot)
+    missing = _housing(seat, hot, best)
+    yield rule(
+        hot,
+        seat.press_needed,
+        at=place,
+        name=_at(rule, place),
+        missing=missing,
+        scale=MEGAPASCAL,
+        remedies=lambda: tighter,
+    )
+    if row.retained == "pin":
+        return
+    held, share = seat.holding_torque, None if best is None or not hot else best / hot
+    missing = _housing(seat, held, None if best is None else held * share if share is not None else _held(row, seat))
+    yield SEAT_TURN(
+        held, 2 * seat.drag_torque, at=place, name=_at(SEAT_TURN, place), missing=missing, scale=NEWTON_METRE
+    )
+
+
+def _held(row: BearingRow, seat: SeatResult) -> float:
+    """Torque that holds the bush while its housing is at its coolest."""
+    from .seat import HOLDING_FRICTION
+
+    fit = seat.rings.fit(row.diameter, seat.bore - (seat.rings.journal or row.diameter))
+    held: float = f.holding_torque(mu_s=HOLDING_FRICTION, p=seat.press_hot_cool or 0.0, d_o=fit.d_o, l=row.length)
+    return held
+
+
+def _housing(seat: SeatResult, value: float, best: float | None) -> Missing | None:
+    if best is None:
+        return None
+    taken = Text("the housing as warm as the film, {T}", T=Amount(seat.temperatures.hot, "°C", form=".0f"))
+    return Missing((T_HOUSING,), (taken,), best, value)
+
+
+def _tighter(place: str, seat: SeatResult, lacks: Pascal) -> tuple[Remedy, ...]:
+    """So much more interference, at both ends, as the press lacks."""
+    rings = seat.rings
+    fit = rings.fit_of(seat.bore + 2 * rings.wall if rings.bore is None else rings.bore, seat.bore)
+    more = lacks * fit.d_o * (fit.k_B + fit.k_H)
+    ends = tuple(up(end + more) for end in rings.interference)
+    key = row_key(place, BearingRow.interference)
+    return by_key(BearingRow, key, ends, place=called(place), bound=">=")()
+
+
+def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
+    housing, backing = seat.rings.housing, seat.rings.backing
+    stress, source, missing = (
+        seat.housing_stress,
+        Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name),
+        None,
+    )
+    if housing.proof_stress is None and housing.tensile_strength is not None:
+        stress, limit = seat.tension, housing.tensile_strength
+        source = Text("{lame}; hoop tension, tensile strength of {name}", lame=LAME, name=housing.name)
+    else:
+        limit, missing = proof_of(housing.proof_stress, stress)
+    yield SEAT_STRESS(stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, missing=missing)
+    limit, missing = proof_of(backing.proof_stress, abs(seat.bush_stress))
+    yield BUSH_STRESS(
+        abs(seat.bush_stress),
+        limit,
+        at=place,
+        name=_at(BUSH_STRESS, place),
+        source=Text("{lame}; proof stress of {name}", lame=LAME, name=backing.name),
+        missing=missing,
+    )
+
+
+def _worst_pair(place: str, stack: Stack, rings: Rings, band: tuple[Metre, Metre]) -> Check:
+    """The pair of classes that stands furthest outside the band, else nearest to its ends."""
+    assert stack.pairs is not None
+    ends = [(pair, g) for pair in stack.pairs for g in stack.of_pair(pair, rings)]
+    (bore, journal), g = min(ends, key=lambda end: min(end[1] - band[0], band[1] - end[1]))
+    name = Text(
+        "Clearance of bore class {bore} with journal class {journal}, {place}",
+        bore=str(bore),
+        journal=str(journal),
+        place=called(place),
+    )
+    return SELECT(g, band, at=place, name=name)
+
+
+def unknown_check(
+    place: str, row: BearingRow, housing: Material, inputs: BearingsInputs, clearance: Metre, T: Celsius
+) -> Check | None:
+    """Of a lining whose bush is not known: by how much a steel bush of 2 mm would be narrower when warm."""
+    if row.ringed or inputs.bush_material is None:
+        return None
+    steel = materials()["strip"]
+    rings = Rings(
+        backing=steel,
+        housing=housing,
+        wall=STEEL_BUSH,
+        restraint=inputs.expansion_restraint,
+        reference=inputs.clearance_reference_temperature,
+        interference=(0.0, 0.0),
+    )
+    fit = rings.fit(row.diameter, clearance)
+    alpha_H = housing.expansion * (1 - rings.restraint)
+    s = rings.pressed(fit, 1e-6).c / 1e-6
+    eff = f.bore_expansion(
+        alpha_B=steel.expansion, s=s, d_o=fit.d_o, d_i=fit.d_i, alpha_H=housing.expansion, chi=rings.restraint
+    )
+    less = abs(fit.d_i * (alpha_H - eff) * (T - rings.reference))
+    return SEAT_UNKNOWN(less, UNKNOWN_SHARE * clearance, at=place, name=_at(SEAT_UNKNOWN, place))
+
+
+def _at(rule: CheckRule, place: str) -> Text:
+    return Text("{what}, {place}", what=rule.name, place=called(place))
