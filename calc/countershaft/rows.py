@@ -569,14 +569,31 @@ class BearingRow:
             ):
                 if there is not None:
                     yield dotted(other), instead
-        elif self.journal is not None:
-            yield dotted(BearingRow.journal), Text("needs bore_mm beside it: both make the clearance")
         for key, pair in ((BearingRow.journal, self.journal), (BearingRow.finished, self.finished)):
             if pair is not None and self.diameter is not None and not near(self.diameter, (pair,)):
                 yield (
                     dotted(key),
                     Text("is not the size of diameter_mm, {diameter}", diameter=Amount(self.diameter * 1e3, "mm")),
                 )
+        yield from self._bore()
+
+    def _bore(self) -> Iterable[tuple[str, Text]]:
+        """Whether the running bore goes with the journal, and the housing's with the walls too."""
+        finished = self.finished if self.seat == "bush" else None
+        running = ((BearingRow.finished, finished), (BearingRow.bore, None if self.ringed else self.bore))
+        for key, bore in running:
+            if bore is not None and self.journal is None:
+                yield dotted(key), Text("needs journal_mm beside it: both make the clearance")
+            elif bore is not None and self.journal is not None and sum(bore) <= sum(self.journal):
+                yield dotted(key), Text("must be larger than journal_mm")
+        if self.bore is None or self.diameter is None:
+            return
+        if not self.ringed and not near(self.diameter, (self.bore,)):
+            size = Amount(self.diameter * 1e3, "mm")
+            yield dotted(BearingRow.bore), Text("is not the size of diameter_mm, {diameter}", diameter=size)
+        if self.ringed and self.wall is not None and not near(d := self.diameter + 2 * self.wall[-1], (self.bore,)):
+            size = Amount(d * 1e3, "mm")
+            yield dotted(BearingRow.bore), Text("is not the size of diameter_mm and two walls, {size}", size=size)
 
     def _seat(self) -> Iterable[tuple[str, Text]]:
         """What seat, bush and shells need, and what says nothing of them."""
@@ -594,13 +611,13 @@ class BearingRow:
         if self.housing_outer is not None and self.ringed and self.diameter is not None and self.wall is not None:
             bore = self.bore[-1] if self.bore is not None else self.diameter + 2 * self.wall[-1]
             if self.housing_outer <= bore + LEAST_METAL:
-                yield (
-                    dotted(BearingRow.housing_outer),
-                    Text(
-                        "must be above {least}: the bore and 1 mm of metal around it",
-                        least=Amount((bore + LEAST_METAL) * 1e3, "mm"),
-                    ),
-                )
+                yield dotted(BearingRow.housing_outer), more_metal(bore)
+
+
+def more_metal(bore: float) -> Text:
+    """What an outside of the housing is told that leaves next to nothing around this bore."""
+    least = Amount((bore + LEAST_METAL) * 1e3, "mm")
+    return Text("must be above {least}: the bore and 1 mm of metal around it", least=least)
 
 
 def near(diameter: float, limits: Sequence[tuple[float, ...]]) -> bool:
