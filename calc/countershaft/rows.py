@@ -573,7 +573,10 @@ class BearingRow:
             if pair is not None and self.diameter is not None and not near(self.diameter, (pair,)):
                 yield (
                     dotted(key),
-                    Text("is not the size of diameter_mm, {diameter}", diameter=Amount(self.diameter * 1e3, "mm")),
+                    Text(
+                        "is not the size of diameter_mm, {diameter}",
+                        diameter=Amount(self.diameter * 1e3, "mm", form="g"),
+                    ),
                 )
         yield from self._bore()
 
@@ -589,10 +592,10 @@ class BearingRow:
         if self.bore is None or self.diameter is None:
             return
         if not self.ringed and not near(self.diameter, (self.bore,)):
-            size = Amount(self.diameter * 1e3, "mm")
+            size = Amount(self.diameter * 1e3, "mm", form="g")
             yield dotted(BearingRow.bore), Text("is not the size of diameter_mm, {diameter}", diameter=size)
         if self.ringed and self.wall is not None and not near(d := self.diameter + 2 * self.wall[-1], (self.bore,)):
-            size = Amount(d * 1e3, "mm")
+            size = Amount(d * 1e3, "mm", form="g")
             yield dotted(BearingRow.bore), Text("is not the size of diameter_mm and two walls, {size}", size=size)
 
     def _seat(self) -> Iterable[tuple[str, Text]]:
@@ -603,7 +606,7 @@ class BearingRow:
             yield dotted(BearingRow.finished), Text('needed with bore = "finished"')
         for key, words in SAYS_WITH.items():
             entry = keys(BearingRow)[key]
-            if self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
+            if self.seat and self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
                 of = " or ".join(f'seat = "{word}"' for word in words)
                 yield key, Text("belongs to {seats}", seats=of)
         if self.bore_ != "finished" and self.finished is not None and self.seat == "bush":
@@ -616,13 +619,14 @@ class BearingRow:
 
 def more_metal(bore: float) -> Text:
     """What an outside of the housing is told that leaves next to nothing around this bore."""
-    least = Amount((bore + LEAST_METAL) * 1e3, "mm")
+    least = Amount((bore + LEAST_METAL) * 1e3, "mm", form="g")
     return Text("must be above {least}: the bore and 1 mm of metal around it", least=least)
 
 
 def near(diameter: float, limits: Sequence[tuple[float, ...]]) -> bool:
-    """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself."""
-    return limits[0][0] - diameter / 100 <= diameter <= limits[-1][-1] + diameter / 100
+    """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself.
+    One that is no number, of which that is said, is."""
+    return not (diameter < limits[0][0] - diameter / 100 or diameter > limits[-1][-1] + diameter / 100)
 
 
 LEAST_METAL = 2e-3  # m, in diameter
