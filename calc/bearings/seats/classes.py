@@ -117,9 +117,8 @@ class Select:
         if self.clearance_band[0] >= self.clearance_band[-1]:
             yield dotted(Select.clearance_band), Text("least before most")
         elif not wrong and any(low < LEAST_WALL or high > MOST_WALL for low, high in self.walls()):
-            key = Select.clearance_band if self.walls_mm is None else Select.walls_mm
-            must = Text("must leave walls of {least} to {most} between bore and journal", **BOUNDS)
-            yield dotted(key), must
+            key = dotted(Select.clearance_band) if self.walls_mm is None else dotted(Select.walls_mm)
+            yield key, Text("must leave walls of {least} to {most} between bore and journal", **BOUNDS)
         if self.pick is not None and not wrong:
             yield from self._pick(self.pick)
 
