@@ -16,6 +16,7 @@ from calc.studies.shipped import DESIGNS
 from reports.blocks.summary import summary_blocks
 from reports.report import context_of
 from reports.typesetting.pagination import TextContent
+from tests.conftest import each_shipped
 
 OLD = Path(__file__).parent / "reference" / "designs_0_1"
 
@@ -142,17 +143,10 @@ def test_the_runout_of_ground_wheels_frees_the_twin(given: list[str], state: str
     assert solve(design(parse(text.encode(), "twin_drive.toml"))).verdict == state
 
 
-SHIPPED = sorted(DESIGNS.glob("*.toml"))
-
-
 LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized")
 
 
-@pytest.mark.parametrize(
-    "file",
-    [pytest.param(file, marks=pytest.mark.slow) if file.stem in LONG else file for file in SHIPPED],
-    ids=lambda file: file.stem,
-)
+@pytest.mark.parametrize("file", each_shipped(*LONG))
 def test_the_session_and_page_one_say_the_state_of_the_program(file: Path) -> None:
     """Of every design the words from which the session's step list and the first page are drawn; what plain text, JSON
     and a replay say `tests/test_findings.py` compares."""

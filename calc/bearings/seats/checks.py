@@ -228,17 +228,17 @@ def _tighter(place: str, row: BearingRow, seat: SeatResult) -> tuple[Remedy, ...
 
 def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     housing, backing = seat.rings.housing, seat.rings.backing
-    stress, source, missing = (
-        seat.housing_stress,
-        Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name),
-        None,
-    )
+    stress, value_id, missing = seat.housing_stress, None, None
+    source = Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name)
     if housing.proof_stress is None and housing.tensile_strength is not None:
         stress, limit = seat.tension, housing.tensile_strength
+        value_id = dotted("bearings", place, "seat", SeatResult.tension)
         source = Text("{lame}; hoop tension, tensile strength of {name}", lame=LAME, name=housing.name)
     else:
         limit, missing = proof_of(housing.proof_stress, stress)
-    yield SEAT_STRESS(stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, missing=missing)
+    yield SEAT_STRESS(
+        stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, value_id=value_id, missing=missing
+    )
     limit, missing = proof_of(backing.proof_stress, abs(seat.bush_stress))
     yield BUSH_STRESS(
         abs(seat.bush_stress),

@@ -76,7 +76,7 @@ def test_two_rings(row):
         "bore after pressing mm, free bore d_i": (fit.d_i - state.c) / MM,
         "growth of the housing's bore µm": f.housing_growth(p=state.p, d_o=fit.d_o, k_H=fit.k_H) / UM,
         "hoop stress of the bush MPa": f.bush_stress(p=state.p, d_o=fit.d_o, d_i=fit.d_i) / MPA,
-        "von Mises of the housing MPa": f.housing_stress(q=q, p=state.p) / MPA,
+        "von Mises of the housing MPa": f.housing_stress(sigma_H=q, p=state.p) / MPA,
         "expansion of the assembled bore 1e-6/K": f.bore_expansion(
             s=state.c / state.delta, d_o=fit.d_o, d_i=fit.d_i, chi=0.0, **alpha
         )
