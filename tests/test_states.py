@@ -104,33 +104,6 @@ def test_what_is_open_of_alpha_and_of_the_balance_shafts() -> None:
     assert (shafts.verdict, shafts.colour) == ("not_verified", "not_verified")
 
 
-# --- journals of makers, healthy in their films: what is printed and what is assumed stands in each file
-
-MAKERS = Path(__file__).parent / "reference" / "makers"
-BOTH = ("front", "rear")
-JUDGED = {  # the state, and which cautions are open of each journal
-    "er6n": ("pass", ()),
-    "ld9": ("pass", ()),
-    "l61_front": ("warn", ("film_edge_sheared", "film_edge_corner", "temperature_corner")),
-    "l61_rear": ("warn", ("temperature_corner",)),
-    "j24b": ("warn", ("film_edge_sheared", "film_edge_corner")),
-    "v3307": ("pass", ()),
-    "wlc": ("pass", ()),
-    "cat3304": ("pass", ()),
-    "stx38": ("warn", ("film_edge_corner",)),
-}
-
-
-@pytest.mark.parametrize("name", JUDGED)
-def test_the_journals_of_makers(name: str) -> None:
-    results = solve(design(read(MAKERS / f"{name}.toml")))
-    state, cautions = JUDGED[name]
-    open_ones = {c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open and not c.narrow}
-    assert not failing(results)
-    assert open_ones == {f"bearings.{place}.{key}" for place in BOTH for key in cautions}
-    assert results.verdict == state
-
-
 WHEELS = ["crank", "central", "idler", "shaft"]
 
 
