@@ -210,6 +210,19 @@ def test_so_much_more_interference_holds_the_bush(place, key, least):
     assert short.verdict == "warn", "and no more than that"
 
 
+def test_so_much_more_interference_keeps_the_bush_from_turning():
+    """Of one that has come loose: less than what keeps it shut."""
+    fields = {"rear": {"interference_um": [20, 35]}, "housing_temperature_C": 105.0}
+    found = checks_of(document(**fields))
+    turn, press = found["rear.seat_turn"], found["rear.seat_press"]
+    (((key, ends),),) = (way.changes for way in turn.remedies)
+    (((_, shut),),) = (way.changes for way in press.remedies)
+    assert key == "shafts.shaft.bearings.rear.interference_um" and 20 < ends[0] < shut[0] and turn.verdict == "fail"
+    held = checks_of(document(**{**fields, "rear": {"interference_um": ends}}))["rear.seat_turn"]
+    short = checks_of(document(**{**fields, "rear": {"interference_um": [end - 2 for end in ends]}}))["rear.seat_turn"]
+    assert held.holds and not short.holds
+
+
 def test_the_temperature_of_the_housing_decides_whether_the_bush_holds():
     found = {}
     for T in (None, 100.0, 140.0):
