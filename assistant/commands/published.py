@@ -2,8 +2,8 @@
 """The commands about what the program stands on: `contralbero sources`, `oils`, `makers`, `errata` and `validate`.
 
 sources: the register of publications and kinds of sources, and what of the program rests on one of them.  oils: the
-oils that a design may name, and what is known of each.  makers: the journals that makers print.  errata: what is wrong in the documents that this program grew
-out of.  validate: values of others beside ours."""
+oils that a design may name, and what is known of each.  makers: the journals that makers print.  errata: what is wrong
+in the documents that this program grew out of.  validate: values of others beside ours."""
 
 import json
 import textwrap

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The journals of a shaft beside those that makers print for their balance shafts: a check, which is advice, and a table
-of facts."""
+"""The journals of a shaft beside those that makers print for their balance shafts: a check and a table of facts."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple

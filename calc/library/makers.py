@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Balance-shaft journals as makers print them in their service sheets: facts to set a design beside.
 
-No sheet prints the length of a journal or its load; what is not printed is None, or empty, and never interpolated.  Read
-without numpy."""
+No sheet prints the length of a journal or its load.  What is not printed is None, or empty, and never interpolated.
+Read without numpy."""
 
 import math
 from collections.abc import Callable, Iterable
