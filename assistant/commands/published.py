@@ -372,7 +372,7 @@ def _fact(value: Any, unit: str) -> str:
 def _range(limits: tuple[float, ...], unit: str) -> str:
     """The limits of each class in turn."""
     ends = [f"{UNITS[unit].shown(x):.6g}" for x in limits]
-    return ", ".join(f"{low} to {high}" for low, high in zip(ends[::2], ends[1::2]))
+    return ", ".join(f"{low}–{high}" for low, high in zip(ends[::2], ends[1::2]))
 
 
 def _maybe(inside: float | None, unit: str, digits: int) -> float | None:

@@ -127,8 +127,9 @@ def _cells(
     sheet: Text,
 ) -> tuple[str | float | None, ...]:
     """A row from numbers in SI: diameter, wall, least and most clearance, relative clearance."""
+    shown = (("mm", 4), ("mm", 4), ("µm", 1), ("µm", 1), ("‰", 2))
     d, wall, least, most, psi = (
-        None if x is None else round(UNITS[unit].shown(x), 6) for x, unit in zip(numbers, ("mm", "mm", "µm", "µm", "‰"))
+        None if x is None else round(UNITS[unit].shown(x), digits) for x, (unit, digits) in zip(numbers, shown)
     )
     return journal, assembly and Name(assembly), d, wall, least, most, how, psi, sheet
 

@@ -35,7 +35,7 @@ class MakerJournal:
     housing: tuple[Metre, ...] = series("Bore that its bush or shells sit in", "mm", default=())
     wall: tuple[Metre, ...] = series("Wall of its bush or shell", "mm", default=())
     clearance: tuple[Metre, ...] = series("Clearance", "mm", default=())
-    clearance_up_to: Metre | None = quantity("Clearance, no least printed", "mm", default=None, above=0)
+    clearance_up_to: Metre | None = quantity("Clearance, up to", "mm", default=None, above=0)
 
     @property
     def diameter(self) -> Metre | None:
