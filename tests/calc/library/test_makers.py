@@ -35,7 +35,7 @@ def in_cells(row: dict[str, str], places: list[str]) -> Numbers:
             named = {place: place.removesuffix(" parts") for place in places if place}
             of = [place for place, word in named.items() if re.search(rf"\b{word}\b", part)]
             numbers = re.sub("|".join(named.values()), "", part) if named else part
-            for place in of or ([""] if "" in places else places):
+            for place in of or ([""] if "" in places else places or [""]):
                 found.setdefault((place, column), []).extend(map(float, NUMBER.findall(numbers)))
     return found
 
