@@ -136,12 +136,12 @@ def _cells(
 
 def _printed_cells(printed: PrintedJournal) -> tuple[str | float | None, ...]:
     sheet, journal = printed.sheet, printed.journal
-    name = Name(f"{sheet.name}, {journal.place}" if journal.place else sheet.name)
+    name = Text("{engine}, {place}", engine=sheet.name, place=journal.place) if journal.place else Name(sheet.name)
     (least, most), how = journal.stated_clearance or ((None, None), None)
     if how is None and journal.clearance_up_to is not None:
         most, how = journal.clearance_up_to, Text("printed")
     numbers = journal.diameter, journal.wall_middle, least, most, journal.relative_clearance
-    return _cells(name, sheet.assembly, numbers, how, Name(sheet.title))
+    return _cells(name, sheet.assembly, numbers, how, Name(f"“{sheet.title}”"))
 
 
 def _alone(own: OwnJournal) -> Text:

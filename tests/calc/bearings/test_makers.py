@@ -71,7 +71,7 @@ def test_the_table_has_this_design_and_then_the_makers() -> None:
     assert first[:3] == ("front", "split", 24.0) and first[-2:] == (1.9, "this design")
     assert second[:3] == ("rear", "split", 60.0)
     assert ld9[:8] == ("GM 2.4 LD9", "module", 29.9625, 1.504, 44.0, 111.0, "printed", 2.59)
-    assert ld9[8] == "Balance Shaft, specifications, Sunfire L4-144 2.4L"
+    assert ld9[8] == "“Balance Shaft, specifications, Sunfire L4-144 2.4L”"
     by_name = {row[0]: row for row in others}
     assert by_name["Caterpillar 3304, 3304B"][4:7] == (61.0, 223.0, "bore less journal")
     assert by_name["Porsche 944 M44.40"][3:8] == (None, None, None, None, None)  # not printed
