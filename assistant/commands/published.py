@@ -311,7 +311,7 @@ def _all_sheets(sheets: Iterable[MakerSheet]) -> Table:
             sheet.assembly,
             _maybe(journal.diameter, "mm", 5),
             _maybe(journal.wall_middle, "mm", 5),
-            _range(tuple(journal.stated_clearance[0]) if journal.stated_clearance else (), "µm"),
+            _range(journal.stated_clearance[0] if journal.stated_clearance else (), "µm"),
             _maybe(journal.relative_clearance, "‰", 3),
         )
         for sheet in sheets

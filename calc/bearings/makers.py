@@ -22,8 +22,6 @@ MAKER_RANGE = CheckRule(
     cause="bearings.maker_range",
     moved_by=(dotted(ROW, BearingRow.diameter), dotted(ROW, BearingRow.clearance)),
 )
-
-
 NUMBERS = (  # what is compared: of a maker's journal, and in which unit
     (lambda journal: journal.diameter, "mm"),
     (lambda journal: journal.relative_clearance, "‰"),
