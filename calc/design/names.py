@@ -217,7 +217,11 @@ CHOICE_WORDS: dict[str, str] = {
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),
     "threaded": Text("threaded"), "cartridge": Text("cartridge"), "split": Text("split at the axis"),
     "caps": Text("caps"), "module": Text("module"),
+    "front": Text("front"), "rear": Text("rear"),
     # oil and bearings
+    "direct": Text("in the housing itself"), "bush": Text("pressed bush"), "shells": Text("half shells"),
+    "as_pressed": Text("as pressed"), "finished": Text("cut after pressing"), "press": Text("its press"),
+    "pin": Text("a pin"),
     "mineral": Text("mineral"), "ester": Text("ester"), "forced": Text("forced"),
     "forced_cooled": Text("forced, oil cooled"),
     "grease": Text("grease"), "ring": Text("ring"), "ring_moving_air": Text("ring, in moving air"),

@@ -15,7 +15,7 @@ from . import formulas as f
 from .classes import Select
 from .result import SeatResult
 from .rings import Rings
-from .stack import Stack
+from .stack import SeatStack
 
 LAME = Text("elasticity: thick rings in plane stress (Lamé)")
 CAUSE = "bearings.B.seat"
@@ -153,7 +153,7 @@ MEGAPASCAL, NEWTON_METRE, HUNDRED_MICRONS, TEN_MICRONS = 1e6, 1.0, 100e-6, 10e-6
 
 
 def seat_checks(
-    place: str, row: BearingRow, seat: SeatResult | None, stack: Stack | None, band: tuple[Metre, ...] | None
+    place: str, row: BearingRow, seat: SeatResult | None, stack: SeatStack | None, band: tuple[Metre, ...] | None
 ) -> Iterator[Check]:
     """`band`: of the clearance that classes shall make; None: there are none."""
     if seat is not None:
@@ -244,7 +244,7 @@ def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     )
 
 
-def _worst_pair(place: str, stack: Stack, rings: Rings, band: tuple[Metre, Metre]) -> Check:
+def _worst_pair(place: str, stack: SeatStack, rings: Rings, band: tuple[Metre, Metre]) -> Check:
     """The pair of classes that stands furthest outside the band, else nearest to its ends."""
     assert stack.pairs is not None
     ends = [(pair, g) for pair in stack.pairs for g in stack.of_pair(pair, rings)]

@@ -13,7 +13,7 @@ from ..inputs import BearingsInputs
 from . import formulas as f
 from .result import SeatResult, Temperatures
 from .rings import Rings
-from .stack import Stack
+from .stack import SeatStack
 
 CRUSH_FIELD: Metre = (
     12e-6  # of the interference of shells that are sorted by their crush, assumed; rule of this program
@@ -24,7 +24,7 @@ HOLDING_FRICTION: Number = 0.10  # μ_s of steel pressed in metal; from memory
 
 
 def rings_of(
-    row: BearingRow, inputs: BearingsInputs, stack: Stack | None, backing: Material, housing: Material, d: Metre
+    row: BearingRow, inputs: BearingsInputs, stack: SeatStack | None, backing: Material, housing: Material, d: Metre
 ) -> Rings | None:
     """What is pressed into the housing of a bearing of diameter `d`; None: nothing.  An interference that is not given
     is nought until it is chosen."""

@@ -11,7 +11,7 @@ from .rings import Rings
 
 
 @record
-class Stack:
+class SeatStack:
     """Limits of the parts at the reference temperature.  `bore`: of the housing, or as finished; `walls` None: there
     are none between bore and journal, or they do not count.  `pairs`: where they are selected, of each pair of classes
     bore, walls and journal, by the numbers of bore class and journal class from 1."""
@@ -58,7 +58,7 @@ class Stack:
         return pressed
 
 
-def stack_of(row: BearingRow, select: Select | None, rise: Metre = 0.0) -> Stack | None:
+def stack_of(row: BearingRow, select: Select | None, rise: Metre = 0.0) -> SeatStack | None:
     """Of a bearing whose clearance its parts make; None where it is given otherwise.  `rise`: by which its seated bore
     stands wider, which walls that are found allow for."""
     if select is not None and row.seat == "shells":
@@ -67,14 +67,14 @@ def stack_of(row: BearingRow, select: Select | None, rise: Metre = 0.0) -> Stack
         return None
     journal = row.journal[0], row.journal[1]
     if row.finished is not None:
-        return Stack((row.finished[0], row.finished[1]), None, journal)
+        return SeatStack((row.finished[0], row.finished[1]), None, journal)
     assert row.bore is not None
     walls = None if row.wall is None or not row.ringed else (row.wall[0], row.wall[-1])
-    return Stack((row.bore[0], row.bore[1]), walls, journal)
+    return SeatStack((row.bore[0], row.bore[1]), walls, journal)
 
 
-def _sorted(select: Select, rise: Metre) -> Stack:
+def _sorted(select: Select, rise: Metre) -> SeatStack:
     walls, bores, journals = select.walls(rise), select.bores, select.journals
-    return Stack(
+    return SeatStack(
         (bores[0][0], bores[-1][1]), (walls[0][0], walls[-1][1]), (journals[0][0], journals[-1][1]), select.pairs(rise)
     )

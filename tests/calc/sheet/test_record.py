@@ -62,6 +62,8 @@ def test_inputs_print_labels_values_and_units():
         "  Length                    30 mm",
         "  Roughness Ra, journal    0.6 µm",
         "  Roughness Ra, seat       0.6 µm",
+        "  Seat                  direct",
+        "  Plane of the joint         0 °",
     ]
 
 
