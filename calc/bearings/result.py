@@ -28,7 +28,7 @@ from .film.dynamics import Dynamics
 from .routes.routes import ROUTES
 from .routes.side_by_side import RouteResultBeside
 from .routes.states import BearingCase, Film, OperatingPoint
-from .seats.result import SeatResult
+from .seats.result import SeatResult, SplitResult
 from .speeds import Sweep
 
 
@@ -164,6 +164,7 @@ class BearingResult:
     )  # those that have an answer
     corners: Corners = group(words="corners")
     seat_: SeatResult | None = group(words="seat", default=None)
+    split: SplitResult | None = group(words="split line", default=None)
     dynamics: Dynamics = group(words="dynamics")
     standing: StandingResult | None = group(spread=True, default=None)
     on_shaft: OnShaftResult | None = group(spread=True, default=None)

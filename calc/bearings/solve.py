@@ -11,7 +11,7 @@ import numpy as np
 from ..countershaft.bending.condensed import Condensed, of_beam
 from ..countershaft.formulas import reaction
 from ..countershaft.result import CountershaftResult
-from ..countershaft.rows import BearingRow, called, row_key
+from ..countershaft.rows import RELIEF, RELIEF_LENGTH, BearingRow, called, row_key
 from ..countershaft.twins import How
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..library.catalogue import Material, Oil, materials, oils
@@ -36,8 +36,10 @@ from .checks import SLOPE, checks, oil_check
 from .corners import assumed, corner_points, corners, corners_table
 from .curves import charts, curves, in_films
 from .film import short_bearing as short
+from .film import split_line
 from .film import table as optimum
 from .film.dynamics import dynamics
+from .film.table import FilmRangeError
 from .inputs import SLOPE_TAKEN, BearingsInputs, ruled_by
 from .loads import loads_beside
 from .makers import maker_checks, makers_table, own_journal
@@ -50,6 +52,7 @@ from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, closed, settled, settled_together
 from .seats import formulas as seats_by
+from .seats.result import SplitResult
 from .seats.seat import GUESSED, chosen, rings_of, seated, states
 from .seats.stack import stack_of
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
@@ -438,6 +441,8 @@ def _bearing(
             omega = f.angular_speed(n=speed)
             at = states(inputs, hottest)
             pressed = seated(seat.rings, bearing, seat.clearance, load, hot.friction_power, omega, at)
+    with about(Text("{place} bearing, split line", place=called(place))):
+        passed = _split(seat, hot, edge, ratio)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -489,6 +494,7 @@ def _bearing(
         },
         corners=at_worst,
         seat_=pressed,
+        split=passed,
         dynamics=moving,
         hot=hot,
         seat=seat,
@@ -509,6 +515,25 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
         item(gathered(row)[swept.thinnest]) for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
     )
     return closed(own_warm, seat, _at_speed(seat, duty, n, T_in, p_s), rise)
+
+
+def _split(seat: BearingCase, hot: Film, edge: Metre, ratio: Number) -> SplitResult | None:
+    """The film as the split of shells passes under a load that turns past it; None where there is none, or it is not
+    known: the relief lies outside what was marched."""
+    row, inputs = seat.bearing, seat.inputs
+    if row.seat != "shells" or seat.centred or inputs.load_speed_ratio == inputs.bush_speed_ratio:
+        return None
+    t, a_r = (
+        default if given is None else given
+        for given, default in ((row.relief, RELIEF), (row.relief_length, RELIEF_LENGTH))
+    )
+    depth = seats_by.relief_depth(t=t, g=hot.clearance)
+    arc = seats_by.relief_arc(a_r=a_r, d=row.diameter)
+    try:
+        share = split_line.share(eps=hot.eccentricity, b=ratio, depth=depth, arc=arc)
+    except FilmRangeError:
+        return None
+    return SplitResult(share=share, film=seats_by.film_at_split(h_edge=edge, h_0=hot.film, s_t=share))
 
 
 def _edge(seat: BearingCase, duty: OperatingPoint, film: Film[Array], slope: Radian) -> Metre | None:
