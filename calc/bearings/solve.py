@@ -11,7 +11,7 @@ import numpy as np
 from ..countershaft.bending.condensed import Condensed, of_beam
 from ..countershaft.formulas import reaction
 from ..countershaft.result import CountershaftResult
-from ..countershaft.rows import RELIEF, RELIEF_LENGTH, BearingRow, called, row_key
+from ..countershaft.rows import BearingRow, called, row_key
 from ..countershaft.twins import How
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..library.catalogue import Material, Oil, materials, oils
@@ -33,13 +33,11 @@ from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks, turned_over
 from .checks import SLOPE, checks, oil_check
-from .corners import assumed, corner_points, corners, corners_table
+from .corners import corner_points, corners, corners_table
 from .curves import charts, curves, in_films
 from .film import short_bearing as short
-from .film import split_line
 from .film import table as optimum
 from .film.dynamics import dynamics
-from .film.table import FilmRangeError
 from .inputs import SLOPE_TAKEN, BearingsInputs, ruled_by
 from .loads import loads_beside
 from .makers import maker_checks, makers_table, own_journal
@@ -50,10 +48,9 @@ from .routes import supply
 from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
-from .routes.thermal_balance import balanced, closed, settled, settled_together
-from .seats import formulas as seats_by
-from .seats.result import SplitResult
-from .seats.seat import GUESSED, chosen, rings_of, seated, states
+from .routes.thermal_balance import balanced, closed, settled_together
+from .seats.seat import rings_of
+from .seats.sitting import seat_result, sitting, split_result
 from .seats.stack import stack_of
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
 from .suitability import (
@@ -79,9 +76,6 @@ SLOPE_GIVEN = CheckRule(
     moved_by=(SLOPE,),
 )
 
-
-CHOSEN_PASSES, CHOSEN_WITHIN = 6, 0.05  # until the hottest film of a chosen interference stays, in K
-EIGHT = 8  # corners of the tolerances under one load
 
 HTHS_TEMPERATURE: Celsius = 150.0  # at which the viscosity at high shear is measured, SAE J300
 
@@ -235,54 +229,6 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecon
     return f.clearance_of_fits(EI=EI, ES=ES, ei=ei, es=es)
 
 
-def sitting(seat: BearingCase, duty: OperatingPoint) -> BearingCase:
-    """The same bearing with the interference of what is pressed in and the clearance that its parts make.
-
-    An interference that is chosen holds where the film is hottest, which hangs on the clearance, and walls that are
-    found allow for what the press does to the bore: until both stay."""
-    if seat.rings is None:
-        return replace(seat, clearance=_of_parts(seat))
-    hot = duty.supply_temperature + GUESSED
-    with untraced():
-        for _ in range(CHOSEN_PASSES):
-            before, seat = hot, _pressed(seat, duty, hot)
-            hot = _hottest(seat, duty) if seat.rings is not None and seat.rings.chosen else hot
-            if abs(hot - before) < CHOSEN_WITHIN:
-                break
-    return _pressed(seat, duty, hot)
-
-
-def _pressed(seat: BearingCase, duty: OperatingPoint, hot: Celsius) -> BearingCase:
-    """With bush and shells as they sit where the film is so hot."""
-    row, inputs, rings = seat.bearing, seat.inputs, seat.rings
-    assert rings is not None
-    rings = chosen(rings, row, seat.clearance, duty.load, states(inputs, hot))
-    if seat.stack is not None and seat.stack.pairs is not None:
-        with untraced():
-            stack = stack_of(row, inputs.select, rings.rise(row.diameter, seat.clearance))
-        assert stack is not None and stack.walls is not None
-        seat, rings = replace(seat, stack=stack), replace(rings, wall=sum(stack.walls) / 2)
-    seat = replace(seat, rings=rings)
-    return replace(seat, clearance=_of_parts(seat))
-
-
-def _of_parts(seat: BearingCase) -> Metre:
-    """The clearance: of its parts, where they make it, their middle."""
-    if seat.stack is None:
-        return seat.clearance
-    least, most = seat.stack.clearances(seat.rings)
-    return seats_by.middle_clearance(g_min=least, g_max=most)
-
-
-def _hottest(seat: BearingCase, duty: OperatingPoint) -> Celsius:
-    """Highest mean temperature of the film over its corners; of the film where fits are not given.  The limit of the
-    outlet where no film answers."""
-    at = replace(duty, load=max(duty.load, 1.0))
-    film = settled(*((seat, at) if assumed(seat) else corner_points(seat, at)))
-    corners = np.atleast_1d(film.mean_temperature)[:EIGHT]
-    return float(np.nanmax(corners)) if np.isfinite(corners).any() else seat.inputs.outlet_temperature_limit
-
-
 def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:
     """As given, else the reaction of the shaft there."""
     if bearing.load is not None:
@@ -430,19 +376,10 @@ def _bearing(
     with about(Text("{place} bearing, corners of the tolerances", place=called(place))):
         of = Text("{place} bearing", place=called(place))
         at_worst = corners(seat, duty, theta, corner_films, of, None if share is None else points[1].load)
-    pressed = None
-    if seat.rings is not None:
-        with about(Text("{place} bearing, seat", place=called(place))):
-            mean = np.atleast_1d(corner_films.mean_temperature)[:EIGHT]
-            hottest = hot.mean_temperature
-            if not assumed(seat):
-                there = np.isfinite(mean).any()
-                hottest = float(np.nanmax(mean)) if there else inputs.outlet_temperature_limit
-            omega = f.angular_speed(n=speed)
-            at = states(inputs, hottest)
-            pressed = seated(seat.rings, bearing, seat.clearance, load, hot.friction_power, omega, at)
+    with about(Text("{place} bearing, seat", place=called(place))):
+        pressed = seat_result(seat, load, duty, hot, corner_films)
     with about(Text("{place} bearing, split line", place=called(place))):
-        passed = _split(seat, hot, edge, ratio)
+        passed = split_result(seat, hot, edge, ratio)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -515,25 +452,6 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
         item(gathered(row)[swept.thinnest]) for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
     )
     return closed(own_warm, seat, _at_speed(seat, duty, n, T_in, p_s), rise)
-
-
-def _split(seat: BearingCase, hot: Film, edge: Metre, ratio: Number) -> SplitResult | None:
-    """The film as the split of shells passes under a load that turns past it; None where there is none, or it is not
-    known: the relief lies outside what was marched."""
-    row, inputs = seat.bearing, seat.inputs
-    if row.seat != "shells" or seat.centred or inputs.load_speed_ratio == inputs.bush_speed_ratio:
-        return None
-    t, a_r = (
-        default if given is None else given
-        for given, default in ((row.relief, RELIEF), (row.relief_length, RELIEF_LENGTH))
-    )
-    depth = seats_by.relief_depth(t=t, g=hot.clearance)
-    arc = seats_by.relief_arc(a_r=a_r, d=row.diameter)
-    try:
-        share = split_line.share(eps=hot.eccentricity, b=ratio, depth=depth, arc=arc)
-    except FilmRangeError:
-        return None
-    return SplitResult(share=share, film=seats_by.film_at_split(h_edge=edge, h_0=hot.film, s_t=share))
 
 
 def _edge(seat: BearingCase, duty: OperatingPoint, film: Film[Array], slope: Radian) -> Metre | None:
