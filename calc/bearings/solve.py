@@ -42,14 +42,14 @@ from .inputs import SLOPE_TAKEN, BearingsInputs, ruled_by
 from .loads import loads_beside
 from .materials import application, running_surface
 from .notes import errata, notes
-from .result import BearingResult, BearingsResult, route_result
+from .result import AT_ALL, BearingResult, BearingsResult, route_result
 from .routes import supply
 from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, closed, settled, settled_together
 from .seats import formulas as seats_by
-from .seats.seat import GUESSED, chosen, rings_of, seated, states
+from .seats.seat import GUESSED, chosen, rings_of, seated, selected_by, states
 from .seats.stack import stack_of
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
 from .suitability import (
@@ -381,6 +381,7 @@ def _bearing(
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
         cold = seat.clearance_at(inputs.lowest_temperature)
+        at_all = {f"{T:g}": seat.clearance_at(T) for T in AT_ALL}
     ratio = f.length_ratio(l=based_on(bare / 2, bare) if lands == 2 else bare, d=d)
     with about(Text("{place} bearing, between largest load and least friction", place=called(place))):
         most, least_friction = optimum.share_of_largest_load(b=ratio), optimum.share_of_least_friction(b=ratio)
@@ -429,6 +430,10 @@ def _bearing(
             omega = f.angular_speed(n=speed)
             at = states(inputs, hottest)
             pressed = seated(seat.rings, bearing, seat.clearance, load, hot.friction_power, omega, at)
+    selected = None
+    if seat.stack is not None and seat.stack.pairs is not None:
+        with about(Text("{place} bearing, classes", place=called(place))):
+            selected = selected_by(seat.stack, seat.rings)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -458,6 +463,7 @@ def _bearing(
         clearance=seat.clearance,
         clearance_hot=hot.clearance,
         clearance_cold=cold,
+        clearances=at_all,
         relative_clearance=hot.relative_clearance,
         load=load,
         specific_load=p,
@@ -480,6 +486,7 @@ def _bearing(
         },
         corners=at_worst,
         seat_=pressed,
+        select=selected,
         dynamics=moving,
         hot=hot,
         seat=seat,
