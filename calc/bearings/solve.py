@@ -26,7 +26,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
-from ..sheet.step import Further, Outcome, Table
+from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
@@ -51,6 +51,8 @@ from .routes.thermal_balance import balanced, closed, settled, settled_together
 from .seats import formulas as seats_by
 from .seats.seat import GUESSED, chosen, rings_of, seated, selected_by, states
 from .seats.stack import stack_of
+from .seats.tables import seat_tables
+from .seats.warm import seat_curves, warm_table
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
 from .suitability import (
     Journal,
@@ -164,7 +166,13 @@ def solve(
         result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        curves=Later(lambda: (*(c for place, r in results.items() for c in curves(place, r)), *in_films(result))),
+        curves=Later(
+            lambda: (
+                *(c for place, r in results.items() for c in curves(place, r)),
+                *in_films(result),
+                *_of_seats(results),
+            )
+        ),
         tables=Later(lambda: _tables(results, speed)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
@@ -178,10 +186,17 @@ def _by_row(row: BearingRow, found: list[Check]) -> list[Check]:
     return [check.in_place(lambda key: (own.get(key, key),)) for check in found] if own else found
 
 
+def _of_seats(results: dict[str, BearingResult]) -> Iterator[Curve]:
+    for place, r in results.items():
+        yield from seat_curves(place, r)
+
+
 def _tables(results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
     for place, r in results.items():
         yield routes_table(place, r.side)
         yield corners_table(place, r.corners, r.seat)
+        yield from seat_tables(place, r.seat, r.select)
+        yield from warm_table(place, r, AT_ALL[:2])
     runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
     yield bushes_table(runs, [r.seat.inputs.bush_material or r.seat.inputs.housing_material for r in results.values()])
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
