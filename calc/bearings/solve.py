@@ -166,13 +166,7 @@ def solve(
         result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        curves=Later(
-            lambda: (
-                *(c for place, r in results.items() for c in curves(place, r)),
-                *in_films(result),
-                *_of_seats(results),
-            )
-        ),
+        curves=Later(lambda: _curves(result)),
         tables=Later(lambda: _tables(results, speed)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
@@ -186,8 +180,11 @@ def _by_row(row: BearingRow, found: list[Check]) -> list[Check]:
     return [check.in_place(lambda key: (own.get(key, key),)) for check in found] if own else found
 
 
-def _of_seats(results: dict[str, BearingResult]) -> Iterator[Curve]:
-    for place, r in results.items():
+def _curves(result: BearingsResult) -> Iterator[Curve]:
+    for place, r in result.bearings.items():
+        yield from curves(place, r)
+    yield from in_films(result)
+    for place, r in result.bearings.items():
         yield from seat_curves(place, r)
 
 
