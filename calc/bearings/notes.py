@@ -43,7 +43,7 @@ def _all_notes(
     yield Text(
         "The clearance is taken as given at {reference} and judged at the film's mean temperature.", reference=reference
     )
-    if not any(r.seat.inputs.fits_given for r in results.values()):
+    if not any(r.seat.inputs.fits_given or r.seat.stack is not None for r in results.values()):
         yield Text(
             "No fits are given: the corners take IT7 for journal and seat, half of it to either side of the "
             "clearance, and the oil within "

@@ -113,6 +113,7 @@ CHECKED = {  # parts that only checks have, and tables of inputs
     dotted("countershaft", "*", ShaftInputs.bolts): Text("bolts"),  # of one of several shafts
     dotted("countershaft", "*.drain"): Text("drain"),
     dotted("countershaft", "*", ShaftInputs.holes): Text("holes"),
+    "bearings.*.clearance_at": Text("clearance"),
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),
@@ -147,7 +148,7 @@ def _of_groups(result: type, way: str) -> Iterator[tuple[str, Text]]:
     for f in fields(result):
         if (group := f.metadata.get("group")) is None:
             continue
-        here = way if group.spread else f"{way}.{f.name}"
+        here = way if group.spread else f"{way}.{f.name.rstrip('_')}"
         if group.words:
             yield here, group.words
         content, keys = _first(f.type), [here]
@@ -224,6 +225,9 @@ CHOICE_WORDS: dict[str, str] = {
     "ring_fast_air": Text("ring, in fast air"), "hole": Text("hole"), "shaft": Text("through the shaft"),
     "groove": Text("groove"),
     "axial_groove": Text("axial groove"), "pocket": Text("pocket"), "walther": "Walther", "d341": "ASTM D341",
+    "direct": Text("in the housing itself"), "bush": Text("bush"), "shells": Text("half shells"),
+    "as_pressed": Text("as pressed"), "finished": Text("cut after pressing"), "press": Text("its press"),
+    "pin": Text("a pin"),
     # materials and gears
     "steel": Text("steel"), "aluminium": Text("aluminium"), "grey iron": Text("grey iron"),
     "ductile iron": Text("ductile iron"),

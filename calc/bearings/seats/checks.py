@@ -10,6 +10,7 @@ from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy, by_key, up
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Pascal
+from ...sheet.value import based_on
 from ..inputs import BearingsInputs
 from . import formulas as f
 from .classes import Select
@@ -238,7 +239,7 @@ def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     yield SEAT_STRESS(stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, missing=missing)
     limit, missing = proof_of(backing.proof_stress, abs(seat.bush_stress))
     yield BUSH_STRESS(
-        abs(seat.bush_stress),
+        based_on(abs(seat.bush_stress), seat.bush_stress),
         limit,
         at=place,
         name=_at(BUSH_STRESS, place),

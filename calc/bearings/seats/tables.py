@@ -177,7 +177,7 @@ def _classes_table(place: str, stack: Stack, select: SelectResult) -> Table:
     return Table(
         f"classes_{place}",
         Text("Shells by classes, {place} bearing", place=called(place)),
-        ((Text("bore (rows), journal (columns), mm"), ""), *head),
+        ((Text("bore / journal, mm"), ""), *head),
         rows,
         Text("Shells by their wall in mm, colours by this program: {walls}.", walls=SEMICOLON.join(walls)),
         (f"{dotted('bearings', place)}.select.",),

