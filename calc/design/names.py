@@ -114,6 +114,7 @@ CHECKED = {  # parts that only checks have, and tables of inputs
     dotted("countershaft", "*.drain"): Text("drain"),
     dotted("countershaft", "*", ShaftInputs.holes): Text("holes"),
     "bearings.*.clearance_at": Text("clearance"),
+    "bearings.*.*.clearance_at": Text("clearance"),  # of one of several shafts
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),
