@@ -40,6 +40,7 @@ from .film import table as optimum
 from .film.dynamics import dynamics
 from .inputs import SLOPE_TAKEN, BearingsInputs, ruled_by
 from .loads import loads_beside
+from .makers import maker_checks, makers_table, own_journal
 from .materials import application, running_surface
 from .notes import errata, notes
 from .result import AT_ALL, BearingResult, BearingsResult, route_result
@@ -103,13 +104,15 @@ def solve(
     *,
     speed_ratio: Number | None,
     how: How = "own",
+    assembly: str | None = None,
     compared: bool = True,
 ) -> Outcome[BearingsResult]:
     """The bearings of a shaft, front to rear, under the loads given, or the shaft's reactions, which turn with it and
     grow with its speed squared; more than two share them by their films and its bending.
 
     `speed_ratio`: of the shaft to the crank.  `how`: the bearings may be those of its mirror image, whose films are
-    the same turned over.  `compared`: with the other routes to the film beside the one that judges.
+    the same turned over.  `assembly`: how the shaft comes into its seats, where that is said.  `compared`: with the
+    other routes to the film beside the one that judges.
     """
     speed, bench = bearings.speed, tuple[BenchPoint, ...]()
     if engine is not None:
@@ -158,6 +161,7 @@ def solve(
             result = turned_over(result) if how == "mirrors" else result
     all_checks += _slope_checks(shaft, results)
     all_checks += support_checks(result, films, shaft)
+    all_checks += maker_checks(results, assembly, speed_ratio)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
         all_checks.append(pumping_check)
     results = result.bearings
@@ -167,7 +171,7 @@ def solve(
         checks=tuple(all_checks),
         lines=tuple(lines),
         curves=Later(lambda: _curves(result)),
-        tables=Later(lambda: _tables(results, speed)),
+        tables=Later(lambda: _tables(results, speed, assembly, speed_ratio)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
         further=lambda: Further(curves=Later(lambda: charts(results))),
@@ -188,7 +192,9 @@ def _curves(result: BearingsResult) -> Iterator[Curve]:
         yield from seat_curves(place, r)
 
 
-def _tables(results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
+def _tables(
+    results: dict[str, BearingResult], speed: RevPerSecond, assembly: str | None, ratio: Number | None
+) -> Iterator[Table]:
     for place, r in results.items():
         yield routes_table(place, r.side)
         yield corners_table(place, r.corners, r.seat)
@@ -198,6 +204,9 @@ def _tables(results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[
     yield bushes_table(runs, [r.seat.inputs.bush_material or r.seat.inputs.housing_material for r in results.values()])
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
     yield reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items())
+    beside_makers = makers_table([own_journal(place, r) for place, r in results.items()], assembly, ratio)
+    if beside_makers is not None:
+        yield beside_makers
 
 
 def _material_checks(place: str, r: BearingResult) -> Iterator[Check]:

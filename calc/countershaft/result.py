@@ -184,6 +184,8 @@ class CountershaftResult:
     drain: "DrainResult | None" = group(spread=True, default=None)
     further_drains: "dict[str, DrainResult] | None" = group(default=None, words="further drains")
     alternative: "dict[str, MaterialResult] | None" = group(default=None, words="alternative")
+    insertion_room_front: Metre | None = value("Room on the way in from the front", "mm", "c_R,f", default=None)
+    insertion_room_rear: Metre | None = value("Room on the way in from the rear", "mm", "c_R,r", default=None)
     part_count: Number | None = value("Parts of the assembly", "", default=None)
     part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it

@@ -25,6 +25,21 @@ LAME = "elasticity: thick rings in plane stress (Lamé)"
 # --- two rings
 
 
+@formula("d_i", "geometry: bore as assembled", unit="mm")
+def assembled_bore(d_J: Metre, g: Metre) -> Metre:
+    return d_J + g
+
+
+@formula("d_o", "geometry: outside of bush or shells, pressed in", unit="mm")
+def outside_of_bush(d_i: Metre, w: Metre) -> Metre:
+    return d_i + 2 * w
+
+
+@formula("D", "rule of this program: metal around the bore", unit="mm", names={"D_rel": "(D/d_o)"})
+def housing_outside(D_rel: Number, d_o: Metre) -> Metre:
+    return D_rel * d_o
+
+
 @formula("k_B", f"{LAME}: compliance of the bush at its outside", names={"nu_B": "ν_B"})
 def bush_compliance(d_o: Metre, d_i: Metre, nu_B: Number, E_B: Pascal) -> PerPascal:
     """Half the change of its outside diameter, over that diameter and the pressure."""

@@ -14,7 +14,7 @@ from ...sheet.units import Metre
 from ...sheet.value import untraced
 from .classes import Range
 from .result import SelectResult
-from .stack import Stack
+from .stack import SeatStack
 
 if TYPE_CHECKING:
     from ..routes.states import BearingCase
@@ -68,7 +68,7 @@ def stack_parts(seat: "BearingCase[Any]") -> list[StackPart]:
     return parts
 
 
-def _fields(stack: Stack) -> tuple[Metre, Metre, Metre]:
+def _fields(stack: SeatStack) -> tuple[Metre, Metre, Metre]:
     """By which bore, both walls and journal open the clearance."""
     one = (stack.bore, stack.walls or (0.0, 0.0), stack.journal)
     pairs = [one] if stack.pairs is None else [*stack.pairs.values()]
@@ -76,7 +76,7 @@ def _fields(stack: Stack) -> tuple[Metre, Metre, Metre]:
     return bore, 2 * walls, journal
 
 
-def _rise(seat: "BearingCase[Any]", stack: Stack) -> Range:
+def _rise(seat: "BearingCase[Any]", stack: SeatStack) -> Range:
     """What the clearance has beyond bore, walls and journal: interference less closing of the bore."""
     assert stack.walls is not None
     with untraced():
@@ -147,7 +147,7 @@ def _middles(seat: "BearingCase[Any]") -> Range:
 # --- shells by classes
 
 
-def shells(stack: Stack) -> dict[Range, Text]:
+def shells(stack: SeatStack) -> dict[Range, Text]:
     """The walls that are picked, from the thinnest, each with the word for its colour."""
     assert stack.pairs is not None
     walls = sorted({wall for _, wall, _ in stack.pairs.values()})
@@ -159,7 +159,7 @@ def limits_of(limits: Range) -> Text:
     return Text("{least} to {most}", least=size(limits[0], 3), most=size(limits[1], 3))
 
 
-def _classes_table(place: str, stack: Stack, select: SelectResult) -> Table:
+def _classes_table(place: str, stack: SeatStack, select: SelectResult) -> Table:
     assert stack.pairs is not None
     words = shells(stack)
     bores, journals = (dict.fromkeys(pair[n] for pair in stack.pairs) for n in (0, 1))
