@@ -80,7 +80,7 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
     ]
     ends[0] = replace(ends[0], notes=notes)
     ways = [ends, *([[side]] if side is not None else [])]
-    ways += [seats for place, r in result.bearings.items() if (seats := seat_sketches(place, r, checks))]
+    ways += seat_sketches(result.bearings, checks)
     first, *others = [picture for way in (ways[view:] + ways[:view]) for picture in way]
     return replace(first, beside=tuple(others), views=len(ways))
 

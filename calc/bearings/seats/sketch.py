@@ -46,24 +46,29 @@ METAL: Number = 0.5  # of the radius: of the housing no more is drawn
 CORNERS = 180  # of the bore
 CAPTION = Text("Seats in section, and what their clearance is made of")
 SEATS = {"bush": Text("bush"), "shells": Text("shells")}
-# what limits a seat, by the check on it
-RINGS = {
-    SEAT_STRESS: Text("housing"),
-    BUSH_STRESS: Text("bush"),
-    SEAT_PRESS: Text("press"),
-    SEAT_FRETTING: Text("press"),
-    SEAT_TURN: Text("hold"),
-}
+# what limits a seat beside the strength of its rings
+PRESS = {SEAT_PRESS: Text("press"), SEAT_FRETTING: Text("press"), SEAT_TURN: Text("hold")}
 
 
-def seat_sketches(place: str, r: "BearingResult", checks: dict[str, Check]) -> list[Sketch]:
-    """Of one bearing; none of a seat that says nothing."""
-    found = []
-    if r.seat_ is not None:
-        found.append(_section(place, r, r.seat_, checks))
-    if r.seat.stack is not None:
-        found.append(_chain(place, r))
-    return found
+def seat_sketches(results: "dict[str, BearingResult]", checks: dict[str, Check]) -> Iterator[list[Sketch]]:
+    """Those of each bearing of whose seat something is known, all at one scale."""
+    ringed = {place: r for place, r in results.items() if r.seat_ is not None}
+    gap = min((rounded(GAP * r.seat.bearing.diameter / r.clearance) for r in ringed.values()), default=1.0)
+    wall = min((_thicker(r) for r in ringed.values()), default=1.0)
+    for place, r in results.items():
+        found = []
+        if r.seat_ is not None:
+            found.append(_section(place, r, r.seat_, checks, min(EXAGGERATED, gap), wall))
+        if r.seat.stack is not None:
+            found.append(_chain(place, r))
+        if found:
+            yield found
+
+
+def _thicker(r: "BearingResult") -> Number:
+    """How many times its thickness a wall is drawn."""
+    assert r.seat.rings is not None
+    return max(1.0, rounded(WALL * r.seat.bearing.diameter / 2 / r.seat.rings.wall))
 
 
 def _keys(place: str, *declared: object) -> str:
@@ -75,11 +80,12 @@ def _at(radius: Metre, angle: Radian) -> Point:
     return radius * math.cos(angle), radius * math.sin(angle)
 
 
-def _section(place: str, r: "BearingResult", seat: SeatResult, checks: dict[str, Check]) -> Sketch:
+def _section(
+    place: str, r: "BearingResult", seat: SeatResult, checks: dict[str, Check], factor: Number, thicker: Number
+) -> Sketch:
+    """`factor`: how many times the gap and the relief are drawn, `thicker`: the wall."""
     row, wall = r.seat.bearing, seat.rings.wall
     journal = row.diameter / 2
-    factor = min(EXAGGERATED, rounded(GAP * row.diameter / r.clearance))
-    thicker = max(1.0, rounded(WALL * journal / wall))
     bore = journal + factor * r.clearance / 2
     outside = bore + thicker * wall
     fit = seat.rings.fit(row.diameter, r.clearance)
@@ -89,7 +95,7 @@ def _section(place: str, r: "BearingResult", seat: SeatResult, checks: dict[str,
     sized = _keys(place, BearingRow.housing_outer, BearingRow.bore)
     limits = _keys(place, BearingRow.journal, BearingRow.diameter)
     relief = _keys(place, BearingRow.relief, BearingRow.relief_length, BearingRow.finished)
-    governing = _governing(place, checks)
+    governing = _governing(row, checks)
     marks: list[Mark] = [
         Area(CONTEXT, (round_outline((0.0, 0.0), metal), round_outline((0.0, 0.0), outside)), 0.2, sized),
         Area(OUTLINE, (round_outline((0.0, 0.0), outside), around), 0.7, thick),
@@ -101,7 +107,7 @@ def _section(place: str, r: "BearingResult", seat: SeatResult, checks: dict[str,
         *_split(row, bore, outside, metal),
         *_said(place, seat, governing, metal),
     ]
-    notes = [Text("gap and relief × {factor}" if row.seat == "shells" else "gap × {factor}", factor=Amount(factor))]
+    notes = [Text("gap and relief × {factor}", factor=Amount(factor))]
     if thicker > 1:
         notes.append(Text("wall × {factor}", factor=Amount(thicker)))
     title = Text(
@@ -137,9 +143,10 @@ def _split(row: BearingRow, bore: Metre, outside: Metre, metal: Metre) -> Iterat
         yield Polyline(AXIS, (_at(outside, angle), _at(1.06 * metal, angle)), key=key)
 
 
-def _governing(place: str, checks: dict[str, Check]) -> tuple[Text, Check] | None:
+def _governing(row: BearingRow, checks: dict[str, Check]) -> tuple[Text, Check] | None:
     """What limits the seat: the check that has least left of what it is judged by."""
-    judging = [(word, checks[id]) for rule, word in RINGS.items() if (id := rule.of(place)) in checks]
+    words = {SEAT_STRESS: Text("housing"), BUSH_STRESS: SEATS[row.seat], **PRESS}
+    judging = [(word, checks[id]) for rule, word in words.items() if (id := rule.of(row.name)) in checks]
     return min(judging, key=lambda one: one[1].margin, default=None)
 
 
@@ -198,8 +205,8 @@ def _chain(place: str, r: "BearingResult") -> Sketch:
     if (rise := parts[-1]).times > 0 and rise is not bore:
         low, high = (Amount(end * 1e6, form=".1f") for end in (rise.least, rise.most))
         several = rise.field > 0.05e-6
-        added = Text("the press adds {low} to {high} µm", low=low, high=high)
-        notes.append(added if several else Text("the press adds {rise} µm", rise=low))
+        added = Text("{low} to {high} µm", low=low, high=high) if several else Text("{rise} µm", rise=low)
+        notes.append(Text("{place}: the press adds {added}", place=called(place), added=added))
     title = Text("{place}: stack, mm", place=called(place))
     return Sketch(tuple(marks), tuple(notes), title=title, caption=CAPTION)
 
