@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from ..result import BearingResult
 
 EXAGGERATED: Number = 200.0  # gap and relief, at most
-GAP: Number = 0.4  # of the journal's radius: the gap is drawn no larger
+GAP: Number = 0.6  # of the journal's radius: the gap is drawn no larger
 WALL: Number = 0.3  # of the radius: the wall is drawn no thicker, unless it is
 METAL: Number = 0.5  # of the radius: of the housing no more is drawn
 CORNERS = 180  # of the bore
