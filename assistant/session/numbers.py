@@ -8,7 +8,7 @@ import math
 import re
 import tomllib
 from datetime import date
-from typing import Any, cast
+from typing import Any
 
 from calc.design.toml_file import is_day
 from calc.sheet.quantity import Quantity
@@ -231,10 +231,8 @@ def nested(text: str, about: Quantity) -> list[Any]:
     except ValueError:
         read = {}
     if list(read) != ["it"] or not isinstance(read["it"], list):
-        raise NotUnderstood(
-            Text("is no list as the file has it: numbers with points, commas between them, [[1.48, 1.49], [1.5, 1.51]]")
-        )
-    return cast("list[Any]", read["it"])
+        raise NotUnderstood(Text("is no list of lists; write [[1.48, 1.49], [1.5, 1.51]], with points in the numbers"))
+    return read["it"]
 
 
 def _parts(text: str, about: Quantity) -> tuple[float, str]:

@@ -103,21 +103,20 @@ def seat_curves(place: str, r: "BearingResult") -> Iterator[Curve]:
     seat, rings, where = r.seat, r.seat.rings, {"place": called(place)}
     T, stack = axis_label("temperature", "°C"), f"seat_{place}"
     series = [Series(MIDDLE, OVER, _clearance(seat))]
+    ends = []
+    if seat.stack is not None:
+        for label, end in zip((LEAST, MOST), ends_of(seat)):
+            ends.append(Series(label, OVER, _clearance(replace(seat, clearance=end))))
     title = Text("Clearance of the {place} bearing over temperature, all parts alike", **where)
     if rings is not None:
         title = Text("Clearance and press of the {place} bearing over temperature, all parts alike", **where)
-        series += _loose(seat, rings, rings.middle)
-    if seat.stack is not None:
-        series += [
-            Series(label, OVER, _clearance(replace(seat, clearance=end)))
-            for label, end in zip((LEAST, MOST), ends_of(seat))
-        ]
+        series += _loose(seat, rings, rings.middle, Text("middle loose from {T}"), [*series, *ends])
     yield Curve(
         f"clearance_over_temperature_{place}",
         title,
         T,
         axis_label("g", "µm"),
-        tuple(series),
+        (*series, *ends),
         band=seat.stack is not None,
         stack=stack if rings is not None else "",
         short=2 if rings is not None else 4,
@@ -135,7 +134,7 @@ def seat_curves(place: str, r: "BearingResult") -> Iterator[Curve]:
         Text("Pressure of the fit of the {place} bearing over temperature, all parts alike", **where),
         T,
         axis_label("p", "MPa"),
-        (*lines, *_loose(seat, rings, least, pressed=True)),
+        (*lines, *_loose(seat, rings, least, Text("least loose from {T}"), lines)),
         limits=((Text("shut under the load"), r.seat_.press_needed / 1e6),),
         stack=stack,
         short=3,
@@ -146,9 +145,8 @@ def _clearance(seat: "BearingCase[Any]") -> Array:
     return np.asarray(warm(seat, OVER, OVER).clearance) * 1e6
 
 
-def _loose(seat: "BearingCase[Any]", rings: Rings, delta: Metre, *, pressed: bool = False) -> Iterator[Series]:
-    """The point from which this interference is used up, on the clearance, or on the pressure (`pressed`); nothing
-    where it lies outside the curves."""
+def _loose(seat: "BearingCase[Any]", rings: Rings, delta: Metre, label: Text, lines: list[Series]) -> Iterator[Series]:
+    """An upright where this interference is used up, as high as the lines reach; nothing where it is outside them."""
     if rings.housing.expansion * (1 - rings.restraint) <= rings.backing.expansion:
         return
     with untraced():
@@ -161,5 +159,6 @@ def _loose(seat: "BearingCase[Any]", rings: Rings, delta: Metre, *, pressed: boo
             alpha_B=rings.backing.expansion,
         )
     if OVER[0] <= T <= OVER[-1]:
-        y = 0.0 if pressed else float(warm(seat, float(T), float(T)).clearance) * 1e6
-        yield Series(Text("loose from {T}", T=Amount(float(T), "°C", form=".0f")), np.array([T]), np.array([y]))
+        heights = np.concatenate([line.y for line in lines])
+        words = Text(label.template, T=Amount(float(T), "°C", form=".0f"))
+        yield Series(words, np.array([T, T]), np.array([heights.min(), heights.max()]))
