@@ -28,7 +28,7 @@ from .film.dynamics import Dynamics
 from .routes.routes import ROUTES
 from .routes.side_by_side import RouteResultBeside
 from .routes.states import BearingCase, Film, OperatingPoint
-from .seats.result import SeatResult, SelectResult
+from .seats.result import SeatResult, SelectResult, SplitResult
 from .speeds import Sweep
 
 
@@ -174,6 +174,7 @@ class BearingResult:
     corners: Corners = group(words="corners")
     seat_: SeatResult | None = group(words="seat", default=None)
     select: SelectResult | None = group(words="classes", default=None)
+    split: SplitResult | None = group(words="split line", default=None)
     dynamics: Dynamics = group(words="dynamics")
     standing: StandingResult | None = group(spread=True, default=None)
     on_shaft: OnShaftResult | None = group(spread=True, default=None)

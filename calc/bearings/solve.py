@@ -33,7 +33,7 @@ from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks, turned_over
 from .checks import SLOPE, checks, oil_check
-from .corners import assumed, corner_points, corners, corners_table
+from .corners import corner_points, corners, corners_table
 from .curves import charts, curves, in_films
 from .film import short_bearing as short
 from .film import table as optimum
@@ -48,9 +48,9 @@ from .routes import supply
 from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
-from .routes.thermal_balance import balanced, closed, settled, settled_together
-from .seats import formulas as seats_by
-from .seats.seat import GUESSED, chosen, rings_of, seated, selected_by, states
+from .routes.thermal_balance import balanced, closed, settled_together
+from .seats.seat import rings_of
+from .seats.sitting import seat_result, select_result, sitting, split_result
 from .seats.stack import stack_of
 from .seats.tables import seat_tables
 from .seats.warm import seat_curves, warm_table
@@ -78,9 +78,6 @@ SLOPE_GIVEN = CheckRule(
     moved_by=(SLOPE,),
 )
 
-
-CHOSEN_PASSES, CHOSEN_WITHIN = 6, 0.05  # until the hottest film of a chosen interference stays, in K
-EIGHT = 8  # corners of the tolerances under one load
 
 HTHS_TEMPERATURE: Celsius = 150.0  # at which the viscosity at high shear is measured, SAE J300
 
@@ -244,54 +241,6 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecon
     return f.clearance_of_fits(EI=EI, ES=ES, ei=ei, es=es)
 
 
-def sitting(seat: BearingCase, duty: OperatingPoint) -> BearingCase:
-    """The same bearing with the interference of what is pressed in and the clearance that its parts make.
-
-    An interference that is chosen holds where the film is hottest, which hangs on the clearance, and walls that are
-    found allow for what the press does to the bore: until both stay."""
-    if seat.rings is None:
-        return replace(seat, clearance=_of_parts(seat))
-    hot = duty.supply_temperature + GUESSED
-    with untraced():
-        for _ in range(CHOSEN_PASSES):
-            before, seat = hot, _pressed(seat, duty, hot)
-            hot = _hottest(seat, duty) if seat.rings is not None and seat.rings.chosen else hot
-            if abs(hot - before) < CHOSEN_WITHIN:
-                break
-    return _pressed(seat, duty, hot)
-
-
-def _pressed(seat: BearingCase, duty: OperatingPoint, hot: Celsius) -> BearingCase:
-    """With bush and shells as they sit where the film is so hot."""
-    row, inputs, rings = seat.bearing, seat.inputs, seat.rings
-    assert rings is not None
-    rings = chosen(rings, row, seat.clearance, duty.load, states(inputs, hot))
-    if seat.stack is not None and seat.stack.pairs is not None:
-        with untraced():
-            stack = stack_of(row, inputs.select, rings.rise(row.diameter, seat.clearance))
-        assert stack is not None and stack.walls is not None
-        seat, rings = replace(seat, stack=stack), replace(rings, wall=sum(stack.walls) / 2)
-    seat = replace(seat, rings=rings)
-    return replace(seat, clearance=_of_parts(seat))
-
-
-def _of_parts(seat: BearingCase) -> Metre:
-    """The clearance: of its parts, where they make it, their middle."""
-    if seat.stack is None:
-        return seat.clearance
-    least, most = seat.stack.clearances(seat.rings)
-    return seats_by.middle_clearance(g_min=least, g_max=most)
-
-
-def _hottest(seat: BearingCase, duty: OperatingPoint) -> Celsius:
-    """Highest mean temperature of the film over its corners; of the film where fits are not given.  The limit of the
-    outlet where no film answers."""
-    at = replace(duty, load=max(duty.load, 1.0))
-    film = settled(*((seat, at) if assumed(seat) else corner_points(seat, at)))
-    corners = np.atleast_1d(film.mean_temperature)[:EIGHT]
-    return float(np.nanmax(corners)) if np.isfinite(corners).any() else seat.inputs.outlet_temperature_limit
-
-
 def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:
     """As given, else the reaction of the shaft there."""
     if bearing.load is not None:
@@ -440,21 +389,12 @@ def _bearing(
     with about(Text("{place} bearing, corners of the tolerances", place=called(place))):
         of = Text("{place} bearing", place=called(place))
         at_worst = corners(seat, duty, theta, corner_films, of, None if share is None else points[1].load)
-    pressed = None
-    if seat.rings is not None:
-        with about(Text("{place} bearing, seat", place=called(place))):
-            mean = np.atleast_1d(corner_films.mean_temperature)[:EIGHT]
-            hottest = hot.mean_temperature
-            if not assumed(seat):
-                there = np.isfinite(mean).any()
-                hottest = float(np.nanmax(mean)) if there else inputs.outlet_temperature_limit
-            omega = f.angular_speed(n=speed)
-            at = states(inputs, hottest)
-            pressed = seated(seat.rings, bearing, seat.clearance, load, hot.friction_power, omega, at)
-    selected = None
-    if seat.stack is not None and seat.stack.pairs is not None:
-        with about(Text("{place} bearing, classes", place=called(place))):
-            selected = selected_by(seat.stack, seat.rings)
+    with about(Text("{place} bearing, seat", place=called(place))):
+        pressed = seat_result(seat, load, duty, hot, corner_films)
+    with about(Text("{place} bearing, split line", place=called(place))):
+        passed = split_result(seat, hot, edge, ratio)
+    with about(Text("{place} bearing, classes", place=called(place))):
+        selected = select_result(seat)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -508,6 +448,7 @@ def _bearing(
         corners=at_worst,
         seat_=pressed,
         select=selected,
+        split=passed,
         dynamics=moving,
         hot=hot,
         seat=seat,

@@ -359,3 +359,8 @@ def room_on_the_way(D_b: Metre, R: Metre) -> Metre:
     0.000174...
     """
     return D_b / 2 - R
+
+
+@formula("n_1/n_max", "definition: first critical speed over the highest speed of the shaft")
+def critical_share(n_1: RevPerSecond, n_max: RevPerSecond) -> Number:
+    return n_1 / n_max

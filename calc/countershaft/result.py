@@ -168,6 +168,9 @@ class CountershaftResult:
     first_critical_speed_without_rotary: RevPerSecond | None = value(
         "the first without rotary inertia, as other programs have it", "rpm", "n_1", default=None
     )
+    first_critical_share: Number | None = value(
+        "First bending critical speed over the highest speed", "", "n_1/n_max", default=None
+    )
     fem_safety: Number | None = value(
         "Safety against fatigue of the largest principal stress by finite elements", "", "j", default=None
     )

@@ -246,6 +246,7 @@ def _with_outline(
         first_critical_speed=bent.natural_frequency,
         first_critical_speed_stiff=bent.natural_frequency_stiff,
         first_critical_speed_without_rotary=bent.natural_frequency_without_rotary,
+        first_critical_share=f.critical_share(n_1=bent.natural_frequency, n_max=based_on(fastest * bent.speed, omega)),
     )
 
 

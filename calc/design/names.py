@@ -113,8 +113,7 @@ CHECKED = {  # parts that only checks have, and tables of inputs
     dotted("countershaft", "*", ShaftInputs.bolts): Text("bolts"),  # of one of several shafts
     dotted("countershaft", "*.drain"): Text("drain"),
     dotted("countershaft", "*", ShaftInputs.holes): Text("holes"),
-    "bearings.*.clearance_at": Text("clearance"),
-    "bearings.*.*.clearance_at": Text("clearance"),  # of one of several shafts
+    "bearings.**.clearance_at": Text("clearance"),
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),
@@ -219,16 +218,17 @@ CHOICE_WORDS: dict[str, str] = {
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),
     "threaded": Text("threaded"), "cartridge": Text("cartridge"), "split": Text("split at the axis"),
     "caps": Text("caps"), "module": Text("module"),
+    "front": Text("front"), "rear": Text("rear"),
     # oil and bearings
+    "direct": Text("in the housing itself"), "bush": Text("pressed bush"), "shells": Text("half shells"),
+    "as_pressed": Text("as pressed"), "finished": Text("cut after pressing"), "press": Text("its press"),
+    "pin": Text("a pin"),
     "mineral": Text("mineral"), "ester": Text("ester"), "forced": Text("forced"),
     "forced_cooled": Text("forced, oil cooled"),
     "grease": Text("grease"), "ring": Text("ring"), "ring_moving_air": Text("ring, in moving air"),
     "ring_fast_air": Text("ring, in fast air"), "hole": Text("hole"), "shaft": Text("through the shaft"),
     "groove": Text("groove"),
     "axial_groove": Text("axial groove"), "pocket": Text("pocket"), "walther": "Walther", "d341": "ASTM D341",
-    "direct": Text("in the housing itself"), "bush": Text("bush"), "shells": Text("half shells"),
-    "as_pressed": Text("as pressed"), "finished": Text("cut after pressing"), "press": Text("its press"),
-    "pin": Text("a pin"),
     # materials and gears
     "steel": Text("steel"), "aluminium": Text("aluminium"), "grey iron": Text("grey iron"),
     "ductile iron": Text("ductile iron"),

@@ -7,10 +7,10 @@ from ...countershaft.rows import ROW, BearingRow, called, row_key
 from ...library.catalogue import Material, materials, proof_of
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
-from ...sheet.remedy import Remedy, by_key, up
+from ...sheet.remedy import Remedy, by_key, up_um
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Pascal
-from ...sheet.value import based_on
+from ...sheet.units import Celsius, Metre
+from ...sheet.value import based_on, untraced
 from ..inputs import BearingsInputs
 from . import formulas as f
 from .classes import Select
@@ -178,7 +178,7 @@ def press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Chec
         return
     rule = SEAT_FRETTING if row.retained == "pin" else SEAT_PRESS
     hot, best = seat.press_hot, seat.press_hot_cool
-    tighter = _tighter(place, seat, seat.press_needed - hot)
+    tighter = _tighter(place, row, seat)
     missing = _housing(seat, hot, best)
     yield rule(
         hot,
@@ -214,12 +214,13 @@ def _housing(seat: SeatResult, value: float, best: float | None) -> Missing | No
     return Missing((T_HOUSING,), (taken,), best, value)
 
 
-def _tighter(place: str, seat: SeatResult, lacks: Pascal) -> tuple[Remedy, ...]:
+def _tighter(place: str, row: BearingRow, seat: SeatResult) -> tuple[Remedy, ...]:
     """So much more interference, at both ends, as the press lacks."""
-    rings = seat.rings
-    fit = rings.fit_of(seat.bore + 2 * rings.wall if rings.bore is None else rings.bore, seat.bore)
-    more = lacks * fit.d_o * (fit.k_B + fit.k_H)
-    ends = tuple(up(end + more) for end in rings.interference)
+    rings, at = seat.rings, seat.temperatures
+    fit = rings.fit(row.diameter, seat.bore - (rings.journal or row.diameter))
+    with untraced():
+        more = rings.needed(fit, seat.press_needed, at.hot, at.housing) - rings.interference[0]
+    ends = tuple(up_um(end + more) for end in rings.interference)
     key = row_key(place, BearingRow.interference)
     return by_key(BearingRow, key, ends, place=called(place), bound=">=")()
 

@@ -15,6 +15,7 @@ from ...sheet.units import (
     Pascal,
     PerKelvin,
     PerPascal,
+    Radian,
     RadPerSecond,
     Watt,
 )
@@ -218,3 +219,24 @@ def clearance_as_pressed(D_b: Metre, w: Metre, d_J: Metre, delta: Metre, c_i: Me
 @formula("g", "definition: the middle of what the parts leave", unit="µm")
 def middle_clearance(g_min: Metre, g_max: Metre) -> Metre:
     return (g_min + g_max) / 2
+
+
+# --- the split line
+
+
+@formula("t/c", "definition: depth of the relief over the warm radial clearance")
+def relief_depth(t: Metre, g: Metre) -> Number:
+    return t / (g / 2)
+
+
+@formula("a", "geometry: the arc of the relief on one side of the split, by the radius")
+def relief_arc(a_r: Metre, d: Metre) -> Radian:
+    return 2 * a_r / d
+
+
+@formula("h_split", "computed here: the film at the edge, less what the split takes of the film", unit="µm")
+def film_at_split(h_edge: Metre, h_0: Metre, s_t: Number) -> Metre:
+    """>>> film_at_split(h_edge=4.7e-6, h_0=5.6e-6, s_t=0.78)
+    3.468e-06
+    """
+    return h_edge - h_0 * (1 - s_t)

@@ -11,7 +11,7 @@ from ...sheet.units import Celsius, Metre, Newton, Number, RadPerSecond, Watt
 from ...sheet.value import based_on, untraced
 from ..inputs import BearingsInputs
 from . import formulas as f
-from .result import PairResult, SeatResult, SelectResult, Temperatures
+from .result import SeatResult, Temperatures
 from .rings import Rings
 from .stack import SeatStack
 
@@ -152,15 +152,3 @@ def seated(
         press_hot_cool=cool,
         tension=q,
     )
-
-
-def selected_by(stack: SeatStack, rings: Rings | None) -> SelectResult:
-    """What every pair of classes leaves, and of how many shells."""
-    assert stack.pairs is not None
-    pairs = {
-        f"{bore}_{journal}": PairResult(min=least, max=most)
-        for bore, journal in stack.pairs
-        for least, most in (stack.of_pair((bore, journal), rings),)
-    }
-    inserts = len({wall for _, wall, _ in stack.pairs.values()})
-    return SelectResult(inserts=based_on(float(inserts), *(pair.min for pair in pairs.values())), pair=pairs)
