@@ -593,7 +593,7 @@ def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
         yield on_bearing(SHEAR_RATE, place, r.shear_rate, SHEAR_THINNING)
     yield from _corner_checks(place, r)
     band = None if inputs.select is None else inputs.select.clearance_band
-    yield from seat_checks(place, bearing, r.seat_, r.seat.stack, band)
+    yield from seat_checks(place, bearing, r.seat_, r.select, band)
     if (unknown := unknown_check(place, bearing, housing, inputs, r.clearance, r.hot.mean_temperature)) is not None:
         yield unknown
     journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)

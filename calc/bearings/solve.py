@@ -26,7 +26,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
-from ..sheet.step import Further, Outcome, Table
+from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
@@ -43,15 +43,17 @@ from .loads import loads_beside
 from .makers import maker_checks, makers_table, own_journal
 from .materials import application, running_surface
 from .notes import errata, notes
-from .result import BearingResult, BearingsResult, route_result
+from .result import AT_ALL, BearingResult, BearingsResult, route_result
 from .routes import supply
 from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, closed, settled_together
 from .seats.seat import rings_of
-from .seats.sitting import seat_result, sitting, split_result
+from .seats.sitting import seat_result, select_result, sitting, split_result
 from .seats.stack import stack_of
+from .seats.tables import seat_tables
+from .seats.warm import seat_curves, warm_table
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
 from .suitability import (
     Journal,
@@ -165,7 +167,7 @@ def solve(
         result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        curves=Later(lambda: (*(c for place, r in results.items() for c in curves(place, r)), *in_films(result))),
+        curves=Later(lambda: _curves(result)),
         tables=Later(lambda: _tables(results, speed, assembly, speed_ratio)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
@@ -179,12 +181,22 @@ def _by_row(row: BearingRow, found: list[Check]) -> list[Check]:
     return [check.in_place(lambda key: (own.get(key, key),)) for check in found] if own else found
 
 
+def _curves(result: BearingsResult) -> Iterator[Curve]:
+    for place, r in result.bearings.items():
+        yield from curves(place, r)
+    yield from in_films(result)
+    for place, r in result.bearings.items():
+        yield from seat_curves(place, r)
+
+
 def _tables(
     results: dict[str, BearingResult], speed: RevPerSecond, assembly: str | None, ratio: Number | None
 ) -> Iterator[Table]:
     for place, r in results.items():
         yield routes_table(place, r.side)
         yield corners_table(place, r.corners, r.seat)
+        yield from seat_tables(place, r.seat, r.select)
+        yield from warm_table(place, r, AT_ALL[:2])
     runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
     yield bushes_table(runs, [r.seat.inputs.bush_material or r.seat.inputs.housing_material for r in results.values()])
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
@@ -339,6 +351,7 @@ def _bearing(
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
         cold = seat.clearance_at(inputs.lowest_temperature)
+        at_all = {f"{T:g}": seat.clearance_at(T) for T in AT_ALL}
     ratio = f.length_ratio(l=based_on(bare / 2, bare) if lands == 2 else bare, d=d)
     with about(Text("{place} bearing, between largest load and least friction", place=called(place))):
         most, least_friction = optimum.share_of_largest_load(b=ratio), optimum.share_of_least_friction(b=ratio)
@@ -380,6 +393,8 @@ def _bearing(
         pressed = seat_result(seat, load, duty, hot, corner_films)
     with about(Text("{place} bearing, split line", place=called(place))):
         passed = split_result(seat, hot, edge, ratio)
+    with about(Text("{place} bearing, classes", place=called(place))):
+        selected = select_result(seat)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -409,6 +424,7 @@ def _bearing(
         clearance=seat.clearance,
         clearance_hot=hot.clearance,
         clearance_cold=cold,
+        clearances=at_all,
         relative_clearance=hot.relative_clearance,
         load=load,
         specific_load=p,
@@ -431,6 +447,7 @@ def _bearing(
         },
         corners=at_worst,
         seat_=pressed,
+        select=selected,
         split=passed,
         dynamics=moving,
         hot=hot,

@@ -113,6 +113,7 @@ CHECKED = {  # parts that only checks have, and tables of inputs
     dotted("countershaft", "*", ShaftInputs.bolts): Text("bolts"),  # of one of several shafts
     dotted("countershaft", "*.drain"): Text("drain"),
     dotted("countershaft", "*", ShaftInputs.holes): Text("holes"),
+    "bearings.**.clearance_at": Text("clearance"),
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),
@@ -147,7 +148,7 @@ def _of_groups(result: type, way: str) -> Iterator[tuple[str, Text]]:
     for f in fields(result):
         if (group := f.metadata.get("group")) is None:
             continue
-        here = way if group.spread else f"{way}.{f.name}"
+        here = way if group.spread else f"{way}.{f.name.rstrip('_')}"
         if group.words:
             yield here, group.words
         content, keys = _first(f.type), [here]

@@ -9,7 +9,7 @@ import numpy as np
 from ...countershaft.rows import RELIEF, RELIEF_LENGTH
 from ...sheet.arrays import Array
 from ...sheet.units import Celsius, Metre, Newton, Number
-from ...sheet.value import untraced
+from ...sheet.value import based_on, untraced
 from .. import formulas as film_by
 from ..corners import CORNERS, assumed, corner_points
 from ..film import split_line
@@ -17,7 +17,7 @@ from ..film.table import FilmRangeError
 from ..routes.states import BearingCase, Film, OperatingPoint
 from ..routes.thermal_balance import settled
 from . import formulas as f
-from .result import SeatResult, SplitResult
+from .result import PairResult, SeatResult, SelectResult, SplitResult
 from .seat import GUESSED, chosen, seated, states
 from .stack import stack_of
 
@@ -87,6 +87,19 @@ def seat_result(
     omega = film_by.angular_speed(n=duty.speed)
     at = states(seat.inputs, T)
     return seated(seat.rings, seat.bearing, seat.clearance, load, hot.friction_power, omega, at)
+
+
+def select_result(seat: BearingCase) -> SelectResult | None:
+    """What every pair of classes leaves, and of how many shells; None where none are picked by classes."""
+    if seat.stack is None or seat.stack.pairs is None:
+        return None
+    pairs = {
+        f"{bore}_{journal}": PairResult(min=least, max=most)
+        for bore, journal in seat.stack.pairs
+        for least, most in (seat.stack.of_pair((bore, journal), seat.rings),)
+    }
+    inserts = float(len({wall for _, wall, _ in seat.stack.pairs.values()}))
+    return SelectResult(inserts=based_on(inserts, *(pair.min for pair in pairs.values())), pair=pairs)
 
 
 def split_result(seat: BearingCase, hot: Film, edge: Metre, ratio: Number) -> SplitResult | None:
