@@ -400,6 +400,13 @@ class ShaftInputs:
         "through the bore of the carrier of an outer bearing, which comes along. Left out: threaded in mode size or "
         "with a clearance for threading in, else not asked.",
     )
+    insert_from: str | None = choice(
+        "Comes in from",
+        "front",
+        "rear",
+        default=None,
+        help="Of a shaft that is threaded or comes with its carrier. Left out: from the side with more room.",
+    )
     bore_diameter: float = quantity(
         "Bore through it",
         "mm",

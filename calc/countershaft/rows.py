@@ -18,7 +18,7 @@ SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
 # of what brings the oil, over the length, for guide texts
 USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
 OF_ITS_OWN = Text("Supply and seat of its own")  # folds of the form
-SEAT = Text("Seat: bush, shells, limits")
+SEAT = Text("Seat")
 RELIEF, RELIEF_LENGTH = 8e-6, 2.5e-3  # m, of shells at the split, where not given; from memory, confidence low
 ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is needed, the whole design says so
 

@@ -17,7 +17,7 @@ from ..film.grooved import Feed, Feeds
 from ..inputs import BearingsInputs
 from ..seats import formulas as seats
 from ..seats.rings import Rings
-from ..seats.stack import Stack
+from ..seats.stack import SeatStack
 
 
 @record
@@ -31,7 +31,7 @@ class BearingCase(Generic[Value]):
     journal_expansion: float
     housing_expansion: float
     viscosity_factor: Value | None = None  # on the oil's viscosity, at a corner of its tolerance
-    stack: Stack | None = None  # the parts that make its clearance; None: it is given otherwise
+    stack: SeatStack | None = None  # the parts that make its clearance; None: it is given otherwise
     rings: Rings | None = None  # what is pressed into its housing
     centred: bool = False  # it carries next to nothing: its film is the thickest of the table, whatever the load
 

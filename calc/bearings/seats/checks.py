@@ -11,14 +11,13 @@ from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy, by_key, up_um
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Pascal
-from ...sheet.value import untraced
+from ...sheet.value import based_on, untraced
 from ..inputs import BearingsInputs
 from . import formulas as f
 from .classes import Select
-from .result import SeatResult
+from .result import SeatResult, SelectResult
 from .rings import Fit, Rings
 from .seat import HOLDING_FRICTION
-from .stack import Stack
 
 LAME = Text("elasticity: thick rings in plane stress (Lamé)")
 CAUSE = "bearings.B.seat"
@@ -156,14 +155,18 @@ MEGAPASCAL, NEWTON_METRE, HUNDRED_MICRONS, TEN_MICRONS = 1e6, 1.0, 100e-6, 10e-6
 
 
 def seat_checks(
-    place: str, row: BearingRow, seat: SeatResult | None, stack: Stack | None, band: tuple[Metre, ...] | None
+    place: str,
+    row: BearingRow,
+    seat: SeatResult | None,
+    select: SelectResult | None,
+    band: tuple[Metre, ...] | None,
 ) -> Iterator[Check]:
     """`band`: of the clearance that classes shall make; None: there are none."""
     if seat is not None:
         yield from press_checks(place, row, seat)
         yield from _stress_checks(place, seat)
-    if stack is not None and stack.pairs is not None and band is not None and seat is not None:
-        yield _worst_pair(place, stack, seat.rings, (band[0], band[-1]))
+    if select is not None and band is not None:
+        yield _worst_pair(place, select, (band[0], band[-1]))
     if row.spread is not None:
         yield SPREAD(row.spread, 0.0, at=place, name=_at(SPREAD, place), scale=HUNDRED_MICRONS)
     if row.carrier is not None and row.carrier_bore is not None:
@@ -244,7 +247,7 @@ def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     )
     limit, missing = proof_of(backing.proof_stress, abs(seat.bush_stress))
     yield BUSH_STRESS(
-        abs(seat.bush_stress),
+        based_on(abs(seat.bush_stress), seat.bush_stress),
         limit,
         at=place,
         name=_at(BUSH_STRESS, place),
@@ -253,15 +256,15 @@ def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     )
 
 
-def _worst_pair(place: str, stack: Stack, rings: Rings, band: tuple[Metre, Metre]) -> Check:
+def _worst_pair(place: str, select: SelectResult, band: tuple[Metre, Metre]) -> Check:
     """The pair of classes that stands furthest outside the band, else nearest to its ends."""
-    assert stack.pairs is not None
-    ends = [(pair, g) for pair in stack.pairs for g in stack.of_pair(pair, rings)]
-    (bore, journal), g = min(ends, key=lambda end: min(end[1] - band[0], band[1] - end[1]))
+    ends = [(pair, g) for pair, of_pair in select.pair.items() for g in (of_pair.min, of_pair.max)]
+    pair, g = min(ends, key=lambda end: min(end[1] - band[0], band[1] - end[1]))
+    bore, _, journal = pair.partition("_")
     name = Text(
         "Clearance of bore class {bore} with journal class {journal}, {place}",
-        bore=str(bore),
-        journal=str(journal),
+        bore=bore,
+        journal=journal,
         place=called(place),
     )
     return SELECT(g, band, at=place, name=name)

@@ -67,5 +67,5 @@ class SelectResult:
 class SplitResult:
     """The film as the parting lines of the shells pass under the turning load."""
 
-    share: Number = value("Film left as the split passes, share", "", "k_s")
-    film: Metre | None = value("Film at the edge as the split passes", "µm", "h_split", default=None, short=True)
+    share: Number = value("Share of the film that is left", "", "s_t")
+    film: Metre = value("Film at the edge as the split passes under the load", "µm", "h_split", short=True)
