@@ -2,12 +2,14 @@
 """What can not be of a seat: told in words, by its key and line, all at once."""
 
 import copy
+from dataclasses import replace
 
 import pytest
 
 from assistant.cli import main
-from calc.design.toml_file import Document, design
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
+from tests.conftest import DESIGNS
 
 SHELL = {
     "name": "front",
@@ -182,6 +184,30 @@ def test_what_can_not_be_is_told_by_its_key(changes, key, words):
 )
 def test_what_can_be(changes):
     design(document(**changes))
+
+
+@pytest.mark.parametrize(
+    ("own", "assembly", "key", "words"),
+    [
+        ({"seat": "bush"}, "split", "wall_mm", 'needed with seat = "bush"'),
+        ({"seat": "shells", "wall_mm": 1.5}, "threaded", "seat", "half shells go in with a divided housing"),
+        ({"wall_mm": 1.5}, "split", "wall_mm", 'belongs to seat = "bush"'),
+        ({"seat": "bush", "wall_mm": 2.0, "bore_mm": [33.0, 33.01]}, "split", "bore_mm", "and two walls, 28 mm"),
+        ({"seat": "bush", "wall_mm": 2.0}, "threaded", None, None),
+        ({"seat": "shells", "wall_mm": 1.5}, "split", None, None),
+    ],
+)
+def test_the_seat_of_a_twin_is_its_own(own, assembly, key, words):
+    """In place of the one of its original, as far as its row says; what is wrong is told there."""
+    pair = read(DESIGNS / "r754ie4_balance_shafts.toml")
+    left, right = pair.data["shafts"]
+    twin = {**right, "bearings": [{"name": "front", **own}]}
+    made = replace(pair, data={**pair.data, "shafts": [{**left, "assembly": assembly}, twin]})
+    if key is None:
+        design(made)
+    else:
+        ((where, why),) = told(made).items()
+        assert where == f"shafts.right.bearings.front.{key}" and words in why
 
 
 def test_the_command_tells_all_at_once_with_line_and_key(tmp_path, capsys):
