@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from assistant.cli import main
+from calc.countershaft.rows import BearingRow
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from tests.conftest import DESIGNS
@@ -208,6 +209,24 @@ def test_the_seat_of_a_twin_is_its_own(own, assembly, key, words):
     else:
         ((where, why),) = told(made).items()
         assert where == f"shafts.right.bearings.front.{key}" and words in why
+
+
+def test_the_clearance_of_a_twin_is_its_own():
+    """A number in place of limits, limits in place of a number, one limit in place of one."""
+    limits = {"clearance": None, "journal": (0.02995, 0.02997), "bore": (0.033025, 0.03305), "wall": (0.0015,)}
+    sized = dict(name="front", diameter=0.02996, length=0.02)
+    number = BearingRow(**sized, seat="bush", clearance=77e-6, wall=(0.0015,))
+    limited = BearingRow(**sized, seat="bush", **limits)
+
+    def of_twin(original, **own):
+        made = original.with_own(BearingRow(name="front", **own))
+        return made.clearance, made.journal, made.bore
+
+    assert of_twin(number, bore=(0.033, 0.03301)) == (77e-6, None, (0.033, 0.03301))
+    assert of_twin(number, journal=(1, 2), bore=(3, 4)) == (None, (1, 2), (3, 4))
+    assert of_twin(limited, clearance=50e-6) == (50e-6, None, None)
+    assert of_twin(limited, journal=(0.02994, 0.02995)) == (None, (0.02994, 0.02995), limits["bore"])
+    assert of_twin(limited, retained="pin") == (None, limits["journal"], limits["bore"])
 
 
 def test_the_command_tells_all_at_once_with_line_and_key(tmp_path, capsys):
