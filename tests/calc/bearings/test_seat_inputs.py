@@ -151,6 +151,31 @@ CASES = [
     ({"shaft": {"assembly": "threaded"}}, "front.seat", 'assembly = "split", "caps" or "module"'),
     ({"rear": {"carrier_bore_mm": 42}}, "rear.carrier_bore_mm", 'belongs to assembly = "cartridge"'),
     ({"rear": {"carrier_mm": 41.98}}, "rear.carrier_mm", "needs carrier_bore_mm beside it"),
+    (
+        {"front": DIRECT, "rear": {"carrier_bore_mm": 29}, "shaft": {"assembly": "cartridge"}},
+        "rear.carrier_bore_mm",
+        "must be larger than the diameter",
+    ),
+    (
+        {"front": DIRECT, "rear": {"carrier_bore_mm": [42.1, 42]}, "shaft": {"assembly": "cartridge"}},
+        "rear.carrier_bore_mm",
+        "least before most",
+    ),
+    (
+        {"front": DIRECT, "rear": {"carrier_bore_mm": 42, "carrier_mm": [42, 41]}, "shaft": {"assembly": "cartridge"}},
+        "rear.carrier_mm",
+        "least before most",
+    ),
+    ({"front": DIRECT, "shaft": {"assembly": "cartridge"}}, "front.carrier_bore_mm", "needed with assembly"),
+    ({"front": {"crush_um": [45, 30]}}, "front.crush_um", "least before most"),
+    (
+        {"rear": {"bore": "finished", "finished_mm": [30.02, 30.0]}},
+        "rear.finished_mm",
+        "least before most",
+    ),
+    ({"select": {"pick": [[0, 1], [1, 2]]}}, "bearings.select.pick", "needs walls_mm"),
+    ({"select": {"clearance_band_um": None}}, "bearings.select.clearance_band_um", "is missing"),
+    ({"select": {"journal_classes_mm": None}}, "bearings.select.journal_classes_mm", "is missing"),
     ({"shaft": {"radial_clearance_mm": 0.5}}, "shafts.shaft.radial_clearance_mm", "leave it out"),
     ({"housing_temperature_C": 300}, "bearings.housing_temperature_C", "-40 to 200"),
 ]
