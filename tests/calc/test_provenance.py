@@ -21,7 +21,7 @@ EVERY = {"r753ie4_gamma": 17, "r753ie4_beta": 29, "r753ie4_sized": 31}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", map(shipped_name, SHIPPED))
+@pytest.mark.parametrize("name", [shipped_name(path) for path in SHIPPED])
 def test_an_input_that_moves_a_value_stands_in_its_chain(name):
     results, moves, chain, _ = provenance.compared(name, every=EVERY.get(name, 11))
     missing = {
