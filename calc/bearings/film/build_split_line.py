@@ -48,7 +48,7 @@ LEAST_LOSS = 1e-5  # a shallow relief may help as much as it harms
 
 
 @record
-class Seat:
+class RelievedSeat:
     """The nodes of a seat with its relief, and what does not change while the load turns."""
 
     nodes: Array  # σ, from one split line minus its half arc, once round
@@ -69,7 +69,9 @@ class FilmMotion:
     active: Mask  # [node around, node across]
 
 
-def seat_with_relief(length_ratio: float, depth: float, half_arc: float, cells: tuple[int, int] = CELLS) -> Seat:
+def seat_with_relief(
+    length_ratio: float, depth: float, half_arc: float, cells: tuple[int, int] = CELLS
+) -> RelievedSeat:
     """A seat whose split lines lie at σ = ±π/2.  `depth` over c; `half_arc` above 0."""
     within = max(CELLS_IN_RELIEF, round(cells[0] * half_arc / (2.0 * math.pi)))
     beyond = max(2 * CELLS_IN_RELIEF, cells[0] // 2 - 2 * within)
@@ -87,7 +89,7 @@ def seat_with_relief(length_ratio: float, depth: float, half_arc: float, cells: 
     gap_both = np.tile(gap, 2)
     z = nodes_across(1.0, cells[1])
     across = np.diff(z)
-    return Seat(
+    return RelievedSeat(
         nodes=np.concatenate([from_line - 0.5 * math.pi, from_line + 0.5 * math.pi]),
         middles=np.concatenate([middles - 0.5 * math.pi, middles + 0.5 * math.pi]),
         gap=gap_both,
@@ -100,7 +102,7 @@ def seat_with_relief(length_ratio: float, depth: float, half_arc: float, cells: 
 
 
 def film_motion(
-    seat: Seat, x: float, y: float, turned: float, load: float, before: FilmMotion, *, runs: bool = True
+    seat: RelievedSeat, x: float, y: float, turned: float, load: float, before: FilmMotion, *, runs: bool = True
 ) -> FilmMotion | None:
     """The velocity of the journal at (x, y) over c with which the film holds the load So, along α = 0.
 
@@ -169,7 +171,7 @@ def smooth_place(eccentricity: float, length_ratio: float) -> tuple[float, float
     return x, y, 1.0 / (2.0 * math.pi * film.sommerfeld)
 
 
-def at_rest(seat: Seat, x: float, y: float, turned: float) -> FilmMotion:
+def at_rest(seat: RelievedSeat, x: float, y: float, turned: float) -> FilmMotion:
     """A film to begin with: it carries pressure where it narrows."""
     narrows = x * np.sin(seat.nodes - turned) - y * np.cos(seat.nodes - turned) > 0.0
     return FilmMotion(np.zeros(2), np.repeat(narrows[:, None], seat.inner.size, axis=1))
