@@ -590,6 +590,7 @@ class ShaftInputs:
             yield dotted(ShaftInputs.shell_gap), Text('needed with covered = "shell"')
         if self.covered != "shell" and self.shell_gap is not None:
             yield dotted(ShaftInputs.shell_gap), Text('leave it out, or say covered = "shell"')
+        yield from self._seats()
         if self.mode == "bearings":
             return
         for i, row in enumerate(self.bearings):
@@ -605,7 +606,6 @@ class ShaftInputs:
                 Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R),
             )
         yield from self._envelope()
-        yield from self._seats()
         yield from self._sections()
         if self._placed:
             yield from self._places()
@@ -646,14 +646,15 @@ class ShaftInputs:
             yield dotted(ShaftInputs.gap), Text("needed where an inner bearing has no length_mm, or give that")
 
     def _seats(self) -> Iterable[tuple[str, Text]]:
-        """How the shaft comes into its seats."""
+        """How the shaft comes into its seats; where its bearings alone are asked, that may be left open."""
+        left_open = self.mode == "bearings" and self.assembly is None
         if self.assembly in LAID_IN and self.radial_clearance is not None:
             laid_in = Text(
                 'leave it out with assembly = "{assembly}": nothing has to pass a seat', assembly=self.assembly
             )
             yield dotted(ShaftInputs.radial_clearance), laid_in
         for i, row in enumerate(self.bearings):
-            if row.seat == "shells" and self.assembly not in LAID_IN:
+            if row.seat == "shells" and self.assembly not in LAID_IN and not left_open:
                 key = dotted(ShaftInputs.bearings, i, BearingRow.seat)
                 yield key, Text('half shells go in with a divided housing; assembly = "split", "caps" or "module"')
             if row.carrier is not None and row.carrier_bore is None:

@@ -569,14 +569,34 @@ class BearingRow:
             ):
                 if there is not None:
                     yield dotted(other), instead
-        elif self.journal is not None:
-            yield dotted(BearingRow.journal), Text("needs bore_mm beside it: both make the clearance")
         for key, pair in ((BearingRow.journal, self.journal), (BearingRow.finished, self.finished)):
             if pair is not None and self.diameter is not None and not near(self.diameter, (pair,)):
                 yield (
                     dotted(key),
-                    Text("is not the size of diameter_mm, {diameter}", diameter=Amount(self.diameter * 1e3, "mm")),
+                    Text(
+                        "is not the size of diameter_mm, {diameter}",
+                        diameter=Amount(self.diameter * 1e3, "mm", form="g"),
+                    ),
                 )
+        yield from self._bore()
+
+    def _bore(self) -> Iterable[tuple[str, Text]]:
+        """Whether the running bore goes with the journal, and the housing's with the walls too."""
+        finished = self.finished if self.seat == "bush" else None
+        running = ((BearingRow.finished, finished), (BearingRow.bore, None if self.ringed else self.bore))
+        for key, bore in running:
+            if bore is not None and self.journal is None:
+                yield dotted(key), Text("needs journal_mm beside it: both make the clearance")
+            elif bore is not None and self.journal is not None and sum(bore) <= sum(self.journal):
+                yield dotted(key), Text("must be larger than journal_mm")
+        if self.bore is None or self.diameter is None:
+            return
+        if not self.ringed and not near(self.diameter, (self.bore,)):
+            size = Amount(self.diameter * 1e3, "mm", form="g")
+            yield dotted(BearingRow.bore), Text("is not the size of diameter_mm, {diameter}", diameter=size)
+        if self.ringed and self.wall is not None and not near(d := self.diameter + 2 * self.wall[-1], (self.bore,)):
+            size = Amount(d * 1e3, "mm", form="g")
+            yield dotted(BearingRow.bore), Text("is not the size of diameter_mm and two walls, {size}", size=size)
 
     def _seat(self) -> Iterable[tuple[str, Text]]:
         """What seat, bush and shells need, and what says nothing of them."""
@@ -586,7 +606,7 @@ class BearingRow:
             yield dotted(BearingRow.finished), Text('needed with bore = "finished"')
         for key, words in SAYS_WITH.items():
             entry = keys(BearingRow)[key]
-            if self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
+            if self.seat and self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
                 of = " or ".join(f'seat = "{word}"' for word in words)
                 yield key, Text("belongs to {seats}", seats=of)
         if self.bore_ != "finished" and self.finished is not None and self.seat == "bush":
@@ -594,18 +614,19 @@ class BearingRow:
         if self.housing_outer is not None and self.ringed and self.diameter is not None and self.wall is not None:
             bore = self.bore[-1] if self.bore is not None else self.diameter + 2 * self.wall[-1]
             if self.housing_outer <= bore + LEAST_METAL:
-                yield (
-                    dotted(BearingRow.housing_outer),
-                    Text(
-                        "must be above {least}: the bore and 1 mm of metal around it",
-                        least=Amount((bore + LEAST_METAL) * 1e3, "mm"),
-                    ),
-                )
+                yield dotted(BearingRow.housing_outer), more_metal(bore)
+
+
+def more_metal(bore: float) -> Text:
+    """What an outside of the housing is told that leaves next to nothing around this bore."""
+    least = Amount((bore + LEAST_METAL) * 1e3, "mm", form="g")
+    return Text("must be above {least}: the bore and 1 mm of metal around it", least=least)
 
 
 def near(diameter: float, limits: Sequence[tuple[float, ...]]) -> bool:
-    """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself."""
-    return limits[0][0] - diameter / 100 <= diameter <= limits[-1][-1] + diameter / 100
+    """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself.
+    One that is no number, of which that is said, is."""
+    return not (diameter < limits[0][0] - diameter / 100 or diameter > limits[-1][-1] + diameter / 100)
 
 
 LEAST_METAL = 2e-3  # m, in diameter

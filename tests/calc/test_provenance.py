@@ -8,18 +8,20 @@ from pathlib import Path
 
 import pytest
 
+from calc.studies.shipped import shipped_name
+from tests.conftest import SHIPPED
+
 ROOT = Path(__file__).parents[2]
 SPEC = importlib.util.spec_from_file_location("provenance", ROOT / "bench" / "provenance.py")
 assert SPEC is not None and SPEC.loader is not None
 provenance = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(provenance)
-DESIGNS = sorted(path.stem for path in (ROOT / "designs").glob("*.toml"))
 # one input in so many; the primes share no table's period
 EVERY = {"r753ie4_gamma": 17, "r753ie4_beta": 29, "r753ie4_sized": 31}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", DESIGNS)
+@pytest.mark.parametrize("name", map(shipped_name, SHIPPED))
 def test_an_input_that_moves_a_value_stands_in_its_chain(name):
     results, moves, chain, _ = provenance.compared(name, every=EVERY.get(name, 11))
     missing = {

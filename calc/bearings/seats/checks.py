@@ -2,6 +2,7 @@
 """What a seat is judged by: does the bush hold, what it does to its housing and itself, do the classes fit."""
 
 from collections.abc import Iterator
+from math import pi
 
 from ...countershaft.rows import ROW, BearingRow, called, row_key
 from ...library.catalogue import Material, materials, proof_of
@@ -215,29 +216,32 @@ def _housing(seat: SeatResult, value: float, best: float | None) -> Missing | No
 
 
 def _tighter(place: str, row: BearingRow, seat: SeatResult) -> tuple[Remedy, ...]:
-    """So much more interference, at both ends, as the press lacks."""
-    rings, at = seat.rings, seat.temperatures
-    fit = rings.fit(row.diameter, seat.bore - (rings.journal or row.diameter))
+    """So much more interference, at both ends, as the press lacks; of shells by their crush, where that is given."""
+    rings = seat.rings
+    fit = rings.fit_of(seat.bore + 2 * rings.wall if rings.bore is None else rings.bore, seat.bore)
     with untraced():
-        more = rings.needed(fit, seat.press_needed, at.hot, at.housing) - rings.interference[0]
-    ends = tuple(up_um(end + more) for end in rings.interference)
-    key = row_key(place, BearingRow.interference)
-    return by_key(BearingRow, key, ends, place=called(place), bound=">=")()
+        needed = rings.needed(fit, seat.press_needed, seat.temperatures.hot, seat.temperatures.housing)
+    more = needed - rings.interference[0]
+    field, given = BearingRow.interference, rings.interference
+    if row.crush is not None:
+        field, given, more = BearingRow.crush, (row.crush[0], row.crush[-1]), more * pi / 2
+    ends = [up_um(end + more) for end in given]
+    return by_key(BearingRow, row_key(place, field), ends, place=called(place), bound=">=")()
 
 
 def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     housing, backing = seat.rings.housing, seat.rings.backing
-    stress, source, missing = (
-        seat.housing_stress,
-        Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name),
-        None,
-    )
+    stress, value_id, missing = seat.housing_stress, None, None
+    source = Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name)
     if housing.proof_stress is None and housing.tensile_strength is not None:
         stress, limit = seat.tension, housing.tensile_strength
+        value_id = dotted("bearings", place, "seat", SeatResult.tension)
         source = Text("{lame}; hoop tension, tensile strength of {name}", lame=LAME, name=housing.name)
     else:
         limit, missing = proof_of(housing.proof_stress, stress)
-    yield SEAT_STRESS(stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, missing=missing)
+    yield SEAT_STRESS(
+        stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, value_id=value_id, missing=missing
+    )
     limit, missing = proof_of(backing.proof_stress, abs(seat.bush_stress))
     yield BUSH_STRESS(
         based_on(abs(seat.bush_stress), seat.bush_stress),

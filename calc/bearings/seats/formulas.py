@@ -72,14 +72,14 @@ def bush_stress(p: Pascal, d_o: Metre, d_i: Metre) -> Pascal:
     return -2 * p * d_o**2 / (d_o**2 - d_i**2)
 
 
-@formula("q", f"{LAME}: hoop stress of the housing at its bore", unit="MPa")
+@formula("σ_H", f"{LAME}: hoop stress of the housing at its bore", unit="MPa")
 def housing_tension(p: Pascal, D: Metre, d_o: Metre) -> Pascal:
     return p * (D**2 + d_o**2) / (D**2 - d_o**2)
 
 
-@formula("σ_v", "elasticity: von Mises stress of hoop tension q and pressure p", unit="MPa")
-def housing_stress(q: Pascal, p: Pascal) -> Pascal:
-    return sqrt(q**2 + q * p + p**2)
+@formula("σ_v", "elasticity: von Mises stress of hoop tension and pressure p", unit="MPa", names={"sigma_H": "σ_H"})
+def housing_stress(sigma_H: Pascal, p: Pascal) -> Pascal:
+    return sqrt(sigma_H**2 + sigma_H * p + p**2)
 
 
 # --- shells

@@ -111,7 +111,7 @@ def seated(
     with untraced():
         tightest = max(_states(at), key=lambda state: rings.at(fit, most, *state).delta)
     p = rings.at(fit, most, *tightest).p
-    q = f.housing_tension(p=p, D=fit.D, d_o=fit.d_o)
+    tension = f.housing_tension(p=p, D=fit.D, d_o=fit.d_o)
     loose = None
     if alpha_H > rings.backing.expansion:
         loose = f.loose_at(
@@ -135,7 +135,7 @@ def seated(
         press_hot=hot,
         press_needed=f.press_needed(F=F, d_o=fit.d_o, l=row.length),
         bush_stress=f.bush_stress(p=p, d_o=fit.d_o, d_i=fit.d_i),
-        housing_stress=f.housing_stress(q=q, p=p),
+        housing_stress=f.housing_stress(sigma_H=tension, p=p),
         expansion=f.bore_expansion(
             alpha_B=rings.backing.expansion,
             s=s,
@@ -150,5 +150,5 @@ def seated(
         rings=rings,
         temperatures=at,
         press_hot_cool=cool,
-        tension=q,
+        tension=tension,
     )
