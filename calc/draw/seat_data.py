@@ -57,7 +57,7 @@ def _of_seat(row: "BearingRow", r: "BearingResult") -> "Iterator[tuple[Text, Tex
         yield name, _microns(seat.interference_min, seat.interference_max)
     g_min, g_max = r.corners.clearance_min, r.corners.clearance_max
     if finished and stack is not None:
-        yield Text("Running bore, cut after pressing"), _across(stack.bore)
+        yield Text("Running bore, finished"), _across(stack.bore)
     elif row.ringed and stack is not None and stack.pairs is None:
         yield Text("Running bore, as pressed"), _across((g_min + stack.journal[1], g_max + stack.journal[0]))
     elif row.ringed and stack is None and (fit := parse(r.seat.inputs.seat_fit)).letter is not None:
