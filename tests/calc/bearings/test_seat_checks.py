@@ -11,6 +11,7 @@ from calc.bearings.seats.checks import seat_checks, unknown_check
 from calc.bearings.seats.result import Temperatures
 from calc.bearings.seats.rings import Rings
 from calc.bearings.seats.seat import seated
+from calc.bearings.seats.sitting import select_result
 from calc.bearings.seats.stack import stack_of
 from calc.countershaft.rows import BearingRow
 from calc.design.toml_file import design
@@ -32,8 +33,8 @@ def seat_in(housing=ALUMINIUM, backing=STRIP, *, cool=None, chosen=False, **numb
     return replace(seated(rings, ROW, 32e-6, 2473.0, 100.0, 890.0, at), **numbers)
 
 
-def made(seat, row=ROW, stack=None, band=None):
-    return {c.id.removeprefix("bearings.front."): c for c in seat_checks("front", row, seat, stack, band)}
+def made(seat, row=ROW, select=None, band=None):
+    return {c.id.removeprefix("bearings.front."): c for c in seat_checks("front", row, seat, select, band)}
 
 
 INSIDE = {"limit": "warn", "caution": "pass"}  # a limit that just holds is narrow
@@ -121,12 +122,12 @@ def test_every_pair_of_classes_lies_within_the_clearance_that_was_asked_for(band
     """A bore that does not give way: 23 to 46 µm."""
     seat = seat_in()
     rigid = replace(seat, rings=replace(seat.rings, interference=(0.0, 0.0)))
-    stack = stack_of(ROW, classes(walls_mm=WALLS, pick=PICK))
-    check = made(rigid, stack=stack, band=tuple(g * UM * (1 + e) for g, e in zip(band, (-1e-9, 1e-9))))["select"]
+    select = select_result(stack_of(ROW, classes(walls_mm=WALLS, pick=PICK)), rigid.rings)
+    check = made(rigid, select=select, band=tuple(g * UM * (1 + e) for g, e in zip(band, (-1e-9, 1e-9))))["select"]
     assert (check.kind, check.verdict) == ("caution", verdict)
     if pair is not None:
         assert "bore class {} with journal class {}".format(*pair) in str(check.name)
-    assert "select" not in made(rigid, stack=stack) and "select" not in made(rigid, band=BAND)
+    assert "select" not in made(rigid, select=select) and "select" not in made(rigid, band=BAND)
 
 
 def test_shells_hold_themselves_by_their_spread():

@@ -15,7 +15,7 @@ from calc.bearings.seats import formulas as f
 from calc.bearings.seats.result import Temperatures
 from calc.bearings.seats.rings import Rings
 from calc.bearings.seats.seat import chosen, seated
-from calc.bearings.seats.stack import Stack, stack_of
+from calc.bearings.seats.stack import SeatStack, stack_of
 from calc.countershaft.rows import BearingRow
 from calc.library.catalogue import materials
 
@@ -216,7 +216,7 @@ def test_every_part_within_its_limits_makes_a_clearance_within_theirs(at, widths
     least, most = sorted(delta)
     bore, walls, journal = mm((33.0, 33.0 + widths[0])), mm((1.48, 1.48 + widths[1])), mm((29.9, 29.9 + widths[2]))
     rings = Rings(SOLIDS["strip"], SOLIDS["EN AC-43100"], sum(walls) / 2, 0.0, 20.0, (least * UM, most * UM))
-    low, high = Stack(bore, walls, journal).clearances(rings)
+    low, high = SeatStack(bore, walls, journal).clearances(rings)
     D, w, d, one = (a + share * (b - a) for share, (a, b) in zip(at, (bore, walls, journal, rings.interference)))
     fit = rings.fit_of(sum(bore) / 2, sum(bore) / 2 - sum(walls))
     g = D - 2 * w - d + one - rings.pressed(fit, one).c
