@@ -394,7 +394,7 @@ def _bearing(
     with about(Text("{place} bearing, split line", place=called(place))):
         passed = split_result(seat, hot, edge, ratio)
     with about(Text("{place} bearing, classes", place=called(place))):
-        selected = select_result(seat)
+        selected = select_result(seat.stack, seat.rings)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)

@@ -18,8 +18,9 @@ from ..routes.states import BearingCase, Film, OperatingPoint
 from ..routes.thermal_balance import settled
 from . import formulas as f
 from .result import PairResult, SeatResult, SelectResult, SplitResult
+from .rings import Rings
 from .seat import GUESSED, chosen, seated, states
-from .stack import stack_of
+from .stack import SeatStack, stack_of
 
 CHOSEN_PASSES, CHOSEN_WITHIN = 6, 0.05  # until the hottest film of a chosen interference stays, in K
 
@@ -89,16 +90,16 @@ def seat_result(
     return seated(seat.rings, seat.bearing, seat.clearance, load, hot.friction_power, omega, at)
 
 
-def select_result(seat: BearingCase) -> SelectResult | None:
+def select_result(stack: SeatStack | None, rings: Rings | None) -> SelectResult | None:
     """What every pair of classes leaves, and of how many shells; None where none are picked by classes."""
-    if seat.stack is None or seat.stack.pairs is None:
+    if stack is None or stack.pairs is None:
         return None
     pairs = {
         f"{bore}_{journal}": PairResult(min=least, max=most)
-        for bore, journal in seat.stack.pairs
-        for least, most in (seat.stack.of_pair((bore, journal), seat.rings),)
+        for bore, journal in stack.pairs
+        for least, most in (stack.of_pair((bore, journal), rings),)
     }
-    inserts = float(len({wall for _, wall, _ in seat.stack.pairs.values()}))
+    inserts = float(len({wall for _, wall, _ in stack.pairs.values()}))
     return SelectResult(inserts=based_on(inserts, *(pair.min for pair in pairs.values())), pair=pairs)
 
 

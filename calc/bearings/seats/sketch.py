@@ -204,7 +204,7 @@ def _chain(place: str, r: "BearingResult") -> Sketch:
     notes = [Text("stack: least to most, not to scale")]
     if (rise := parts[-1]).times > 0 and rise is not bore:
         low, high = (Amount(end * 1e6, form=".1f") for end in (rise.least, rise.most))
-        several = rise.field > 0.05e-6
+        several = low.written() != high.written()
         added = Text("{low} to {high} µm", low=low, high=high) if several else Text("{rise} µm", rise=low)
         notes.append(Text("{place}: the press adds {added}", place=called(place), added=added))
     title = Text("{place}: stack, mm", place=called(place))

@@ -3,11 +3,26 @@
 
 from ...countershaft.rows import BearingRow
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Metre
 from ...sheet.value import based_on, untraced
 from . import formulas as f
 from .classes import Range, Select
 from .rings import Rings
+
+# what shells of one wall are called, from the thinnest, as makers mark them with paint
+COLOURS = (
+    Text("brown"),
+    Text("black"),
+    Text("blue"),
+    Text("green"),
+    Text("yellow"),
+    Text("red"),
+    Text("white"),
+    Text("pink"),
+    Text("violet"),
+    Text("orange"),
+)
 
 
 @record
@@ -26,6 +41,13 @@ class SeatStack:
         """Of the tolerance of one journal beside the parts that it is picked with."""
         of = [journal for *_, journal in self.pairs.values()] if self.pairs is not None else [self.journal]
         return max(most - least for least, most in of)
+
+    @property
+    def shells(self) -> dict[Range, Text]:
+        """The walls that are picked, from the thinnest, each with the word for its colour."""
+        walls = sorted({wall for _, wall, _ in (self.pairs or {}).values()})
+        more = (Text("number {n}", n=n) for n in range(len(COLOURS) + 1, len(walls) + 1))
+        return dict(zip(walls, (*COLOURS, *more)))
 
     def clearances(self, rings: Rings | None) -> Range:
         """Least and most of all parts that may come together, with the least interference for the least."""

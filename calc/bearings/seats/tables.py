@@ -19,8 +19,6 @@ from .stack import SeatStack
 if TYPE_CHECKING:
     from ..routes.states import BearingCase
 
-# what shells of one wall are called, from the thinnest, as makers mark them with paint
-COLOURS = tuple(map(Text, ("brown", "black", "blue", "green", "yellow", "red", "white", "pink", "violet", "orange")))
 LEAST, MOST, MIDDLE = Text("least"), Text("most"), Text("middle")
 
 
@@ -147,21 +145,13 @@ def _middles(seat: "BearingCase[Any]") -> Range:
 # --- shells by classes
 
 
-def shells(stack: SeatStack) -> dict[Range, Text]:
-    """The walls that are picked, from the thinnest, each with the word for its colour."""
-    assert stack.pairs is not None
-    walls = sorted({wall for _, wall, _ in stack.pairs.values()})
-    spare = (Text("number {n}", n=n) for n in range(len(COLOURS) + 1, len(walls) + 1))
-    return dict(zip(walls, (*COLOURS, *spare)))
-
-
 def limits_of(limits: Range) -> Text:
     return Text("{least} to {most}", least=size(limits[0], 3), most=size(limits[1], 3))
 
 
 def _classes_table(place: str, stack: SeatStack, select: SelectResult) -> Table:
     assert stack.pairs is not None
-    words = shells(stack)
+    words = stack.shells
     bores, journals = (dict.fromkeys(pair[n] for pair in stack.pairs) for n in (0, 1))
     head = tuple(
         (Text("{n}: {limits}", n=n, limits=limits_of(stack.pairs[next(iter(bores)), n][2])), "") for n in journals
