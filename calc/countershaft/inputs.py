@@ -646,17 +646,15 @@ class ShaftInputs:
             yield dotted(ShaftInputs.gap), Text("needed where an inner bearing has no length_mm, or give that")
 
     def _seats(self) -> Iterable[tuple[str, Text]]:
-        """How the shaft comes into its seats; where its bearings alone are asked, that may be left open."""
-        left_open = self.mode == "bearings" and self.assembly is None
+        """How the shaft comes into its seats."""
         if self.assembly in LAID_IN and self.radial_clearance is not None:
             laid_in = Text(
                 'leave it out with assembly = "{assembly}": nothing has to pass a seat', assembly=self.assembly
             )
             yield dotted(ShaftInputs.radial_clearance), laid_in
         for i, row in enumerate(self.bearings):
-            if row.seat == "shells" and self.assembly not in LAID_IN and not left_open:
-                key = dotted(ShaftInputs.bearings, i, BearingRow.seat)
-                yield key, Text('half shells go in with a divided housing; assembly = "split", "caps" or "module"')
+            if (undivided := self.seat_problem(row)) is not None:
+                yield dotted(ShaftInputs.bearings, i, BearingRow.seat), undivided
             if row.carrier is not None and row.carrier_bore is None:
                 key = dotted(ShaftInputs.bearings, i, BearingRow.carrier)
                 yield key, Text("needs carrier_bore_mm beside it: the bore that the carrier fills")
@@ -670,6 +668,14 @@ class ShaftInputs:
         if self.assembly == "cartridge" and not carriers:
             needed = Text('needed with assembly = "cartridge": the bore that the carrier of an outer bearing fills')
             yield dotted(ShaftInputs.bearings, 0, BearingRow.carrier_bore), needed
+
+    def seat_problem(self, row: BearingRow) -> Text | None:
+        """Why a bearing can not have its seat on this shaft; where its bearings alone are asked, the way of assembly
+        may be left open."""
+        left_open = self.mode == "bearings" and self.assembly is None
+        if row.seat != "shells" or self.assembly in LAID_IN or left_open:
+            return None
+        return Text('half shells go in with a divided housing; assembly = "split", "caps" or "module"')
 
     @property
     def _known(self) -> bool:

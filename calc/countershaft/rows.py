@@ -504,7 +504,10 @@ class BearingRow:
     def with_own(self, twin: "BearingRow") -> "BearingRow":
         """The bearing of a twin: this one of its original, with what the twin's row says."""
         own = {entry.attribute: getattr(twin, entry.attribute) for entry in said_in(twin)}
-        if not CLEARANCES.isdisjoint(own):  # one of them, in place of what the original has
+        # one clearance, in place of what the original has: a number, or limits, some of which may be the original's
+        if not CLEARANCES.isdisjoint(own):
+            own = dict.fromkeys(CLEARANCES | LIMITS) | own
+        elif not {"journal", "finished"}.isdisjoint(own):
             own = dict.fromkeys(CLEARANCES) | own
         return replace(self, **own)
 
@@ -664,7 +667,7 @@ SAYS_WITH = {
 }
 
 
-CLEARANCES = {"clearance", "clearance_factor", "journal", "bore", "finished"}  # what may say a clearance
+CLEARANCES, LIMITS = {"clearance", "clearance_factor"}, {"journal", "bore", "finished"}  # what may say a clearance
 
 
 def said_in(row: BearingRow) -> list[Key]:

@@ -487,8 +487,11 @@ class Design:
                 yield key, JUDGED
             else:
                 known = list(_of_row(self.bearings, there[row.name]))
-                here = _of_row(self.bearings, there[row.name].with_own(row))
+                own = there[row.name].with_own(row)
+                here = _of_row(self.bearings, own)
                 yield from _within(key, (problem for problem in here if problem not in known))
+                if row.seat != "direct" and (undivided := original.seat_problem(own)) is not None:
+                    yield dotted(key, BearingRow.seat), undivided
 
     def _seat(self, bearings: BearingsInputs, key: str, row: BearingRow) -> Problems:
         """Supply and seat of one bearing: what is wrong by what all share is said there, the rest at its row."""
@@ -657,6 +660,7 @@ def _of_seat(bearings: BearingsInputs, row: BearingRow) -> Problems:
 def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
     """What is wrong with one bearing, by itself and by what all share."""
     yield from row.problems()
+    yield from bearings.asked_of(row)
     yield from _of_seat(bearings, row)
 
 

@@ -9,9 +9,9 @@ The load turns with the journal past the seat.  In its frame, α from the load, 
 
     ∂/∂α(h³·∂p/∂α) + (d/l)²·∂/∂z(h³·∂p/∂z) = −6·∂h/∂α + 12·∂h/∂t,    h = 1 − x·cos α − y·sin α + r(α + t),
 
-p >= 0 (Swift–Stieber), p = 0 at the edge z = 1.  The relief r is cut into the seat, so that ∂r/∂t = ∂r/∂α.  The film
-holds the load at every instant, ½·∬p·(cos α, sin α)dα·dz = (So, 0) over half the length, which gives the velocity
-(ẋ, ẏ); the journal's mass is left out.
+p >= 0 (Swift–Stieber), p = 0 at the edge z = 1 and, as in `reynolds`, where the smooth film is widest.  The relief r
+is cut into the seat, so that ∂r/∂t = ∂r/∂α.  The film holds the load at every instant, ½·∬p·(cos α, sin α)dα·dz =
+(So, 0) over half the length, which gives the velocity (ẋ, ẏ); the journal's mass is left out.
 
 The nodes lie in the seat, σ = α + t, with one on every edge of the relief and its deepest line.  All terms but the
 squeeze of the journal's motion are brought under one flux, F = h³·∂p/∂σ + 6·h_s − 6·r with the smooth part h_s of the
@@ -48,7 +48,7 @@ LEAST_LOSS = 1e-5  # a shallow relief may help as much as it harms
 
 
 @record
-class Seat:
+class RelievedSeat:
     """The nodes of a seat with its relief, and what does not change while the load turns."""
 
     nodes: Array  # σ, from one split line minus its half arc, once round
@@ -69,7 +69,9 @@ class FilmMotion:
     active: Mask  # [node around, node across]
 
 
-def seat_with_relief(length_ratio: float, depth: float, half_arc: float, cells: tuple[int, int] = CELLS) -> Seat:
+def seat_with_relief(
+    length_ratio: float, depth: float, half_arc: float, cells: tuple[int, int] = CELLS
+) -> RelievedSeat:
     """A seat whose split lines lie at σ = ±π/2.  `depth` over c; `half_arc` above 0."""
     within = max(CELLS_IN_RELIEF, round(cells[0] * half_arc / (2.0 * math.pi)))
     beyond = max(2 * CELLS_IN_RELIEF, cells[0] // 2 - 2 * within)
@@ -87,7 +89,7 @@ def seat_with_relief(length_ratio: float, depth: float, half_arc: float, cells: 
     gap_both = np.tile(gap, 2)
     z = nodes_across(1.0, cells[1])
     across = np.diff(z)
-    return Seat(
+    return RelievedSeat(
         nodes=np.concatenate([from_line - 0.5 * math.pi, from_line + 0.5 * math.pi]),
         middles=np.concatenate([middles - 0.5 * math.pi, middles + 0.5 * math.pi]),
         gap=gap_both,
@@ -100,63 +102,45 @@ def seat_with_relief(length_ratio: float, depth: float, half_arc: float, cells: 
 
 
 def film_motion(
-    seat: Seat, x: float, y: float, turned: float, load: float, before: FilmMotion, *, runs: bool = True
+    seat: RelievedSeat, x: float, y: float, turned: float, load: float, before: FilmMotion, *, runs: bool = True
 ) -> FilmMotion | None:
     """The velocity of the journal at (x, y) over c with which the film holds the load So, along α = 0.
 
     `turned`: how far the load has turned past the seat, rad.  `runs`: the seat runs backward; False: load and seat
     stand, and the film is dragged as before past a relief that stands.  None where the journal touches an edge of the
     relief."""
-    for _ in range(ITERATION_LIMIT):
-        cut = _middle_of_void(before.active)
-        ring = (cut + np.arange(seat.nodes.size + 1)) % seat.nodes.size  # from the cut once round, the cut at both ends
-        gaps = ring[:-1]
-        alpha, between = seat.nodes[ring] - turned, seat.middles[gaps] - turned
-        cosine, sine = np.cos(alpha), np.sin(alpha)
-        smooth, smooth_between = 1.0 - x * cosine - y * sine, 1.0 - x * np.cos(between) - y * np.sin(between)
-        film, film_between = smooth + seat.relief[ring], smooth_between + seat.relief_between[gaps]
-        if film.min() <= 0.0:
-            return None
-        dragged = -1.0 if runs else 1.0
-        cube, cube_between = film**-3, film_between**-3
-        wedge = (smooth + dragged * seat.relief[ring]) * cube
-        wedge_between = (smooth_between + dragged * seat.relief_between[gaps]) * cube_between
-        simpson = seat.gap[gaps] / 6.0
-        conductance = 1.0 / (simpson * (cube[:-1] + 4.0 * cube_between + cube[1:]))
-        drag = 6.0 * conductance * simpson * (wedge[:-1] + 4.0 * wedge_between + wedge[1:])
+    nodes = seat.nodes.size
+    widest = int(np.argmin(x * np.cos(seat.nodes - turned) + y * np.sin(seat.nodes - turned)))
+    ring = (widest + np.arange(nodes + 1)) % nodes  # once round, the widest film at both ends
+    gaps = ring[:-1]
+    alpha, between = seat.nodes[ring] - turned, seat.middles[gaps] - turned
+    cosine, sine = np.cos(alpha), np.sin(alpha)
+    smooth, smooth_between = 1.0 - x * cosine - y * sine, 1.0 - x * np.cos(between) - y * np.sin(between)
+    film, film_between = smooth + seat.relief[ring], smooth_between + seat.relief_between[gaps]
+    if film.min() <= 0.0:
+        return None
+    dragged = -1.0 if runs else 1.0
+    cube, cube_between = film**-3, film_between**-3
+    wedge = (smooth + dragged * seat.relief[ring]) * cube
+    wedge_between = (smooth_between + dragged * seat.relief_between[gaps]) * cube_between
+    simpson = seat.gap[gaps] / 6.0
+    conductance = 1.0 / (simpson * (cube[:-1] + 4.0 * cube_between + cube[1:]))
+    drag = 6.0 * conductance * simpson * (wedge[:-1] + 4.0 * wedge_between + wedge[1:])
 
-        around = seat.around[ring]
-        weight = np.stack([cosine, sine]) * around
-        aside = (film**3 * around)[1:-1, None] * seat.aside
-        along, diagonal = links(conductance, seat.inner, aside)
-        sources = np.stack([np.diff(drag), *(12.0 * weight[:, 1:-1])])[..., None] * seat.inner
-        pressure, velocity, active = _held(along, aside, diagonal, sources, load, before.active[ring[1:-1]])
-
-        # the cut stands for a whole film only where nothing lifts its pressure from zero
-        at_cut = drag[0] - drag[-1] + 12.0 * weight[:, 0] @ velocity
-        push = at_cut * seat.inner + along[0] * pressure[1, :-1] + along[-1] * pressure[-2, :-1]
-        round_off = ROUND_OFF * float(np.abs(sources[0]).max())
-        everywhere = np.empty_like(before.active)
-        everywhere[cut], everywhere[ring[1:-1]] = push > round_off, active
-        before = FilmMotion(velocity, everywhere)
-        if not everywhere[cut].any():
-            return before
-    raise ArithmeticError(Text("the film carries pressure all round the bearing"))
+    around = seat.around[ring]
+    squeeze = 12.0 * (np.stack([cosine, sine]) * around)[:, 1:-1]  # of ẋ and ẏ
+    aside = (film**3 * around)[1:-1, None] * seat.aside
+    along, diagonal = links(conductance, seat.inner, aside)
+    sources = np.concatenate([[np.diff(drag)], squeeze])[..., None] * seat.inner
+    velocity, active = _held(along, aside, diagonal, sources, load, before.active[ring[1:-1]])
+    everywhere = np.zeros_like(before.active)
+    everywhere[ring[1:-1]] = active
+    return FilmMotion(velocity, everywhere)
 
 
-def _middle_of_void(active: Mask) -> int:
-    """The node around that is farthest from any pressure."""
-    carrying = np.flatnonzero(active.any(axis=1))
-    void = np.diff(np.append(carrying, carrying[0] + len(active)))
-    longest = int(void.argmax())
-    return int(carrying[longest] + void[longest] // 2) % len(active)
-
-
-def _held(
-    along: Array, aside: Array, diagonal: Array, sources: Array, load: float, active: Mask
-) -> tuple[Array, Array, Mask]:
-    """Π, the velocity and where there is pressure: the complementarity problem of `reynolds` with the velocity that the
-    load asks for."""
+def _held(along: Array, aside: Array, diagonal: Array, sources: Array, load: float, active: Mask) -> tuple[Array, Mask]:
+    """The velocity that the load asks for, and where there is pressure: the complementarity problem of `reynolds` with
+    two more unknowns."""
     round_off = ROUND_OFF * float(np.abs(sources[0]).max())
     pressure = np.zeros((len(diagonal) + 2, diagonal.shape[1] + 1))
     inside = pressure[1:-1, :-1]
@@ -175,7 +159,7 @@ def _held(
         push = push_of(pressure, along, aside, sources[0] + velocity[0] * sources[1] + velocity[1] * sources[2])
         corrected = np.where(active, inside > 0.0, push > round_off)
         if np.array_equal(corrected, active):
-            return pressure, velocity, active
+            return velocity, active
         active = corrected
     raise ArithmeticError(Text("no film found on {size} nodes around", size=len(pressure)))
 
@@ -187,7 +171,7 @@ def smooth_place(eccentricity: float, length_ratio: float) -> tuple[float, float
     return x, y, 1.0 / (2.0 * math.pi * film.sommerfeld)
 
 
-def at_rest(seat: Seat, x: float, y: float, turned: float) -> FilmMotion:
+def at_rest(seat: RelievedSeat, x: float, y: float, turned: float) -> FilmMotion:
     """A film to begin with: it carries pressure where it narrows."""
     narrows = x * np.sin(seat.nodes - turned) - y * np.cos(seat.nodes - turned) > 0.0
     return FilmMotion(np.zeros(2), np.repeat(narrows[:, None], seat.inner.size, axis=1))
@@ -208,16 +192,17 @@ def least_film_over_turn(
     Negative where the journal dips into the relief; where it then touches its edges, what was reached so far."""
     x, y, load = smooth_place(eccentricity, length_ratio)
     seat = seat_with_relief(length_ratio, depth, half_arc, cells)
-    motion: FilmMotion | None = at_rest(seat, x, y, 0.0)
+    motion = at_rest(seat, x, y, 0.0)
     steps = math.ceil(end / step - 1e-9)
     step, least, last = end / steps, math.inf, np.zeros(2)
     for k in range(steps + 1):
         turned, film = k * step, 1.0 - math.hypot(x, y)
         if turned >= SETTLED - 1e-9 or film < 0.0:
             least = min(least, film)
-        motion = film_motion(seat, x, y, turned, load, motion)
-        if motion is None:
+        moved = film_motion(seat, x, y, turned, load, motion)
+        if moved is None:
             return least
+        motion = moved
         # Adams and Bashforth's second order
         move = step * (1.5 * motion.velocity - 0.5 * last if k else motion.velocity)
         x, y, last = x + float(move[0]), y + float(move[1]), motion.velocity
@@ -227,10 +212,10 @@ def least_film_over_turn(
 # --- the table
 
 
-def axes(count: tuple[int, ...] = NODES) -> tuple[Array, ...]:
+def axes() -> tuple[Array, ...]:
     """ε, l/d, δ and a at the nodes, which are even in their `variables`."""
     limits = np.array([ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, DEPTH_RANGE, HALF_ARC_RANGE])
-    even = [np.linspace(*ends, nodes) for ends, nodes in zip(variables(limits), count)]
+    even = [np.linspace(low, high, nodes) for (low, high), nodes in zip(variables(limits).tolist(), NODES)]
     places = [np.tanh(even[0]), *map(np.exp, even[1:])]
     for nodes, ends in zip(places, limits):
         nodes[[0, -1]] = ends
@@ -238,8 +223,8 @@ def axes(count: tuple[int, ...] = NODES) -> tuple[Array, ...]:
 
 
 def losses(eccentricity: float, length_ratio: float, half_arc: float) -> list[float]:
-    """1 − share at all depths of the table.  Over the film of a smooth seat with the same nodes, which takes out most of
-    their error."""
+    """1 − share at all depths of the table.  Over the film of a smooth seat with the same nodes, which takes out most
+    of their error."""
     smooth = least_film_over_turn(eccentricity, length_ratio, 0.0, half_arc, end=2.0 * math.pi)
     depths = axes()[2] * (1.0 - eccentricity)
     return [

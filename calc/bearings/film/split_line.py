@@ -26,7 +26,7 @@ from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array, Num, Value
+from ...sheet.arrays import Array, IndexArray, Num, Value
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Text
@@ -61,15 +61,15 @@ class SplitLineTable:
     first: Array  # of each variable, [variable, 1]
     step: Array  # between its nodes, [variable, 1]
     last_cell: Array  # [variable, 1]
-    stride: Array  # in `values` of the next node, [variable]
-    corner: Array  # in `values`, of the corners of a cell, [2, 2, 2, 2] as one row
+    stride: IndexArray  # in `values` of the next node, [variable]
+    corner: IndexArray  # in `values`, of the corners of a cell, [2, 2, 2, 2] as one row from its low one
     values: Array  # as one row
 
 
 @cache
 def split_line_table() -> SplitLineTable:
     stored = np.load(TABLE)[()]
-    values, ends = stored["values"], stored["ends"]
+    values, ends = stored["values"].astype(np.float64), stored["ends"]
     count = np.array(values.shape)
     stride = np.cumprod([1, *values.shape[:0:-1]])[::-1]
     corner = (np.indices((2,) * AXES).reshape(AXES, CORNERS) * stride[:, None]).sum(axis=0)
@@ -92,25 +92,29 @@ def share_at(eccentricity: Value, length_ratio: Num, depth: Num, half_arc: Num, 
     `half_arc`: its length on one side of the line over the radius, 2·length/d, rad.  No depth or no arc: 1.
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned."""
     table = split_line_table()
-    given = np.broadcast_arrays(eccentricity, length_ratio, depth, half_arc)
-    shape = given[0].shape
-    places = np.array(given, dtype=np.float64).reshape(AXES, -1)
+    given = eccentricity, length_ratio, depth, half_arc
+    shape = np.broadcast(*given).shape
+    places = np.empty((AXES, *(shape or (1,))))
+    for place, values in zip(places, given):
+        place[...] = values
+    places = places.reshape(AXES, -1)
     if not ((places >= LOW) & (places <= HIGH)).all():
-        places = np.stack([clipped(*named, *limits, outside) for *named, limits in zip(NAMES, places, RANGES)])
+        limits = zip(NAMES, places, RANGES)
+        places = np.stack([clipped(name, place, low, high, outside) for name, place, (low, high) in limits])
     places[2] = np.minimum(places[2] / (1.0 - places[0]), DEPTH_RANGE[1])
     at_nodes = places.copy()
     at_nodes[2:] = np.maximum(places[2:], SMALL_RELIEF)
     small = (places[2:] / at_nodes[2:]).prod(axis=0)
     place = (variables(at_nodes) - table.first) / table.step
-    cell = np.clip(np.nan_to_num(place).astype(np.intp), 0, table.last_cell)
+    cell = np.fmin(np.fmax(place, 0.0), table.last_cell).astype(np.intp)  # of a nan any
     part = place - cell
-    corners = table.values[(table.stride @ cell)[:, None] + table.corner].reshape(-1, 2, 2, 2, 2)
-    for along in part:  # the first axis that is left
-        low, high = corners[:, 0], corners[:, 1]
-        corners = low + along.reshape(-1, *(1,) * (low.ndim - 1)) * (high - low)
-    left = np.maximum(0.0, 1.0 - small * np.exp(corners))
-    share: Any = left.reshape(shape) if shape else float(left[0])
-    return share  # type: ignore[no-any-return]
+    corners = table.values[table.corner[:, None] + table.stride @ cell]
+    for along in part:  # the first halves stand at the low node, the others at the high one
+        low, high = corners[: len(corners) // 2], corners[len(corners) // 2 :]
+        corners = low + along * (high - low)
+    left = np.maximum(0.0, 1.0 - small * np.exp(corners[0]))
+    result: Any = left.reshape(shape) if shape else float(left[0])
+    return result  # type: ignore[no-any-return]
 
 
 @formula("s_t", SOURCE, shows="least film over the turn / film without relief: table of marches at ε, l/d, t/c, a")

@@ -10,13 +10,14 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy, by_key, up_um
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre
+from ...sheet.units import Celsius, Metre, Pascal
 from ...sheet.value import based_on, untraced
 from ..inputs import BearingsInputs
 from . import formulas as f
 from .classes import Select
 from .result import SeatResult, SelectResult
-from .rings import Rings
+from .rings import Fit, Rings
+from .seat import HOLDING_FRICTION
 
 LAME = Text("elasticity: thick rings in plane stress (Lamé)")
 CAUSE = "bearings.B.seat"
@@ -178,34 +179,36 @@ def press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Chec
     if seat.rings.chosen:
         return
     rule = SEAT_FRETTING if row.retained == "pin" else SEAT_PRESS
-    hot, best = seat.press_hot, seat.press_hot_cool
-    tighter = _tighter(place, row, seat)
-    missing = _housing(seat, hot, best)
+    hot, best, need = seat.press_hot, seat.press_hot_cool, seat.press_needed
     yield rule(
         hot,
-        seat.press_needed,
+        need,
         at=place,
         name=_at(rule, place),
-        missing=missing,
+        missing=_housing(seat, hot, best),
         scale=MEGAPASCAL,
-        remedies=lambda: tighter,
+        remedies=lambda: _tighter(place, row, seat, need),
     )
     if row.retained == "pin":
         return
-    held, share = seat.holding_torque, None if best is None or not hot else best / hot
-    missing = _housing(seat, held, None if best is None else held * share if share is not None else _held(row, seat))
+    held, drag = seat.holding_torque, 2 * seat.drag_torque
+    with untraced():
+        fit = _fit(seat)
+        each = f.holding_torque(mu_s=HOLDING_FRICTION, p=1.0, d_o=fit.d_o, l=row.length)  # of each Pa
     yield SEAT_TURN(
-        held, 2 * seat.drag_torque, at=place, name=_at(SEAT_TURN, place), missing=missing, scale=NEWTON_METRE
+        held,
+        drag,
+        at=place,
+        name=_at(SEAT_TURN, place),
+        missing=_housing(seat, held, None if best is None else each * best),
+        scale=NEWTON_METRE,
+        remedies=lambda: _tighter(place, row, seat, drag / each),
     )
 
 
-def _held(row: BearingRow, seat: SeatResult) -> float:
-    """Torque that holds the bush while its housing is at its coolest."""
-    from .seat import HOLDING_FRICTION
-
-    fit = seat.rings.fit(row.diameter, seat.bore - (seat.rings.journal or row.diameter))
-    held: float = f.holding_torque(mu_s=HOLDING_FRICTION, p=seat.press_hot_cool or 0.0, d_o=fit.d_o, l=row.length)
-    return held
+def _fit(seat: SeatResult) -> Fit:
+    rings = seat.rings
+    return rings.fit_of(seat.bore + 2 * rings.wall if rings.bore is None else rings.bore, seat.bore)
 
 
 def _housing(seat: SeatResult, value: float, best: float | None) -> Missing | None:
@@ -215,12 +218,12 @@ def _housing(seat: SeatResult, value: float, best: float | None) -> Missing | No
     return Missing((T_HOUSING,), (taken,), best, value)
 
 
-def _tighter(place: str, row: BearingRow, seat: SeatResult) -> tuple[Remedy, ...]:
-    """So much more interference, at both ends, as the press lacks; of shells by their crush, where that is given."""
+def _tighter(place: str, row: BearingRow, seat: SeatResult, p: Pascal) -> tuple[Remedy, ...]:
+    """The interference, as wide as it is, that leaves this pressure where the film is hottest; of shells by their
+    crush, where that is given."""
     rings = seat.rings
-    fit = rings.fit_of(seat.bore + 2 * rings.wall if rings.bore is None else rings.bore, seat.bore)
     with untraced():
-        needed = rings.needed(fit, seat.press_needed, seat.temperatures.hot, seat.temperatures.housing)
+        needed = rings.needed(_fit(seat), p, seat.temperatures.hot, seat.temperatures.housing)
     more = needed - rings.interference[0]
     field, given = BearingRow.interference, rings.interference
     if row.crush is not None:

@@ -8,10 +8,9 @@ import pytest
 
 from calc.bearings.inputs import BearingsInputs
 from calc.bearings.seats.checks import seat_checks, unknown_check
-from calc.bearings.seats.result import Temperatures
+from calc.bearings.seats.result import PairResult, SelectResult, Temperatures
 from calc.bearings.seats.rings import Rings
 from calc.bearings.seats.seat import seated
-from calc.bearings.seats.sitting import select_result
 from calc.bearings.seats.stack import stack_of
 from calc.countershaft.rows import BearingRow
 from calc.design.toml_file import design
@@ -120,14 +119,17 @@ def test_a_housing_whose_temperature_is_not_given_is_as_warm_as_the_film_or_as_c
 )
 def test_every_pair_of_classes_lies_within_the_clearance_that_was_asked_for(band, verdict, pair):
     """A bore that does not give way: 23 to 46 µm."""
-    seat = seat_in()
-    rigid = replace(seat, rings=replace(seat.rings, interference=(0.0, 0.0)))
-    select = select_result(stack_of(ROW, classes(walls_mm=WALLS, pick=PICK)), rigid.rings)
-    check = made(rigid, select=select, band=tuple(g * UM * (1 + e) for g, e in zip(band, (-1e-9, 1e-9))))["select"]
+    rigid = replace(seat_in().rings, interference=(0.0, 0.0))
+    stack = stack_of(ROW, classes(walls_mm=WALLS, pick=PICK))
+    ends = {pair: stack.of_pair(pair, rigid) for pair in stack.pairs}
+    pairs = {f"{i}_{j}": PairResult(min=least, max=most) for (i, j), (least, most) in ends.items()}
+    select = SelectResult(inserts=3.0, pair=pairs)
+    within = tuple(g * UM * (1 + e) for g, e in zip(band, (-1e-9, 1e-9)))
+    check = made(None, select=select, band=within)["select"]
     assert (check.kind, check.verdict) == ("caution", verdict)
     if pair is not None:
         assert "bore class {} with journal class {}".format(*pair) in str(check.name)
-    assert "select" not in made(rigid, select=select) and "select" not in made(rigid, band=BAND)
+    assert "select" not in made(None, select=select) and "select" not in made(None, band=BAND)
 
 
 def test_shells_hold_themselves_by_their_spread():
@@ -209,6 +211,19 @@ def test_so_much_more_interference_holds_the_bush(place, key, least):
     assert tighter.verdict == "pass"
     short = checks_of(document(**{**fields, place: {key: [end - 2 for end in ends]}}))[f"{place}.seat_press"]
     assert short.verdict == "warn", "and no more than that"
+
+
+def test_so_much_more_interference_keeps_the_bush_from_turning():
+    """Of one that has come loose: less than what keeps it shut."""
+    fields = {"rear": {"interference_um": [20, 35]}, "housing_temperature_C": 105.0}
+    found = checks_of(document(**fields))
+    turn, press = found["rear.seat_turn"], found["rear.seat_press"]
+    (((key, ends),),) = (way.changes for way in turn.remedies)
+    (((_, shut),),) = (way.changes for way in press.remedies)
+    assert key == "shafts.shaft.bearings.rear.interference_um" and 20 < ends[0] < shut[0] and turn.verdict == "fail"
+    held = checks_of(document(**{**fields, "rear": {"interference_um": ends}}))["rear.seat_turn"]
+    short = checks_of(document(**{**fields, "rear": {"interference_um": [end - 2 for end in ends]}}))["rear.seat_turn"]
+    assert held.holds and not short.holds
 
 
 def test_the_temperature_of_the_housing_decides_whether_the_bush_holds():

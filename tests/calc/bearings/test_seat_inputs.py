@@ -2,12 +2,15 @@
 """What can not be of a seat: told in words, by its key and line, all at once."""
 
 import copy
+from dataclasses import replace
 
 import pytest
 
 from assistant.cli import main
-from calc.design.toml_file import Document, design
+from calc.countershaft.rows import BearingRow
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
+from tests.conftest import DESIGNS
 
 SHELL = {
     "name": "front",
@@ -148,6 +151,31 @@ CASES = [
     ({"shaft": {"assembly": "threaded"}}, "front.seat", 'assembly = "split", "caps" or "module"'),
     ({"rear": {"carrier_bore_mm": 42}}, "rear.carrier_bore_mm", 'belongs to assembly = "cartridge"'),
     ({"rear": {"carrier_mm": 41.98}}, "rear.carrier_mm", "needs carrier_bore_mm beside it"),
+    (
+        {"front": DIRECT, "rear": {"carrier_bore_mm": 29}, "shaft": {"assembly": "cartridge"}},
+        "rear.carrier_bore_mm",
+        "must be larger than the diameter",
+    ),
+    (
+        {"front": DIRECT, "rear": {"carrier_bore_mm": [42.1, 42]}, "shaft": {"assembly": "cartridge"}},
+        "rear.carrier_bore_mm",
+        "least before most",
+    ),
+    (
+        {"front": DIRECT, "rear": {"carrier_bore_mm": 42, "carrier_mm": [42, 41]}, "shaft": {"assembly": "cartridge"}},
+        "rear.carrier_mm",
+        "least before most",
+    ),
+    ({"front": DIRECT, "shaft": {"assembly": "cartridge"}}, "front.carrier_bore_mm", "needed with assembly"),
+    ({"front": {"crush_um": [45, 30]}}, "front.crush_um", "least before most"),
+    (
+        {"rear": {"bore": "finished", "finished_mm": [30.02, 30.0]}},
+        "rear.finished_mm",
+        "least before most",
+    ),
+    ({"select": {"pick": [[0, 1], [1, 2]]}}, "bearings.select.pick", "needs walls_mm"),
+    ({"select": {"clearance_band_um": None}}, "bearings.select.clearance_band_um", "is missing"),
+    ({"select": {"journal_classes_mm": None}}, "bearings.select.journal_classes_mm", "is missing"),
     ({"shaft": {"radial_clearance_mm": 0.5}}, "shafts.shaft.radial_clearance_mm", "leave it out"),
     ({"housing_temperature_C": 300}, "bearings.housing_temperature_C", "-40 to 200"),
 ]
@@ -182,6 +210,48 @@ def test_what_can_not_be_is_told_by_its_key(changes, key, words):
 )
 def test_what_can_be(changes):
     design(document(**changes))
+
+
+@pytest.mark.parametrize(
+    ("own", "assembly", "key", "words"),
+    [
+        ({"seat": "bush"}, "split", "wall_mm", 'needed with seat = "bush"'),
+        ({"seat": "shells", "wall_mm": 1.5}, "threaded", "seat", "half shells go in with a divided housing"),
+        ({"wall_mm": 1.5}, "split", "wall_mm", 'belongs to seat = "bush"'),
+        ({"seat": "bush", "wall_mm": 2.0, "bore_mm": [33.0, 33.01]}, "split", "bore_mm", "and two walls, 28 mm"),
+        ({"seat": "bush", "wall_mm": 2.0}, "threaded", None, None),
+        ({"seat": "shells", "wall_mm": 1.5}, "split", None, None),
+    ],
+)
+def test_the_seat_of_a_twin_is_its_own(own, assembly, key, words):
+    """In place of the one of its original, as far as its row says; what is wrong is told there."""
+    pair = read(DESIGNS / "r754ie4_balance_shafts.toml")
+    left, right = pair.data["shafts"]
+    twin = {**right, "bearings": [{"name": "front", **own}]}
+    made = replace(pair, data={**pair.data, "shafts": [{**left, "assembly": assembly}, twin]})
+    if key is None:
+        design(made)
+    else:
+        ((where, why),) = told(made).items()
+        assert where == f"shafts.right.bearings.front.{key}" and words in why
+
+
+def test_the_clearance_of_a_twin_is_its_own():
+    """A number in place of limits, limits in place of a number, one limit in place of one."""
+    limits = {"clearance": None, "journal": (0.02995, 0.02997), "bore": (0.033025, 0.03305), "wall": (0.0015,)}
+    sized = dict(name="front", diameter=0.02996, length=0.02)
+    number = BearingRow(**sized, seat="bush", clearance=77e-6, wall=(0.0015,))
+    limited = BearingRow(**sized, seat="bush", **limits)
+
+    def of_twin(original, **own):
+        made = original.with_own(BearingRow(name="front", **own))
+        return made.clearance, made.journal, made.bore
+
+    assert of_twin(number, bore=(0.033, 0.03301)) == (77e-6, None, (0.033, 0.03301))
+    assert of_twin(number, journal=(1, 2), bore=(3, 4)) == (None, (1, 2), (3, 4))
+    assert of_twin(limited, clearance=50e-6) == (50e-6, None, None)
+    assert of_twin(limited, journal=(0.02994, 0.02995)) == (None, (0.02994, 0.02995), limits["bore"])
+    assert of_twin(limited, retained="pin") == (None, limits["journal"], limits["bore"])
 
 
 def test_the_command_tells_all_at_once_with_line_and_key(tmp_path, capsys):

@@ -193,10 +193,10 @@ def test_between_the_nodes():
 @pytest.mark.parametrize("i, j, k", [(2, 1, 3), (5, 3, 1), (-1, -1, 0)])
 def test_nodes_come_from_the_march(i, j, k):
     """A row of the table is written again, but for what a deeper relief is not let to gain."""
-    x, y, depth, arc = march.axes()
-    eps, ratio, half_arc = math.tanh(x[i]), math.exp(y[j]), arc[k] ** 2
+    eccentricities, length_ratios, depth, half_arcs = march.axes()
+    eps, ratio, half_arc = float(eccentricities[i]), float(length_ratios[j]), float(half_arcs[k])
     lost = np.array(march.losses(eps, ratio, half_arc))
-    stored = 1.0 - share_at(eps, ratio, np.expm1(depth) * (1.0 - eps), half_arc)
+    stored = 1.0 - share_at(eps, ratio, depth * (1.0 - eps), half_arc)
     assert stored == pytest.approx(np.clip(lost, 0.0, 1.0), abs=5e-3)
 
 
