@@ -479,8 +479,10 @@ class Design:
     def _twin_rows(self, twin: ShaftInputs, rows: list[tuple[str, BearingRow]]) -> Problems:
         """The rows of a twin: whether its original has such a bearing, and what is wrong of that as the twin has it."""
         original = next((shaft for shaft in self.shafts if shaft.name == (twin.mirrors or twin.repeats)), None)
-        there = {row.name: row for row in original.bearings} if original is not None else {}
-        for key, row in rows if original is not None else ():
+        if original is None:
+            return
+        there = {row.name: row for row in original.bearings}
+        for key, row in rows:
             if row.name not in there:
                 yield dotted(key, BearingRow.name), _unknown_name(row.name, there)
             elif self.bearings is None:

@@ -12,6 +12,7 @@ from ...library.lubricant import Lubricant, OilState
 from ...sheet.arrays import Value
 from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.value import based_on
 from .. import formulas as f
 from ..film.grooved import Feed, Feeds
 from ..inputs import BearingsInputs
@@ -64,9 +65,9 @@ class BearingCase(Generic[Value]):
         if self.rings is not None:
             return self.rings.clearance_at(d, self.clearance, self.journal_expansion, T, T_H)
         if self.stack is not None:
-            d_J = (self.stack.journal[0] + self.stack.journal[1]) / 2
+            d_J = based_on((self.stack.journal[0] + self.stack.journal[1]) / 2, self.stack.journal)
             d_iT = seats.own_bore_at(
-                d_i=d_J + self.clearance,
+                d_i=based_on(d_J + self.clearance, d_J, self.clearance),
                 alpha_H=self.housing_expansion,
                 chi=inputs.expansion_restraint,
                 T=T,

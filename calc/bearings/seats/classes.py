@@ -11,6 +11,7 @@ from typing import Any
 from ...sheet.quantity import dotted, inputs, open_, series
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre
+from ...sheet.value import based_on
 
 Range = tuple[Metre, Metre]
 
@@ -80,7 +81,7 @@ class Select:
         if self.walls_mm is not None:
             return _ranges(self.walls_mm) or ()
         found = found_walls(self.bores, self.journals, self._middle(rise))
-        return tuple((w - WALL_FIELD / 2, w + WALL_FIELD / 2) for w in found)
+        return tuple(based_on((w - WALL_FIELD / 2, w + WALL_FIELD / 2), self.clearance_band, rise) for w in found)
 
     def _middle(self, rise: Metre) -> Metre:
         """Of the clearance asked for, less what the seated bore adds."""

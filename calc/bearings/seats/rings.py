@@ -58,6 +58,13 @@ class Rings:
         d_i = f.assembled_bore(d_J=diameter if self.journal is None else self.journal, g=clearance)
         return self.fit_of(f.outside_of_bush(d_i=d_i, w=self.wall) if self.bore is None else self.bore, d_i)
 
+    def quiet_fit(self, diameter: Any, clearance: Any) -> Fit:
+        """The same without lines, which stand with the seat."""
+        with untraced():
+            fit = self.fit(diameter, clearance)
+        of = diameter, clearance, self.wall, self.bore, self.journal, self.outside
+        return fit._replace(d_i=based_on(fit.d_i, *of), d_o=based_on(fit.d_o, *of))
+
     def fit_of(self, d_o: Any, d_i: Any) -> Fit:
         D = f.housing_outside(D_rel=HOUSING_RATIO, d_o=d_o) if self.outside is None else self.outside
         k_B = f.bush_compliance(d_o=d_o, d_i=d_i, nu_B=self.backing.poisson, E_B=self.backing.E)
@@ -84,12 +91,13 @@ class Rings:
 
     def clearance_at(self, diameter: Any, clearance: Any, journal_expansion: float, T: Any, T_H: Any) -> Any:
         """`T`: of journal and bush, `T_H`: of the housing."""
-        with untraced():  # its lines stand with the seat
-            fit = self.fit(diameter, clearance)
+        fit = self.quiet_fit(diameter, clearance)
+        with untraced():
             c_i = self.pressed(fit, self.middle).c
+        c_i = based_on(c_i, fit.d_i, self.interference)
         c_T = self.at(fit, self.middle, T, T_H).c
         d_iT = f.bore_at(d_i=fit.d_i, c_i=c_i, alpha_B=self.backing.expansion, T_B=T, T_ref=self.reference, c_T=c_T)
-        d_J = fit.d_i - clearance
+        d_J = based_on(fit.d_i - clearance, diameter if self.journal is None else self.journal)
         return f.clearance_in(d_iT=d_iT, d_J=d_J, alpha_J=journal_expansion, T=T, T_ref=self.reference)
 
     def rise(self, diameter: Any, clearance: Any) -> Any:

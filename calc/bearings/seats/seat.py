@@ -37,7 +37,7 @@ def rings_of(
     rings = Rings(
         backing=backing,
         housing=housing,
-        wall=based_on((walls[0] + walls[-1]) / 2, row.wall),
+        wall=based_on((walls[0] + walls[-1]) / 2, walls),
         restraint=inputs.expansion_restraint,
         reference=inputs.clearance_reference_temperature,
         interference=(0.0, 0.0),
@@ -77,8 +77,7 @@ def chosen(rings: Rings, row: BearingRow, clearance: Metre, F: Newton, at: Tempe
     are made.  As they stand where it is given."""
     if not rings.chosen:
         return rings
-    with untraced():
-        fit = rings.fit(row.diameter, clearance)
+    fit = rings.quiet_fit(row.diameter, clearance)
     p_need = f.press_needed(F=F, d_o=fit.d_o, l=row.length)
     with untraced():
         needs = [(rings.needed(fit, p_need, *state), state) for state in _states(at)]
@@ -127,7 +126,7 @@ def seated(
         interference_max=most,
         interference=rings.middle,
         bore=fit.d_i,
-        bore_free=fit.d_i + middle.c,
+        bore_free=based_on(fit.d_i + middle.c, fit.d_i, middle.c),
         bore_closing=middle.c,
         housing_growth=f.housing_growth(p=middle.p, d_o=fit.d_o, k_H=fit.k_H),
         press=press,

@@ -39,7 +39,20 @@ def sitting(seat: BearingCase, duty: OperatingPoint) -> BearingCase:
             hot = _hottest(seat, duty) if seat.rings is not None and seat.rings.chosen else hot
             if abs(hot - before) < CHOSEN_WITHIN:
                 break
-    return _pressed(seat, duty, hot)
+    row, select = seat.bearing, seat.inputs.select
+    if seat.stack is not None:  # found without lines
+        parts = row.journal, row.bore, row.wall, row.finished, None if select is None else select.clearance_band
+        seat = replace(seat, clearance=based_on(seat.clearance, *parts))
+    return _pressed(seat, duty, _based_on_film(hot, seat, duty))
+
+
+def _based_on_film(hot: Celsius, seat: BearingCase, duty: OperatingPoint) -> Celsius:
+    """The temperature of a film that was found without lines, with what it was found from."""
+    inputs, row = seat.inputs, seat.bearing
+    of = inputs.oil, inputs.viscosity, inputs.load_speed_ratio, inputs.bush_speed_ratio, inputs.speed
+    supplied = inputs.supply_temperature, inputs.supply_pressure, inputs.hole_diameter, inputs.groove_width
+    at_corners = inputs.viscosity_tolerance, inputs.journal_fit, inputs.seat_fit
+    return based_on(hot, seat.clearance, row.diameter, row.length, duty.load, duty.speed, *of, *supplied, *at_corners)
 
 
 def _pressed(seat: BearingCase, duty: OperatingPoint, hot: Celsius) -> BearingCase:
@@ -84,7 +97,9 @@ def seat_result(
     """What follows from a film that is solved, and from those of its corners; None where nothing is pressed in."""
     if seat.rings is None:
         return None
-    T = hot.mean_temperature if assumed(seat) else _highest(corner_films.mean_temperature, seat)
+    T = hot.mean_temperature
+    if not assumed(seat):
+        T = _based_on_film(_highest(corner_films.mean_temperature, seat), seat, duty)
     omega = film_by.angular_speed(n=duty.speed)
     at = states(seat.inputs, T)
     return seated(seat.rings, seat.bearing, seat.clearance, load, hot.friction_power, omega, at)

@@ -76,6 +76,7 @@ class SeatStack:
             D_m, w_m = (bore[0] + bore[1]) / 2, (walls[0] + walls[1]) / 2
             c = rings.pressed(rings.fit_of(D_m, D_m - 2 * w_m), delta).c
         w = based_on(walls[1 - most], walls)
+        c = based_on(c, delta, D, w, rings.outside)
         pressed: Metre = f.clearance_as_pressed(D_b=D, w=w, d_J=d, delta=delta, c_i=c)
         return pressed
 
