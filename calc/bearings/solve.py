@@ -484,6 +484,7 @@ def _bearing(
         hot=hot,
         seat=seat,
         duty=duty,
+        faster=faster,
         sweep=swept,
         side=side,
         beside=loads_near,

@@ -74,7 +74,7 @@ class Select:
         return _ranges(self.bore_classes_mm) or ()
 
     def walls(self, rise: Metre = 0.0) -> tuple[Range, ...]:
-        """As given, else as found.  `rise`: by which a seated bore stands wider than housing bore and walls leave it."""
+        """As given, else as found.  `rise`: by which a seated bore stands wider than its parts leave it."""
         if self.walls_mm is not None:
             return _ranges(self.walls_mm) or ()
         found = found_walls(self.bores, self.journals, self._middle(rise))
