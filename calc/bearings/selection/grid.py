@@ -3,7 +3,8 @@
 
 Lengths stand on the step of their input (half millimetres) and clearances on 5 µm, or 2 µm of small journals, the
 design's own beside them.  Films
-are solved at a few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-4 off)."""
+are solved at a few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-4 off, 2e-3 where an oil
+begins to thin by shear)."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -22,7 +23,7 @@ from ...sheet.units import Metre, Number, Radian
 from ..checks import FILM_EDGE, LENGTH_RATIO, SPECIFIC_LOAD, TEMPERATURE
 from ..routes import supply
 from ..suitability import MATERIAL_LOAD
-from .states import EDGES, FILM_NUMBERS, BearingTask, States, judge, solved_at
+from .states import EDGES, FILM_NUMBERS, BearingTask, Index, States, judge, solved_at
 from .variants import SUPPLIES, Variant
 
 LENGTH = described(BearingRow.length)
@@ -72,8 +73,8 @@ class CandidateField:
 
     @property
     def steps(self) -> list[float]:
-        """Its clearances, in µm, to be held against those of others."""
-        return [round(g * 1e6, 6) for g in self.states.clearance[:, 0].tolist()]
+        """Its clearances in µm beyond the design's, to be held against those of bearings that are alike."""
+        return [round((g - self.task.clearance) * 1e6, 3) for g in self.states.clearance[:, 0].tolist()]
 
     def _kept(self, slope: Radian, *rules: CheckRule) -> BoolArray:
         judged = self.judged(slope)
@@ -108,14 +109,14 @@ class CandidateField:
         """The same with its own surfaces, and with ever smoother ones."""
         return (replace(self, task=task) for task in self.task.smoother())
 
-    def at(self, index: tuple[np.intp, ...]) -> States:
+    def at(self, index: Index) -> States:
         """One candidate, as if it had been solved alone."""
         shown = {
             name: np.broadcast_to(getattr(self.states, name), self.states.power.shape)
             for name in ("length", "clearance")
         }
         numbers = shown | {name: getattr(self.states, name) for name in FILM_NUMBERS}
-        return States(**{name: array[(..., *index)][..., None] for name, array in numbers.items()})
+        return States(**{name: array[(..., *np.atleast_1d(index))][..., None] for name, array in numbers.items()})
 
     def change(self) -> Array:
         """From the design: the sum of the relative changes of length, clearance and diameter; rule of this program."""
@@ -162,11 +163,14 @@ def clearance_step(d: Metre) -> Metre:
 
 def clearances(task: BearingTask, few: int = FEW) -> Array:
     """Whole steps from the least whose tightest corner is left when cold up to the widest, a few steps at least; at the
-    design's own diameter its own clearance too."""
+    design's own diameter its own clearance too.  Where limits of parts make it, whole steps from the design's own, so
+    that they move by these."""
     seat, step = task.seat, clearance_step(task.size)
     shrinks = seat.clearance - seat.clearance_at(seat.inputs.lowest_temperature)
     narrowest = max(shrinks + task.half, 0.0) / (1 - THIN_MARGIN) + SAME
     widest = max(WIDEST * task.size, narrowest + few * CLEARANCE_STEP)
+    if task.field is not None:
+        return task.clearance + multiples(step, narrowest - task.clearance, widest - task.clearance)
     own = [task.clearance] if task.own_size and narrowest <= task.clearance else []
     return multiples(step, max(narrowest, step), max([widest, *own]), own)
 
@@ -181,6 +185,7 @@ def same_films(some: Sequence[BearingTask], others: Sequence[BearingTask]) -> bo
         and a.seat.inputs.of(a.seat.bearing) == b.seat.inputs.of(b.seat.bearing)
         and a.rules[LENGTH_RATIO].check.limit == b.rules[LENGTH_RATIO].check.limit
         and a.seat.rings == b.seat.rings
+        and (a.field is None or a.clearance == b.clearance)
         for a, b in zip(some, others)
     )
 

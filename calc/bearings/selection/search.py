@@ -4,8 +4,8 @@
 Least is wanted of the friction power of all bearings, rounded to 1 %, of equal ones the smallest bearing, of these the
 smallest change.  What is offered first has been through the whole solution once more.
 
-In this order: what fits the room on the shaft with its own fits; then by closer fits; then what keeps the limits as
-given, where a corner of tolerances that are only assumed is passed; and beside it what is too long for the room."""
+First what fits the room on the shaft; where nothing does, what keeps the limits as given, where a corner of tolerances
+that are only assumed is passed; and beside it what is too long for the room."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -218,7 +218,7 @@ def _classes(pick: Pick, bearings: BearingsInputs) -> dict[object, object]:
     keys: dict[object, object] = {
         Select.journal_classes_mm: _moved_classes(select.journals, larger - by_journal),
         Select.bore_classes_mm: _moved_classes(select.bores, larger),
-        Select.clearance_band: [digits((end + wider) / 1e-6) for end in select.clearance_band],
+        Select.clearance_band: [digits(round(end + wider, 9) / 1e-6) for end in select.clearance_band],
     }
     return {dotted(BearingsInputs.select, key): value for key, value in keys.items()}
 
@@ -253,12 +253,13 @@ Every = Sequence[tuple[Variant, Fields]]
 class BearingsFound:
     """What there is to choose.  `rows`: numbered from 1, in the order of `aim`; they fit the shaft.
 
-    `kind`: "all" they keep every rule; "fits" the same with closer fits; "given" the limits as given, not every corner;
-    "none". `beyond`: rows that keep every rule and are too long for the room, numbered on; then `pareto`. `now`: the
-    design as it is, None where it has no film.  `refused`: variants without a row, with what stops them. `slopes`: by
-    row number those that solved rows were judged with; 0: the others.  `own`: the number of the row with the design's
-    own oil, supply and surfaces; 0: there is none.  `elsewhere`: by row number, what then is open and was not before:
-    limits of other steps, cautions on films.  `crossing`: what overlaps now. `placed`: whether the fits of the design have a place."""
+    `kind`: "all" they keep every rule; "given" the limits as given, not every corner; "none".  `beyond`: rows that keep
+    every rule and are too long for the room, numbered on; then `pareto`.  `now`: the design as it is, None where it has
+    no film.  `refused`: variants without a row, with what stops them.  `slopes`: by row number those that solved rows
+    were judged with; 0: the others.  `own`: the number of the row with the design's own oil, supply and surfaces; 0:
+    there is none.  `elsewhere`: by row number, what then is open and was not before: limits of other steps, cautions on
+    films.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`: results of
+    whole designs by row number, with their shaft in view."""
 
     case: SelectionCase
     aim: str
@@ -276,7 +277,7 @@ class BearingsFound:
     elsewhere: dict[int, tuple[Check, ...]]
     crossing: tuple[Check, ...]
     placed: bool
-    solved: dict[int, Solution]  # by row number, with its shaft in view
+    solved: dict[int, Solution]
 
     @property
     def all(self) -> tuple[CandidateRow, ...]:
@@ -305,8 +306,9 @@ def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = N
     for n, (kind, tried, asked) in enumerate(ways):  # noqa: B007
         here = part(progress, n / len(ways), (n + 1) / len(ways))
         tried_fields = _all_fields(case, tried, asked, slopes, ORDERS[aim], here)
-        within = [(variant, with_surfaces(in_room(some))) for variant, some in tried_fields]
-        every = every or tried_fields
+        smooth: list[tuple[Variant, Fields]] = [(variant, with_surfaces(some)) for variant, some in tried_fields]
+        within = [(variant, in_room(some)) for variant, some in smooth]
+        every = every or smooth
         settled = _settled(case, within, slopes, ORDERS[aim], dropped, part(here, 0.6, 1.0))
         if settled:
             break

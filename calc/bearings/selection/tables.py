@@ -87,10 +87,8 @@ def titles(choices: BearingsFound) -> tuple[Text, Text]:
     keeps = Text("Bearings that keep every rule of the search (their room is not known)")
     if known:
         keeps = Text("Bearings that fit and keep every rule of the search")
-    fits = "/".join(choices.rows[0].variant.fits or ()) if choices.rows else ""
     of = {
         "all": Text("{keeps}: {aim}", keeps=keeps, aim=AIMS[choices.aim]),
-        "fits": Text("{keeps} with closer fits, {fits}", keeps=keeps, fits=fits),
         "given": Text("No bearing that fits keeps every rule of the search at every corner: these keep them as given"),
         "none": Text("No bearing fits: those that keep every rule are too long for their room"),
     }[choices.kind]
@@ -98,7 +96,6 @@ def titles(choices: BearingsFound) -> tuple[Text, Text]:
         fail = choices.crossing[0].id
         of = {
             "all": Text("The design FAILS {check}. {keeps}", check=fail, keeps=keeps),
-            "fits": Text("The design FAILS {check}. {keeps} with closer fits", check=fail, keeps=keeps),
             "given": Text("The design FAILS {check}. Those that fit keep its rules only as given", check=fail),
             "none": Text("The design FAILS {check}. No bearing fits", check=fail),
         }[choices.kind]
@@ -391,7 +388,7 @@ def summary(choices: BearingsFound) -> tuple[Text, ...]:
     if choices.own > 1:
         n = choices.own
         words.append(Text("With the design's own oil, supply and surfaces: row {n}.", n=n))
-    elif not choices.own and choices.kind != "fits":
+    elif not choices.own:
         dropped = SEMICOLON.join(choices.dropped) or Text("smoother surfaces are needed")
         why = next((why for v, why in choices.refused if v is own_variant), dropped)
         words.append(Text("No row has the design's own oil, supply and surfaces: {why}.", why=why))
@@ -442,10 +439,10 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
     if choices.kind == "given":
         rows = Text("Rows {a} to {b} keep", a=n + 1, b=last) if choices.beyond else Text("To keep would be")
     yield Text(
-        "{rows}, at the worst corner of the tolerances: the film at the edge, {reserve} below the limit of the oil that "
-        "leaves, and clearance at the lowest temperature; as given, the film at the edge with the oil thinned by shear "
-        "and at overspeed, what the seat carries, a slope of 0.25 mrad, and l/d from {least} to {most} where the "
-        "diameter is free.",
+        "{rows}, at the worst corner of the tolerances: the film at the edge, {reserve} below the limit of the oil "
+        "that leaves, and a twentieth of the clearance at the lowest temperature; as given, the film at the edge "
+        "with the oil thinned by shear and at overspeed, what the seat carries, a slope of 0.25 mrad, and l/d from "
+        "{least} to {most} where the diameter is free.",
         rows=rows,
         reserve=Amount(OUTLET_RESERVE, "K"),
         least=Amount(RATIO[0]),
@@ -512,8 +509,8 @@ def _diameters(choices: BearingsFound) -> Iterator[Text]:
 def _searched(choices: BearingsFound) -> Iterator[Text]:
     yield Text(
         "Of least friction are those within 1 % of each other alike: the smaller bearing goes first, then the smaller "
-        "change. Lengths stand on half millimetres, clearances on 5 µm, of journals below 45 mm on 2 µm, up to {widest} ‰ of "
-        "the diameter, and the design's own beside them.",
+        "change. Lengths stand on half millimetres, clearances on 5 µm, of journals below 45 mm on 2 µm, up to "
+        "{widest} ‰ of the diameter, and the design's own beside them.",
         widest=Amount(WIDEST_CLEARANCE * 1e3),
     )
     if any(some[0].field is not None for some in choices.tasks.values()):

@@ -137,7 +137,9 @@ class MovedTogether:
 
 
 def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = None) -> SharedFound:
-    """Rows to choose from.  `aim`: "loss", "size", "film".  Raises NoSolution where there are none, with what comes nearest and what stops it."""
+    """Rows to choose from.  `aim`: "loss", "size", "film".
+
+    Raises NoSolution where there are none, with what comes nearest and what stops it."""
     slopes, variant = slopes_of(case), variants(case)[0]
     there = solved_or_probed(case, case.rows)
     own = tasks_of(case, there)
