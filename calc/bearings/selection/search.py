@@ -68,7 +68,7 @@ class Settled:
 
 
 def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian], *, strict: bool = False) -> Settled:
-    """A row through the whole solution, as it stands.  `strict`: no caution on a film may be open with it."""
+    """A row through the whole solution, as it stands.  `strict`: no caution may be open with it."""
     before = {c.id: c for c in case.results.checks() if c.verdict == "fail" and c.rule is not CROSSING}
     results = case.solve(*with_row(case, row))
     seen = case.seen(results)
@@ -80,7 +80,7 @@ def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian],
         failing += [c for c in there.checks if c.rule in AT_CORNERS and c.verdict != "fail" and not c.margin >= 0]
     films = [c for c in there.checks if c.kind == "caution" and c.rule.cause == FILM_EDGE.id and c.margin < 0]
     films = [c for c in films if c.rule is not FILM_EDGE_CORNER]
-    failing += films if strict else []
+    failing += [c for c in there.checks if c.kind == "caution" and c.open] if strict else []
     failing += [pick.governing for pick in picked if pick.margin < 0]
     failing += _steeper(case, seen)
     elsewhere = (c for c in results.checks() if c.verdict == "fail" and not c.id.startswith(case.ids))

@@ -255,9 +255,11 @@ def _task(case: SelectionCase, bearing: BearingRow, solved: Solution, at_own: Be
         l, g, d = at_own.length, at_own.clearance, at_own.diameter
     else:
         l, g, d = bearing.length, _clearance(bearings, bearing, result), bearing.diameter
+    alike = bearings.select is not None and bearing.seat == "shells"
+    if alike and bearings.select is not None and bearings.select.walls_mm is None:  # what the walls are found for
+        g = (bearings.select.clearance_band[0] + bearings.select.clearance_band[-1]) / 2
     ratio = (LENGTH_RATIO[0], RATIO[1]) if tied(case, bearing) else RATIO
     limits = rules(place, solved.outcomes["bearings"].checks, ratio)
-    alike = bearings.select is not None and bearing.seat == "shells"
     return BearingTask(place, seat, result.duty, result.faster, limits, space, l, g, d, field, alike)
 
 
