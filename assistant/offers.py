@@ -123,19 +123,19 @@ def _beside(design: Design, name: str) -> tuple[SystemShaft, ...]:
     )
 
 
-def _bearings(design: Design, file: str, progress: Progress | None = None, name: str = "") -> Offer:
+def _bearings(design: Design, file: str, progress: Progress | None = None, name: str = "", aim: str = "loss") -> Offer:
     """Bearings to choose from, for one shaft of the design and its twins: lengths, clearances, oils and supplies that
     fit the shaft and keep every rule at the worst corner."""
     assert design.bearings is not None
     case = bearings_case(design, solve, shaft=name)
     if len(case.rows) > 2:
-        return _sharing(case, progress)
-    selection = bearing_search.search(case, progress=progress)
+        return _sharing(case, aim, progress)
+    selection = bearing_search.search(case, aim, progress)
 
     def taken(number: int) -> Changes:
         """Rows that were not solved as whole designs are so now."""
         row = selection.all[number - 1]
-        if number > selection.verified:
+        if number not in selection.verified:
             _confirm(bearing_search.confirmed(case, row, selection.slopes[0]), number)
         return bearing_search.bearing_changes(row, case)
 
@@ -172,9 +172,9 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
     )
 
 
-def _sharing(case: SelectionCase, progress: Progress | None) -> Offer:
+def _sharing(case: SelectionCase, aim: str, progress: Progress | None) -> Offer:
     """The same of more than two bearings, which share their load: sizes and clearances alone."""
-    selection = together.search(case, progress)
+    selection = together.search(case, aim, progress)
 
     def taken(number: int) -> Changes:
         row = selection.rows[number - 1].row
@@ -305,8 +305,16 @@ OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which ta
 }
 
 
-def offer(step: str, design: Design, file: str, progress: Progress | None = None, shaft: str | None = None) -> Offer:
-    """Search; `shaft`: of which of several shafts, else of that whose limits are the worst.  Raises BadInput where the
+def offer(
+    step: str,
+    design: Design,
+    file: str,
+    progress: Progress | None = None,
+    shaft: str | None = None,
+    aim: str | None = None,
+) -> Offer:
+    """Search; `shaft`: of which of several shafts, else of that whose limits are the worst; `aim`: what bearings are
+    chosen for, "loss", "size" or "film".  Raises BadInput where the
     design lacks what the search needs, NoSolution where there is nothing to offer; `progress` may raise `Cancelled`."""
     needed, why, search = OFFERS[step]
     missing = next((key for key in needed if getattr(design, key) is None), None)
@@ -314,9 +322,12 @@ def offer(step: str, design: Design, file: str, progress: Progress | None = None
         raise BadInput(file, [InputError(0, missing, "", Text("needed: {why}", why=why))])
     if shaft is not None:
         _known(step, design, shaft)
+    if aim is not None and step != "bearings":
+        raise BadInput("--for", [InputError(0, "", aim, Text("is for bearings alone"))])
     if step not in OF_SHAFTS:
         return search(design, file, progress)
-    found = search(design, file, progress, name := shaft or _worst(step, design))
+    aimed = {} if aim is None else {"aim": aim}
+    found = search(design, file, progress, name := shaft or _worst(step, design), **aimed)
     if len(design.originals) == 1:
         return found
     twins = [Name(twin.name) for twin in design.shafts if name in (twin.mirrors, twin.repeats)]

@@ -141,13 +141,19 @@ def upgrade(it: argparse.ArgumentParser) -> None:
 def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     steps = (
-        "engine: firing orders; countershaft: the lightest shafts in the envelope; bearings: those that pass at every "
-        "corner; "
+        "engine: firing orders; countershaft: the lightest shafts in the envelope; bearings: the least friction of "
+        "those that pass at every corner; "
         "gears: profile shifts and tip cuts by which the flanks slide least"
     )
     it.add_argument("step", metavar="STEP", help=steps)
     it.add_argument(
         "--shaft", metavar="NAME", help="countershaft, bearings: of which of several shafts (default: the worst)"
+    )
+    it.add_argument(
+        "--for",
+        dest="aim",
+        choices=("loss", "size", "film"),
+        help="bearings: least friction (the default), smallest first, or ever more film for more friction",
     )
     it.add_argument("--json", action="store_true", help="print one JSON object")
     it.add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")

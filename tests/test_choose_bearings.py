@@ -3,6 +3,7 @@
 passes."""
 
 import json
+from itertools import pairwise
 
 import pytest
 
@@ -46,7 +47,7 @@ def test_a_row_that_is_written_passes(copy, name, row):
     limits = [c for c in checks if c["kind"] == "limit" and c["id"].startswith("bearings.")]
     assert [c["id"] for c in limits if c["verdict"] == "not_verified"] == []
     corner = [c for c in checks if c["id"].endswith("_corner")]
-    assert len(corner) == 6 and (name != "r753ie4_sized" or all(c["margin"] >= 0 for c in corner))
+    assert len(corner) == 6 and all(c["margin"] >= 0 for c in corner)
 
 
 @pytest.mark.slow
@@ -64,28 +65,48 @@ def test_comments_stay_or_are_named(copy):
     assert "A comment went with its key: # the text prints 0.6" in done.stdout
 
 
-def test_what_fits_comes_first_and_nothing_is_wider_than_a_page(copy):
+def test_the_least_friction_comes_first_and_nothing_is_wider_than_a_page(copy):
     done = run("choose", copy("r753ie4_gamma"), "bearings")
     lines = done.stdout.splitlines()
-    assert lines[0].startswith("No bearing that fits keeps every rule")
-    assert lines[1].startswith("Nothing that fits keeps every rule: the front journal has room for 28.29 mm")
-    assert max(map(len, lines)) <= 118
+    assert lines[0] == "Bearings that fit and keep every rule of the search: the least friction first"
+    assert lines[1].startswith("Row 1: ") and " W in place of " in " ".join(lines[1:4])
+    assert max(map(len, lines)) <= 130
     before = lines[: lines.index("The neighbours of the first 3 rows")]
     numbers = [int(word) for line in before if (word := line[2:6].strip()).isdigit()]
     assert numbers == list(range(1, 21)) and any("--top" in line for line in lines)
 
 
-def test_the_design_stands_in_its_row_as_the_others_are_judged(copy):
-    """Those that fit hold as given, not at the corners: so does the row of the design, whose film is that of the
-    check."""
-    path = copy("r753ie4_gamma")
-    found = json.loads(run("choose", path, "bearings", "--json").stdout)
+def test_what_is_wanted_of_bearings_is_asked_of_no_other_step(copy):
+    done = run("choose", copy("r753ie4_gamma"), "gears", "--for", "loss")
+    assert done.returncode == 2 and "is for bearings alone" in done.stderr
+
+
+def split_sized(copy):
+    """The sized design laid into a divided housing, in schema 2."""
+    path = copy("r753ie4_sized")
+    assert run("upgrade", path).returncode == 0
+    text = path.read_text(encoding="utf-8").splitlines()
+    assert sum(line.startswith("radial_clearance_mm") for line in text) == 1
+    laid_in = ['assembly = "split"' if line.startswith("radial_clearance_mm") else line for line in text]
+    path.write_text("\n".join(laid_in), encoding="utf-8")
+    return path
+
+
+@pytest.mark.slow
+def test_what_the_threaded_assembly_costs(copy):
+    """On a split support the journals of the sized design need a fifth of the friction, every limit kept at every
+    corner; 60 W is the bar, and 257 W what they have."""
+    path = split_sized(copy)
+    found = json.loads(run("choose", path, "bearings", "--for", "loss", "--json").stdout)
     labels = [column["label"] for column in found["columns"]]
-    now = dict(zip(labels, found["rows"][0]))
-    values = json.loads(run("check", path, "--json").stdout)["values"]
-    assert now["no."] == "now"
-    assert now["h_edge"] == pytest.approx(values["bearings.front.film_edge"]["value"], rel=2e-3)
-    assert now["h_2F"] == pytest.approx(values["bearings.front.film_double_load"]["value"], rel=2e-3)
+    now, first = (dict(zip(labels, row)) for row in found["rows"][:2])
+    assert now["P_f"] == pytest.approx(257.4, abs=0.1) and first["P_f"] <= 60
+    assert run("choose", path, "bearings", "--apply", "1").returncode == 0
+    shown = json.loads(run("check", path, "--json").stdout)
+    bearings = [c for c in shown["checks"] if c["id"].startswith(("bearings.", "countershaft."))]
+    assert [c["id"] for c in bearings if c["kind"] in ("limit", "caution") and c["margin"] < 0] == []
+    power = sum(shown["values"][f"bearings.{place}.friction_power"]["value"] for place in ("front", "rear"))
+    assert power == pytest.approx(first["P_f"], rel=1e-3)
 
 
 @pytest.mark.slow
@@ -94,24 +115,23 @@ def test_what_is_locked_is_said_before_a_row_is_applied(copy):
     assert "Row 1 changes what is locked: Oil (bearings.oil): " in " ".join(
         run("choose", path, "bearings").stdout.split()
     )
-    assert "locked" not in run("choose", copy("r753ie4_sized"), "bearings", "--top", "1").stdout
+    assert "locked" not in run("choose", split_sized(copy), "bearings", "--top", "1").stdout
 
 
 @pytest.mark.slow
 def test_the_json_has_all_tables(copy):
     path = copy("r753ie4_sized")
     found = json.loads(run("choose", path, "bearings", "--json", "--top", "50").stdout)
-    assert found["step"] == "bearings" and set(found["tables"]) == {"too_long", "neighbours", "pareto"}
+    assert found["step"] == "bearings" and {"neighbours", "pareto"} <= set(found["tables"])
     labels = [c["label"] for c in found["columns"]]
     rows = [row for row in found["rows"] if row[0] != "now"]
     power = [row[labels.index("P_f")] for row in rows]
-    assert power[1:] == sorted(power[1:])
-    assert (
-        found["summary"] == ["Row 1 is the design as it is: it keeps every rule of the search."]
-        and len(found["notes"]) > 5
-    )
-    assert int(found["tables"]["too_long"]["rows"][0][0]) == len(rows) + 1
-    assert run("choose", path, "bearings", "--apply", int(found["tables"]["pareto"]["rows"][-1][0]) + 1).returncode == 2
+    assert all(b > a * 0.99 for a, b in pairwise(power))
+    assert found["summary"][0].startswith("Row 1: ") and len(found["notes"]) > 5
+    last = int(found["tables"]["pareto"]["rows"][-1][0])
+    assert run("choose", path, "bearings", "--apply", last + 1).returncode == 2
+    films = json.loads(run("choose", path, "bearings", "--for", "film", "--json").stdout)
+    assert films["rows"] == found["tables"]["pareto"]["rows"]
 
 
 @pytest.mark.slow

@@ -42,7 +42,7 @@ def run_choose(asked: Namespace) -> int:
     if asked.top < 1:
         raise BadInput("--top", [InputError(0, "", str(asked.top), Text("must be a number of rows, 1 or more"))])
     try:
-        offer = offer_for(asked.step, parsed, asked.file, shaft=asked.shaft)
+        offer = offer_for(asked.step, parsed, asked.file, shaft=asked.shaft, aim=asked.aim)
     except NoSolution as none:
         print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
         return 3

@@ -181,6 +181,7 @@ class BearingResult:
     hot: Film
     seat: BearingCase
     duty: OperatingPoint
+    faster: OperatingPoint  # at overspeed
     sweep: Sweep
     side: RouteResultBeside
     beside: Film[Array]  # at a little less and a little more load

@@ -453,6 +453,7 @@ def _bearing(
         hot=hot,
         seat=seat,
         duty=duty,
+        faster=faster,
         sweep=swept,
         side=side,
         beside=loads_near,

@@ -611,4 +611,11 @@ def bearings_case(
         gear.tip_diameter if gear else None,
         done,
         with_bearings,
+        _gear_bore(design, own.name),
     )
+
+
+def _gear_bore(design: Design, name: str) -> float | None:
+    """Of the wheel on a shaft, where it has one."""
+    wheels = design.gears.wheels if design.gears is not None else ()
+    return next((wheel.bore_diameter for wheel in wheels if wheel.shaft == name), None)

@@ -139,6 +139,8 @@ def applied(inputs: T, changes: Mapping[str, object], prefix: str = "") -> T:
         here = changed.get(entry.attribute, getattr(inputs, entry.attribute))
         if rest:
             changed[entry.attribute] = applied(here, {rest: value})
+        elif entry.about.kind == "series" and isinstance(value, (list, tuple)):
+            changed[entry.attribute] = tuple(entry.about.units.inside(number) for number in value)
         else:
             changed[entry.attribute] = entry.about.units.inside(value) if isinstance(value, (int, float)) else value
     return replace(inputs, **changed)  # type: ignore[type-var]

@@ -115,6 +115,7 @@ def engine_design(
     document = document.with_value(dotted(Design.imbalance), usual | row.get("imbalance", {}))
     from ..solve import solve
     from .starter.build import begun, built, mounting  # numpy, which a list of the engines does not need
+    from .starter.journals import share_said
     from .starter.writing import written
 
     why = "" if balancing else arrangement.get("without", "")
@@ -138,7 +139,10 @@ def engine_design(
         there = dict(note=note, built=arrangement["built"], source=arrangement["source"])
         note = Text("{note} Built with: {built} ({source}); bearings here are plain, wheels a train.", **there)
     with recorded(False):
-        text = _text(title, note, body + begun(document, balancing, why))
+        tables = body + begun(document, balancing, why)
+        text = _text(title, note, tables)
+        share = share_said(solve(design(parse(text.encode("utf-8"), name)), compared=False))
+        text = _text(title, Text("{note} {share}", note=note, share=share), tables) if share else text
         if mounts:
             document = parse(text.encode("utf-8"), name)
             text += written(mounting(document, solve(design(document))))

@@ -78,16 +78,20 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
         parts = [part for part in parts if bool(part.of_all) is not bool(context.shaft)]
     if not parts:
         return []
-    title = f"{context.shaft}: {context.title(step)}" if context.shaft else context.title(step)
     captions = dict.fromkeys(part.caption for part in parts)
     return [
-        _figure(context, [part for part in parts if part.caption == own], context.say(own) if own else title)
+        _figure(
+            context,
+            [part for part in parts if part.caption == own],
+            context.say(own) if own else context.title(step),
+        )
         for own in captions
     ]
 
 
 def _figure(context: Context, parts: list[Sketch], title: str) -> Block:
     context.figures += 1
+    title = f"{context.shaft}: {title}" if context.shaft else title
     caption = f"{context.words['figure']} {context.figures}. {title}"
     notes = "; ".join(dict.fromkeys(context.say(note) for part in parts for note in part.notes))
     abreast = PAIRED if any(part.caption for part in parts) else ABREAST

@@ -37,7 +37,7 @@ from .reynolds import ECCENTRICITY_RANGE, ITERATION_LIMIT, LENGTH_RATIO_RANGE, l
 from .split_line import DEPTH_RANGE, HALF_ARC_RANGE, TABLE, variables
 from .table import film_at
 
-NODES = (8, 5, 8, 7)  # of ε, l/d, δ and a, where the turn is marched
+NODES = (6, 7, 11, 6)  # of ε, l/d, δ and a, where the turn is marched
 CLOSER = 2  # nodes of the table, by this factor
 CELLS = (144, 8)  # around the seat, and across half the length
 STEP = math.radians(2.5)  # of the march

@@ -93,8 +93,8 @@ def share_at(eccentricity: Value, length_ratio: Num, depth: Num, half_arc: Num, 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned."""
     table = split_line_table()
     given = eccentricity, length_ratio, depth, half_arc
-    shape = np.broadcast(*given).shape
-    places = np.empty((AXES, *(shape or (1,))))
+    shape: tuple[int, ...] = np.broadcast(*given).shape
+    places: Array = np.empty((AXES, *(shape or (1,))))
     for place, values in zip(places, given):
         place[...] = values
     places = places.reshape(AXES, -1)

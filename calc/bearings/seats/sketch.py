@@ -6,6 +6,7 @@ relief and wall are drawn larger."""
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...countershaft.rows import RELIEF, RELIEF_LENGTH, BearingRow, called, row_key
@@ -44,7 +45,11 @@ GAP: Number = 0.6  # of the journal's radius: the gap is drawn no larger
 WALL: Number = 0.3  # of the radius: the wall is drawn no thicker, unless it is
 METAL: Number = 0.5  # of the radius: of the housing no more is drawn
 CORNERS = 180  # of the bore
-CAPTION = Text("Seats in section, and what their clearance is made of")
+BOTH, SECTION, STACK = (  # captions
+    Text("Seats in section, and what their clearance is made of"),
+    Text("Seats in section"),
+    Text("What the clearance is made of"),
+)
 SEATS = {"bush": Text("bush"), "shells": Text("shells")}
 # what limits a seat beside the strength of its rings
 PRESS = {SEAT_PRESS: Text("press"), SEAT_FRETTING: Text("press"), SEAT_TURN: Text("hold")}
@@ -55,6 +60,8 @@ def seat_sketches(results: "dict[str, BearingResult]", checks: dict[str, Check])
     ringed = {place: r for place, r in results.items() if r.seat_ is not None}
     gap = min((rounded(GAP * r.seat.bearing.diameter / r.clearance) for r in ringed.values()), default=1.0)
     wall = min((_thicker(r) for r in ringed.values()), default=1.0)
+    stacked = any(r.seat.stack is not None for r in results.values())
+    caption = BOTH if ringed and stacked else SECTION if ringed else STACK
     for place, r in results.items():
         found = []
         if r.seat_ is not None:
@@ -62,7 +69,7 @@ def seat_sketches(results: "dict[str, BearingResult]", checks: dict[str, Check])
         if r.seat.stack is not None:
             found.append(_chain(place, r))
         if found:
-            yield found
+            yield [replace(picture, caption=caption) for picture in found]
 
 
 def _thicker(r: "BearingResult") -> Number:
@@ -116,7 +123,7 @@ def _section(
         seat=SEATS[row.seat],
         wall=Amount(wall * 1e3, "mm"),
     )
-    return Sketch(tuple(marks), tuple(notes), title=title, caption=CAPTION)
+    return Sketch(tuple(marks), tuple(notes), title=title)
 
 
 def _bore(row: BearingRow, bore: Metre, factor: Number, wall: Metre) -> tuple[Point, ...]:
@@ -208,7 +215,7 @@ def _chain(place: str, r: "BearingResult") -> Sketch:
         added = Text("{low} to {high} µm", low=low, high=high) if several else Text("{rise} µm", rise=low)
         notes.append(Text("{place}: the press adds {added}", place=called(place), added=added))
     title = Text("{place}: stack, mm", place=called(place))
-    return Sketch(tuple(marks), tuple(notes), title=title, caption=CAPTION)
+    return Sketch(tuple(marks), tuple(notes), title=title)
 
 
 def _dimension(name: Text, limits: Range, ends: tuple[Metre, Metre], side: Metre, level: Metre, key: str) -> Dimension:

@@ -1,63 +1,53 @@
 # SPDX-License-Identifier: Apache-2.0
 """All candidates of one bearing with one oil and one supply, at once.
 
-Lengths stand on the step of their input (half millimetres) and clearances on 5 µm, the design's own beside them.  Films
-are solved at a few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-4 off); what is offered
-is solved again where it stands."""
+Lengths stand on the step of their input (half millimetres) and clearances on 5 µm, or 2 µm of small journals, the
+design's own beside them.  Films
+are solved at a few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-4 off, 2e-3 where an oil
+begins to thin by shear)."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from ...countershaft.rows import BearingRow
-from ...library.journal_rules import heat_index, specific_load
+from ...library.journal_rules import specific_load
 from ...sheet.arrays import Array, BoolArray, IndexArray
-from ...sheet.check import CheckRule
+from ...sheet.check import THIN_MARGIN, CheckRule
 from ...sheet.quantity import described
 from ...sheet.record import record
 from ...sheet.search import Judged, least, multiples
-from ...sheet.units import Metre, Radian
-from .. import formulas as f
-from ..checks import (
-    FILM_DOUBLE_LOAD,
-    FILM_EDGE,
-    FILM_EDGE_TRUMPLER,
-    HEAT_INDEX,
-    LENGTH_RATIO_USUAL,
-    SPECIFIC_LOAD,
-    TEMPERATURE,
-    TEMPERATURE_RISE_USUAL,
-    TRANSITION,
-)
-from ..corners import widths
+from ...sheet.units import Metre, Number, Radian
+from ..checks import FILM_EDGE, LENGTH_RATIO, SPECIFIC_LOAD, TEMPERATURE
 from ..routes import supply
-from .states import LEAST_COLD, BearingTask, States, judge, solved, usual
+from ..suitability import MATERIAL_LOAD
+from .states import EDGES, FILM_NUMBERS, BearingTask, Index, States, judge, solved_at
 from .variants import SUPPLIES, Variant
 
 LENGTH = described(BearingRow.length)
 LENGTH_STEP: Metre = LENGTH.units.inside(LENGTH.step or 0.5)
 CLEARANCE_STEP: Metre = 5e-6
+SMALL, FINE_STEP = 45e-3, 2e-6  # m: journals below have clearances in finer steps
 SAME = 1e-10  # m
-# of the diameter, where the usual ones leave too little oil, or the cold none of them; rule of this program
-WIDEST = 2.5e-3
+WIDEST = 2.5e-3  # of the diameter: within what makers have; rule of this program
 FEW = 4  # steps beyond the least that must be left when cold, whatever the widest; rule of this program
-USUAL_FACTORS = described(BearingRow.clearance_factor).usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
 APART = math.log(1.1)  # between the lengths that are solved
 KEPT = 1e-4  # a margin of a film or its heat below this may be one of the cubic's making
-OF_HEAT = (TEMPERATURE, TEMPERATURE_RISE_USUAL)
-OF_LOAD = (SPECIFIC_LOAD, HEAT_INDEX)
-OF_FILM = (FILM_EDGE, FILM_EDGE_TRUMPLER, FILM_DOUBLE_LOAD, *OF_HEAT, TRANSITION)
+OF_LOAD = (SPECIFIC_LOAD, MATERIAL_LOAD)
+OF_FILM = (*EDGES, TEMPERATURE)
 
 
 @record
 class CandidateField:
-    """`states`: clearances down, lengths across."""
+    """`states`: clearances down, lengths across.  `spare`: that the films have to have left, as a share of their
+    limit."""
 
     task: BearingTask
     variant: Variant
     states: States
+    spare: Number = 0.0
 
     def judged(self, slope: Radian) -> dict[CheckRule, Judged]:
         """Every rule on every candidate, by its declaration."""
@@ -66,38 +56,44 @@ class CandidateField:
             known[slope] = {limit.rule.declared: limit for limit in judge(self.task, self.states, slope)}
         return known[slope]
 
-    def passing(self, slope: Radian) -> BoolArray:
-        """Which candidates keep every rule."""
+    def passing(self, slope: Radian, film: Metre = 0.0) -> BoolArray:
+        """Which candidates keep every rule, and have this film at the edge."""
         known: dict[Radian, BoolArray] = self.__dict__.setdefault("_passing", {})
         if slope not in known:
+            spare = self.spare + KEPT
             every = self.judged(slope).items()
-            known[slope] = np.all([limit.margin >= (KEPT if rule in OF_FILM else 0.0) for rule, limit in every], axis=0)
-        return known[slope]
+            known[slope] = np.all(
+                [
+                    limit.margin >= (spare if rule in EDGES else KEPT if rule in OF_FILM else 0.0)
+                    for rule, limit in every
+                ],
+                axis=0,
+            )
+        return known[slope] & (self.film(slope) >= film) if film else known[slope]
 
-    def wanted(self, slope: Radian) -> tuple[bool, BoolArray]:
-        """Those of the candidates that keep every rule which have a usual clearance, else all; and whether they have
-        none."""
-        every, clearance_limit = self.passing(slope), usual(self.task, self.states.clearance)
-        kept = every & (clearance_limit.margin >= 0)
-        return not kept.any(), kept if kept.any() else every
+    @property
+    def steps(self) -> list[float]:
+        """Its clearances in µm beyond the design's, to be held against those of bearings that are alike."""
+        return [round((g - self.task.clearance) * 1e6, 3) for g in self.states.clearance[:, 0].tolist()]
 
-    def _least(self, slope: Radian, *rules: CheckRule) -> Array:
+    def _kept(self, slope: Radian, *rules: CheckRule) -> BoolArray:
         judged = self.judged(slope)
-        return least(judged[rule] for rule in rules)
+        kept: BoolArray = least(judged[rule] for rule in rules if rule in judged) >= 0
+        return kept
 
-    def holds(self, slope: Radian) -> bool:
-        """Whether some candidate keeps the rules on the film that smoother surfaces do not help, whatever its heat and
-        size."""
-        return bool((self._least(slope, FILM_EDGE_TRUMPLER, FILM_DOUBLE_LOAD, TRANSITION) >= 0).any())
+    def film(self, slope: Radian) -> Array:
+        """At the edge at the worst corner, in m."""
+        return self.judged(slope)[FILM_EDGE].value * 1e-6
 
     def hot(self, slope: Radian) -> bool:
         """Whether some candidate has no film or too little oil: a wider clearance, or a thinner oil, may then help the
         film."""
-        return bool((self._least(slope, *OF_HEAT) < 0).any())
+        return not self._kept(slope, TEMPERATURE).all()
 
     def carries(self, slope: Radian) -> bool:
         """Whether some length carries the load, whatever the film."""
-        return bool((self._least(slope, *OF_LOAD) >= 0).any())
+        loads = [rule for rule in OF_LOAD if rule in self.task.rules]
+        return not loads or bool(self._kept(slope, *loads).any())
 
     def in_room(self) -> "CandidateField | None":
         """The lengths alone that the shaft leaves room for; None: there is none."""
@@ -113,95 +109,116 @@ class CandidateField:
         """The same with its own surfaces, and with ever smoother ones."""
         return (replace(self, task=task) for task in self.task.smoother())
 
-    def of(self, twin: BearingTask) -> "CandidateField":
-        """The same for another bearing that is alike."""
-        return replace(self, task=twin.with_oil(self.variant.lubricant, self.variant.supply, self.variant.fits))
+    def at(self, index: Index) -> States:
+        """One candidate, as if it had been solved alone."""
+        shown = {
+            name: np.broadcast_to(getattr(self.states, name), self.states.power.shape)
+            for name in ("length", "clearance")
+        }
+        numbers = shown | {name: getattr(self.states, name) for name in FILM_NUMBERS}
+        return States(**{name: array[(..., *np.atleast_1d(index))][..., None] for name, array in numbers.items()})
 
     def change(self) -> Array:
         """From the design: the sum of the relative changes of length, clearance and diameter; rule of this program."""
         task = self.task
         moved = np.abs(self.states.length / task.length - 1) + np.abs(self.states.clearance / task.clearance - 1)
-        return np.where(moved < 1e-9, 0.0, moved) + abs(task.seat.bearing.diameter / task.diameter - 1)
+        return np.where(moved < 1e-9, 0.0, moved) + abs(task.size / task.diameter - 1)
 
-
-def alike(task: BearingTask, other: BearingTask) -> bool:
-    """Whether two bearings have the same candidates with the same films."""
-    return (
-        vars(task.duty) == vars(other.duty)
-        and vars(task.seat.bearing) == vars(other.seat.bearing)
-        and (task.length, task.clearance, task.room.longest, task.corners)
-        == (other.length, other.clearance, other.room.longest, other.corners)
-    )
+    def area(self) -> Array:
+        """d·l, of every candidate."""
+        return self.task.size * np.broadcast_to(self.states.length, self.states.power.shape)
 
 
 def lengths(task: BearingTask, in_room: bool = False) -> Array:
-    """Whole steps within the usual l/d, where asked those in the room alone, and the design's own."""
-    inputs, d = task.seat.inputs, task.seat.bearing.diameter
-    usual = task.rules[LENGTH_RATIO_USUAL].check.limit
-    assert isinstance(usual, tuple)
+    """Whole steps within the l/d of the search, where asked those in the room alone; at the design's own diameter its
+    own length too."""
+    inputs, d = task.seat.inputs, task.size
+    ratios = task.rules[LENGTH_RATIO].check.limit
+    assert isinstance(ratios, tuple)
     lands = supply.lands(inputs)
     lost = (inputs.groove_width or 0.0) if lands == 2 else 0.0
-    shortest, longest = (lands * share * d + lost for share in usual)
+    shortest, longest = (lands * share * d + lost for share in ratios)
     shortest = max(shortest, (getattr(inputs, SUPPLIES[inputs.supply]) or 0.0) + LENGTH_STEP)
     if in_room and task.room.longest is not None:
         longest = min(longest, task.room.longest)
-    return multiples(LENGTH_STEP, shortest, longest, [task.length] if shortest <= task.length <= longest else [])
+    own = [task.length] if task.own_size and shortest <= task.length <= longest else []
+    return multiples(LENGTH_STEP, shortest, longest, own)
 
 
 def _bearable(task: BearingTask, l: Array) -> Array:
     """The lengths that carry the load whatever the film; the longest alone where none does, so that it can be said by
     how much."""
-    if not l.size:
+    loads = [task.rules[rule] for rule in OF_LOAD if rule in task.rules]
+    if not l.size or not loads:
         return l
-    inputs, duty = task.seat.inputs, task.duty
-    p = specific_load(F=duty.load, d=task.seat.bearing.diameter, l=supply.bare_length(inputs, l))
-    W = heat_index(F=duty.load, n=duty.speed, l=l)
-    carries = least([task.rules[SPECIFIC_LOAD].on(p), task.rules[HEAT_INDEX].on(W)]) >= 0
+    p = specific_load(F=task.duty.load, d=task.size, l=supply.bare_length(task.seat.inputs, l))
+    carries = least(load.on(p) for load in loads) >= 0
     return l[carries] if carries.any() else l[-1:]
 
 
-def clearances(task: BearingTask, widest: Metre, few: int = 0) -> Array:
-    """Whole 5 µm from the least that must be left when cold up to the widest, a few steps at least, and the design's
-    own."""
-    seat, d = task.seat, task.seat.bearing.diameter
-    T_J, T_S = widths(seat.inputs, d)
+def clearance_step(d: Metre) -> Metre:
+    """Of a journal of this diameter."""
+    return FINE_STEP if d < SMALL else CLEARANCE_STEP
+
+
+def clearances(task: BearingTask, few: int = FEW) -> Array:
+    """Whole steps from the least whose tightest corner is left when cold up to the widest, a few steps at least; at the
+    design's own diameter its own clearance too.  Where limits of parts make it, whole steps from the design's own, so
+    that they move by these."""
+    seat, step = task.seat, clearance_step(task.size)
     shrinks = seat.clearance - seat.clearance_at(seat.inputs.lowest_temperature)
-    half = (T_J + T_S) / 2
-    narrowest = shrinks + (LEAST_COLD + half if task.corners else max(LEAST_COLD, half))
-    if widest < narrowest and not few:
-        return np.array([])
-    widest = max(widest, task.clearance, narrowest + few * CLEARANCE_STEP)
-    given = [task.clearance] if narrowest <= task.clearance else []
-    return multiples(CLEARANCE_STEP, max(narrowest, CLEARANCE_STEP), widest, given)
+    narrowest = max(shrinks + task.half, 0.0) / (1 - THIN_MARGIN) + SAME
+    widest = max(WIDEST * task.size, narrowest + few * CLEARANCE_STEP)
+    if task.field is not None:
+        return task.clearance + multiples(step, narrowest - task.clearance, widest - task.clearance)
+    own = [task.clearance] if task.own_size and narrowest <= task.clearance else []
+    return multiples(step, max(narrowest, step), max([widest, *own]), own)
 
 
-def widest_usual(task: BearingTask) -> Metre:
-    """The clearance of the greatest factor K that is usual."""
-    d = task.seat.bearing.diameter
-    return f.clearance_by_factor(K=USUAL_FACTORS[1], d=d, u=f.surface_speed(d=d, n=task.duty.speed))
+def same_films(some: Sequence[BearingTask], others: Sequence[BearingTask]) -> bool:
+    """Whether two bearings have the same candidates with the same films, at each of their diameters."""
+    return len(some) == len(others) and all(
+        not (a.own_size or b.own_size)
+        and (a.size, a.half, a.corners, vars(a.duty), vars(a.faster))
+        == (b.size, b.half, b.corners, vars(b.duty), vars(b.faster))
+        and a.room.longest == b.room.longest
+        and a.seat.inputs.of(a.seat.bearing) == b.seat.inputs.of(b.seat.bearing)
+        and a.rules[LENGTH_RATIO].check.limit == b.rules[LENGTH_RATIO].check.limit
+        and a.seat.rings == b.seat.rings
+        and (a.field is None or a.clearance == b.clearance)
+        for a, b in zip(some, others)
+    )
 
 
-def field(task: BearingTask, variant: Variant, slope: Radian, in_room: bool = False) -> CandidateField | None:
-    """With clearances wider than the usual ones where nothing passes with these and some have too little oil, which may
-    thin the film too; None where no length is left to look at."""
-    at = task.with_oil(variant.lubricant, variant.supply, variant.fits)
-    l = _bearable(at, lengths(at, in_room))
-    usual = field_over(at, variant, l, clearances(at, widest_usual(at)))
-    if usual is not None and (not usual.hot(slope) or not usual.carries(slope) or usual.passing(slope).any()):
-        return usual
-    return field_over(at, variant, l, clearances(at, WIDEST * at.seat.bearing.diameter, FEW)) or usual
+def fields(tasks: Sequence[BearingTask], variant: Variant, in_room: bool = False) -> list[CandidateField]:
+    """Of one bearing, at each diameter that has a length to look at, all solved together."""
+    there = [task.with_oil(variant.lubricant, variant.supply, variant.fits) for task in tasks]
+    grids = [(at, _bearable(at, lengths(at, in_room)), clearances(at)) for at in there]
+    return fields_over([grid for grid in grids if grid[1].size and grid[2].size], variant)
 
 
 def field_over(at: BearingTask, variant: Variant, l: Array, g: Array) -> CandidateField | None:
     """Lengths `l` and clearances `g`, both rising; None where there are none."""
-    if not l.size or not g.size:
-        return None
-    few, between = over_lengths(l)
-    states = solved(at, few, g[:, None], all_rises=False)
-    if few is l:
-        return CandidateField(at, variant, states)
-    many = {name: between(getattr(states, name)) for name in ("film", "rise", "viscosity", "power", "flow")}
-    return CandidateField(at, variant, States(*np.broadcast_arrays(l, g[:, None]), **many))
+    return fields_over([(at, l, g)], variant)[0] if l.size and g.size else None
+
+
+def fields_over(grids: Sequence[tuple[BearingTask, Array, Array]], variant: Variant) -> list[CandidateField]:
+    """Of one bearing at several diameters, each with its lengths and its clearances, both rising."""
+    if not grids:
+        return []
+    nodes = [(task, *over_lengths(l), l, g) for task, l, g in grids]
+    flat = [np.broadcast_arrays(task.size, few, g[:, None], task.half) for task, few, _, _, g in nodes]
+    d, l_at, g_at, half = (np.concatenate([row[i].ravel() for row in flat]) for i in range(4))
+    states = solved_at(grids[0][0], d, l_at, g_at, half, all_rises=False)
+    found, end = [], 0
+    for (task, _, between, l, g), shape in zip(nodes, (row[0].shape for row in flat)):
+        part, end = slice(end, end + math.prod(shape)), end + math.prod(shape)
+        numbers = {
+            name: between(getattr(states, name)[..., part].reshape((*getattr(states, name).shape[:-1], *shape)))
+            for name in FILM_NUMBERS
+        }
+        found.append(CandidateField(task, variant, States(*np.broadcast_arrays(l, g[:, None]), **numbers)))
+    return found
 
 
 def over_lengths(l: Array) -> tuple[Array, Callable[[Array], Array]]:

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From all candidates to the few that are offered: the nearest to the design, the least power of each oil and supply,
-the Pareto set.
+"""From all candidates to the few that are offered: the least friction, the smallest, the nearest to the design, the
+Pareto set.
 
-The bearings do not know of each other while oil and supply are the same: each is chosen for itself.
-"""
+The bearings do not know of each other while oil and supply are the same: each is chosen for itself.  Those whose parts
+are picked by classes have one diameter and one clearance, and are chosen together."""
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,45 +16,69 @@ from ...sheet.check import Check
 from ...sheet.record import record
 from ...sheet.search import first, governing, least
 from ...sheet.text import EMPTY, Text
-from ...sheet.units import Kelvin, Metre, Number, Radian, Watt
-from ..checks import FILM_DOUBLE_LOAD, FILM_EDGE, TEMPERATURE_RISE_USUAL
+from ...sheet.units import Celsius, Metre, Number, Radian, SquareMetre, Watt
+from ..checks import FILM_EDGE, TEMPERATURE
 from .grid import CandidateField
-from .states import BearingTask, Index, States, check_of, judge, mckee, solved, usual
+from .states import BearingTask, Index, States, check_of, judge, solved
 from .variants import Variant
 
-ALIKE = 0.1  # W: powers that are taken for equal, so that the smaller change goes first
-MOST = 12  # rows of the Pareto set
+ONE_PER_CENT = math.log(1.01)  # powers are alike within it, so that the smaller bearing goes first
+MOST = 10  # rows of the Pareto set
 STEPS = (0.1e-6, 0.2e-6, 0.25e-6, 0.5e-6, 1e-6, 2e-6, 5e-6, 10e-6)  # of film between them
 
 Fields = Mapping[str, Sequence[CandidateField]]  # of one variant: by bearing, front to rear, a field for each diameter
 Slopes = Mapping[str, Radian]
-# what is wanted least of every candidate, and what of equal ones
-Order = Callable[[CandidateField], tuple[Array, Array]]
+
+
+class Wanted(NamedTuple):
+    """What bearings are chosen by, of one or of many candidates; the sums where several are meant.  `level`: by how
+    many steps the surfaces are smoother, `excess`: the length beyond the room."""
+
+    power: Array
+    area: Array
+    level: Array
+    change: Array
+    excess: Array
+
+    @classmethod
+    def of(cls, field: CandidateField) -> "Wanted":
+        """Of every candidate."""
+        shape, room = field.states.power.shape, field.task.room.longest
+        excess = np.zeros(shape) if room is None else np.maximum(field.states.length - room, 0.0)
+        return cls(field.states.power, field.area(), np.full(shape, field.task.level), field.change(), excess)
+
+    def at(self, index: Index) -> "Wanted":
+        return Wanted(*(numbers[index] for numbers in self))
+
+
+# what is wanted least, then what of equal ones, and so on
+Order = Callable[[Wanted], tuple[Array, ...]]
 
 
 @record
 class Pick:
-    """One bearing as it is offered, solved where it stands: in `films`, of shape (states, 1).  `corner`: the state that
-    governs."""
+    """One bearing as it is offered, its `films` of shape (states, 1).  `corner`: the state that governs."""
 
     task: BearingTask
     length: Metre
     clearance: Metre
     power: Watt
     film_edge: Metre
-    film_double_load: Metre
-    rise: Kelvin
-    mckee: Number
+    film_asked: Metre
+    outlet: Celsius
     margin: Number
     checks: tuple[Check, ...]  # every rule on it
     governing: Check
     corner: Text
-    unusual: Check | None  # the advice on its relative clearance, where it does not keep it
     films: States
 
     @property
     def diameter(self) -> Metre:
-        return self.task.seat.bearing.diameter
+        return self.task.size
+
+    @property
+    def area(self) -> SquareMetre:
+        return self.diameter * self.length
 
     @property
     def change(self) -> Number:
@@ -63,13 +89,14 @@ class Pick:
             + abs(self.diameter / task.diameter - 1)
         )
 
-    def with_slope(self, slope: Radian) -> "Pick":
-        return _pick(self.task, self.films, slope)
+    def solved(self, slope: Radian) -> "Pick":
+        """Solved where it stands, and judged with this slope."""
+        return picks(self.task, [self.length], [self.clearance], slope)[0]
 
 
 @record
 class CandidateRow:
-    """All bearings with one oil and supply, front to rear.  `what`: now, nearest, least power, too long, more film."""
+    """All bearings with one oil and supply, front to rear.  `what`: now, offered, too long, more film."""
 
     what: str
     variant: Variant
@@ -91,6 +118,11 @@ class CandidateRow:
     @property
     def change(self) -> Number:
         return sum(pick.change for pick in self.picks)
+
+    @property
+    def wanted(self) -> Wanted:
+        sums = (self.power, sum(pick.area for pick in self.picks), self.level, self.change, sum(self.too_long))
+        return Wanted(*map(np.asarray, sums))
 
     @property
     def corners(self) -> bool:
@@ -118,23 +150,22 @@ def picks(task: BearingTask, length: Sequence[float], clearance: Sequence[float]
 
 def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
     limits = {limit.rule.declared: limit for limit in judge(task, films, slope)}
-    worst, psi = governing(limits.values(), 0), usual(task, films.clearance)
+    worst = governing(limits.values(), 0)
     state = worst.where if isinstance(worst.where, Text) else int(np.broadcast_to(worst.where, (1,))[0])
     corner = state if isinstance(state, Text) else task.states[state].name if state > 0 else EMPTY
+    film = limits[FILM_EDGE]
     return Pick(
         task,
         float(films.length[0]),
         float(films.clearance[0]),
         float(films.power[0]),
-        float(limits[FILM_EDGE].value[0]) * 1e-6,
-        float(limits[FILM_DOUBLE_LOAD].value[0]) * 1e-6,
-        float(limits[TEMPERATURE_RISE_USUAL].value[0]),
-        float(mckee(task, films)[0]),
+        float(film.value[0]) * 1e-6,
+        film.rule.check.nearest[1] * 1e-6,
+        float(limits[TEMPERATURE].value[0]),
         float(least(limits.values())[0]),
         tuple(check_of(limit, 0) for limit in limits.values()),
         check_of(worst, 0),
         corner,
-        check_of(psi, 0) if psi.margin[0] < 0 else None,
         films,
     )
 
@@ -142,59 +173,117 @@ def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
 # --- orders
 
 
-def by_power(field: CandidateField) -> tuple[Array, Array]:
-    """The least power, the smaller change where powers are alike."""
-    return np.round(field.states.power / ALIKE), field.change()
+def by_power(wanted: Wanted) -> tuple[Array, ...]:
+    """The least power, rounded to 1 %; of equal ones the smallest bearing, then the roughest surfaces, then the
+    smallest change."""
+    return _rounded(wanted.power), np.round(wanted.area, 9), wanted.level, np.round(wanted.change, 9)
 
 
-def by_change(field: CandidateField) -> tuple[Array, Array]:
-    """The smallest change from the design, the least power where changes are the same."""
-    return np.round(field.change(), 9), field.states.power
+def by_size(wanted: Wanted) -> tuple[Array, ...]:
+    """The smallest bearing, then the least power."""
+    return np.round(wanted.area, 9), _rounded(wanted.power), wanted.level, np.round(wanted.change, 9)
 
 
-def by_excess(field: CandidateField) -> tuple[Array, Array]:
-    """The least length beyond the room, the least power where that is the same."""
-    room, states = field.task.room.longest, field.states
-    return 0 * states.length if room is None else np.maximum(states.length - room, 0.0), states.power
+def by_change(wanted: Wanted) -> tuple[Array, ...]:
+    """Surfaces as they are before smoother ones, then the smallest change from the design, then the least power."""
+    return wanted.level, np.round(wanted.change, 9), wanted.power
+
+
+def by_excess(wanted: Wanted) -> tuple[Array, ...]:
+    """The least length beyond the room, then the least power."""
+    return np.round(wanted.excess, 9), wanted.power
+
+
+def _rounded(power: Array) -> Array:
+    return np.round(np.log(power) / ONE_PER_CENT)
+
+
+ORDERS: dict[str, Order] = {"loss": by_power, "size": by_size, "film": by_power}  # film: the Pareto set goes first
 
 
 def best(fields: Fields, slopes: Slopes, order: Order) -> tuple[Pick, ...] | None:
-    """Of one oil and supply the first by an order, surfaces as they are before smoother ones; None where a bearing has
-    no candidate."""
-    ranked = [_best(some, slopes[place], order) for place, some in fields.items()]
-    if None in ranked:
-        return None
-    return tuple(_at(*found[1:], slopes[place]) for place, found in zip(fields, ranked) if found is not None)
+    """Of one oil and supply the first by an order; None where a bearing has no candidate."""
+    found = places_of_best(fields, slopes, order)
+    return None if found is None else tuple(_at(*one, slopes[place]) for place, one in found.items())
 
 
 def rank(fields: Fields, slopes: Slopes, order: Order) -> tuple[float, ...] | None:
-    """Level of the surfaces, how many clearances are not usual, and what is wanted of the first by an order, as the
-    grids have them; None: there is none."""
-    ranked = [found[0] for place, some in fields.items() if (found := _best(some, slopes[place], order)) is not None]
-    return tuple(map(sum, zip(*ranked))) if len(ranked) == len(fields) else None
+    """What is wanted of the first by an order, of all bearings together; None: there is none."""
+    found = places_of_best(fields, slopes, order)
+    if found is None:
+        return None
+    each = [Wanted.of(field).at(index) for field, index in found.values()]
+    return tuple(float(np.sum(numbers)) for numbers in order(Wanted(*(np.sum(numbers) for numbers in zip(*each)))))
 
 
-def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
-    """Those that need least power; None where a bearing has no candidate."""
-    every = {
-        place: ranked[1].task.seat.bearing.diameter
-        for place, some in fields.items()
-        if (ranked := _best(some, slopes[place], by_power))
-    }
-    return every if len(every) == len(fields) else None
+def places_of_best(
+    fields: Fields, slopes: Slopes, order: Order, film: Metre = 0.0
+) -> dict[str, tuple[CandidateField, Index]] | None:
+    """The same in the grids.  `film`: that it has at the edge at least."""
+    alike = [place for place, some in fields.items() if some and some[0].task.alike]
+    found: dict[str, tuple[CandidateField, Index]] = {}
+    if len(alike) > 1:
+        together = _best_alike({place: fields[place] for place in alike}, slopes, order, film)
+        if together is None:
+            return None
+        found = together
+    for place, some in fields.items():
+        if place not in found:
+            one = _best(some, slopes[place], order, film)
+            if one is None:
+                return None
+            found[place] = one
+    return {place: found[place] for place in fields}
 
 
 def _best(
-    fields: Sequence[CandidateField], slope: Radian, order: Order
-) -> tuple[tuple[int, bool, float, float], CandidateField, Index] | None:
-    """Rank, field and place of the first by an order, a usual clearance before others."""
+    fields: Sequence[CandidateField], slope: Radian, order: Order, film: Metre
+) -> tuple[CandidateField, Index] | None:
+    """Field and place of the first by an order."""
     every = []
     for field in fields:
-        primary, two = order(field)
-        unusual, kept = field.wanted(slope)
-        if (index := first(kept, primary, two)) is not None:
-            every.append(((field.task.level, unusual, float(primary[index]), float(two[index])), field, index))
-    return min(every, key=lambda entry: entry[0], default=None)
+        numbers = order(Wanted.of(field))
+        if (index := first(field.passing(slope, film), *numbers)) is not None:
+            every.append((tuple(float(wanted[index]) for wanted in numbers), field, index))
+    found = min(every, key=lambda entry: entry[0], default=None)
+    return None if found is None else found[1:]
+
+
+def _best_alike(
+    fields: Fields, slopes: Slopes, order: Order, film: Metre
+) -> dict[str, tuple[CandidateField, Index]] | None:
+    """The first of bearings that have one diameter, one clearance and surfaces alike: each as long as it has to be."""
+    every = []
+    for of_size in _of_one_size(fields):
+        shared = set.intersection(*(set(field.steps) for field in of_size))
+        for step in sorted(shared):
+            chosen = [
+                _in_row(field, field.steps.index(step), slopes[place], order, film)
+                for field, place in zip(of_size, fields)
+            ]
+            if None not in chosen:
+                picked = [one for one in chosen if one is not None]
+                sums = Wanted(*(np.sum(numbers) for numbers in zip(*(wanted for wanted, _, _ in picked))))
+                every.append((tuple(map(float, order(sums))), [one[1:] for one in picked]))
+    found = min(every, key=lambda entry: entry[0], default=None)
+    return None if found is None else dict(zip(fields, found[1]))
+
+
+def _in_row(
+    field: CandidateField, n: int, slope: Radian, order: Order, film: Metre
+) -> tuple[Wanted, CandidateField, Index] | None:
+    """The first of one clearance."""
+    wanted = Wanted.of(field).at(n)
+    index = first(field.passing(slope, film)[n], *order(wanted))
+    return None if index is None else (wanted.at(index), field, (np.intp(n), *index))
+
+
+def _of_one_size(fields: Fields) -> Iterable[tuple[CandidateField, ...]]:
+    """A field of each bearing, of one diameter and one step of surfaces."""
+    by_size = [{(f.task.size, f.task.level): f for f in some} for some in fields.values()]
+    for key in by_size[0]:
+        if all(key in sizes for sizes in by_size):
+            yield tuple(sizes[key] for sizes in by_size)
 
 
 def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, ...] | None:
@@ -210,8 +299,8 @@ def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, ...] | None:
 
 
 def _at(field: CandidateField, index: Index, slope: Radian) -> Pick:
-    """A candidate of a field, solved where it stands."""
-    return picks(field.task, [field.states.length[index]], [field.states.clearance[index]], slope)[0]
+    """A candidate as its field has it."""
+    return _pick(field.task, field.at(index), slope)
 
 
 # --- power against film
@@ -222,11 +311,8 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Cand
     power."""
     able = []
     for variant, fields in every:
-        films = [
-            [f.judged(slopes[place])[FILM_EDGE].value[f.passing(slopes[place])] for f in some]
-            for place, some in fields.items()
-        ]
-        sides = [np.concatenate(side) * 1e-6 for side in films if side]
+        films = [[f.film(slopes[place])[f.passing(slopes[place])] for f in some] for place, some in fields.items()]
+        sides = [np.concatenate(side) for side in films if side]
         if len(sides) == len(fields) and all(side.size for side in sides):
             able.append((variant, fields, min(side.min() for side in sides), min(side.max() for side in sides)))
     if not able:
@@ -235,33 +321,17 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Cand
     step = next((s for s in STEPS if (high - low) / s < MOST), STEPS[-1])
     rows: list[CandidateRow] = []
     for film in np.arange(np.floor(low / step), np.floor(high / step) + 1) * step:
-        pairs = [
-            (variant, {place: _least_with(some, slopes[place], film) for place, some in fields.items()})
-            for variant, fields, *_ in able
+        found = [
+            (sum(float(field.states.power[index]) for field, index in places.values()), n, places)
+            for n, (_, fields, *_) in enumerate(able)
+            if (places := places_of_best(fields, slopes, lambda wanted: (wanted.power,), film)) is not None
         ]
-        variant, found = min(
-            pairs, key=lambda pair: sum(one[0] if one is not None else np.inf for one in pair[1].values())
-        )
-        if None in found.values():
+        if not found:
             continue
-        picked = tuple(_at(*one[1:], slopes[place]) for place, one in found.items() if one is not None)
-        row = CandidateRow("more film", variant, picked)
+        _, n, places = min(found, key=lambda entry: entry[:2])
+        row = CandidateRow("more film", able[n][0], tuple(_at(*one, slopes[place]) for place, one in places.items()))
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()
         if not rows or row.film > rows[-1].film:
             rows.append(row)
     return rows
-
-
-def _least_with(
-    fields: Sequence[CandidateField], slope: Radian, film: Metre
-) -> tuple[Watt, CandidateField, Index] | None:
-    """The least power with at least this film, and whose it is; None: there is none."""
-    best: tuple[Watt, CandidateField, Index] | None = None
-    for field in fields:
-        kept = field.passing(slope) & (field.judged(slope)[FILM_EDGE].value * 1e-6 >= film)
-        if (index := first(kept, field.states.power)) is not None and (
-            best is None or field.states.power[index] < best[0]
-        ):
-            best = float(field.states.power[index]), field, index
-    return best

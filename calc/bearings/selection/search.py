@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The search for bearings itself: inputs and results in, rows to choose from out.
 
-What is offered first has been through the whole solution once more.
+Least is wanted of the friction power of all bearings, rounded to 1 %, of equal ones the smallest bearing, of these the
+smallest change.  What is offered first has been through the whole solution once more.
 
-In this order: what fits the room on the shaft by its sizes, by another oil, another supply, smoother surfaces; then by
-closer fits; then what keeps the limits as given, where a corner of tolerances that are only assumed is passed; and
-beside it what is too long for the room."""
+First what fits the room on the shaft; where nothing does, what keeps the limits as given, where a corner of tolerances
+that are only assumed is passed; and beside it what is too long for the room."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import chain
 
+from ...countershaft.checks import JOURNAL_SLOPE
 from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, called
@@ -21,27 +21,42 @@ from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Text
-from ...sheet.units import Metre, Radian
-from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER
+from ...sheet.units import Metre, Number, Radian
+from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE, FILM_EDGE_CORNER, TEMPERATURE_CORNER
 from ..inputs import SLOPE_TAKEN, BearingsInputs
+from ..seats.classes import Select
 from . import ranking
-from .grid import CandidateField, alike, field
-from .ranking import CandidateRow, Fields, Pick, Slopes, best, by_change, by_power, closest
+from .grid import CandidateField, fields, same_films
+from .ranking import (
+    ORDERS,
+    CandidateRow,
+    Fields,
+    Order,
+    Pick,
+    Slopes,
+    best,
+    by_change,
+    closest,
+    places_of_best,
+)
 from .states import BearingTask, against, check_of, size, without_rise
 from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
 
 # --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
 
-TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
+# of a film, as a share of what it needs, one after the other, where the whole design refuses what has less: over the
+# speeds, or with what stands still; rule of this program
+SPARE = (0.0, 0.1, 0.2, 0.4)
 AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER)
 
 
 @record
 class Settled:
-    """A row after the whole solution: as it is then judged, with the slopes read there, and the limits of other steps
-    that it breaks.
+    """A row after the whole solution: as it is then judged, with the slopes read there, and what it breaks:
+    limits of other steps, and cautions on films that only the whole knows.
 
-    `row` None: it does not pass, and `why`.  `results`: of the whole design with it.
+    `row` None: it does not pass, and `why`.  `results`: of the whole design with it.  `spare`: what its films had to
+    have left.
     """
 
     row: CandidateRow | None
@@ -49,22 +64,28 @@ class Settled:
     broken: tuple[Check, ...] = ()
     why: Text = EMPTY
     results: Solution | None = None
+    spare: Number = 0.0
 
 
-def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian]) -> Settled:
-    """A row through the whole solution, as it stands."""
-    before = {c.id for c in case.results.checks() if c.verdict == "fail" and c.rule is not CROSSING}
+def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian], *, strict: bool = False) -> Settled:
+    """A row through the whole solution, as it stands.  `strict`: no caution may be open with it."""
+    before = {c.id: c for c in case.results.checks() if c.verdict == "fail" and c.rule is not CROSSING}
     results = case.solve(*with_row(case, row))
     seen = case.seen(results)
     there = seen.outcomes["bearings"]
     again = slopes_of(case, results, slopes)
-    picked = tuple(pick.with_slope(again[pick.task.place]) for pick in row.picks)
+    picked = tuple(pick.solved(again[pick.task.place]) for pick in row.picks)
     failing = [c for c in there.checks if c.verdict == "fail"]
     if row.corners:
         failing += [c for c in there.checks if c.rule in AT_CORNERS and c.verdict != "fail" and not c.margin >= 0]
+    films = [c for c in there.checks if c.kind == "caution" and c.rule.cause == FILM_EDGE.id and c.margin < 0]
+    films = [c for c in films if c.rule is not FILM_EDGE_CORNER]
+    failing += [c for c in there.checks if c.kind == "caution" and c.open] if strict else []
     failing += [pick.governing for pick in picked if pick.margin < 0]
+    failing += _steeper(case, seen)
     elsewhere = (c for c in results.checks() if c.verdict == "fail" and not c.id.startswith(case.ids))
-    others = [c for c in elsewhere if c.id not in before]
+    were_open = {c.id for c in case.results.checks() if c.kind == "caution" and not c.margin >= 0}
+    others = [c for c in elsewhere if c.id not in before] + [c for c in films if c.id not in were_open]
     if not any(row.too_long):
         failing += crossings(seen)
     if there.state != "solved" or failing:
@@ -73,20 +94,48 @@ def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian])
     return Settled(replace(row, picks=picked), again, tuple(others), results=results)
 
 
-def settle(case: SelectionCase, row: CandidateRow, fields: Fields, slopes: dict[str, Radian]) -> Settled:
-    """A row through the whole solution; where the slopes that are read there stop it, it is chosen anew with them."""
-    order = by_change if row.what == "nearest" else by_power
-    settled = confirmed(case, row, slopes)
-    for _ in range(TRIES):
-        if settled.row is not None:
+def _steeper(case: SelectionCase, seen: Solution) -> list[Check]:
+    """Slopes beyond what is accepted, and beyond what the design has already."""
+    former = {c.id: c for c in case.seen(case.results).outcomes["countershaft"].checks if c.rule is JOURNAL_SLOPE}
+    now = (c for c in seen.outcomes["countershaft"].checks if c.rule is JOURNAL_SLOPE and c.margin < 0)
+    return [c for c in now if c.id not in former or c.margin < min(former[c.id].margin, 0.0) - 1e-9]
+
+
+def settle(
+    case: SelectionCase,
+    variant: Variant,
+    fields: Fields,
+    slopes: dict[str, Radian],
+    order: Order,
+    spare: Number = 0.0,
+    *,
+    strict: bool = False,
+) -> Settled | None:
+    """The first row of an oil and supply by an order, through the whole solution; where the slopes that are read there
+    stop it, or what only the whole knows, it is chosen anew with these, and with films that have more left.  None:
+    there is no candidate."""
+    what = "nearest" if order is by_change else "offered"
+    settled: Settled | None = None
+    for more in (share for share in SPARE if share >= spare):
+        for _ in range(2):
+            picked = best(_with_spare(fields, more), slopes, order)
+            if picked is None:
+                return settled
+            settled = confirmed(case, CandidateRow(what, variant, picked), slopes, strict=strict)
+            settled = replace(settled, spare=more)
+            steeper = {place: max(slope, settled.slopes[place]) for place, slope in slopes.items()}
+            if settled.row is not None or steeper == slopes:
+                break
+            slopes = steeper
+        if settled is not None and settled.row is not None:
             break
-        steeper = {place: max(slope, settled.slopes[place]) for place, slope in slopes.items()}
-        picked = best(fields, steeper, order) if steeper != slopes else None
-        if picked is None:
-            break
-        slopes = steeper
-        settled = confirmed(case, replace(row, picks=picked), slopes)
     return settled
+
+
+def _with_spare(fields: Fields, spare: Number) -> Fields:
+    return (
+        {place: [replace(field, spare=spare) for field in some] for place, some in fields.items()} if spare else fields
+    )
 
 
 def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
@@ -115,26 +164,67 @@ def _changes(row: CandidateRow, bearings: BearingsInputs) -> tuple[Changes, dict
     """Of what all bearings share, and of each by its name; without the tables that they stand in."""
     own: dict[str, Changes] = {}
     fits = fits_to_write(row, bearings)
+    whole = dict[object, object]()
     for pick in row.picks:
-        b, here = pick.task.seat.bearing, dict[object, float | None]()
+        b, here = pick.task.seat.bearing, dict[object, object]()
         if pick.diameter != pick.task.diameter:
-            here[BearingRow.diameter] = digits(pick.diameter / 1e-3)
+            here[BearingRow.diameter] = _in_mm(pick.diameter)
+            if b.housing_outer is not None:  # as much metal around it
+                here[BearingRow.housing_outer] = _in_mm(b.housing_outer + pick.diameter - pick.task.diameter)
         if pick.length != pick.task.length:
-            here[BearingRow.length] = digits(pick.length / 1e-3)
-        if _moved(pick) or fits is not None:  # factor K or fits would make another clearance of a new diameter or fit
+            here[BearingRow.length] = _in_mm(pick.length)
+        if pick.task.alike:
+            whole |= _classes(pick, bearings) if _moved(pick) else {}
+        elif b.limited:
+            here |= _limits(pick) if _moved(pick) else {}
+        elif _moved(pick) or fits is not None:  # factor K or fits would make another clearance of a new diameter or fit
             here |= {BearingRow.clearance_factor: None, BearingRow.clearance: digits(pick.clearance / 1e-6)}
         if pick.task.level:
             here[BearingRow.journal_roughness] = digits(b.journal_roughness / 1e-6)
             here[BearingRow.housing_roughness] = digits(b.housing_roughness / 1e-6)
         own[pick.task.place] = {dotted(field): value for field, value in here.items()}
-    whole = dict[object, str]()
     if fits is not None:
         whole |= {BearingsInputs.journal_fit: fits[0], BearingsInputs.seat_fit: fits[1]}
     if row.variant.oil != bearings.oil:
         whole[BearingsInputs.oil] = row.variant.oil
     if row.variant.supply != bearings.supply:
         whole[BearingsInputs.supply] = row.variant.supply
-    return {dotted(field): value for field, value in whole.items()}, own
+    return {key if isinstance(key, str) else dotted(key): value for key, value in whole.items()}, own
+
+
+def _in_mm(length: Metre) -> float:
+    return digits(length / 1e-3)
+
+
+def _limits(pick: Pick) -> dict[object, object]:
+    """Limits of journal and bore, as wide as they are: both go with the diameter, the journal makes the clearance."""
+    task, b = pick.task, pick.task.seat.bearing
+    larger, wider = pick.diameter - task.diameter, pick.clearance - task.clearance
+    moves = ((BearingRow.journal, b.journal, larger - wider), (BearingRow.bore, b.bore, larger))
+    return {
+        key: [_in_mm(round(end + by, 9)) for end in ends]
+        for key, ends, by in (*moves, (BearingRow.finished, b.finished, larger))
+        if ends is not None and by
+    }
+
+
+def _classes(pick: Pick, bearings: BearingsInputs) -> dict[object, object]:
+    """Classes, as wide as they are: they go with the diameter; walls that are found make the clearance, where they are
+    given the journal does."""
+    task, select = pick.task, bearings.select
+    assert select is not None
+    larger, wider = pick.diameter - task.diameter, pick.clearance - task.clearance
+    by_journal = wider if select.walls_mm is not None else 0.0
+    keys: dict[object, object] = {
+        Select.journal_classes_mm: _moved_classes(select.journals, larger - by_journal),
+        Select.bore_classes_mm: _moved_classes(select.bores, larger),
+        Select.clearance_band: [digits(round(end + wider, 9) / 1e-6) for end in select.clearance_band],
+    }
+    return {dotted(BearingsInputs.select, key): value for key, value in keys.items()}
+
+
+def _moved_classes(classes: Iterable[tuple[Metre, Metre]], by: Metre) -> list[list[float]]:
+    return [[_in_mm(round(end + by, 9)) for end in ends] for ends in classes]
 
 
 def fits_to_write(row: CandidateRow, bearings: BearingsInputs) -> tuple[str, str] | None:
@@ -149,28 +239,30 @@ def _moved(pick: Pick) -> bool:
 
 # --- the search
 
-VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
+VERIFIED = 2  # rows that are solved as whole designs before they are shown; the others when they are taken
 NEAREST = 3  # that are tried as whole designs, until one holds
+WHOLE = 3  # oils and supplies that are looked at with every diameter; the others beside the best of these
+BESIDE = 1  # steps of the diameter on either side of it
 STIFFER = Text("stiffen the shaft, or widen its envelope")
 
 Tasks = dict[str, list[BearingTask]]
 Every = Sequence[tuple[Variant, Fields]]
-Thin = dict[tuple[str, str, float], float]  # by supply, place and diameter: viscosity of oils whose film passes nowhere
 
 
 @record
 class BearingsFound:
-    """What there is to choose.  `rows`: numbered from 1, the nearest first, then the least power by oil and supply;
-    they fit the shaft.
+    """What there is to choose.  `rows`: numbered from 1, in the order of `aim`; they fit the shaft.
 
-    `kind`: "all" they keep every rule; "fits" the same with closer fits; "given" the limits as given, not every corner;
-    "none". `beyond`: rows that keep every rule and are too long for the room, numbered on; then `pareto`. `now`: the
-    design as it is, None where it has no film.  `refused`: variants without a row, with what stops them. `slopes`:
-    those of the design, then those that the solved rows were judged with. `elsewhere`: by row number, limits of other
-    steps that fail with it and did not before.  `crossing`: what overlaps now. `placed`: whether the fits of the design
-    have a place."""
+    `kind`: "all" they keep every rule; "given" the limits as given, not every corner; "none".  `beyond`: rows that keep
+    every rule and are too long for the room, numbered on; then `pareto`.  `now`: the design as it is, None where it has
+    no film.  `refused`: variants without a row, with what stops them.  `slopes`: by row number those that solved rows
+    were judged with; 0: the others.  `own`: the number of the row with the design's own oil, supply and surfaces; 0:
+    there is none.  `elsewhere`: by row number, what then is open and was not before: limits of other steps, cautions on
+    films.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`: results of
+    whole designs by row number, with their shaft in view."""
 
     case: SelectionCase
+    aim: str
     kind: str
     now: CandidateRow | None
     rows: tuple[CandidateRow, ...]
@@ -178,167 +270,174 @@ class BearingsFound:
     pareto: tuple[CandidateRow, ...]
     tasks: Tasks
     variants: tuple[Variant, ...]
-    slopes: tuple[dict[str, Radian], ...]
+    slopes: dict[int, dict[str, Radian]]
+    own: int
     refused: tuple[tuple[Variant, Text], ...]
     dropped: tuple[Text, ...]
     elsewhere: dict[int, tuple[Check, ...]]
     crossing: tuple[Check, ...]
     placed: bool
-    verified: int
+    solved: dict[int, Solution]
 
     @property
     def all(self) -> tuple[CandidateRow, ...]:
         return (*self.rows, *self.beyond, *self.pareto)
 
+    @property
+    def verified(self) -> tuple[int, ...]:
+        """The numbers of the rows that are solved as whole designs."""
+        return tuple(number for number in self.slopes if number)
+
     def slopes_of_row(self, number: int) -> dict[str, Radian]:
-        return self.slopes[number if number <= self.verified else 0]
+        return self.slopes.get(number, self.slopes[0])
 
 
-def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFound:
-    """Rows to choose from for the bearings of a design.
+def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = None) -> BearingsFound:
+    """Rows to choose from for the bearings of a design.  `aim`: "loss", "size", "film".
 
     Raises NoSolution where nothing keeps all rules, with what comes nearest and what stops it.
     """
     bearings, offered, slopes = _possible(tasks(case)), variants(case), slopes_of(case)
-    too_thin: Thin = {}
-    every = _all_fields(offered, bearings, slopes, too_thin, progress)
-    dropped: list[Text] = []
-    kind, within, rows = _fitting(case, every, offered, bearings, slopes, dropped, progress)
-    fitting = [settled.row for settled in rows if settled.row is not None]
-    fitting_ids = {id(row.variant) for row in fitting} if kind == "all" else set()
-    beyond = _too_long([(variant, fields) for variant, fields in every if id(variant) not in fitting_ids], slopes)
-    if not fitting and not beyond:
+    dropped, every = list[Text](), list[tuple[Variant, Fields]]()
+    within, settled = list[tuple[Variant, Fields]](), list[Settled]()
+    ways = _ways(case, [*offered, *_closer(case, offered[0])], bearings)
+    ways = [way for way in ways if way[0] != "fits"]
+    kind = ""
+    for n, (kind, tried, asked) in enumerate(ways):  # noqa: B007
+        here = part(progress, n / len(ways), (n + 1) / len(ways))
+        tried_fields = _all_fields(case, tried, asked, slopes, ORDERS[aim], here)
+        smooth: list[tuple[Variant, Fields]] = [(variant, with_surfaces(some)) for variant, some in tried_fields]
+        within = [(variant, in_room(some)) for variant, some in smooth]
+        every = every or smooth
+        settled = _settled(case, within, slopes, ORDERS[aim], dropped, part(here, 0.6, 1.0))
+        if settled:
+            break
+    else:
+        kind, within = "none", every
+    rows = [one.row for one in settled if one.row is not None]
+    with_rows = {id(row.variant) for row in rows} if kind == "all" else set()
+    beyond = _too_long([(variant, some) for variant, some in every if id(variant) not in with_rows], slopes)
+    if not rows and not beyond:
         raise _none_whole(dropped) if dropped else nothing(every, slopes)
-    shown = {id(row.variant) for row in (*fitting, *beyond)}
-    verified = min(len(rows), VERIFIED)
-    now = as_is(bearings, offered[0], slopes, corners=kind != "given")
+    general = settled[0].slopes if settled else slopes
+    shown = {id(row.variant) for row in (*rows, *beyond)}
+    first = offered[0]
     return BearingsFound(
         case,
+        aim,
         kind,
-        now,
-        tuple(fitting),
+        as_is(bearings, first, slopes, corners=kind != "given"),
+        tuple(rows),
         tuple(beyond),
-        tuple(ranking.pareto(within, slopes)),
+        tuple(ranking.pareto(within, general)),
         bearings,
         tuple(offered),
-        (slopes, *(settled.slopes for settled in rows[:verified])),
-        _refused([(variant, fields) for variant, fields in every if id(variant) not in shown], slopes, too_thin),
+        {0: general} | {n: one.slopes for n, one in enumerate(settled, 1) if one.results is not None},
+        next((n for n, row in enumerate(rows, 1) if row.variant is first and not row.level), 0),
+        _refused([(variant, some) for variant, some in every if id(variant) not in shown], general),
         tuple(dropped),
-        {number: settled.broken for number, settled in enumerate(rows, 1) if settled.broken},
+        {number: one.broken for number, one in enumerate(settled, 1) if one.broken},
         tuple(crossings(case.seen(case.results))),
         placed(case.bearings) is not None,
-        verified,
+        {n: case.seen(one.results) for n, one in enumerate(settled, 1) if one.results is not None},
     )
+
+
+def _ways(case: SelectionCase, offered: list[Variant], bearings: Tasks) -> list[tuple[str, list[Variant], Tasks]]:
+    """What is looked at, until something fits: the fits as they are, closer ones, then the limits as given where the
+    fits are only assumed."""
+    of_fits = any(task.field is None for some in bearings.values() for task in some[:1])
+    ways = [("all", offered, bearings)]
+    if of_fits:
+        ways += [("fits", list(_closer(case, *offered)), bearings)]
+    return [*ways, ("given", offered, as_given(bearings))] if of_fits and not case.bearings.fits_given else ways
+
+
+def _closer(case: SelectionCase, *offered: Variant) -> Iterator[Variant]:
+    """With closer fits."""
+    return (replace(variant, fits=fits) for fits in closer_fits(case.bearings) for variant in offered)
 
 
 def _all_fields(
-    offered: Sequence[Variant], bearings: Tasks, slopes: Slopes, too_thin: Thin, progress: Progress | None
+    case: SelectionCase,
+    offered: Sequence[Variant],
+    bearings: Tasks,
+    slopes: Slopes,
+    order: Order,
+    progress: Progress | None,
 ) -> list[tuple[Variant, Fields]]:
-    """Of every variant all lengths, too long ones as well; with another supply only the diameters that are best with
-    the design's."""
+    """Of every variant all lengths, too long ones as well.  The first few at every diameter, until one has a bearing
+    that fits; the others at those beside it, of another supply at those alone."""
     every: list[tuple[Variant, Fields]] = []
-    of_oil: dict[str, dict[str, Metre]] = {}
+    near: Tasks | None = None  # beside the best
+    same: Tasks | None = None  # of the best
     for n, variant in enumerate(offered):
-        tell(progress, 0.5 * n / len(offered), variant.name)
-        fields = fields_of(variant, _promising(bearings, of_oil.get(variant.oil)), slopes, too_thin=too_thin)
-        every.append((variant, fields))
-        if variant.supply == offered[0].supply and (diameters := ranking.best_diameters(fields, slopes)) is not None:
-            of_oil[variant.oil] = diameters
+        tell(progress, 0.6 * n / len(offered), variant.name)
+        fed = variant.supply != offered[0].supply
+        some = fields_of(variant, (same if fed else near) or bearings)
+        every.append((variant, some))
+        if near is None:
+            found = places_of_best(with_surfaces(in_room(some)), slopes, order)
+            if found is not None:
+                sizes = {place: field.task.size for place, (field, _) in found.items()}
+                near, same = _beside(bearings, sizes), _beside(bearings, sizes, 0)
+            elif n + 1 == WHOLE and (nearest := closest(some, slopes)) is not None:
+                sizes = {pick.task.place: pick.diameter for pick in nearest}
+                near, same = _beside(bearings, sizes), _beside(bearings, sizes, 0)
     return every
 
 
-def _fitting(
-    case: SelectionCase,
-    every: Every,
-    offered: list[Variant],
-    bearings: Tasks,
-    slopes: dict[str, Radian],
-    dropped: list[Text],
-    progress: Progress | None,
-) -> tuple[str, Every, list[Settled]]:
-    """The rows that fit the shaft, after their kind and the fields that they are taken from: of the first kind that has
-    any; "none" after all the fields where none has."""
-    within = [(variant, in_room(fields, slopes)) for variant, fields in every]
-    if rows := _settled(case, within, slopes, dropped, part(progress, 0.5, 0.6)):
-        return "all", within, rows
-    carried = all(
-        any(candidates.carries(slopes[place]) for _, fields in every for candidates in fields[place])
-        for place in bearings
-    )
-    ways = _further(case, offered, bearings, slopes) if carried else []
-    for n, (kind, tried, asked) in enumerate(ways):
-        here = part(progress, 0.6 + 0.4 * n / len(ways), 0.6 + 0.4 * (n + 1) / len(ways))
-        inside = list(short_fields(tried, asked, slopes, part(here, 0.0, 0.5)))
-        if rows := _settled(case, inside, slopes, dropped, part(here, 0.5, 1.0)):
-            return kind, inside, rows
-    return "none", every, []
+def _beside(bearings: Tasks, diameters: dict[str, Metre], steps: int = BESIDE) -> Tasks:
+    """The tasks of these diameters, and of the next smaller and larger ones."""
+    near: Tasks = {}
+    for place, some in bearings.items():
+        rising_ = sorted(some, key=lambda task: task.size)
+        at = next(n for n, task in enumerate(rising_) if task.size == diameters[place])
+        near[place] = rising_[max(at - steps, 0) : at + steps + 1]
+    return near
 
 
 def _too_long(every: Every, slopes: Slopes) -> list[CandidateRow]:
     """Of each variant the row that needs the least more room, where it needs any."""
-    pairs = [(variant, best(fields, slopes, ranking.by_excess)) for variant, fields in every]
+    pairs = [(variant, best(some, slopes, ranking.by_excess)) for variant, some in every]
     rows = [CandidateRow("too long", variant, picked) for variant, picked in pairs if picked]
     return sorted((row for row in rows if any(row.too_long)), key=lambda row: (max(row.too_long), row.power))
 
 
-def _refused(every: Every, slopes: Slopes, too_thin: Thin) -> tuple[tuple[Variant, Text], ...]:
-    """Each variant with what stops it, or why it was not even looked at."""
-    return tuple(
-        (variant, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(variant, too_thin))
-        for variant, fields in every
-    )
+def _refused(every: Every, slopes: Slopes) -> tuple[tuple[Variant, Text], ...]:
+    """Each variant with what stops it."""
+    return tuple((variant, _stopped(closest(some, slopes) if all(some.values()) else None)) for variant, some in every)
 
 
 def nearest_row(case: SelectionCase, progress: Progress | None = None, only: Sequence[Variant] = ()) -> Settled:
-    """The one row that is nearest to the design, found as `search` finds its first, without all the others beside it.
+    """The one row that is nearest to the design: its sizes alone before other oils, supplies and surfaces, then closer
+    fits.
 
     `only`: other variants are not looked at, nor closer fits.  Raises NoSolution with what comes nearest and what stops
     it."""
     progress = rising(progress)
     tell(progress, 0.0, Text("bearings"))
     bearings, slopes = _possible(tasks(case)), slopes_of(case)
+    near = _beside(bearings, {place: some[0].size for place, some in bearings.items()})
     offered = list(only) or variants(case)
-    fields = short_fields(offered, bearings, slopes, part(progress, 0.0, 0.3))
-    first = next(fields)
-    nearest = _nearest(case, [first], slopes, [])
-    if nearest is not None and nearest.row is not None and nearest.row.level == 0:
-        return nearest  # sizes alone: no other oil or supply goes before
-    ways: list[Iterable[tuple[Variant, Fields]]] = [chain([first], fields)]
-    if not only:
-        further = _further(case, offered, bearings, slopes)
-        ways = [] if not any(kind == "fits" for kind, *_ in further) and closer_fits(case.bearings) else ways
-        shares = [0.3 + 0.7 * n / max(len(further), 1) for n in range(len(further) + 1)]
-        ways += [
-            short_fields(some, asked, slopes, part(progress, *ends))
-            for (_, some, asked), *ends in zip(further, shares, shares[1:])
-        ]
-    dropped: list[Text] = []
-    for way in ways:
-        if (settled := _nearest(case, way, slopes, dropped)) is not None:
+    ways = _ways(case, offered, near)
+    dropped, every = list[Text](), list[tuple[Variant, Fields]]()
+    for n, (_, tried, asked) in enumerate(ways[:1] if only else ways):
+        here = part(progress, n / len(ways), (n + 1) / len(ways))
+        short = list[tuple[Variant, Fields]]()
+        settled = _nearest(case, _gathered(_short_fields(tried, asked, slopes, here), short), slopes, dropped)
+        if settled is not None:
             return settled
-    raise _none_whole(dropped) if dropped else nothing([first, *fields], slopes)
+        every = every or short
+    raise _none_whole(dropped) if dropped else nothing(every, slopes)
 
 
-def _further(
-    case: SelectionCase, offered: list[Variant], bearings: Tasks, slopes: Slopes
-) -> list[tuple[str, list[Variant], Tasks]]:
-    """What is looked at where nothing fits as the fits are: closer ones, then the limits as given where the fits are
-    only assumed.
-
-    The closest fits allow all that wider ones do: where no oil has a film that passes with these, no closer ones are
-    looked at."""
-    ways = [
-        ("fits", [replace(variant, fits=fits) for variant in offered], bearings) for fits in closer_fits(case.bearings)
-    ]
-    if ways:
-        thick = sorted(ways[-1][1], key=lambda variant: -variant.lubricant.at(case.bearings.supply_temperature).mu)
-        if not any(_may_pass(fields, slopes) for _, fields in short_fields(thick, bearings, slopes)):
-            ways = []
-    return ways if case.bearings.fits_given else [*ways, ("given", offered, as_given(bearings))]
-
-
-def _may_pass(fields: Fields, slopes: Slopes) -> bool:
-    return all(any(candidates.holds(slopes[place]) for candidates in some) for place, some in fields.items())
+def _gathered(
+    some: Iterable[tuple[Variant, Fields]], into: list[tuple[Variant, Fields]]
+) -> Iterator[tuple[Variant, Fields]]:
+    for entry in some:
+        into.append(entry)
+        yield entry
 
 
 def _possible(bearings: Tasks) -> Tasks:
@@ -352,73 +451,56 @@ def _possible(bearings: Tasks) -> Tasks:
     return bearings
 
 
-def fields_of(
-    variant: Variant, bearings: Tasks, slopes: Slopes, *, too_thin: Thin | None = None, short: bool = False
-) -> dict[str, list[CandidateField]]:
-    """`too_thin` gathers oils whose film passes nowhere; a thinner one is not looked at any more.
-
-    `short`: only lengths in the room, and no further bearing where one before has no film that passes.
-    """
-    known = too_thin if too_thin is not None else {}
-    fields: dict[str, list[CandidateField]] = {place: [] for place in bearings}
-    for place, tasks_there in bearings.items():
-        held = False
-        for task in tasks_there:
-            key = (variant.supply, place, task.seat.bearing.diameter)
-            mu = variant.lubricant.at(task.duty.supply_temperature).mu
-            if mu < known.get(key, 0.0):
-                continue
-            same = (
-                known_field
-                for other, some in fields.items()
-                for known_field in some
-                if other != place and slopes[other] == slopes[place] and alike(known_field.task, task)
-            )
-            twin = next(same, None)
-            candidates = twin.of(task) if twin is not None else field(task, variant, slopes[place], short)
-            if candidates is None:
-                continue
-            fields[place].append(candidates)
-            if candidates.holds(slopes[place]):
-                held = True
-            elif not candidates.hot(slopes[place]):
-                known[key] = max(mu, known.get(key, 0.0))
-        if short and not held:
-            break
-    return fields
+def fields_of(variant: Variant, bearings: Tasks, *, short: bool = False) -> dict[str, list[CandidateField]]:
+    """`short`: only lengths in the room.  Bearings that are alike are solved once."""
+    found: dict[str, list[CandidateField]] = {}
+    for place, some in bearings.items():
+        twin = next((other for other in found if same_films(bearings[other], some)), None)
+        found[place] = fields(some, variant, short) if twin is None else _of(found[twin], some)
+    return found
 
 
-def _promising(bearings: Tasks, diameters: dict[str, Metre] | None) -> Tasks:
-    """Of all diameters the design's own and, where it is known, the one that needs least power with the design's
-    supply."""
-    if diameters is None:
-        return bearings
+def _of(twins: list[CandidateField], tasks_here: list[BearingTask]) -> list[CandidateField]:
+    """The candidates of a bearing whose films are those of another."""
+    by_size = {task.size: task for task in tasks_here}
+    return [
+        replace(
+            twin, task=by_size[twin.task.size].with_oil(twin.variant.lubricant, twin.variant.supply, twin.variant.fits)
+        )
+        for twin in twins
+    ]
+
+
+def in_room(fields: Fields) -> dict[str, list[CandidateField]]:
+    """What fits."""
     return {
-        place: [t for n, t in enumerate(some) if n == 0 or t.seat.bearing.diameter == diameters[place]]
-        for place, some in bearings.items()
+        place: [inside for candidates in some if (inside := candidates.in_room()) is not None]
+        for place, some in fields.items()
     }
 
 
-def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
-    """What fits, with its own surfaces, and where these are too rough with ever smoother ones until some candidate
-    passes."""
-    inside: dict[str, list[CandidateField]] = {place: [] for place in fields}
-    for place, found in fields.items():
-        for candidates in (some for outside in found if (some := outside.in_room()) is not None):
-            holds = candidates.holds(slopes[place])
-            inside[place] += _smooth_enough(candidates, slopes[place]) if holds else [candidates]
-    return inside
+def with_surfaces(fields: Fields) -> dict[str, list[CandidateField]]:
+    """With its own surfaces, and with the smoothest."""
+    return {
+        place: [one for candidates in some for one in _ends(list(candidates.smoother()))]
+        for place, some in fields.items()
+    }
 
 
-def _smooth_enough(candidates: CandidateField, slope: Radian) -> list[CandidateField]:
-    """With its own surfaces and smoother ones, up to the first that lets some candidate pass; its own alone where none
-    does."""
-    levels = list[CandidateField]()
-    for level in candidates.smoother():
-        levels.append(level)
-        if level.passing(slope).any():
-            return levels
-    return levels[:1]
+def _ends(levels: list[CandidateField]) -> list[CandidateField]:
+    return levels[:1] if len(levels) == 1 else [levels[0], levels[-1]]
+
+
+def _smooth_enough(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
+    """With its own surfaces and ever smoother ones, up to the first that lets some candidate pass."""
+    smooth: dict[str, list[CandidateField]] = {place: [] for place in fields}
+    for place, some in fields.items():
+        for candidates in some:
+            for level in candidates.smoother():
+                smooth[place].append(level)
+                if level.passing(slopes[place]).any():
+                    break
+    return smooth
 
 
 def as_given(bearings: Tasks) -> Tasks:
@@ -426,31 +508,24 @@ def as_given(bearings: Tasks) -> Tasks:
     return {place: [replace(task, corners=False) for task in some] for place, some in bearings.items()}
 
 
-def short_fields(
+def _short_fields(
     offered: Sequence[Variant], bearings: Tasks, slopes: Slopes, progress: Progress | None = None
 ) -> Iterator[tuple[Variant, Fields]]:
     """Of every variant what fits, and that alone, one after the other."""
-    thin: Thin = {}
     for n, variant in enumerate(offered):
         tell(progress, 0.8 * n / len(offered), variant.name)
-        yield variant, in_room(fields_of(variant, bearings, slopes, too_thin=thin, short=True), slopes)
+        yield variant, _smooth_enough(in_room(fields_of(variant, bearings, short=True)), slopes)
 
 
 def _nearest(
-    case: SelectionCase,
-    every: Iterable[tuple[Variant, Fields]],
-    slopes: dict[str, Radian],
-    dropped: list[Text],
-    progress: Progress | None = None,
+    case: SelectionCase, every: Iterable[tuple[Variant, Fields]], slopes: dict[str, Radian], dropped: list[Text]
 ) -> Settled | None:
     """The nearest row of all variants that holds in the whole design."""
-    for n, (variant, fields) in enumerate(_by_nearness(case, every, slopes)):
+    for n, (variant, some) in enumerate(_by_nearness(case, every, slopes)):
         if n == NEAREST:
             break
-        tell(progress, n / NEAREST, Text("{row} in the whole design", row=variant.name))
-        picked = best(fields, slopes, by_change)
-        assert picked is not None
-        settled = settle(case, CandidateRow("nearest", variant, picked), fields, slopes)
+        settled = settle(case, variant, some, slopes, by_change)
+        assert settled is not None
         if settled.row is not None:
             return settled
         dropped.append(settled.why)
@@ -466,55 +541,71 @@ def _by_nearness(
     holds."""
     waiting: list[tuple[tuple[float, ...], int, Variant, Fields]] = []
     bearings, stage = case.bearings, 0
-    for n, (variant, fields) in enumerate(every):
+    for n, (variant, some) in enumerate(every):
         fed, oil = variant.supply != bearings.supply, variant.oil != bearings.oil
         if (next_stage := 2 if fed else int(oil)) > stage:
             stage = next_stage
             waiting.sort(key=lambda entry: entry[:2])
             while waiting and waiting[0][0][0] == 0:
                 yield waiting.pop(0)[2:]
-        if (ranked := ranking.rank(fields, slopes, by_change)) is not None:
-            waiting.append(((ranked[0], fed, oil, *ranked[1:]), n, variant, fields))
-    for _, _, variant, fields in sorted(waiting, key=lambda entry: entry[:2]):
-        yield variant, fields
+        if (ranked := ranking.rank(some, slopes, by_change)) is not None:
+            waiting.append(((ranked[0], fed, oil, *ranked[1:]), n, variant, some))
+    for _, _, variant, some in sorted(waiting, key=lambda entry: entry[:2]):
+        yield variant, some
 
 
 def _settled(
-    case: SelectionCase, every: Every, slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
+    case: SelectionCase,
+    every: Every,
+    slopes: dict[str, Radian],
+    order: Order,
+    dropped: list[Text],
+    progress: Progress | None = None,
 ) -> list[Settled]:
-    """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
-    by_variant = {id(variant): fields for variant, fields in every}
-    least = [
-        CandidateRow("least power", variant, picked)
-        for variant, fields in every
-        if (picked := best(fields, slopes, by_power)) is not None
-    ]
-    nearest = _nearest(case, every, slopes, dropped, part(progress, 0.0, 0.3))
-    rows = [] if nearest is None else [nearest]
-    waiting = [Settled(row, slopes) for row in least]
-    done: list[Settled] = []
+    """The first row of every variant, and of the design's own the first with its own surfaces, by the order; the first
+    few solved as whole designs.
+
+    What the whole design asks of the first that holds, slopes and spare film, is asked of all the others too."""
+    spare, able = 0.0, list(every)
+    while able:  # the design's own oil and supply first
+        first = settle(case, *able[0], slopes, order, spare)
+        if first is not None and first.row is not None:
+            slopes = {place: max(slope, first.slopes[place]) for place, slope in slopes.items()}
+            spare = first.spare
+            break
+        dropped += [first.why] if first is not None else []
+        able = able[1:] if first is None or len(dropped) < NEAREST else []
+    else:
+        return []
+    waiting = [(first, able[0][1])]
+    for n, (variant, some) in enumerate(able):
+        wanted = [some] if n else []
+        if variant is every[0][0] and first.row is not None and first.row.level:
+            wanted.append({place: [field for field in each if not field.task.level] for place, each in some.items()})
+        for one in wanted:
+            if (picked := best(_with_spare(one, spare), slopes, order)) is not None:
+                waiting.append((Settled(CandidateRow("offered", variant, picked), slopes, spare=spare), one))
+    rows: list[Settled] = []
     while waiting and len(rows) < VERIFIED:
-        waiting.sort(key=_rank)
-        candidate = waiting.pop(0)
+        waiting.sort(key=lambda entry: _rank(entry[0], order))
+        candidate, some = waiting.pop(0)
         assert candidate.row is not None
-        if candidate in done:  # still the least after its slopes were read again
+        if candidate.results is not None:
             rows.append(candidate)
             continue
-        doing = Text("{row} in the whole design", row=candidate.row.variant.name)
-        tell(progress, 0.3 + 0.7 * len(done) / VERIFIED, doing)
-        settled = settle(case, candidate.row, by_variant[id(candidate.row.variant)], slopes)
-        if settled.row is None:
-            dropped.append(settled.why)
+        tell(progress, len(rows) / VERIFIED, Text("{row} in the whole design", row=candidate.row.variant.name))
+        again = settle(case, candidate.row.variant, some, slopes, order, spare)
+        assert again is not None
+        if again.row is not None:
+            waiting.append((again, some))
         else:
-            done.append(settled)
-            waiting.append(settled)
-    return [*rows, *sorted(waiting, key=_rank)] if rows else []
+            dropped.append(again.why)
+    return [*rows, *sorted((settled for settled, _ in waiting), key=lambda settled: _rank(settled, order))]
 
 
-def _rank(settled: Settled) -> tuple[int, float, float]:
-    """Smoother surfaces are the dearer ones; then power."""
+def _rank(settled: Settled, order: Order) -> tuple[float, ...]:
     assert settled.row is not None
-    return settled.row.level, settled.row.power, settled.row.change
+    return tuple(map(float, order(settled.row.wanted)))
 
 
 def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> CandidateRow | None:
@@ -532,19 +623,9 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
 
 def _stopped(near: tuple[Pick, ...] | None) -> Text:
     if near is None:
-        return Text(
-            "no length is left between l/d, oil supply and room, or no clearance between the cold one and the usual "
-            "factor K"
-        )
+        return Text("no length is left between l/d, oil supply and room")
     worse = min(near, key=lambda pick: pick.margin)
     return Text("{limit} at {size}", limit=against(worse.governing), size=size(worse.length, worse.clearance))
-
-
-def _left_out(variant: Variant, too_thin: Thin) -> Text:
-    """Why a variant was not even looked at."""
-    if any(supply == variant.supply for supply, _, _ in too_thin):
-        return Text("a thicker oil has too thin a film already")
-    return _stopped(None)
 
 
 def _none_whole(dropped: list[Text]) -> NoSolution:

@@ -3,10 +3,10 @@
 
 In order: words of the search, the rules, the room of a journal, the states.
 
-Of the eight corners of the tolerances four can govern: the widest and the narrowest clearance, each with the thinner
-oil, for the film; the narrowest with the thicker oil for the heat; and the film again at twice the load.  What is
-offered is judged once more at all eight.  Where tolerances are only assumed, a candidate may also be judged as it is
-given, as the limits of the step do."""
+Of the eight corners of the tolerances three can govern: the widest and the narrowest clearance, each with the thinner
+oil, for the film; the narrowest with the thicker oil for the heat.  Beside them stand, as given, the oil that shear has
+thinned and the overspeed.  What is offered is judged once more at all eight.  Where tolerances are only assumed, a
+candidate may also be judged as it is given, as the limits of the step do."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -19,39 +19,36 @@ from ...countershaft.inputs import ShaftInputs
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import called
 from ...countershaft.sizing.stretches import gap_of
-from ...library import journal_rules
-from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
+from ...library.journal_rules import specific_load
 from ...library.lubricant import Lubricant
+from ...library.oils import high_shear
 from ...sheet.arrays import Array, IndexArray, Num
-from ...sheet.check import DEGREES, Check, CheckRule
+from ...sheet.check import DEGREES, THIN_MARGIN, Check, CheckRule
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column
 from ...sheet.record import record
 from ...sheet.search import Judged, judged
 from ...sheet.text import EMPTY, Amount, Name, Small, Text
-from ...sheet.units import UNITS, Metre, Radian, RevPerSecond
+from ...sheet.units import UNITS, Kelvin, Metre, Number, Radian
 from .. import formulas as f
 from ..checks import (
     CLEARANCE_COLD,
     CLEARANCE_COLD_CORNER,
-    FILM_DOUBLE_LOAD,
     FILM_EDGE,
-    FILM_EDGE_TRUMPLER,
-    HEAT_INDEX,
+    FILM_EDGE_SHEARED,
+    FILM_OVERSPEED,
+    FILM_PRESSURE,
     LENGTH_RATIO,
-    LENGTH_RATIO_USUAL,
     SPECIFIC_LOAD,
     TEMPERATURE,
-    TEMPERATURE_RISE_USUAL,
-    TRANSITION,
-    named_at,
     on_bearing,
 )
 from ..corners import widths
 from ..routes import supply
 from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
-from ..suitability import CLEARANCE_USUAL, film_asked
+from ..solve import HTHS_TEMPERATURE
+from ..suitability import MATERIAL_LOAD, film_asked
 
 # --- words that the search uses over and over
 
@@ -92,23 +89,16 @@ def size(length: Metre, clearance: Metre) -> Text:
 
 
 # --- what a bearing that is offered has to keep, at the worst corner of its tolerances
-# The limits are those of the step's own checks, whatever their kind, and written nowhere again.  Three are kept for
-# choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film at the edge too.
-# The relative clearance that is usual is kept wherever film, heat and cold clearance leave something with it.
+# The limits of the step's own checks, and what the film has to keep with thinner oil and at overspeed, written nowhere
+# again.  Three are kept for choosing alone: 5 K between outlet and its limit, a twentieth of the clearance left when
+# cold, nearer to which these count as narrow, and l/d.
 
-LEAST_COLD: Metre = 20e-6
+OUTLET_RESERVE: Kelvin = 5.0  # rule of this program for choosing: nearer, the limit counts as narrow
+RATIO: tuple[Number, Number] = (0.5, 0.8)  # l/d; rule of this program for choosing, as makers of shells have it
 OWN = Text("rule of this program for choosing")
-RISES = Text("Finotti 2013, 5.5.2: 15 to 20 °C; for choosing the lower")
-READ = (
-    FILM_EDGE,
-    FILM_DOUBLE_LOAD,
-    TEMPERATURE,
-    HEAT_INDEX,
-    TRANSITION,
-    CLEARANCE_COLD,
-    CLEARANCE_COLD_CORNER,
-    CLEARANCE_USUAL,
-)
+READ = (FILM_EDGE, TEMPERATURE, CLEARANCE_COLD, CLEARANCE_COLD_CORNER)
+EDGES = (FILM_EDGE, FILM_EDGE_SHEARED, FILM_OVERSPEED)  # films at the edge that keep the peaks apart
+OF_SEATS = (FILM_PRESSURE, SPECIFIC_LOAD, MATERIAL_LOAD)  # asked where the step asks them: by what the seat is of
 
 Index = int | tuple[np.intp, ...]  # of one of many candidates
 
@@ -141,30 +131,24 @@ def check_of(judgement: Judged, index: Index) -> Check:
     return replace(check, value=float(np.broadcast_to(judgement.value, shape)[index]), limit=limit)
 
 
-def rules(place: str, checks: Iterable[Check]) -> dict[CheckRule, BearingRule]:
+def rules(place: str, checks: Iterable[Check], ratio: tuple[Number, Number]) -> dict[CheckRule, BearingRule]:
     """The constraints of one bearing, by the declarations of their checks, from the checks of a solved design.
+    `ratio`: l/d, least and most.
 
     Raises NoSolution where it carries next to nothing, so that nothing of its film is judged."""
     by_id = {c.id: c for c in checks}
     if any(rule.of(place) not in by_id for rule in READ):
         idle = Text("the {row} bearing carries next to nothing", row=called(place))
         raise NoSolution(idle, Text("its film is not judged"), Text("look at the masses of the shaft first"))
-    known = {rule: by_id[rule.of(place)].but(missing=(), taken=(), at_best=None, at_worst=None) for rule in READ}
-    known[CLEARANCE_COLD] = known[CLEARANCE_COLD].but(sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN)
-    trumpler, nought = known[FILM_DOUBLE_LOAD].nearest[1], math.nan  # what is judged are the candidates
+    asked = [*READ, *(rule for rule in OF_SEATS if rule.of(place) in by_id)]
+    known = {rule: by_id[rule.of(place)].but(missing=(), taken=(), at_best=None, at_worst=None) for rule in asked}
+    outlet, film = known[TEMPERATURE].nearest[1], UNITS["µm"].inside(known[FILM_EDGE].nearest[1])
+    known[TEMPERATURE] = known[TEMPERATURE].but(limit=outlet - OUTLET_RESERVE)
+    nought = math.nan  # what is judged are the candidates
     made = (
-        on_bearing(SPECIFIC_LOAD, place, nought, journal_rules.SPECIFIC_LOAD),
-        on_bearing(LENGTH_RATIO, place, nought, journal_rules.LENGTH_RATIO),
-        on_bearing(LENGTH_RATIO_USUAL, place, nought, journal_rules.USUAL_LENGTH_RATIO),
-        on_bearing(FILM_EDGE_TRUMPLER, place, nought, UNITS["µm"].inside(trumpler)),
-        TEMPERATURE_RISE_USUAL(
-            nought,
-            RISE[0],
-            at=place,
-            name=named_at(Text("Temperature rise"), place),
-            source=RISES,
-            advice=TEMPERATURE.advice,
-        ),
+        on_bearing(FILM_EDGE_SHEARED, place, nought, film),
+        on_bearing(FILM_OVERSPEED, place, nought, film),
+        on_bearing(LENGTH_RATIO, place, nought, ratio, source=OWN),
     )
     return {check.rule: BearingRule(check) for check in (*known.values(), *made)}
 
@@ -245,58 +229,81 @@ Lengths = float | Sequence[float] | Array
 
 @record
 class FilmState:
-    """`side` of the clearance (+1 widest, −1 narrowest), of the `oil`'s viscosity (+1 thicker, −1 thinner), and times
-    the load."""
+    """`side` of the clearance (+1 widest, −1 narrowest), of the `oil`'s viscosity (+1 thicker, −1 thinner).  `beside`
+    the corners of the tolerances: "sheared" or "faster"."""
 
     name: Text
     side: int = 0
     oil: int = 0
-    times: float = 1.0
+    beside: str = ""
 
 
 WIDEST = Text("smallest journal, largest seat, thinner oil")
 TIGHTEST = Text("largest journal, smallest seat, thinner oil")
 TIGHT = Text("largest journal, smallest seat, thicker oil")
 NOMINAL = Text("as given")
-AT_CORNERS = (
-    FilmState(NOMINAL),
-    FilmState(WIDEST, 1, -1),
-    FilmState(TIGHTEST, -1, -1),
-    FilmState(TIGHT, -1, 1),
-    FilmState(WIDEST, 1, -1, 2.0),
-    FilmState(TIGHTEST, -1, -1, 2.0),
-)
-AS_GIVEN = (FilmState(NOMINAL), FilmState(NOMINAL, times=2.0))
+# the sheared one last: it is found from the film as given
+BESIDE = (FilmState(Text("overspeed"), beside="faster"), FilmState(Text("oil thinned by shear"), beside="sheared"))
+AT_CORNERS = (FilmState(NOMINAL), FilmState(WIDEST, 1, -1), FilmState(TIGHTEST, -1, -1), FilmState(TIGHT, -1, 1))
 ROUGHNESSES = (0.6e-6, 0.4e-6, 0.3e-6, 0.2e-6)  # Ra; rule of this program
 SAME = 1e-10  # m
 BALANCED = 1e-5  # relative, of the rise: enough for a film to seven digits
-HOT = 45.0  # K: three times the rise that may be chosen; what lies between is still needed to draw a curve through
+HOT = 45.0  # K above the supply: what is hotter is not looked at where many are
+ALWAYS_TIGHT: Metre = 1e-3  # an interference that no state uses up
 
 
 @record
 class BearingTask:
     """One bearing of the design, at one diameter: what it carries, what it has to keep, and what it is now.
 
-    `length`, `clearance` and `diameter` are those of the design.  `speed_factor`: least speed over the speed of
-    transition, which the surface speed alone decides.  `corners` False: judged as given, only that the clearance is
-    left when cold at the worst corner too. `level`: by how many steps its surfaces are smoother than the design's."""
+    `length`, `clearance` and `diameter` are those of the design.  `faster`: at overspeed.  `field`: of its clearance,
+    where the limits of its parts make it; None: the fits do.  `alike`: its parts are picked by classes, so that all
+    that are have one size.  `corners` False: judged as given, only that the clearance is left when cold at the worst
+    corner too.  `level`: by how many steps its surfaces are smoother than the design's."""
 
     place: str
     seat: BearingCase
     duty: OperatingPoint
+    faster: OperatingPoint
     rules: dict[CheckRule, BearingRule]
     room: JournalRoom
-    speed_factor: float
     length: Metre
     clearance: Metre
     diameter: Metre
+    field: Metre | None = None
+    alike: bool = False
     corners: bool = True
     level: int = 0
 
     @property
     def states(self) -> tuple[FilmState, ...]:
-        """The first is as given; those at twice the load stand last."""
-        return AT_CORNERS if self.corners else AS_GIVEN
+        """The first is as given; those beside the corners stand last."""
+        corners = AT_CORNERS if self.corners else AT_CORNERS[:1]
+        return (*corners, *(state for state in BESIDE if state.beside == "faster" or self.shear is not None))
+
+    @property
+    def shear(self) -> Number | None:
+        """The least share of its viscosity that the oil keeps at high shear; None: all of it."""
+        hths = high_shear(self.seat.lubricant)
+        if hths is None:
+            return None
+        least: float = f.full_shear_factor(hths=hths, mu_150=self.seat.lubricant.at(HTHS_TEMPERATURE).mu)
+        return least
+
+    @property
+    def half(self) -> Metre:
+        """Half the field of the clearance."""
+        return (sum(widths(self.seat.inputs, self.size)) if self.field is None else self.field) / 2
+
+    @property
+    def size(self) -> Metre:
+        """The diameter that is looked at."""
+        return self.seat.bearing.diameter
+
+    @property
+    def own_size(self) -> bool:
+        """Whether that is the design's."""
+        return self.size == self.diameter
 
     def with_oil(self, oil: Lubricant, fed: str, fits: tuple[str, str] | None = None) -> "BearingTask":
         """The same with another oil, supply and fits of all bearings; what its row says itself stays."""
@@ -306,33 +313,27 @@ class BearingTask:
             inputs = replace(inputs, journal_fit=fits[0], seat_fit=fits[1])
         return replace(self, seat=replace(seat, lubricant=oil, inputs=inputs.of(seat.bearing)))
 
-    def at_diameter(self, d: Metre) -> "BearingTask":
-        """The same journal at another diameter, under the same load; its room is that of the one it was made for."""
-        rules, asked = self.rules, UNITS["µm"].shown(f.trumpler_film(d=d))
-        changed = {
-            rule: BearingRule(rules[rule].check.but(limit=asked)) for rule in (FILM_DOUBLE_LOAD, FILM_EDGE_TRUMPLER)
-        }
-        seat = replace(self.seat, bearing=replace(self.seat.bearing, diameter=d))
-        factor = speed_factor(f.surface_speed(d=d, n=self.sliding_speed))
-        return replace(self, seat=seat, rules={**rules, **changed}, speed_factor=factor, diameter=d)
+    def under(self, load: Any) -> "BearingTask":
+        """The same under another load at its speed, or loads of all candidates."""
+        more = load / self.duty.load
+        return replace(
+            self, duty=replace(self.duty, load=load), faster=replace(self.faster, load=self.faster.load * more)
+        )
 
-    @property
-    def sliding_speed(self) -> RevPerSecond:
-        """Of the journal on its seat."""
-        duty, i_B = self.duty, self.seat.inputs.bush_speed_ratio
-        return f.sliding_speed(n_J=duty.speed, n_B=i_B * duty.speed) if i_B else duty.speed
+    def at_diameter(self, d: Metre) -> "BearingTask":
+        """The same journal at another diameter, under the same load; its room, and the design's size, are those of the
+        one it was made for."""
+        return replace(self, seat=resized(self.seat, diameter=d))
 
     def smoother(self) -> Iterator["BearingTask"]:
         """The same with its own surfaces, then with ever smoother ones."""
-        bearing, film = self.seat.bearing, self.rules[FILM_EDGE].check
+        bearing = self.seat.bearing
         yield self
         for level, (Ra_1, Ra_2) in enumerate(smoother(bearing.journal_roughness, bearing.housing_roughness), 1):
-            asked = film_asked(self.seat.inputs, Ra_1, Ra_2)
-            rule = BearingRule(film.but(limit=UNITS["µm"].shown(asked)))
+            asked = UNITS["µm"].shown(film_asked(self.seat.inputs, Ra_1, Ra_2))
+            films = {rule: BearingRule(self.rules[rule].check.but(limit=asked)) for rule in EDGES}
             surfaces = replace(bearing, journal_roughness=Ra_1, housing_roughness=Ra_2)
-            yield replace(
-                self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, FILM_EDGE: rule}, level=level
-            )
+            yield replace(self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, **films}, level=level)
 
 
 def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
@@ -350,7 +351,7 @@ def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
 @record
 class States:
     """Films of candidates, in SI: arrays whose first axis is that of the task's states, the others those of length and
-    clearance; `power` and `flow` of the first state alone."""
+    clearance; `power`, `flow` and `pressure` of the first state alone."""
 
     length: Array
     clearance: Array
@@ -359,10 +360,14 @@ class States:
     viscosity: Array
     power: Array
     flow: Array
+    pressure: Array
 
     def among(self, part: slice) -> "States":
         """Some of the candidates, along the last axis."""
         return States(*(numbers[..., part] for numbers in vars(self).values()))
+
+
+FILM_NUMBERS = ("film", "rise", "viscosity", "power", "flow", "pressure")
 
 
 def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
@@ -372,62 +377,69 @@ def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises:
     `all_rises` False: sooner, with nan as well where the rise is far beyond what may be chosen.
     """
     l, g = np.broadcast_arrays(np.asarray(length, dtype=float), np.asarray(clearance, dtype=float))
+    return solved_at(task, task.size, l, g, task.half, all_rises=all_rises)
+
+
+def solved_at(task: BearingTask, d: Num, l: Array, g: Array, half: Num, *, all_rises: bool = True) -> States:
+    """Candidates of one bearing whose diameters differ too, and the halves of their fields; all of one shape."""
     axes = (slice(None), *(None,) * l.ndim)
-    side, oil, times = (column(task.states, name)[axes] for name in ("side", "oil", "times"))
-    seat: BearingCase[Any] = task.seat
-    duty: OperatingPoint[Any] = task.duty
-    band = sum(widths(seat.inputs, seat.bearing.diameter)) / 2
-    at = replace(
-        resized(seat, length=l[None]),
-        clearance=g[None] + side * band,
-        viscosity_factor=1 + oil * seat.inputs.viscosity_tolerance,
+    plain = [state for state in task.states if state.beside != "sheared"]
+    side, oil = (column(plain, name)[axes] for name in ("side", "oil"))
+    faster = np.array([state.beside == "faster" for state in plain])[axes]
+    seat: BearingCase[Any] = resized(task.seat, diameter=np.asarray(d)[None], length=l[None])
+    there, over = vars(task.duty), vars(task.faster)
+    duty: OperatingPoint[Any] = replace(
+        task.duty,
+        **{name: np.where(faster, over[name], there[name]) for name in there if over[name] is not there[name]},
     )
-    loaded, hottest = replace(duty, load=duty.load * times), HOTTEST if all_rises else HOT
+    asked: dict[str, Any] = {"hottest": HOTTEST if all_rises else HOT, "tolerance": BALANCED}
     with np.errstate(all="ignore"):
-        film = settled(at, loaded, hottest=hottest, tolerance=BALANCED)
-    viscosity = np.broadcast_to(film.oil.mu, np.shape(film.film))
-    rise, power, flow = film.temperature_rise, film.friction_power[0], film.oil_flow[0]
-    return States(l, g, film.film, rise, viscosity, power, flow)
+        corners = replace(
+            seat,
+            clearance=g[None] + side * np.asarray(half)[None],
+            viscosity_factor=1 + oil * seat.inputs.viscosity_tolerance,
+        )
+        films = [settled(corners, duty, **asked)]
+        if (kappa := task.shear) is not None:
+            u = f.surface_speed(d=d, n=task.duty.effective_speed * task.duty.sliding_ratio)
+            factor = f.shear_factor(kappa=kappa, gamma=f.shear_rate(u=u, h_0=films[0].film[:1]))
+            films.append(settled(replace(seat, clearance=g[None], viscosity_factor=factor), task.duty, **asked))
+    film, rise = (np.concatenate([getattr(part, name) for part in films]) for name in ("film", "temperature_rise"))
+    viscosity = np.concatenate([np.broadcast_to(part.oil.mu, np.shape(part.film)) for part in films])
+    first = films[0]
+    pressure = first.largest_pressure
+    assert pressure is not None
+    return States(l, g, film, rise, viscosity, first.friction_power[0], first.oil_flow[0], pressure[0])
 
 
 def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
     """Every rule on candidates that are solved.  `slope`: of the journal in its seat."""
     seat: BearingCase[Any] = task.seat
     duty, rule = task.duty, task.rules
-    inputs, d = seat.inputs, seat.bearing.diameter
+    inputs, d = seat.inputs, task.size
     l, g = states.length, states.clearance
     bare = supply.bare_length(inputs, states.length)
-    once = sum(state.times == 1 for state in task.states)
+    once = sum(not state.beside for state in task.states)
     with np.errstate(all="ignore"):
-        films, doubled, rise = states.film[:once], states.film[once:], states.rise[:once]
-        edge = f.film_at_edge(h_0=films.min(axis=0), theta=slope, l=l)
+        films, rise = states.film[:once], states.rise[:once]
         p = specific_load(F=duty.load, d=d, l=bare)
-        n_T = f.transition_speed(p=p, mu=states.viscosity[:once], d=d)
-        least = f.least_speed(k=task.speed_factor, n_T=n_T.max(axis=0))
-        cold = replace(seat, clearance=g - sum(widths(inputs, d)) / 2).clearance_at(inputs.lowest_temperature)
-        left = cold if task.corners else replace(seat, clearance=g).clearance_at(inputs.lowest_temperature)
+        cold, cold_corner = (
+            replace(seat, clearance=left).clearance_at(inputs.lowest_temperature) for left in (g, g - task.half)
+        )
         ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=d)
-        hottest, warmest = rise.max(axis=0), _where(rise, "max")
-        outlet = f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest)
+        outlet = f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=rise.max(axis=0))
         judged = [
-            rule[FILM_EDGE].on(edge, where=_where(films, "min")),
-            rule[FILM_EDGE_TRUMPLER].on(edge, where=_where(films, "min")),
-            rule[FILM_DOUBLE_LOAD].on(doubled.min(axis=0), where=_where(doubled, "min") + once),
-            rule[TEMPERATURE_RISE_USUAL].on(hottest, where=warmest),
-            rule[TEMPERATURE].on(outlet, where=warmest),
-            rule[SPECIFIC_LOAD].on(p),
-            rule[HEAT_INDEX].on(heat_index(F=duty.load, n=duty.speed, l=l)),
+            rule[FILM_EDGE].on(f.film_at_edge(h_0=films.min(axis=0), theta=slope, l=l), where=_where(films, "min")),
+            rule[TEMPERATURE].on(outlet, where=_where(rise, "max")),
             rule[LENGTH_RATIO].on(ratio),
-            rule[LENGTH_RATIO_USUAL].on(ratio),
-            rule[TRANSITION].on(np.full(np.shape(least), duty.effective_speed), least, _where(n_T, "max")),
-            rule[CLEARANCE_COLD].on(left, where=TIGHT if task.corners else -1),
+            rule[CLEARANCE_COLD].on(cold),
+            rule[CLEARANCE_COLD_CORNER].on(cold_corner, THIN_MARGIN * g, where=TIGHT),
         ]
-        return judged if task.corners else [*judged, rule[CLEARANCE_COLD_CORNER].on(cold, where=TIGHT)]
-
-
-def usual(task: BearingTask, clearance: Array) -> Judged:
-    """The relative clearance against what is usual."""
-    return task.rules[CLEARANCE_USUAL].on(f.relative_clearance(g=clearance, d=task.seat.bearing.diameter))
+        for n, state in enumerate(task.states[once:], once):
+            film = FILM_OVERSPEED if state.beside == "faster" else FILM_EDGE_SHEARED
+            judged.append(rule[film].on(f.film_at_edge(h_0=states.film[n], theta=slope, l=l), where=n))
+        judged += [rule[load].on(p) for load in (SPECIFIC_LOAD, MATERIAL_LOAD) if load in rule]
+        return [*judged, rule[FILM_PRESSURE].on(states.pressure)] if FILM_PRESSURE in rule else judged
 
 
 def without_rise(task: BearingTask) -> Judged:
@@ -440,10 +452,3 @@ def _where(numbers: Array, way: str) -> IndexArray:
     filled = np.where(np.isnan(numbers), -np.inf if way == "min" else np.inf, numbers)
     governing: IndexArray = filled.argmin(axis=0) if way == "min" else filled.argmax(axis=0)
     return governing
-
-
-def mckee(task: BearingTask, states: States) -> Array:
-    """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
-    bare = supply.bare_length(task.seat.inputs, states.length)
-    p = specific_load(F=task.duty.load, d=task.seat.bearing.diameter, l=bare)
-    return f.mckee_number(mu=states.viscosity[0], n_h=task.duty.effective_speed, p=p)

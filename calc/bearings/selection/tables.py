@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from ...countershaft.rows import called
-from ...library.journal_rules import RISE
 from ...sheet.check import Check, CheckRule
 from ...sheet.number import short
 from ...sheet.record import record
@@ -18,43 +17,50 @@ from ...sheet.units import Watt
 from ..checks import (
     CLEARANCE_COLD,
     CLEARANCE_COLD_CORNER,
-    FILM_DOUBLE_LOAD,
     FILM_EDGE,
-    FILM_EDGE_TRUMPLER,
-    HEAT_INDEX,
+    FILM_EDGE_SHEARED,
+    FILM_OVERSPEED,
+    FILM_PRESSURE,
     LENGTH_RATIO,
-    LENGTH_RATIO_USUAL,
     SPECIFIC_LOAD,
     TEMPERATURE,
-    TEMPERATURE_RISE_USUAL,
-    TRANSITION,
 )
-from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
+from ..result import BearingsResult
+from ..suitability import MATERIAL_LOAD
+from .grid import LENGTH_STEP, SAME, clearance_step
 from .grid import WIDEST as WIDEST_CLEARANCE
 from .ranking import CandidateRow, Pick, Slopes, picks
 from .search import BearingsFound
-from .states import LEAST_COLD, ROUGHNESSES, TIGHT, TIGHTEST, WIDEST, against, letter_of, mm, short_mm, value_of
-from .variants import DIAMETERS, SUPPLY, Variant, thinner, tied
+from .states import (
+    OUTLET_RESERVE,
+    RATIO,
+    ROUGHNESSES,
+    TIGHT,
+    TIGHTEST,
+    WIDEST,
+    against,
+    letter_of,
+    mm,
+    short_mm,
+    value_of,
+)
+from .variants import SUPPLY, Variant, thinner, tied
 
 EXPLAINED = 3  # rows whose neighbours are shown
 EXPLAIN = Text(
-    "F front, R rear bearing: l length, g diametral clearance, d diameter. P_f: friction power of both. h_edge, h_2F: "
-    "thinner film of both "
-    "at the edge, and at twice the load. rise: of the oil. ZN/P: McKee's number, cP·rpm/psi; it binds nothing (150 is "
-    "advice). margin: the "
-    "least of all rules, and by which."
+    "F front, R rear bearing: d×l journal, g diametral clearance. P_f: friction power of both. h/h_K: thinner film of "
+    "both at the edge at the worst corner, over what their roughness asks for. T_out: hottest oil that leaves. margin: "
+    "the least of all rules, and by which."
 )
 RULES: dict[CheckRule, Text] = {
     FILM_EDGE: Name("h_edge"),
-    FILM_EDGE_TRUMPLER: Name("h_edge T"),
-    FILM_DOUBLE_LOAD: Name("h_2F"),
+    FILM_EDGE_SHEARED: Text("sheared"),
+    FILM_OVERSPEED: Text("overspeed"),
     TEMPERATURE: Text("outlet"),
-    TEMPERATURE_RISE_USUAL: Text("rise"),
     SPECIFIC_LOAD: Name("p"),
-    HEAT_INDEX: Text("heat"),
+    MATERIAL_LOAD: Name("p"),
+    FILM_PRESSURE: Name("p_max"),
     LENGTH_RATIO: Name("l/d"),
-    LENGTH_RATIO_USUAL: Name("l/d"),
-    TRANSITION: Text("speed"),
     CLEARANCE_COLD: Text("cold g"),
     CLEARANCE_COLD_CORNER: Text("cold g"),
 }
@@ -63,9 +69,14 @@ CORNERS = {  # where the name is longer than a column can bear
     TIGHTEST: Text("tightest fit, thinner oil"),
     TIGHT: Text("tightest fit, thicker oil"),
 }
+AIMS = {
+    "loss": Text("the least friction first"),
+    "size": Text("the smallest first"),
+    "film": Text("the least friction for ever more film"),
+}
 NUMBER, TOO_LONG, ASKS = Text("no."), Text("too long"), Text("asks for")
-OIL, SUPPLIED = Text("oil"), Text("supply")
-POWER, EDGE, MCKEE = Name("P_f"), Name("h_edge"), Name("ZN/P")
+OIL, SUPPLIED, PRESSED = Text("oil"), Text("supply"), Text("press hot")
+POWER, EDGE, OUTLET = Name("P_f"), Name("h_edge"), Name("T_out")
 
 Cells = tuple[str | float | None, ...]
 
@@ -76,10 +87,8 @@ def titles(choices: BearingsFound) -> tuple[Text, Text]:
     keeps = Text("Bearings that keep every rule of the search (their room is not known)")
     if known:
         keeps = Text("Bearings that fit and keep every rule of the search")
-    fits = "/".join(choices.rows[0].variant.fits or ()) if choices.rows else ""
     of = {
-        "all": Text("{keeps}: the nearest, then the least power of each oil and supply", keeps=keeps),
-        "fits": Text("{keeps} with closer fits, {fits}", keeps=keeps, fits=fits),
+        "all": Text("{keeps}: {aim}", keeps=keeps, aim=AIMS[choices.aim]),
         "given": Text("No bearing that fits keeps every rule of the search at every corner: these keep them as given"),
         "none": Text("No bearing fits: those that keep every rule are too long for their room"),
     }[choices.kind]
@@ -87,7 +96,6 @@ def titles(choices: BearingsFound) -> tuple[Text, Text]:
         fail = choices.crossing[0].id
         of = {
             "all": Text("The design FAILS {check}. {keeps}", check=fail, keeps=keeps),
-            "fits": Text("The design FAILS {check}. {keeps} with closer fits", check=fail, keeps=keeps),
             "given": Text("The design FAILS {check}. Those that fit keep its rules only as given", check=fail),
             "none": Text("The design FAILS {check}. No bearing fits", check=fail),
         }[choices.kind]
@@ -96,6 +104,8 @@ def titles(choices: BearingsFound) -> tuple[Text, Text]:
 
 def choices_table(choices: BearingsFound, top: int) -> Table:
     """The design as it is, then the first `top` rows; where none fits, those that are too long."""
+    if choices.aim == "film" and choices.pareto:
+        return pareto_table(choices)
     return _rows_table("bearings", titles(choices)[0], choices, (choices.rows or choices.beyond)[:top], 1, now=True)
 
 
@@ -113,21 +123,25 @@ def _rows_table(
     shown: list[tuple[str, CandidateRow]] = [(Text("now"), choices.now)] if now and choices.now is not None else []
     shown += [(str(number), row) for number, row in enumerate(rows, first)]
     of = [row for _, row in shown]
-    wide, extra = _wide(of), _extra(of)
-    columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(of, wide)]
-    columns += [(POWER, "W"), (EDGE, "µm"), (Name("h_2F"), "µm"), (Text("rise"), "K")]
-    if not (wide and extra):  # else what binds nothing makes room
-        columns.append((MCKEE, ""))
+    extra = _extra(of)
+    press = [_press_hot(choices, number) for number, _ in shown]
+    columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(of)]
+    columns += [(POWER, "W"), (Name("h/h_K"), ""), (OUTLET, "°C")]
+    if any(press):
+        columns.append((PRESSED, "MPa"))
     columns += [(Text("margin"), "%"), (Text("by"), "")]
     if extra:
         columns.append((extra, "mm" if extra == TOO_LONG else ""))
-    cells = tuple(_cells(number, row, wide, extra) for number, row in shown)
+    cells = tuple(_cells(number, row, p if any(press) else -1.0, extra) for (number, row), p in zip(shown, press))
     return Table(id, title, tuple(columns), cells, EXPLAIN if now else EMPTY)
 
 
-def _wide(rows: list[CandidateRow]) -> bool:
-    """Whether some row has another diameter."""
-    return any(pick.diameter != pick.task.diameter for row in rows for pick in row.picks)
+def _press_hot(choices: BearingsFound, number: str) -> float | None:
+    """The least pressure of what is pressed in where the film is hottest, in MPa, of a row that was solved whole."""
+    results = choices.case.seen(choices.case.results) if not number.isdigit() else choices.solved.get(int(number))
+    found = None if results is None else results.result(BearingsResult)
+    seats = [] if found is None else [b.seat_ for b in found.bearings.values() if b.seat_ is not None]
+    return min((seat.press_hot / 1e6 for seat in seats), default=None)
 
 
 def _extra(rows: list[CandidateRow]) -> Text:
@@ -135,40 +149,35 @@ def _extra(rows: list[CandidateRow]) -> Text:
     return TOO_LONG if any(any(row.too_long) for row in rows) else ASKS if any(map(_asks, rows)) else EMPTY
 
 
-def _size_columns(rows: Sequence[CandidateRow], wide: bool) -> list[tuple[Text, str]]:
+def _size_columns(rows: Sequence[CandidateRow]) -> list[tuple[Text, str]]:
     columns: list[tuple[Text, str]] = []
     for pick in rows[0].picks:
         letter = letter_of(pick.task.place)
-        size = Text("{letter} d×l", letter=letter) if wide else Text("{letter} l", letter=letter)
-        columns += [(size, "mm"), (Text("{letter} g", letter=letter), "µm")]
+        columns += [(Text("{letter} d×l", letter=letter), "mm"), (Text("{letter} g", letter=letter), "µm")]
     return columns
 
 
-def _sizes(row: CandidateRow, wide: bool) -> Cells:
+def _sizes(row: CandidateRow) -> Cells:
     cells: list[str | float | None] = []
     for pick in row.picks:
-        size = Text("{d}×{l}", d=short_mm(pick.diameter), l=short_mm(pick.length))
-        cells.append(size if wide else rounded(pick.length * 1e3, 4))
+        cells.append(Text("{d}×{l}", d=short_mm(pick.diameter), l=short_mm(pick.length)))
         cells.append(rounded(pick.clearance * 1e6, 3))
     return tuple(cells)
 
 
-def _cells(number: str, row: CandidateRow, wide: bool, extra: Text) -> Cells:
+def _cells(number: str, row: CandidateRow, press: float | None, extra: Text) -> Cells:
+    """`press` below zero: no row has one."""
     worse = min(row.picks, key=lambda pick: pick.margin)
-    films = (
-        row.film * 1e6,
-        min(pick.film_double_load for pick in row.picks) * 1e6,
-        max(pick.rise for pick in row.picks),
-    )
-    mckee = () if wide and extra else (min(pick.mckee for pick in row.picks),)
-    numbers = (rounded(x, 3) for x in (*films, *mckee, round(worse.margin * 100, 1)))
+    numbers = (min(pick.film_edge / pick.film_asked for pick in row.picks), max(pick.outlet for pick in row.picks))
+    of_press = () if press is not None and press < 0 else (None if press is None else rounded(press, 3),)
     by = Text("{rule} {letter}", rule=short_name(worse.governing), letter=letter_of(worse.task.place))
-    cells: Cells = (*_first_cells(number, row, wide), rounded(row.power, 4), *numbers, by)
+    cells: Cells = (*_first_cells(number, row), rounded(row.power, 4), *(rounded(x, 4) for x in numbers), *of_press)
+    cells = (*cells, rounded(worse.margin * 100, 3), by)
     return (*cells, _too_long(row) if extra == TOO_LONG else _asks(row)) if extra else cells
 
 
-def _first_cells(number: str, row: CandidateRow, wide: bool) -> Cells:
-    return (number, row.variant.oil, SUPPLY[row.variant.supply], *_sizes(row, wide))
+def _first_cells(number: str, row: CandidateRow) -> Cells:
+    return (number, row.variant.oil, SUPPLY[row.variant.supply], *_sizes(row))
 
 
 def _too_long(row: CandidateRow) -> Text:
@@ -248,7 +257,7 @@ def neighbours(row: CandidateRow, variants: tuple[Variant, ...], slopes: Slopes)
     """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil."""
     for chosen in row.picks:
         l, g, place = chosen.length, chosen.clearance, chosen.task.place
-        (shorter, _), (tighter, wider) = beside(l, LENGTH_STEP), beside(g, CLEARANCE_STEP)
+        (shorter, _), (tighter, wider) = beside(l, LENGTH_STEP), beside(g, clearance_step(chosen.diameter))
         steps = (
             (Text("l {now} → {to}", now=Amount(l * 1e3), to=Amount(shorter * 1e3, "mm")), shorter, g),
             (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(tighter * 1e6, "µm")), l, tighter),
@@ -271,12 +280,9 @@ def neighbours(row: CandidateRow, variants: tuple[Variant, ...], slopes: Slopes)
 def outside(neighbour: Neighbour) -> Text:
     """Which bound of the search the step passes; empty: none."""
     to, of = neighbour.instead, neighbour.of
-    if neighbour.oil or to.clearance <= of.clearance:
+    if neighbour.oil or to.clearance <= max(of.clearance, WIDEST_CLEARANCE * of.diameter + SAME):
         return EMPTY
-    usual = widest_usual(of.task)
-    if of.clearance <= usual + SAME:
-        return Name(f"K ≤ {USUAL_FACTORS[1]:g}") if to.clearance > usual + SAME else EMPTY
-    return Name(f"≤ {WIDEST_CLEARANCE * 1e3:g} ‰") if to.clearance > WIDEST_CLEARANCE * of.diameter + SAME else EMPTY
+    return Name(f"≤ {WIDEST_CLEARANCE * 1e3:g} ‰")
 
 
 def neighbours_table(choices: BearingsFound) -> Table:
@@ -326,12 +332,12 @@ def _outcome(choices: BearingsFound, row: CandidateRow, neighbour: Neighbour) ->
 
 def pareto_table(choices: BearingsFound) -> Table:
     """More film for more power: numbered on from the rows, so that these can be taken as well."""
-    wide, extra = _wide(list(choices.pareto)), _extra(list(choices.pareto))
+    extra = _extra(list(choices.pareto))
     columns = [
         (NUMBER, ""),
         (OIL, ""),
         (SUPPLIED, ""),
-        *_size_columns(choices.pareto, wide),
+        *_size_columns(choices.pareto),
         (POWER, "W"),
         (EDGE, "µm"),
     ]
@@ -339,7 +345,7 @@ def pareto_table(choices: BearingsFound) -> Table:
     rows = []
     for number, row in enumerate(choices.pareto, len(choices.rows) + len(choices.beyond) + 1):
         last = (_too_long(row) if extra == TOO_LONG else _asks(row),) if extra else ()
-        rows.append((*_first_cells(str(number), row, wide), rounded(row.power, 4), rounded(row.film * 1e6, 3), *last))
+        rows.append((*_first_cells(str(number), row), rounded(row.power, 4), rounded(row.film * 1e6, 3), *last))
     note = Text("h_edge: the thinner of both. Between two rows lies no candidate with less power for its film.")
     title = Text("Pareto set: power against film")
     if not choices.rows:
@@ -354,17 +360,13 @@ def pareto_table(choices: BearingsFound) -> Table:
 
 
 def summary(choices: BearingsFound) -> tuple[Text, ...]:
-    """What fails now, what nearest is, and by how much the room is missed."""
+    """What fails now, what the first row changes and saves, and by how much the room is missed."""
     words = [Text("The design as it is FAILS {id}: {limit}.", id=c.id, limit=against(c)) for c in choices.crossing]
     if choices.kind in ("given", "none"):
         words.append(_missed(choices))
     if not choices.rows:
         return tuple(words)
-    first, own_variant = choices.rows[0], choices.variants[0]
-    if first.what != "nearest":
-        dropped = SEMICOLON.join(choices.dropped) or Text("no film")
-        why = next((why for v, why in choices.refused if v is own_variant), dropped)
-        return (*words, Text("No row has the design's own oil and supply: {why}.", why=why))
+    first, own_variant, now = choices.rows[0], choices.variants[0], choices.now
     change = [
         Text("oil {oil}", oil=first.variant.oil) if first.variant.oil != own_variant.oil else EMPTY,
         Text("supply by {supply}", supply=SUPPLY[first.variant.supply])
@@ -373,13 +375,24 @@ def summary(choices: BearingsFound) -> tuple[Text, ...]:
         changed(first),
     ]
     if any(change):
-        nearest = Text("Row 1 is nearest to the design: {change}.", change=COMMA.join(filter(None, change)))
-        words.append(nearest + (_at_corners(choices, first) if choices.kind == "given" else EMPTY))
+        power = Text("{power}", power=Amount(first.power, "W", digits=3))
+        if now is not None:
+            power = Text("{power} in place of {now}", power=power, now=Amount(now.power, "W", digits=3))
+        words.append(Text("Row 1: {change}; {power}.", change=COMMA.join(filter(None, change)), power=power))
+        if choices.kind == "given":
+            words.append(_at_corners(choices, first))
     elif choices.kind == "given":
         words.append(Text("Row 1 is the design as it is: it keeps every rule as given."))
     else:
         words.append(Text("Row 1 is the design as it is: it keeps every rule of the search."))
-    return tuple(words)
+    if choices.own > 1:
+        n = choices.own
+        words.append(Text("With the design's own oil, supply and surfaces: row {n}.", n=n))
+    elif not choices.own:
+        dropped = SEMICOLON.join(choices.dropped) or Text("smoother surfaces are needed")
+        why = next((why for v, why in choices.refused if v is own_variant), dropped)
+        words.append(Text("No row has the design's own oil, supply and surfaces: {why}.", why=why))
+    return tuple(filter(None, words))
 
 
 def _missed(choices: BearingsFound) -> Text:
@@ -412,7 +425,7 @@ def _at_corners(choices: BearingsFound, row: CandidateRow) -> Text:
         for pick in row.picks
     ]
     below = [c for pick in there for c in pick.checks if c.margin < 0 and c.rule is not CLEARANCE_COLD]
-    return Text(" Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
+    return Text("Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
 
 
 def notes(choices: BearingsFound) -> tuple[Text, ...]:
@@ -426,14 +439,14 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
     if choices.kind == "given":
         rows = Text("Rows {a} to {b} keep", a=n + 1, b=last) if choices.beyond else Text("To keep would be")
     yield Text(
-        "{rows}, at the worst corner of the tolerances: the film at the edge by Kreisle and by Trumpler, Trumpler's "
-        "film at twice the "
-        "load, outlet temperature, a rise of {rise}, specific load, heat index, l/d within its limits and the usual "
-        "ones, the speed above "
-        "mixed friction, and {cold} of clearance at the lowest temperature.",
+        "{rows}, at the worst corner of the tolerances: the film at the edge, {reserve} below the limit of the oil "
+        "that leaves, and a twentieth of the clearance at the lowest temperature; as given, the film at the edge "
+        "with the oil thinned by shear and at overspeed, what the seat carries, a slope of 0.25 mrad, and l/d from "
+        "{least} to {most} where the diameter is free.",
         rows=rows,
-        rise=Amount(RISE[0], "K"),
-        cold=Amount(LEAST_COLD * 1e6, "µm"),
+        reserve=Amount(OUTLET_RESERVE, "K"),
+        least=Amount(RATIO[0]),
+        most=Amount(RATIO[1]),
     )
     if choices.kind == "given":
         rows = Text("Rows 1 to {n}", n=n)
@@ -474,56 +487,36 @@ def _diameters(choices: BearingsFound) -> Iterator[Text]:
     for n, row in enumerate(choices.case.rows):
         place = row.name
         if len(choices.tasks[place]) == 1:
-            why = tied(choices.case, row) or Text("no other has an answer")
+            why = tied(choices.case, row) or Text("no other carries the load")
             yield Text("The {place} diameter stays as it is: {why}.", place=called(place), why=why)
             continue
-        looked = sorted(task.seat.bearing.diameter for task in choices.tasks[place])
+        looked = sorted(task.size for task in choices.tasks[place])
         free = Text(
             "The {place} diameter is free: {diameters} mm are looked at, nothing between.",
             place=called(place),
             diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked),
         )
-        ends = {found.picks[n].diameter for found in choices.rows[:2]} & {looked[0], looked[-1]}
-        if ends:
-            free += Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop()))
+        if ends := {found.picks[n].diameter for found in choices.rows[:1]} & {looked[-1]}:
+            free += Text(" {d}, in the first row, is the end of it: beyond may be better.", d=mm(ends.pop()))
         yield free
     if any(len(some) > 1 for some in choices.tasks.values()):
-        shares = COMMA.join(Text("{share}", share=Amount(share * 100, form="+.0f")) for share in DIAMETERS)
         yield Text(
-            "Diameters stand {shares} % beside the design's; another supply takes the one that needs least power with "
-            "the design's own "
-            "supply and the same oil, and the design's.",
-            shares=shares,
+            "The first oil and supply that passes is looked at with every diameter, other oils with those beside its "
+            "best, other supplies with its best."
         )
 
 
 def _searched(choices: BearingsFound) -> Iterator[Text]:
-    K = USUAL_FACTORS[1]
     yield Text(
-        "Lengths stand on half millimetres, clearances on 5 µm up to those of the factor K = {K} (the greatest that "
-        "is usual), and the "
-        "design's own beside them. Powers within 0.1 W are taken as alike: the smaller change goes first.",
-        K=K,
+        "Of least friction are those within 1 % of each other alike: the smaller bearing goes first, then the smaller "
+        "change. Lengths stand on half millimetres, clearances on 5 µm, of journals below 45 mm on 2 µm, up to "
+        "{widest} ‰ of the diameter, and the design's own beside them.",
+        widest=Amount(WIDEST_CLEARANCE * 1e3),
     )
-    beyond = [
-        called(there.name)
-        for n, there in enumerate(choices.case.rows)
-        if any(pick.clearance > widest_usual(pick.task) + SAME for pick in (row.picks[n] for row in choices.rows))
-    ]
-    if beyond:
+    if any(some[0].field is not None for some in choices.tasks.values()):
         yield Text(
-            "Some clearances of the {places} bearing are wider than K = {K} makes them, for the cold or the heat.",
-            places=listed(beyond),
-            K=K,
-        )
-    unusual = {n: c for n, row in enumerate(choices.all, 1) for pick in row.picks if (c := pick.unusual) is not None}
-    if unusual:
-        yield Text(
-            "The relative clearance of the application, {limit} (clearance_usual), goes before a wider one. Not kept, "
-            "since film, heat and "
-            "cold clearance leave nothing so narrow, or for less power in the Pareto set: {rows}.",
-            limit=next(iter(unusual.values())).limit_text(),
-            rows=rows_of(list(unusual)),
+            "Limits of the parts keep their widths and move: with the diameter; with the clearance the journal, or "
+            "the walls of shells that are found."
         )
     if choices.placed:
         yield Text(
@@ -531,13 +524,12 @@ def _searched(choices: BearingsFound) -> Iterator[Text]:
             "alone (IT7 for f7)."
         )
     if choices.verified:
-        yield Text("Rows 1 to {n} are solved as whole designs; the others when they are taken.", n=choices.verified)
+        said = rows_of(list(choices.verified))
+        yield Text("Solved as whole designs: {rows}; the others are when they are taken.", rows=said)
     for id in dict.fromkeys(c.id for checks in choices.elsewhere.values() for c in checks):
         there = {number: c for number, checks in choices.elsewhere.items() for c in checks if c.id == id}
         numbers, first = COMMA.join(map(str, there)), next(iter(there.values()))
-        yield Text(
-            "Another step then fails, with row {rows}: {id} ({limit}).", rows=numbers, id=id, limit=against(first)
-        )
+        yield Text("Then open, with row {rows}: {id} ({limit}).", rows=numbers, id=id, limit=against(first))
     if choices.dropped:
         yield Text("Dropped once the whole design was solved: {rows}.", rows=SEMICOLON.join(choices.dropped))
 

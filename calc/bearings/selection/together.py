@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""More than two bearings, which share the load of their shaft by their films: all of them alike first, then each alone.
+"""More than two bearings, which share the load of their shaft by their films: all of them alike first, then each alone,
+by the same objective as two.
 
 A bearing that is changed changes what every other carries.  So the share is found anew over the lengths and clearances,
 at a few of them and taken between these in a straight line; what is offered has been through the step itself.  Oil,
@@ -8,13 +9,12 @@ supply, surfaces and fits stay: they are of all shafts."""
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import called
-from ...sheet.arrays import Array, BoolArray
+from ...sheet.arrays import Array
 from ...sheet.check import Check, CheckRule, Kind
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, tell
@@ -24,30 +24,29 @@ from ...sheet.step import Table
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Metre, Number, Radian, Watt
 from ..as_supports import shared
-from ..checks import LENGTH_RATIO, LENGTH_RATIO_USUAL
 from ..film.table import FilmRangeError
 from ..result import BearingsResult
-from ..routes.states import OperatingPoint, resized
+from ..routes.states import resized
 from ..solve import condensed
 from . import tables
-from .grid import FEW, KEPT, OF_FILM, WIDEST, CandidateField, clearances, lengths, widest_usual
-from .ranking import ALIKE, CandidateRow, Pick, Slopes, picks
+from .grid import FEW, KEPT, OF_FILM, CandidateField, clearances, lengths
+from .ranking import ORDERS, CandidateRow, Order, Pick, Slopes, Wanted, picks
 from .search import AT_CORNERS, STIFFER, Settled, slopes_of, with_row
-from .states import BearingTask, against, letter_of, size, solved, usual
+from .states import BearingTask, against, letter_of, size, solved
 from .variants import (
-    DIAMETERS,
     SelectionCase,
     Solution,
     Variant,
     crossings,
+    diameters,
     solved_or_probed,
     tasks_of,
     tied,
     variants,
-    with_diameters,
 )
 
 NODES = 4  # lengths, and clearances, at which the share is found
+LOOKED = 6  # diameters that are looked at, from the smallest that carries the load on
 # of what kinds a row has to keep every rule, one after the other: where it can, it mends the cautions of the design
 KINDS: tuple[tuple[Kind, ...], ...] = (("limit", "caution"), ("limit",))
 # of a film, asked one after the other, where the step itself refuses what has less; rule of this program
@@ -76,6 +75,10 @@ class SharedRow:
     @property
     def power(self) -> Watt:
         return sum(pick.power for pick in self.every)
+
+    @property
+    def wanted(self) -> Wanted:
+        return self.row.wanted._replace(power=np.asarray(self.power))
 
 
 @record
@@ -113,19 +116,12 @@ class MovedTogether:
             if rule.kind == "limit" or (place in self.moved and rule in asked.rules[place])
         )
 
-    def usual(self) -> BoolArray:
-        """Which have usual clearances."""
-        fields = [self.fields[place] for place in self.moved]
-        kept: BoolArray = np.all([usual(field.task, field.states.clearance).margin >= 0 for field in fields], axis=0)
-        return kept
-
-    def power(self) -> Array:
-        watts: Array = np.sum([field.states.power for field in self.fields.values()], axis=0)
-        return watts
-
-    def change(self) -> Array:
-        moved: Array = np.sum([self.fields[place].change() for place in self.moved], axis=0)
-        return moved
+    def wanted(self) -> Wanted:
+        """Of all bearings the power; of those that it changes the rest."""
+        every = [Wanted.of(field) for field in self.fields.values()]
+        moved = [Wanted.of(self.fields[place]) for place in self.moved]
+        power = np.sum([one.power for one in every], axis=0)
+        return Wanted(*(np.sum(numbers, axis=0) for numbers in zip(*moved)))._replace(power=power)
 
     def as_given(self) -> "MovedTogether":
         """The same, judged as they are given and not at the corners of the tolerances."""
@@ -140,8 +136,10 @@ class MovedTogether:
         return tuple(_pick(self.fields[place], at, slopes[place]) for place in self.moved)
 
 
-def search(case: SelectionCase, progress: Progress | None = None) -> SharedFound:
-    """Rows to choose from.  Raises NoSolution where there are none, with what comes nearest and what stops it."""
+def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = None) -> SharedFound:
+    """Rows to choose from.  `aim`: "loss", "size", "film".
+
+    Raises NoSolution where there are none, with what comes nearest and what stops it."""
     slopes, variant = slopes_of(case), variants(case)[0]
     there = solved_or_probed(case, case.rows)
     own = tasks_of(case, there)
@@ -157,7 +155,7 @@ def search(case: SelectionCase, progress: Progress | None = None) -> SharedFound
             groups, every = [group.as_given() for group in groups], _as_they_are(tasks, slopes)
         for kinds in KINDS:
             refused, asked = [], _asked(every, kinds)
-            rows = list(_rows(case, groups, variant, slopes, asked, refused, progress))
+            rows = list(_rows(case, groups, variant, slopes, asked, ORDERS[aim], refused, progress))
             if rows:
                 break
         if rows:
@@ -167,6 +165,7 @@ def search(case: SelectionCase, progress: Progress | None = None) -> SharedFound
     left_out = tuple(c for pick in every for c in pick.checks if c.rule not in asked.rules[pick.task.place])
     solved_now = all(pick.power == pick.power for pick in every)
     now = CandidateRow("now", variant, every)
+    rows.sort(key=lambda row: tuple(map(float, ORDERS[aim](row.wanted))))
     return SharedFound(
         case,
         SharedRow(EMPTY, now, now.picks, _governing(now.picks, asked)) if solved_now else None,
@@ -242,11 +241,13 @@ def _groups(
     asked: AskedRules,
     progress: Progress | None,
 ) -> Iterator[MovedTogether]:
-    """All alike at each diameter, the design's own first, then each alone at its own."""
+    """All alike, at the design's own diameters and at each other, then each alone at its own."""
     yield from _group(case, ALL_ALIKE, own, there, variant, tuple(own), asked)
-    for n, share in enumerate(DIAMETERS if free else ()):
-        tell(progress, 0.1 + 0.1 * n, ALL_ALIKE)
-        rows = with_diameters(case.rows, share, [row.name for row in case.rows])
+    most = max(own.values(), key=lambda task: task.duty.load)
+    row = next(row for row in case.rows if row.name == most.place)
+    for n, d in enumerate(diameters(case, row, most)[:LOOKED] if free else ()):
+        tell(progress, 0.1 + 0.4 * n / LOOKED, ALL_ALIKE)
+        rows = tuple(replace(row, diameter=d) for row in case.rows)
         try:
             other = solved_or_probed(case, rows)
         except NoSolution:
@@ -266,32 +267,29 @@ def _group(
     moved: tuple[str, ...],
     asked: AskedRules,
 ) -> Iterator[MovedTogether]:
-    """Its candidates, with clearances wider than the usual ones among them; nothing where no length is left."""
+    """Its candidates; nothing where no length is left."""
     first_task = tasks[moved[0]]
-    of_each = [set(np.round(_lengths(tasks[place], asked.rules[place]), 9)) for place in moved]
+    of_each = [set(np.round(_lengths(tasks[place]), 9)) for place in moved]
     l = np.array(sorted(set.intersection(*of_each)))
-    widest = max(widest_usual(first_task), WIDEST * first_task.seat.bearing.diameter)
-    g = clearances(replace(first_task, corners=False), widest, FEW)
+    g = clearances(first_task, FEW)
     if not l.size or not g.size:
         return
     loads = _loads(case, tasks, there, moved, l, g)
     shape = (g.size, l.size)
     fields = {}
     for place, task in tasks.items():
-        duty: OperatingPoint[Any] = task.duty  # with what it carries as each candidate
-        under = replace(task, duty=replace(duty, load=loads[place]))
+        under = task.under(loads[place])  # with what it carries as each candidate
         l_here = np.broadcast_to(l if place in moved else task.length, shape)
         g_here = np.broadcast_to(g[:, None] if place in moved else task.clearance, shape)
         fields[place] = CandidateField(under, variant, solved(under, l_here, g_here, all_rises=False))
     yield MovedTogether(which, moved, fields)
 
 
-def _lengths(task: BearingTask, asked: frozenset[CheckRule]) -> Array:
-    """In its room, or as long as it is, within the usual l/d, or where that is not asked within its limits."""
-    ratio = LENGTH_RATIO_USUAL if LENGTH_RATIO_USUAL in asked else LENGTH_RATIO
+def _lengths(task: BearingTask) -> Array:
+    """In its room, or as long as it is."""
     longest = task.room.longest
     room = replace(task.room, longest=None if longest is None else max(longest, task.length))
-    return lengths(replace(task, room=room, rules=task.rules | {LENGTH_RATIO_USUAL: task.rules[ratio]}), in_room=True)
+    return lengths(replace(task, room=room), in_room=True)
 
 
 def _loads(
@@ -336,20 +334,16 @@ def _rows(
     groups: Sequence[MovedTogether],
     variant: Variant,
     slopes: dict[str, Radian],
-    asked_rules: AskedRules,
+    asked: AskedRules,
+    order: Order,
     refused: list[Text],
     progress: Progress | None,
 ) -> Iterator[SharedRow]:
-    """Of all alike the nearest to the design, then the least power of each diameter; of each alone that of least
-    power."""
-    alike = [group for group in groups if group.which == ALL_ALIKE]
-    by_nearness = sorted(alike, key=lambda group: _least_change(group, slopes, asked_rules))
-    asked = [("nearest", group) for group in by_nearness[:1]]
-    asked += [("least power", group) for group in groups]
+    """The first of all alike at each diameter, and of each alone, by an order."""
     written: list[tuple[tuple[str, Metre, Metre, Metre], ...]] = []
-    for n, (what, group) in enumerate(asked):
-        tell(progress, 0.5 + 0.5 * n / len(asked), group.which)
-        settled, picked, why = _settled(case, what, group, variant, slopes, asked_rules)
+    for n, group in enumerate(groups):
+        tell(progress, 0.5 + 0.5 * n / len(groups), group.which)
+        settled, picked, why = _settled(case, group, variant, slopes, asked, order)
         if settled is None:
             if why not in refused:
                 refused.append(why)
@@ -360,25 +354,22 @@ def _rows(
             yield settled
 
 
-def _least_change(group: MovedTogether, slopes: Slopes, asked: AskedRules) -> float:
-    kept = group.margin(slopes, asked) >= 0
-    return float(group.change()[kept].min()) if kept.any() else np.inf
-
-
 def _settled(
-    case: SelectionCase, what: str, group: MovedTogether, variant: Variant, slopes: dict[str, Radian], asked: AskedRules
+    case: SelectionCase,
+    group: MovedTogether,
+    variant: Variant,
+    slopes: dict[str, Radian],
+    asked: AskedRules,
+    order: Order,
 ) -> tuple[SharedRow | None, tuple[Pick, ...], Text]:
     """The first of a group that the step passes; else why there is none."""
-    why = EMPTY
-    power, change = np.round(group.power() / ALIKE), np.round(group.change(), 9)
+    why, wanted = EMPTY, order(group.wanted())
     for spare in SPARE:
-        kept = group.margin(slopes, asked, spare) >= 0
-        kept = kept & group.usual() if (kept & group.usual()).any() else kept
-        at = first(kept, *((change, power) if what == "nearest" else (power, change)))
+        at = first(group.margin(slopes, asked, spare) >= 0, *wanted)
         if at is None:
             break
         picked = group.picked(at, slopes)
-        settled = confirmed(case, CandidateRow(what, variant, picked), slopes, asked, last=True)
+        settled = confirmed(case, CandidateRow("offered", variant, picked), slopes, asked, last=True)
         if settled.row is not None:
             by = _governing(settled.row.picks, asked)
             return SharedRow(group.which, settled.row, _every(case, settled, group), by), picked, EMPTY
@@ -402,7 +393,8 @@ def _stopped(group: MovedTogether, slopes: Slopes, asked: AskedRules) -> Text:
 def _pick(field: CandidateField, at: tuple[np.intp, ...], slope: float) -> Pick:
     """A candidate of a field under the load that it has there."""
     load = float(np.asarray(field.task.duty.load)[at])
-    task = replace(field.task, duty=replace(field.task.duty, load=load))
+    faster = replace(field.task.faster, load=float(np.asarray(field.task.faster.load)[at]))
+    task = replace(field.task, duty=replace(field.task.duty, load=load), faster=faster)
     return picks(task, [field.states.length[at]], [field.states.clearance[at]], slope)[0]
 
 
@@ -467,8 +459,8 @@ def summary(found: SharedFound) -> tuple[Text, ...]:
 def notes(found: SharedFound) -> tuple[Text, ...]:
     """What was looked at, and what has no row."""
     how = Text(
-        "All bearings alike first, the nearest to the design, then the least power at each diameter; then each alone "
-        "with the others as they are. What each carries is found anew for every row by the step itself; oil, supply, "
+        "All bearings alike, at each diameter that is looked at, and each alone with the others as they are, the least "
+        "friction first. What each carries is found anew for every row by the step itself; oil, supply, "
         "fits and surfaces stay."
     )
     said = [how]

@@ -7,24 +7,30 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Protocol, TypeVar
 
-from ...countershaft.inputs import ShaftInputs
+import numpy as np
+
+from ...countershaft.inputs import LAID_IN, ShaftInputs
 from ...countershaft.outline import CROSSING
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow
 from ...library import tolerances as fits
 from ...library.catalogue import Oil
+from ...library.journal_rules import LENGTH_RATIO, specific_load
 from ...library.lubricant import Lubricant
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
-from ...sheet.quantity import described
 from ...sheet.record import record
+from ...sheet.search import least
 from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
+from ..checks import SPECIFIC_LOAD
 from ..inputs import BearingsInputs
 from ..result import BearingResult, BearingsResult
+from ..seats.rings import Rings
 from ..solve import clearance_of
-from .states import BearingTask, room, rules
+from ..suitability import MATERIAL_LOAD
+from .states import ALWAYS_TIGHT, RATIO, BearingTask, room, rules
 
 # --- what the search is given
 # The bearings as they are, what stands around them, and how to solve the whole with others.
@@ -49,7 +55,7 @@ class SelectionCase:
 
     `name`: of the shaft whose bearings they are; `ids`: how those of their checks begin; `rows`: front to rear;
     `place`: the key that they stand under; `own_oils`: names that the design has given itself; `gear_tip`: tip diameter
-    of the gear on the shaft, None where it is not known."""
+    of the gear on the shaft, `gear_bore` its bore; None where they are not known."""
 
     bearings: BearingsInputs
     name: str
@@ -62,6 +68,7 @@ class SelectionCase:
     gear_tip: Metre | None
     results: Solution
     solve: "Solve"
+    gear_bore: Metre | None = None
 
     def seen(self, results: Solution) -> Solution:
         """Results with its shaft in view."""
@@ -85,8 +92,9 @@ SUPPLY = {
     "pocket": Text("pocket"),
     "axial_groove": Text("axial grooves"),
 }
-DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where nothing ties it; rule of this program
-DIAMETER = described(BearingRow.diameter)
+# mm, offered where nothing ties the diameter; rule of this program: as shells and bars come
+STANDARD = (*range(16, 37, 2), 38, 40, 42, 45, 48, *range(50, 101, 5), *range(110, 201, 10))
+LARGER = 2.5  # times the smallest that carries the load, or the design's: no larger one is looked at
 SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
 FINEST = 5  # IT grade of a ground journal: closer ones are not asked for; rule of this program
 # l/d and ψ; rule of this program
@@ -116,17 +124,33 @@ def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
         what = Text("the search for bearings does not know films between axial grooves")
         raise NoSolution(what, EMPTY, Text("search with a hole, then set the grooves"))
     by_place = {place: [task] for place, task in own_tasks(case).items()}
-    free = [row.name for row in case.rows if not tied(case, row)]
-    for share in DIAMETERS if free else ():
-        other = with_diameters(case.rows, share, free)
-        try:
-            there = solved_or_probed(case, other)
-        except NoSolution:
-            continue
-        for row in other:
-            if row.name in free:
-                by_place[row.name].append(_task(case, row, there, by_place[row.name][0]))
+    for row in case.rows:
+        if not tied(case, row):
+            (own,) = by_place[row.name]
+            by_place[row.name] += [at_diameter(case, own, d) for d in diameters(case, row, own)]
     return by_place
+
+
+def diameters(case: SelectionCase, row: BearingRow, own: BearingTask) -> list[Metre]:
+    """Those that are offered beside the design's own: not below the bore of the wheel beside it, nor what carries the
+    load when as long as may be."""
+    least_of_all = max(
+        case.gear_bore or 0.0 if row is case.rows[0] else 0.0, case.shaft.bore_diameter if case.shaft else 0.0
+    )
+    loads = [own.rules[rule] for rule in (SPECIFIC_LOAD, MATERIAL_LOAD) if rule in own.rules]
+    found: list[Metre] = []
+    for d in (1e-3 * n for n in STANDARD):
+        p = specific_load(F=own.duty.load, d=d, l=RATIO[1] * d)
+        carries = not loads or float(least(load.on(np.asarray(p)) for load in loads)) >= 0
+        if d >= least_of_all and carries and d <= max(LARGER * (found or [d])[0], own.size):
+            found.append(d)
+    return [d for d in found if abs(d - own.size) > 1e-9]
+
+
+def at_diameter(case: SelectionCase, own: BearingTask, d: Metre) -> BearingTask:
+    """One bearing at another diameter, with the room that it then has."""
+    shaft = case.seen(drawn(case)).result(CountershaftResult)
+    return replace(own.at_diameter(d), room=room(case.shaft, shaft, own.place, d))
 
 
 def own_tasks(case: SelectionCase) -> dict[str, BearingTask]:
@@ -168,6 +192,8 @@ def tied(case: SelectionCase, row: BearingRow) -> Text:
         return EMPTY
     if shaft.sections:
         return Text("the sections of the shaft have it")
+    if shaft.assembly in LAID_IN:
+        return EMPTY
     drawing = case.seen(drawn(case)).result(CountershaftResult)
     outline = drawing.outline if drawing is not None else None
     radii = [p.outer_radius for p in outline.pieces if p.what == "sector"] if outline is not None else []
@@ -220,20 +246,36 @@ def _task(case: SelectionCase, bearing: BearingRow, solved: Solution, at_own: Be
     # a clearance that is searched for is not that of the fits: they are taken as widths about it
     widths = placed(bearings)
     about = replace(bearings, journal_fit=widths[0], seat_fit=widths[1]) if widths else bearings
-    seat = replace(result.seat, bearing=bearing, inputs=about)
+    stack, field = result.seat.stack, None
+    if stack is not None:
+        least_g, most_g = stack.clearances(result.seat.rings)
+        field = most_g - least_g
+    seat = replace(result.seat, bearing=bearing, inputs=about, stack=None, rings=_free(result.seat.rings))
     if at_own is not None:
         l, g, d = at_own.length, at_own.clearance, at_own.diameter
     else:
         l, g, d = bearing.length, _clearance(bearings, bearing, result), bearing.diameter
-    factor, limits = result.least_speed / result.transition_speed, rules(place, solved.outcomes["bearings"].checks)
-    return BearingTask(place, seat, result.duty, limits, space, factor, l, g, d)
+    alike = bearings.select is not None and bearing.seat == "shells"
+    if alike and bearings.select is not None and bearings.select.walls_mm is None:  # what the walls are found for
+        g = (bearings.select.clearance_band[0] + bearings.select.clearance_band[-1]) / 2
+    ratio = (LENGTH_RATIO[0], RATIO[1]) if tied(case, bearing) else RATIO
+    limits = rules(place, solved.outcomes["bearings"].checks, ratio)
+    return BearingTask(place, seat, result.duty, result.faster, limits, space, l, g, d, field, alike)
+
+
+def _free(rings: Rings | None) -> Rings | None:
+    """For any diameter and clearance.  An interference that is chosen holds at every state, whatever it then is."""
+    if rings is None:
+        return None
+    kept = (ALWAYS_TIGHT, ALWAYS_TIGHT) if rings.chosen else rings.interference
+    return replace(rings, bore=None, journal=None, interference=kept)
 
 
 def _clearance(inputs: BearingsInputs, bearing: BearingRow, result: BearingResult) -> float:
     """The design's own, whatever clearance the bearing was solved with."""
     if bearing.clearance is not None:
         return bearing.clearance
-    if result.seat.bearing.clearance is None:
+    if result.seat.bearing.clearance is None or result.seat.stack is not None:
         return result.seat.clearance
     return clearance_of(inputs, bearing, result.duty.speed)  # the design itself has no film
 
@@ -281,17 +323,6 @@ def closer_fits(bearings: BearingsInputs) -> list[tuple[str, str]]:
         if words not in [(bearings.journal_fit, bearings.seat_fit), *closer]:
             closer.append((words[0], words[1]))
     return closer
-
-
-def with_diameters(rows: tuple[BearingRow, ...], share: float, free: list[str]) -> tuple[BearingRow, ...]:
-    """Diameters of those that are free changed by a share, on the step of their input."""
-    step = DIAMETER.units.inside(DIAMETER.step or 0.5)
-    return tuple(
-        replace(row, diameter=round(max(round(row.diameter * (1 + share) / step), 1) * step, 9))
-        if row.name in free
-        else row
-        for row in rows
-    )
 
 
 def variants(case: SelectionCase) -> list[Variant]:

@@ -240,7 +240,8 @@ def _over_diameters(
     given = problem.sizes[keys.of_bearing(place, BearingRow.length)]
     kept_films: list[Films] = []
     for d in problem.sizes[keys.of_bearing(place, BearingRow.diameter)] or ():
-        at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
+        # the design's own clearance is not one of the steps
+        at = replace(task.at_diameter(d * 1e-3), diameter=d * 1e-3, clearance=0.0)
         l = (
             lengths(at, longest, ratios)
             if given is None

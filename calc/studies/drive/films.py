@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...bearings import formulas as f
-from ...bearings.checks import HEAT_INDEX, LENGTH_RATIO, SPECIFIC_LOAD, SUPPLY_RANGE, TEMPERATURE, TRANSITION
+from ...bearings.checks import SPECIFIC_LOAD, SUPPLY_RANGE, TEMPERATURE
 from ...bearings.film import dynamics as d
 from ...bearings.film.dynamics import Dynamics, coefficients, orbit
 from ...bearings.film.table import FilmRangeError
@@ -19,21 +19,11 @@ from ...bearings.loads import SMALL
 from ...bearings.routes import supply
 from ...bearings.routes.states import BearingCase, Film, OperatingPoint, resized
 from ...bearings.routes.thermal_balance import settled
-from ...bearings.selection.grid import (
-    FEW,
-    KEPT,
-    LENGTH_STEP,
-    OF_FILM,
-    WIDEST,
-    clearances,
-    field_over,
-    over_lengths,
-    widest_usual,
-)
+from ...bearings.selection.grid import KEPT, LENGTH_STEP, OF_FILM, clearances, field_over, over_lengths
 from ...bearings.selection.states import BALANCED, HOT, BearingTask, judge
 from ...bearings.selection.variants import SUPPLIES, Variant
 from ...bearings.speeds import at_speeds, sweep_points
-from ...bearings.suitability import film_asked
+from ...bearings.suitability import MATERIAL_LOAD, film_asked
 from ...engine.inputs import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
 from ...sheet.arrays import Array, BoolArray
@@ -160,7 +150,7 @@ def _sized(seat: BearingCase[Any], l: Array, g: Array) -> BearingCase[Any]:
 # --- the films at the corners, and what they bear
 
 # rules that do not know the slope
-ALWAYS = (TEMPERATURE, SPECIFIC_LOAD, HEAT_INDEX, LENGTH_RATIO, TRANSITION)
+ALWAYS = (TEMPERATURE, SPECIFIC_LOAD, MATERIAL_LOAD)
 
 
 @record
@@ -217,11 +207,8 @@ def films(
     `cycle`: speeds over the rated one with their shares, over which the power is a mean; `beside`: films that are
     limits beside.
 
-    Clearances up to the usual factor; where none of these has a film that passes, up to the widest of the search for
-    bearings."""
-    result = _films(task, variant, length, clearances(task, widest_usual(task)), advice, beside)
-    if result is None or not result.kept.any():
-        result = _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice, beside)
+    Clearances are those of the search for bearings."""
+    result = _films(task, variant, length, clearances(task), advice, beside)
     return result if result is None or not cycle else replace(result, power=_mean_power(result, variant, cycle))
 
 
@@ -258,10 +245,10 @@ def _films(
     if field is None:
         return None
     # of twice the load no corner is asked for
-    doubled = field_over(replace(task, corners=False), variant, length, g)
+    doubled = field_over(replace(task.under(2 * task.duty.load), corners=False), variant, length, g)
     assert doubled is not None
     states = field.states
-    once = sum(state.times == 1 for state in task.states)
+    once = sum(not state.beside for state in task.states)
     wanted = (*ALWAYS, *advice)
     with np.errstate(all="ignore"):
         judged = {
@@ -276,7 +263,7 @@ def _films(
     if SUPPLY_RANGE in advice and (width := _supply_width(task)) is not None:
         kept &= (width / length >= SUPPLY_WIDTH[0]) & (width / length <= SUPPLY_WIDTH[1])
     thin, thin_twice = (
-        np.where(np.isnan(x), -np.inf, x).min(axis=0) for x in (states.film[:once], doubled.states.film[-1:])
+        np.where(np.isnan(x), -np.inf, x).min(axis=0) for x in (states.film[:once], doubled.states.film[:1])
     )
     turn = speeds = None
     if beside.standing is not None:

@@ -25,9 +25,9 @@ from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
 from ...sheet.value import recorded
 from ...solve import Results, solve
-from ..ready import CRANK_ALONE, NO_PLAIN, NO_TRAIN, NONE, NOTHING, ROLLING
+from ..ready import CRANK_ALONE, NO_PLAIN, NO_TRAIN, NONE, NOTHING
 from . import balancing as which
-from . import several, shaft, train
+from . import journals, several, shaft, train
 from .writing import Rows, Section, completed, head, mm, parted, table, up, written
 
 # --- the engine on four mounts at its corners
@@ -178,16 +178,15 @@ def begun(document: Document, balancing: str = "", why: str = "") -> str:
     results = _results(document, results)
     try:
         if balancing == "shaft":
-            rows, shared = parted(carried := shaft.bearings(document, results))
-            document, own = shaft.with_bearings(document, carried), completed(own, rows)
+            rows, shared = parted(carried := journals.bearings(document, results))
+            document, own = journals.with_bearings(document, carried), completed(own, rows)
             text.append(shared)
         else:
             document = several.bearings(document, results)
             own = several.completed(own, document)
-    except NoSolution as none_found:
-        reason = ROLLING if isinstance(none_found, shaft.TooFast) else NO_PLAIN
-        missing["bearings"] = (reason, "")
-        document = _without(document, {"bearings": reason})
+    except NoSolution:
+        missing["bearings"] = (NO_PLAIN, "")
+        document = _without(document, {"bearings": NO_PLAIN})
     try:
         text.append(train.gears_and_friction(document, _results(document, results)))
     except NoSolution as no_train:
@@ -300,10 +299,10 @@ def _bearings(document: Document) -> Document:
     if "gears" in document.data:
         alone = alone.with_value(dotted(Design.gears, GearsInputs.power), 1.0)
     try:
-        sections = shaft.bearings(alone, _results(alone))
-    except shaft.TooFast:
-        return _without(document, {"bearings": ROLLING})
-    return _put(shaft.with_bearings(document, sections), {}, (dotted(Design.bearings),))
+        sections = journals.bearings(alone, _results(alone))
+    except NoSolution:
+        return _without(document, {"bearings": NO_PLAIN})
+    return _put(journals.with_bearings(document, sections), {}, (dotted(Design.bearings),))
 
 
 def _is_one_at_minus_one(document: Document) -> bool:

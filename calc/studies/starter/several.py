@@ -2,14 +2,14 @@
 """Other shafts than one at −1: pairs at ±1 and ±2, one at ±2, two at −1.
 
 They lie in a module that is parted at their axes, so that nothing has to pass a seat: a journal is as thick as the
-core, and core and outer radius grow together until the bearings hold.  A force at twice crank speed gets three
-bearings, one cylinder pitch apart, all else two."""
+core, and core and outer radius grow together until the bearings hold.  All run on shells of one set of classes, and so
+have journals of one size.  A force at twice crank speed gets three bearings, one cylinder pitch apart, all else two."""
 
 import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ...bearings.inputs import BearingsInputs
+from ...bearings.selection.variants import STANDARD
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
 from ...countershaft.sizing.sectors import Sized, TooSmall
@@ -27,29 +27,13 @@ from ...sheet.text import Text
 from ...sheet.units import Kilogram, Metre
 from ...sheet.value import untraced
 from ...solve import Results, solve
-from .shaft import (
-    BEARING,
-    BEARINGS,
-    FILLET,
-    NAME,
-    OILS,
-    OVERDESIGN,
-    SHAFT,
-    STEEL,
-    UTILISATION,
-    StarterTask,
-    judged,
-    oil_of,
-    task,
-)
+from .journals import BEARINGS, OILS, PRESSURE, PSI, RATIO, estimated_length, oil_of, select, shared, shell
+from .shaft import FILLET, NAME, OVERDESIGN, SHAFT, STEEL, UTILISATION, StarterTask, task
 from .writing import BEARING_ROW, Rows, Section, down, head, mm, table, up
 
 ROWS, SHAFTS = dotted(ShaftInputs.bearings), dotted(Design.shafts)
-JOURNALS = tuple(2e-3 * n for n in range(10, 31))  # m: diameters that are tried
+JOURNALS = tuple(1e-3 * d for d in STANDARD if d <= 60)  # m: diameters that are tried
 WIDEST: Metre = 0.1  # outer radius
-USUAL = 0.8  # the largest usual factor of the clearance
-FACTORS = (0.75, 1.0, 1.3)  # of the clearance: wider where a fast journal grows too hot, however thick it is
-PRESSURE = 3.5e6  # Pa: about what the journals carry that are found
 FAILS = 1000  # more than there are cautions
 APART: Metre = 5e-3  # between what turns
 GEAR: Metre = 15e-3  # from the front journal to the middle of the widest wheel, and a fillet
@@ -104,26 +88,28 @@ def arrangement(balancing: str, imbalance: ImbalanceResult) -> tuple[Arranged, .
 
 
 def shafts(document: Document, results: Results, arranged: tuple[Arranged, ...]) -> list[Section]:
-    """The tables of all shafts, each with the thinnest core whose journals hold in plain bearings, or where none does
-    with the thickest.  Raises NoSolution where no envelope has room."""
-    sections = []
-    for one in arranged:
-        found: tuple[int, list[Section]] | None = None
-        for diameter in JOURNALS:
-            try:
-                tried = _shaft(results, one, diameter)
-            except NoSolution:
-                continue
-            with_it = Document({**document.data, **table(tried)})
-            worse, _ = _best(with_it, solve(design(with_it), results), OILS[:1])
-            if found is None or worse < found[0]:
-                found = worse, tried
-            if worse == 0:
-                break
-        if found is None:
-            raise NoSolution(SHAFT, Text("journals up to 60 mm, outer radii up to 100 mm"), Text("give [[shafts]]"))
-        sections += found[1]
-    return sections
+    """The tables of all shafts, with the thinnest core whose journals hold in plain bearings, or where none does with
+    the thickest; one for all, as the classes of their shells are.  Raises NoSolution where no envelope has room."""
+    diameter = max(_thinnest(document, results, one) for one in arranged)
+    return [section for one in arranged for section in _shaft(results, one, diameter)]
+
+
+def _thinnest(document: Document, results: Results, one: Arranged) -> Metre:
+    found: tuple[int, Metre] | None = None
+    for diameter in JOURNALS:
+        try:
+            tried = _shaft(results, one, diameter)
+        except NoSolution:
+            continue
+        with_it = Document({**document.data, **table(tried)})
+        worse, _ = _best(with_it, solve(design(with_it), results), OILS[:1])
+        if found is None or worse < found[0]:
+            found = worse, diameter
+        if worse == 0:
+            break
+    if found is None:
+        raise NoSolution(SHAFT, Text("journals up to 60 mm, outer radii up to 100 mm"), Text("give [[shafts]]"))
+    return found[1]
 
 
 def bearings(document: Document, results: Results) -> Document:
@@ -140,8 +126,8 @@ def _best(document: Document, results: Results, oils: tuple[str, ...]) -> tuple[
     FAILS where a limit fails."""
     found: tuple[int, Document] | None = None
     for oil in oil_of(results.design, oils):
-        for factor in FACTORS:
-            tried = judged_document(document, results.design, oil, factor)
+        for psi in reversed(PSI):
+            tried = judged_document(document, results.design, oil, psi)
             solved = solve(design(tried), results, compared=False)
             outcomes = [solved.outcomes[step] for step in ("countershaft", "bearings")]
             worse = sum(c.kind == "caution" and c.open for outcome in outcomes for c in outcome.checks)
@@ -155,15 +141,19 @@ def _best(document: Document, results: Results, oils: tuple[str, ...]) -> tuple[
     return found
 
 
-def judged_document(document: Document, made: Design, oil: str, factor: float) -> Document:
+def judged_document(document: Document, made: Design, oil: str, psi: float) -> Document:
     """With [bearings], and with what the rows of all shafts that are no twins need there."""
-    for section in judged(made, oil):
-        document = replace(document, data={**document.data, **table([section])})
+    diameter = 2e-3 * max(_core(shaft) for shaft in own_shafts(document.data).values())
+    document = replace(document, data={**document.data, **table(_shared(made, oil, diameter, psi))})
+    needed = _in_tables(shell(diameter, estimated_length(diameter)))
     for n, shaft in own_shafts(document.data).items():
-        sizes, needed = _in_tables(_sizes(2e-3 * _core(shaft))), _in_tables(row_of(factor))
-        rows = [{**sizes, **as_table(row), **needed} for row in as_list(shaft.get(ROWS))]
+        rows = [{**as_table(row), **needed} for row in as_list(shaft.get(ROWS))]
         document = document.with_value(dotted(SHAFTS, n, ROWS), rows)
     return document
+
+
+def _shared(made: Design, oil: str, diameter: Metre, psi: float) -> list[Section]:
+    return [*shared(made, oil), select(diameter, psi)]
 
 
 def _core(shaft: Table) -> float:
@@ -173,29 +163,6 @@ def _core(shaft: Table) -> float:
 
 def _in_tables(rows: Rows) -> Table:
     return {dotted(field): value for field, (value, _) in rows.items()}
-
-
-def _sizes(diameter: Metre) -> Rows:
-    return {
-        BearingRow.diameter: (mm(diameter), "assumed: as thick as the core"),
-        BearingRow.length: (mm(_length(diameter)), f"assumed: l/d of {BEARING[1]:g}"),
-    }
-
-
-def row_of(factor: float) -> Rows:
-    """What a row needs beside [bearings]."""
-    return {
-        BearingRow.clearance_factor: (
-            factor,
-            "assumed: usual 0.4 to 0.8" + ("; with that so fast a journal runs hot" if factor > USUAL else ""),
-        ),
-        BearingRow.journal_roughness: (0.2, "assumed: ground and lapped"),
-        BearingRow.housing_roughness: (0.4, "assumed: finely bored"),
-    }
-
-
-def _length(diameter: Metre) -> Metre:
-    return down(BEARING[1] * diameter, 0.5e-3)
 
 
 def _task(results: Results, one: Arranged) -> StarterTask:
@@ -221,7 +188,7 @@ def estimated_mass(results: Results, one: Arranged) -> Kilogram:
     todo = _task(results, one)
     lever = abs(todo.C) / (2 * _places(results, one, todo)[-1])
     load = abs(todo.F) / 2 + lever
-    diameter = up(math.sqrt(load / (BEARING[1] * PRESSURE)), JOURNALS[1] - JOURNALS[0])
+    diameter = up(math.sqrt(load / (RATIO * PRESSURE)), JOURNALS[1] - JOURNALS[0])
     return float(_sized(results, one, max(diameter, JOURNALS[0]))[-1].mass) * (2 if one.twin else 1)
 
 
@@ -231,7 +198,7 @@ def _sized(
     """The places of the bearings, half the length of the sectors, the smallest outer radius whose utilisation is
     comfortable, and the sectors.  Raises NoSolution."""
     todo = _task(results, one)
-    places, length, core = _places(results, one, todo), _length(diameter), diameter / 2
+    places, length, core = _places(results, one, todo), estimated_length(diameter), diameter / 2
     half_length = down(places[-1] - length / 2 - 2 * FILLET, 0.5e-3)
     rho = results.design.materials[STEEL].density
     with untraced():
@@ -249,7 +216,7 @@ def _sized(
 
 def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
     """The tables of a shaft and its twin.  Raises NoSolution."""
-    engine, length, core = results.design.engine, _length(diameter), diameter / 2
+    engine, length, core = results.design.engine, estimated_length(diameter), diameter / 2
     assert engine is not None
     places, half_length, outer, sized = _sized(results, one, diameter)
     side = up(max(outer + APART, core + 4 * APART, 0.75 * engine.bore), 5e-3)
@@ -302,16 +269,10 @@ def _radii(core: Metre) -> Iterator[Metre]:
 
 def completed(sections: list[Section], document: Document) -> list[Section]:
     """The sections of the shafts with what their bearings have in the document beside it."""
-    factor = next(
-        float(as_table(row)[dotted(BearingRow.clearance_factor)])  # type: ignore[arg-type]
-        for shaft in own_shafts(document.data).values()
-        for row in as_list(shaft.get(ROWS))
-    )
-    oil = as_table(document.data[dotted(Design.bearings)])[dotted(BearingsInputs.oil)]
-    whole: list[Section] = []
-    sizes: Rows = {}
-    for header, rows in sections:
-        if ShaftInputs.core_radius in rows:
-            sizes = _sizes(2e-3 * float(rows[ShaftInputs.core_radius][0]))  # type: ignore[arg-type]
-        whole.append((header, rows | sizes | row_of(factor) if header == BEARING_ROW else rows))
-    return [*whole, *judged(design(document), str(oil))]
+    made = design(document)
+    bearings, row = made.bearings, made.rows[0]
+    assert bearings is not None and bearings.select is not None
+    band = bearings.select.clearance_band
+    needed = shell(row.diameter, row.length)
+    whole = [(header, rows | needed if header == BEARING_ROW else rows) for header, rows in sections]
+    return [*whole, *_shared(made, bearings.oil, row.diameter, (band[0] + band[-1]) / 2 / row.diameter)]

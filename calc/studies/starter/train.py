@@ -185,7 +185,9 @@ def _trains(design: Design) -> Iterator[Train]:
         return
     shaft = design.countershaft
     seat = math.inf
-    if shaft is not None and shaft.journals:
+    if shaft is not None and not shaft.passes_seats:
+        pass  # it is laid in with its wheel
+    elif shaft is not None and shaft.journals:
         seat = shaft.journals[0][0]
     elif shaft is not None and shaft.outer_radius is not None:
         seat = 2 * shaft.outer_radius

@@ -9,22 +9,31 @@ import pytest
 
 from calc.bearings.checks import (
     CLEARANCE_COLD,
-    FILM_DOUBLE_LOAD,
+    CLEARANCE_COLD_CORNER,
     FILM_EDGE,
-    FILM_EDGE_TRUMPLER,
-    HEAT_INDEX,
+    FILM_EDGE_SHEARED,
+    FILM_OVERSPEED,
+    FILM_PRESSURE,
     LENGTH_RATIO,
-    LENGTH_RATIO_USUAL,
     SPECIFIC_LOAD,
     TEMPERATURE,
-    TEMPERATURE_RISE_USUAL,
 )
 from calc.bearings.corners import corner_points, corners
+from calc.bearings.result import BearingsResult
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.thermal_balance import balanced, settled
-from calc.bearings.selection.grid import field, lengths, widest_usual
-from calc.bearings.selection.ranking import best, by_power
-from calc.bearings.selection.search import bearing_changes, fields_of, nearest_row, search, slopes_of, with_row
+from calc.bearings.selection.grid import clearances, fields, lengths
+from calc.bearings.selection.ranking import ONE_PER_CENT, CandidateRow, best, by_power
+from calc.bearings.selection.search import (
+    bearing_changes,
+    fields_of,
+    in_room,
+    nearest_row,
+    search,
+    slopes_of,
+    with_row,
+    with_surfaces,
+)
 from calc.bearings.selection.states import judge, room, smoother, solved
 from calc.bearings.selection.tables import (
     beyond_table,
@@ -43,7 +52,6 @@ from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design, parse, read
 from calc.sheet.search import least
 from calc.solve import solve
-from calc.studies.shipped import engine_design
 from tests.conftest import DESIGNS
 
 
@@ -63,16 +71,16 @@ def task_of(source, place="front"):
 
 
 def test_the_rules_have_the_limits_of_the_checks(source):
+    """Where the journal's diameter is tied the least l/d is not asked; the outlet keeps 5 K."""
     checks = {c.id: c for c in source.results.checks()}
     for place in ("front", "rear"):
         rules = task_of(source, place).rules
-        for rule in (FILM_EDGE, FILM_DOUBLE_LOAD, TEMPERATURE, SPECIFIC_LOAD, HEAT_INDEX, LENGTH_RATIO_USUAL):
+        for rule in (FILM_EDGE, FILM_PRESSURE, SPECIFIC_LOAD, CLEARANCE_COLD):
             known, asked = checks[rule.of(place)], rules[rule].check
             assert (asked.limit, asked.sense, asked.unit) == (known.limit, known.sense, known.unit)
-        assert LENGTH_RATIO.of(place) not in checks and rules[LENGTH_RATIO].check.limit == (0.2, 1.0)
-        assert rules[FILM_EDGE_TRUMPLER].check.limit == checks[FILM_DOUBLE_LOAD.of(place)].limit
-        assert rules[TEMPERATURE_RISE_USUAL].check.limit == 15
-        assert rules[CLEARANCE_COLD].check.limit == pytest.approx(20)
+        assert rules[TEMPERATURE].check.limit == checks[TEMPERATURE.of(place)].limit - 5
+        assert {rules[rule].check.limit for rule in (FILM_EDGE, FILM_EDGE_SHEARED, FILM_OVERSPEED)} == {9.0}
+        assert rules[LENGTH_RATIO].check.limit == (0.2, 0.8)
 
 
 @pytest.mark.parametrize(
@@ -90,9 +98,15 @@ def test_a_candidate_is_what_the_step_finds(source, place, length, clearance):
     eight = corners(seat, task.duty, slope, settled(*corner_points(seat, task.duty)))
     value = {one.rule.declared: one.value[0] for one in judge(task, states, slope)}
     assert value[FILM_EDGE] == pytest.approx(eight.film_edge * 1e6, rel=1e-5)
-    assert value[FILM_DOUBLE_LOAD] == pytest.approx(eight.film_double_load * 1e6, rel=1e-5)
     assert value[TEMPERATURE] == pytest.approx(eight.outlet_temperature, rel=1e-5)
-    assert value[CLEARANCE_COLD] == pytest.approx(eight.clearance_cold * 1e6, rel=1e-5)
+    assert value[CLEARANCE_COLD_CORNER] == pytest.approx(eight.clearance_cold * 1e6, rel=1e-5)
+    rows = tuple(
+        replace(row, length=length, clearance=clearance, clearance_factor=None) if row.name == place else row
+        for row in source.rows
+    )
+    there = source.solve(source.bearings, rows, last=True).result(BearingsResult).bearings[place]
+    assert value[FILM_EDGE_SHEARED] == pytest.approx(there.film_sheared * 1e6, rel=1e-5)
+    assert value[FILM_OVERSPEED] == pytest.approx(there.film_overspeed * 1e6, rel=1e-5)
 
 
 @pytest.mark.parametrize("temperature, pressure", [(120.0, 4e5), (60.0, 1e5), (5.0, 4e5)])
@@ -113,10 +127,13 @@ def test_the_short_balance_is_the_full_one(source, temperature, pressure):
 @pytest.mark.parametrize("place", ["front", "rear"])
 def test_between_the_solved_lengths_the_cubic_is_close(source, place):
     task = task_of(source, place)
-    made = field(task, variants(source)[0], slopes_of(source, source.results)[place])
+    made = fields([task], variants(source)[0])[0]
     exact = solved(task, made.states.length, made.states.clearance)
-    for name in ("film", "rise", "viscosity", "power", "flow"):
+    for name in ("film", "rise", "viscosity", "power", "flow", "pressure"):
         close, true = getattr(made.states, name), getattr(exact, name)
+        if close.ndim == 3:  # the oil begins to thin by shear at one film, where its share of viscosity has a kink
+            assert np.nanmax(np.abs(close[-1] / true[-1] - 1)) < 4e-3
+            close, true = close[:-1], true[:-1]
         there = np.isfinite(close) & np.isfinite(true)
         assert there.mean() > 0.9
         assert np.abs(close / true - 1)[there].max() < 1e-4
@@ -130,45 +147,50 @@ def test_no_length_is_looked_at_that_the_supply_takes_up(source):
 
 
 def test_every_row_passes_where_it_stands(source, found):
-    for row in found.rows[: found.verified]:
+    for row in (found.rows[n - 1] for n in found.verified):
         there = source.solve(*with_row(source, row)).outcomes["bearings"]
         assert [c.id for c in there.checks if c.verdict == "fail"] == []
-        beyond = [c.id for c in there.checks if c.id.endswith("_corner") and c.margin < 0]
+        beyond = [c.id for c in there.checks if c.id.endswith(("_corner", "_sheared", "overspeed")) and c.margin < 0]
         assert beyond == []
         power = sum(b.friction_power for b in there.result.bearings.values())
         assert row.power == pytest.approx(power, rel=1e-5)
 
 
-def test_the_nearest_is_first_and_the_others_rise_in_power(source, found):
-    assert found.rows[0].what == "nearest" and found.rows[0].variant is found.variants[0]
-    assert changed(found.rows[0]).startswith("front length 27.5 → ")
-    powers = [row.power for row in found.rows[1:]]
-    assert len(powers) > 5 and powers == sorted(powers)
+def test_rows_rise_in_power_by_one_per_cent_and_then_in_size(found):
+    keys = [tuple(map(float, by_power(row.wanted))) for row in found.rows]
+    powers = [row.power for row in found.rows]
+    assert len(keys) > 5 and keys == sorted(keys)
+    assert all(b > a * (1 - 0.01) for a, b in pairwise(powers)), "never less by a per cent"
     assert all(row.margin >= 0 for row in found.all)
-    same = next(row for row in found.rows[1:] if row.variant is found.variants[0])
-    assert found.rows[0].change <= same.change and found.rows[0].power >= same.power
+    assert keys[0][0] == round(np.log(powers[0]) / np.log(1.01)) and ONE_PER_CENT == pytest.approx(0.00995, rel=1e-3)
 
 
-def test_nothing_nearer_passes(source, found):
-    """Every candidate of both grids with a smaller change breaks a rule, solved where it stands."""
-    slopes = slopes_of(source, source.results)
-    for place, one in zip(("front", "rear"), found.rows[0].picks):
-        made = field(task_of(source, place), found.variants[0], slopes[place])
+def test_nothing_nearer_passes(source):
+    """Every candidate of both grids with a smaller change, its surfaces as they are or smoother, breaks a rule."""
+    settled = nearest_row(source, only=variants(source)[:1])
+    assert settled.row is not None
+    for place, one in zip(("front", "rear"), settled.row.picks):
+        made = fields([task_of(source, place)], variants(source)[0])[0]
+        levels = [level for level in made.smoother() if level.task.level <= one.task.level]
+        assert levels[-1].task.level == one.task.level
         nearer = made.change() < one.change - 1e-9
         assert nearer.any()
         states = solved(made.task, made.states.length[nearer], made.states.clearance[nearer])
-        assert (least(judge(made.task, states, slopes[place])) < 1e-4).all()
+        kept = least(judge(levels[-1].task, states, settled.slopes[place])) >= 1e-3
+        assert not kept.any()
 
 
 def test_the_least_power_is_that_of_all_candidates(source, found):
-    slopes, variant = slopes_of(source, source.results), found.variants[0]
-    fields = fields_of(variant, tasks(source), slopes)
-    pair = best(fields, slopes, by_power)
+    slopes, variant = found.slopes[0], found.variants[0]
+    of_variant = with_surfaces(in_room(fields_of(variant, tasks(source))))
+    pair = best(of_variant, slopes, by_power)
     for place, one in zip(("front", "rear"), pair):
-        f = fields[place][0]
+        f = of_variant[place][-1]
         exact = solved(f.task, f.states.length, f.states.clearance)
-        lowest = exact.power[least(judge(f.task, exact, slopes[place])) >= 1e-4].min()
-        assert one.power == pytest.approx(lowest, abs=0.1)
+        kept = least(judge(f.task, exact, slopes[place])) >= 1e-4
+        assert one.power == pytest.approx(exact.power[kept].min(), rel=0.0101)
+        alike = kept & (exact.power < one.power * (1 - 0.0101))
+        assert not alike.any()
 
 
 def test_no_row_of_the_pareto_set_is_beaten(found):
@@ -176,24 +198,16 @@ def test_no_row_of_the_pareto_set_is_beaten(found):
     assert 3 <= len(rows) <= 13
     assert all(a.power < b.power and a.film < b.film for a, b in pairwise(rows))
     for row in found.rows[1:]:
-        assert not any(row.power < other.power - 0.2 and row.film > other.film + 1e-9 for other in rows)
+        assert not any(row.power < other.power - 0.2 and row.film > other.film * 1.001 for other in rows)
 
 
 def test_one_step_less_breaks_a_rule(found):
     for number, row in enumerate(found.rows[:3], 1):
         around = list(neighbours(row, found.variants, found.slopes_of_row(number)))
         shorter = [n for n in around if n.change.startswith("l ")]
-        assert len(shorter) == 2 and all(n.instead.margin < 0 for n in shorter)
+        assert len(shorter) == 2 and all(n.instead.margin < 0 for n in shorter), "of equals the shortest"
         for n in around:
-            if n.oil:
-                rows = [
-                    other
-                    for other in found.rows[1:]
-                    if (other.variant.oil, other.variant.supply) == (n.oil, row.variant.supply)
-                ]
-                assert n.instead.margin < 0 or rows[0].power < row.power + n.more + 0.1
-            else:
-                assert n.instead.margin < 0 or n.more >= -0.1 or row.what == "nearest" or outside(n)
+            assert n.instead.margin < 1e-3 or n.more > -0.0101 * row.power or n.oil or outside(n)
 
 
 def test_the_tables_have_a_cell_for_every_column(found):
@@ -202,20 +216,11 @@ def test_the_tables_have_a_cell_for_every_column(found):
     numbers = [row[0] for row in choices_table(found, 3).rows]
     assert numbers == ["now", "1", "2", "3"]
     assert pareto_table(found).rows[0][0] == str(len(found.rows) + 1)
-    assert "binds nothing" in choices_table(found, 1).note
+    assert "thinner film of both" in choices_table(found, 1).note
     assert (
         choices_table(found, 1).title.startswith("Bearings that keep every rule of the search")
         and beyond_table(found, 50) is None
     )
-
-
-@pytest.mark.slow
-def test_a_new_design_is_the_nearest_row_by_the_rise_of_its_oil():
-    """Its bearings are made so wide that the oil warms by no more; the steps beside it end at the rise as well."""
-    found = search(bearings_case(design(parse(engine_design("inline-3").encode(), "inline-3")), solve))
-    now, first, *_ = choices_table(found, 5).rows
-    assert now[-1] == first[-1] == "rise R" and found.rows[0].change == 0
-    assert "rise" in {row[3] for row in neighbours_table(found).rows}
 
 
 def test_what_ties_the_diameters(tight, source, sized):
@@ -246,20 +251,18 @@ def test_given_sections_leave_their_cylinder(source):
 @pytest.mark.slow
 def test_a_room_that_is_given_is_kept(sized):
     some = search(sized)
-    assert some.kind == "all" and some.rows[0].what == "nearest" and not some.elsewhere
+    assert some.kind == "all" and some.own
     assert all(one.length <= 0.040 + 1e-9 for row in (*some.rows, *some.pareto) for one in row.picks)
-    assert some.beyond and all(max(row.too_long) > 0 for row in some.beyond)
-    of = {(row.variant.oil, row.variant.supply) for row in some.rows}
-    assert not of & {(row.variant.oil, row.variant.supply) for row in some.beyond}
+    assert all(max(row.too_long) > 0 for row in some.beyond)
 
 
-def test_rows_that_fit_come_first(tight, fitting):
-    """At 28.3 mm no oil keeps Trumpler's film at twice the load at the corners, whatever the fits: rows keep the limits
-    as given."""
+def test_rows_that_fit_come_first(loaded, fitting):
+    """Under 5.5 kN no journal of 28.3 mm has its film at the corners, whatever the fits: rows keep the limits as
+    given."""
     assert fitting.kind == "given" and fitting.rows
-    for row in fitting.rows:
+    for row in (fitting.rows[n - 1] for n in fitting.verified):
         assert row.too_long == (0, 0)
-        outcomes = tight.solve(*with_row(tight, row)).outcomes
+        outcomes = loaded.solve(*with_row(loaded, row)).outcomes
         assert [
             c.id for step in ("countershaft", "bearings") for c in outcomes[step].checks if c.verdict == "fail"
         ] == []
@@ -276,13 +279,13 @@ def test_numbers_run_on_over_all_tables(fitting):
     numbers = [row[0] for table in shown for row in table.rows if row[0] != "now"]
     assert numbers == [str(n) for n in range(1, len(fitting.all) + 1)]
     shorter = [choices_table(fitting, 9), beyond_table(fitting, 9)]
-    assert [row[0] for table in shorter for row in table.rows] == ["now", *map(str, range(1, 10))]
+    assert [row[0] for table in shorter for row in table.rows if row[0] != "now"] == [*map(str, range(1, 10))]
 
 
 @pytest.mark.slow
-def test_a_design_that_collides_hears_of_it_first(tight, fitting):
+def test_a_design_that_collides_hears_of_it_first(loaded, fitting):
     """The room is that of the shaft without the overlap, and the design no row."""
-    again = search(other(tight, *with_row(tight, fitting.beyond[0])))
+    again = search(other(loaded, *with_row(loaded, fitting.beyond[0])))
     assert (
         "countershaft.crossing" in choices_table(again, 5).title and "FAILS countershaft.crossing" in summary(again)[0]
     )
@@ -297,9 +300,8 @@ def test_smoother_surfaces_come_after_all_else(source):
     """With Ra 2 µm on both Kreisle asks for more film than any oil has; smoother surfaces bring the rows back."""
     front, rear = source.rows
     rough = replace(front, housing_roughness=2e-6, journal_roughness=2e-6)
-    some = search(other(source, rows=(rough, rear)))
-    assert some.rows and all([pick.task.level > 0 for pick in row.picks] == [True, False] for row in some.rows)
-    row = some.rows[0]
+    row = nearest_row(other(source, rows=(rough, rear))).row
+    assert row is not None and row.picks[0].task.level > 0
     written = bearing_changes(row, source)
     b = row.picks[0].task.seat.bearing
     assert float(written["shafts.shaft.bearings.front.journal_roughness_um"]) == pytest.approx(
@@ -334,11 +336,11 @@ def test_fits_with_a_place_become_widths(source):
 
 
 def test_wider_clearances_where_the_oil_is_too_little(source):
-    """A tenth of the supply's pressure: the usual clearances pass too little oil, wider ones are looked at."""
+    """A tenth of the supply's pressure: close clearances pass too little oil."""
     speeds = 1000 / 60, 2600 / 60  # with this oil, not with that of the bench run
     cool = dict(supply_pressure=0.1e5, supply_temperature=60.0, oil="SAE 30", speed_range=speeds)
     row = nearest_passing(other(source, **cool))
-    assert row is not None and any(one.clearance > widest_usual(one.task) for one in row.picks)
+    assert row is not None and all(one.clearance > min(clearances(one.task)) for one in row.picks)
 
 
 def other(case, bearings=None, rows=None, **changes):
@@ -370,10 +372,11 @@ def test_bearings_without_a_film_are_helped_too(source):
 
 
 def test_a_clearance_meant_warm_is_widened_for_the_cold(source):
-    """Given at 150 °C the usual clearance would seize when cold: wider ones are looked at."""
+    """Given at 150 °C the clearance would seize when cold."""
     row = nearest_passing(other(source, clearance_reference_temperature=150.0))
     assert row is not None and all(one.clearance > one.task.clearance for one in row.picks)
-    assert all(c.value >= 20 - 1e-9 for one in row.picks for c in one.checks if c.id.endswith("clearance_cold"))
+    cold = [(c.value, one.clearance) for one in row.picks for c in one.checks if c.id.endswith("clearance_cold_corner")]
+    assert len(cold) == 2 and all(left >= 0.05e6 * g * (1 - 1e-9) for left, g in cold)
 
 
 def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_results):
@@ -389,9 +392,9 @@ def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_resu
         bearings=replace(source.bearings, speed=2600 / 60, journal_material="20CrNi4"),
     )
     some = tasks(bearings_case(alone, solve))
-    assert [round(t.seat.bearing.diameter * 1e3, 6) for t in some["front"]] == [59.5, 50.5, 68.5, 77.5, 86.5]
-    limits = [t.rules[FILM_DOUBLE_LOAD].check.limit for t in some["front"]]
-    assert limits == pytest.approx([5.08 + 0.04 * d for d in (59.5, 50.5, 68.5, 77.5, 86.5)])
+    sizes = [59.5, 22, 24, 26, 28, 30, 32, 34, 36, 38, 40, 42, 45, 48, 50, 55]
+    assert [round(t.size * 1e3, 6) for t in some["front"]] == sizes, "5 MPa at l/d 0.8 on 20.7 mm"
+    assert some["front"][1].rules[LENGTH_RATIO].check.limit == (0.5, 0.8)
 
 
 def test_the_supplies_are_those_with_a_width(source):
@@ -400,18 +403,6 @@ def test_the_supplies_are_those_with_a_width(source):
     assert {v.supply for v in variants(replace(source, bearings=own))} == {"hole", "shaft", "pocket", "groove"}
     names = {v.oil for v in variants(source)}
     assert names >= {"10W-40 Q8 T905", "SAE 30", "20W-50"} and not any("MIL" in n or "FVA" in n for n in names)
-
-
-@pytest.mark.slow
-def test_an_oil_that_is_left_out_has_no_row(sized):
-    """A thinner oil is not looked at where a thicker one has too thin a film: looked at after all, it has none
-    either."""
-    some = search(sized)
-    left = [variant for variant, why in some.refused if why.startswith("a thicker oil")]
-    assert left
-    slopes = slopes_of(sized, sized.results)
-    for variant in left:
-        assert best(fields_of(variant, some.tasks, slopes), slopes, by_power) is None
 
 
 @pytest.mark.parametrize(
@@ -426,3 +417,88 @@ def test_other_supplies_are_searched_too(source, changes):
         ratio = next(c.value for c in one.checks if c.id.endswith("length_ratio"))
         bare = (one.length - 0.003) / 2 if changes["supply"] == "groove" else one.length
         assert ratio == pytest.approx(bare / one.diameter) and one.length > changes.get("pocket_width", 0)
+
+
+SORTED = """
+schema = 2
+name = "shells by classes"
+[[shafts]]
+name = "shaft"
+mode = "bearings"
+assembly = "split"
+[[shafts.bearings]]
+name = "front"
+position_mm = -60
+diameter_mm = 28.0
+length_mm = 18
+seat = "shells"
+load_N = 2473
+journal_roughness_um = 0.2
+housing_roughness_um = 0.4
+slope_mrad = 0.1
+[[shafts.bearings]]
+name = "rear"
+position_mm = 60
+diameter_mm = 28.0
+length_mm = 20
+seat = "bush"
+wall_mm = [1.500, 1.508]
+bore_mm = [31.06, 31.075]
+journal_mm = [27.987, 28.0]
+load_N = 2000
+journal_roughness_um = 0.2
+housing_roughness_um = 0.4
+slope_mrad = 0.1
+[bearings]
+oil = "10W-40 Q8 T905"
+supply_temperature_C = 100
+supply_pressure_bar = 3
+supply = "hole"
+hole_diameter_mm = 3
+housing_material = "EN AC-43100"
+journal_material = "42CrMo4"
+bush_material = "AlSn20Cu"
+speed_rpm = 8500
+[bearings.select]
+journal_classes_mm = [[27.987, 27.993], [27.994, 28.0]]
+bore_classes_mm = [[31.0, 31.008], [31.009, 31.016]]
+clearance_band_um = [23, 50]
+"""
+
+
+@pytest.fixture(scope="module")
+def shells():
+    return SORTED, bearings_case(design(parse(SORTED.encode(), "shells")), solve)
+
+
+def test_limits_and_classes_move_and_keep_their_widths(shells):
+    """What is written makes the clearance that was chosen, of the size that was chosen; what the press then does to
+    another size is off by less than half a micrometre."""
+    _, case = shells
+    variant = variants(case)[0]
+    picks = best(with_surfaces(in_room(fields_of(variant, tasks(case)))), slopes_of(case), by_power)
+    row = CandidateRow("offered", variant, picks)
+    inputs, rows = with_row(case, row)
+    there = case.solve(inputs, rows, last=True).result(BearingsResult).bearings
+    for pick, of_design, written in zip(picks, case.rows, rows):
+        made, was = there[pick.task.place], case.results.result(BearingsResult).bearings[pick.task.place]
+        assert made.clearance == pytest.approx(pick.clearance, abs=0.5e-6) and pick.diameter < of_design.diameter
+        fields_of_both = [c.clearance_max - c.clearance_min for c in (made.corners, was.corners)]
+        assert fields_of_both[0] == pytest.approx(fields_of_both[1], rel=0.05)
+        assert written.diameter == pick.diameter and pick.task.half * 2 == pytest.approx(fields_of_both[1])
+    assert inputs.select.journals[-1][1] == pytest.approx(picks[0].diameter)
+    assert inputs.select.bores[0][0] - case.bearings.select.bores[0][0] == pytest.approx(picks[0].diameter - 0.028)
+    assert rows[1].journal[1] - rows[1].journal[0] == pytest.approx(13e-6)
+
+
+def test_shells_of_one_set_of_classes_are_of_one_size(shells):
+    """However different their loads are."""
+    text, _ = shells
+    front, rear = text.split("[[shafts.bearings]]")[1:]
+    other_row = front.replace("front", "rear").replace("-60", "60").replace("2473", "1200")
+    both = text.replace(rear, other_row + rear[rear.index("[bearings]") :])
+    case = bearings_case(design(parse(both.encode(), "shells")), solve)
+    picks = best(with_surfaces(in_room(fields_of(variants(case)[0], tasks(case)))), slopes_of(case), by_power)
+    assert picks[0].diameter == picks[1].diameter < 0.028
+    assert picks[0].clearance == pytest.approx(picks[1].clearance, abs=0.1e-6)
+    assert picks[0].length > picks[1].length

@@ -6,7 +6,7 @@ from copy import deepcopy
 
 import pytest
 
-from calc.bearings.selection.search import bearing_changes, nearest_row, search
+from calc.bearings.selection.search import nearest_row, search
 from calc.design.addresses import parse_assignment
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import Document, design, read
@@ -85,7 +85,7 @@ def test_the_remedies_follow_each_other_and_each_says_what_it_mends(gamma: Docum
     first, second = found.remedies
     assert first.said == first.results.outcomes["bearings"].words() and not first.breaks
     assert {id.split(".")[0] for id in fails(first.results)} == {"gears"}
-    assert "front length 27.5 → " in first.words and "oil" not in first.words  # which is the engine's
+    assert "front roughness Ra, journal 0.6 → 0.4 µm" in first.words and "oil" not in first.words  # the engine's
     assert "span allowance of central −2/−20 →" in second.words
     assert second.results is found.results
 
@@ -113,9 +113,13 @@ def test_one_step_alone(gamma: Document, gamma_results: Results) -> None:
     assert not sound.changes and not sound.left
 
 
-def test_the_nearest_bearings_are_the_first_row_of_the_search(gamma: Document, gamma_results: Results) -> None:
+def test_no_row_of_the_search_is_nearer_than_the_nearest_bearings(gamma: Document, gamma_results: Results) -> None:
+    """Which asks for the fewest steps of smoother surfaces, then for the smallest change; `choose` wants friction."""
     case = bearings_case(design(gamma), solve, gamma_results)
-    assert bearing_changes(nearest_row(case).row, case) == bearing_changes(search(case).rows[0], case)
+    row = nearest_row(case).row
+    assert row is not None
+    rows = search(case).rows
+    assert all((row.level, row.change) <= (other.level, other.change) for other in rows) and row.power > rows[0].power
 
 
 def test_no_micrometre_more_than_needed_comes_off_the_spans(gamma: Document, gamma_results: Results) -> None:
@@ -195,5 +199,5 @@ def test_the_progress_goes_from_nothing_up_to_at_most_all() -> None:
     said: list[tuple[float, str]] = []
     nearest(damaged("r753ie4_gamma"), progress=lambda share, what: said.append((share, what)))
     shares = [share for share, _ in said]
-    assert all(0 <= share <= 1 for share in shares) and shares == sorted(shares) and len(said) > 10
+    assert all(0 <= share <= 1 for share in shares) and shares == sorted(shares) and len(said) > 3
     assert all(what for _, what in said)
