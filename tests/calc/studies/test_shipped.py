@@ -470,7 +470,9 @@ def test_every_curve_and_table_of_a_step_has_an_id_of_its_own(path):
         assert len(ids) == len(set(ids)), ids
 
 
-@pytest.mark.parametrize("path", each_shipped("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting"))
+@pytest.mark.parametrize(
+    "path", each_shipped("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "l61")
+)
 def test_curves_and_tables_of_a_step_are_told_apart_by_their_names(path):
     """The session and the JSON find them so."""
     for outcome in solve(design(read(path))).whole().outcomes.values():
