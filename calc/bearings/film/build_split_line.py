@@ -253,8 +253,14 @@ def table_of(loss: Array) -> Array:
 
     values = np.log(never_falling(np.maximum(loss, LEAST_LOSS)))
     for axis, count in enumerate(NODES):
-        marched_at = np.arange(count)
-        closer = np.linspace(0, count - 1, CLOSER * (count - 1) + 1)
+        marched_at = np.linspace(0.0, 1.0, count)
+        closer = np.linspace(0.0, 1.0, CLOSER * (count - 1) + 1)
+        if axis == 0:  # a small loss goes with a power of ε
+            low, high = map(math.atanh, ECCENTRICITY_RANGE)
+            marched_at, closer = (
+                np.log(eps / (1.0 - eps)) for eps in (np.tanh(low + at * (high - low)) for at in (marched_at, closer))
+            )
+            closer = np.clip(closer, marched_at[0], marched_at[-1])
         values = PchipInterpolator(marched_at, values, axis=axis)(closer)
     values = never_falling(values)
     table = np.zeros((), dtype=[("ends", "<f8", (len(NODES), 2)), ("values", "<f4", values.shape)])
