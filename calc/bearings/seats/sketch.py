@@ -30,8 +30,10 @@ from ...draw.drawing import (
     rounded,
 )
 from ...sheet.check import Check
+from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
+from ..inputs import BearingsInputs
 from .checks import BUSH_STRESS, SEAT_FRETTING, SEAT_PRESS, SEAT_STRESS, SEAT_TURN
 from .classes import Range
 from .result import SeatResult
@@ -98,7 +100,9 @@ def _section(
     fit = seat.rings.fit(row.diameter, r.clearance)
     metal = outside + min((fit.D - fit.d_o) / 2, METAL * journal)
     around = _bore(row, bore, factor, thicker * wall)
-    thick = _keys(place, BearingRow.wall, BearingRow.interference, BearingRow.crush, BearingRow.backing)
+    thick = _keys(place, BearingRow.seat, BearingRow.wall, BearingRow.backing)
+    if row.seat == "shells" and r.seat.inputs.select is not None:
+        thick += f" {dotted('bearings', BearingsInputs.select)}"
     sized = _keys(place, BearingRow.housing_outer, BearingRow.bore)
     limits = _keys(place, BearingRow.journal, BearingRow.diameter)
     relief = _keys(place, BearingRow.relief, BearingRow.relief_length, BearingRow.finished)
@@ -159,7 +163,7 @@ def _governing(row: BearingRow, checks: dict[str, Check]) -> tuple[Text, Check] 
 
 def _said(place: str, seat: SeatResult, governing: tuple[Text, Check] | None, metal: Metre) -> Iterator[Mark]:
     """To the right: what limits the seat, from where on it is loose, how it is pressed."""
-    x, key = 1.25 * metal, _keys(place, BearingRow.interference, BearingRow.crush)
+    x, key = 1.25 * metal, _keys(place, BearingRow.interference, BearingRow.crush, BearingRow.crush_load)
     if governing is not None:
         ring, check = governing
         words = Text(
@@ -174,7 +178,8 @@ def _said(place: str, seat: SeatResult, governing: tuple[Text, Check] | None, me
         loose = Text("loose from {T}", T=Amount(seat.loose_at, "°C", form=".0f"))
     yield Words(WORDS, (x, 0.0), loose, key=_keys(place, BearingRow.retained))
     cold, hot = Amount(seat.press / 1e6, digits=2), Amount(seat.press_hot / 1e6, "MPa", digits=2)
-    yield Words(WORDS, (x, -0.6 * metal), Text("press {cold}, hot {hot}", cold=cold, hot=hot), key=key)
+    warm = f"{key} {dotted('bearings', BearingsInputs.housing_temperature)}"
+    yield Words(WORDS, (x, -0.6 * metal), Text("press {cold}, hot {hot}", cold=cold, hot=hot), key=warm)
 
 
 # --- the chain of dimensions
