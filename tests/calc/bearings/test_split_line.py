@@ -79,7 +79,7 @@ def test_standing_load_over_the_split_at_its_worst_place(row):
     for turned in np.linspace(0.0, math.pi, 60, endpoint=False):
         for _ in range(300):
             motion = film_motion(seat, x, y, turned, load, motion, runs=False)
-            if np.abs(motion.velocity).max() < 1e-4:
+            if np.abs(motion.velocity).max() < 1e-3:
                 break
             x, y = x + 0.25 * motion.velocity[0], y + 0.25 * motion.velocity[1]
         else:
