@@ -36,8 +36,8 @@ from .table import ECCENTRICITY, Outside, clipped
 
 TABLE = Path(__file__).parents[2] / "library" / "tables" / "split_line.npy"
 SOURCE = Text(
-    "Reynolds 1886, seat relieved at two split lines under a turning load, Swift–Stieber film end; this program's own "
-    "march over the turn, tabulated"
+    "Reynolds 1886: share of the film that is left as two split lines pass under a turning load, Swift–Stieber film "
+    "end; this program's own march over the turn, tabulated"
 )
 DEPTH_RANGE = (0.1, 200.0)  # δ at the nodes
 HALF_ARC_RANGE = (0.04, 1.0)  # rad
