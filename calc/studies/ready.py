@@ -133,10 +133,6 @@ def _titles(keys: Iterable[str]) -> Text:
 # --- what the rules behind `new` leave out, and why
 # Known by their words, which stand in the design file as a person's would.
 
-ROLLING = (
-    "rolling bearings carry the shaft: a plain journal of usual length would run too hot at this load and speed "
-    "(heat index)"
-)
 NO_PLAIN = (
     "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their "
     "tolerances"
@@ -145,7 +141,7 @@ NO_TRAIN = "no train of usual wheels was found that keeps every limit"
 NONE = "no shaft: what shakes is left to the mounts"
 NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
 CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
-OF_PROGRAM = (ROLLING, NO_PLAIN, NO_TRAIN, NONE, NOTHING, CRANK_ALONE)
+OF_PROGRAM = (NO_PLAIN, NO_TRAIN, NONE, NOTHING, CRANK_ALONE)
 
 
 @cache

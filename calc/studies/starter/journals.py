@@ -165,7 +165,8 @@ def bearings(document: Document, results: Results) -> list[Section]:
 
 
 def _found(document: Document, results: Results, sections: list[Section], oils: tuple[str, ...]) -> list[Section]:
-    """With the sizes, the clearance and the oil of least friction with which nothing is to be said of the bearings."""
+    """With the sizes, the clearance and the oil of least friction with which no limit fails, where any have nothing
+    to be said of them at all of these."""
     begun = design(with_bearings(document, sections))
     own = begun.bearings
     assert own is not None
@@ -177,12 +178,14 @@ def _found(document: Document, results: Results, sections: list[Section], oils: 
         picked = best(fields, slopes, by_power) if all(fields.values()) else None
         if picked is not None:
             able.append((sum(pick.power for pick in picked), n, variant, fields))
-    for _, _, variant, fields in sorted(able, key=lambda entry: entry[:2]):
-        settled = settle(case, variant, fields, slopes, by_power, strict=True)
-        if settled is not None and settled.row is not None:
-            return changed(sections, bearing_changes(settled.row, case), FOUND)
-        if settled is not None:
-            tried.append(settled.why)
+    able.sort(key=lambda entry: entry[:2])
+    for strict in (True, False):  # rather a caution than no bearings
+        for _, _, variant, fields in able:
+            settled = settle(case, variant, fields, slopes, by_power, strict=strict)
+            if settled is not None and settled.row is not None:
+                return changed(sections, bearing_changes(settled.row, case), FOUND)
+            if settled is not None:
+                tried.append(settled.why)
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 

@@ -186,8 +186,8 @@ def _places(results: Results, one: Arranged, todo: StarterTask) -> tuple[Metre, 
 def estimated_mass(results: Results, one: Arranged) -> Kilogram:
     """Of the eccentric masses of a shaft and its twin, with journals by their load alone."""
     todo = _task(results, one)
-    lever = abs(todo.C) / (2 * _places(results, one, todo)[-1])
-    load = abs(todo.F) / 2 + lever
+    places = _places(results, one, todo)
+    load = abs(todo.F) / len(places) + abs(todo.C) / (2 * places[-1])
     diameter = up(math.sqrt(load / (RATIO * PRESSURE)), JOURNALS[1] - JOURNALS[0])
     return float(_sized(results, one, max(diameter, JOURNALS[0]))[-1].mass) * (2 if one.twin else 1)
 

@@ -16,12 +16,14 @@ import pytest
 
 from assistant.cli import main
 from assistant.session.saving import edited_text, fresh_text
+from calc.bearings.seats.checks import BUSH_STRESS
 from calc.design.toml_file import design, parse, read
 from calc.imbalance.checks import COUPLE_LEFT
 from calc.solve import solve
 from calc.studies.ready import by_program
 from calc.studies.shipped import DESIGNS, _rows, engine_design, engines
 from calc.studies.starter.balancing import what_shakes
+from calc.studies.starter.journals import PSI
 from tests.conftest import each_shipped
 
 ENGINES = engines()
@@ -262,7 +264,10 @@ SECOND = {  # engines without a shaft at −1: what second order leaves
     "boxer-4": "couple",
     "boxer-6": "",
 }
-ROLLING = ("twin-270", "inline-4-cross")  # more than 5000 N at 9000 and 12 500 rpm: no plain bearing of usual length
+# mm, of makers, as engines.toml says they are built; the Fiat's is threaded, and so larger
+MAKERS = {"twin-360": 32, "twin-180": 28, "twin-270": 28, "inline-4-cross": 28}
+DEAR = {"twin-270"}  # more than 1 % of the rated power
+PRESSED = {"inline-4-cross"}  # more than 6 kN at 12 500 rpm in aluminium: shells that are pressed beyond their proof
 STEPS = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")
 
 
@@ -316,26 +321,48 @@ def test_a_shipped_design_is_given_as_it_is(name):
 
 @pytest.mark.parametrize("name", SHAFT)
 def test_a_shaft_is_begun_and_the_design_is_ready(name):
-    """No limit and no caution is open in any step, so that nothing is left to do before the report."""
+    """No limit and no caution is open in any step, so that nothing is left to do before the report; but that some
+    shells are pressed beyond their proof stress."""
     made, results = solved(name)
     assert made.countershaft.mode == "size" and made.countershaft.speed_ratio == -1
-    bearings = "not_asked" if name in ROLLING else "pass"
+    warned = "warn" if name in PRESSED else "pass"
     assert {key: results.outcomes[key].verdict for key in STEPS} == {
         **dict.fromkeys(("engine", "imbalance"), "computed"),
         **dict.fromkeys(STEPS[2:], "pass"),
-        "bearings": bearings,
+        "bearings": warned,
     }
-    assert results.verdict == "pass"
-    assert [c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open] == []
+    assert results.verdict == warned
+    open_ = {c.rule for c in results.checks() if c.kind in ("limit", "caution") and c.open}
+    assert open_ == ({BUSH_STRESS} if name in PRESSED else set())
     verdicts = {c.id: c.verdict for c in results.checks()}
-    asked = (
-        "residual",
-        "residual_force",
-        *(() if name in ROLLING else ("slope_front", "slope_rear", "envelope", "envelope_length")),
-    )
+    asked = ("residual", "residual_force", "slope_front", "slope_rear", "envelope_length")
     assert all(verdicts[f"countershaft.{id}"] == "pass" for id in (*asked, "holes.depth"))
     assert verdicts["gears.train.speed_ratio"] == "pass"
     assert not made.accepted, "what is open must be solved, not accepted"
+
+
+@pytest.mark.parametrize("name", SHAFT)
+def test_the_journals_are_about_those_of_makers(name):
+    """Shells by classes in a divided housing, within 30 % of the maker's journal; their loss stands at the head, and
+    above 1 % of the rated power why."""
+    made, results = solved(name)
+    front, rear = made.rows
+    assert front.seat == rear.seat == "shells" and made.own.assembly == "split" and front.diameter == rear.diameter
+    assert made.bearings.bush_material == "AlSn20Cu"
+    light = made.engine.cylinder_pitch < 0.1 and made.engine.rated_speed > 4000 / 60
+    assert made.bearings.housing_material == ("EN AC-43100" if light else "EN-GJL-250")
+    maker = MAKERS.get(name, front.diameter * 1e3)
+    assert front.diameter * 1e3 == pytest.approx(maker, rel=0.3)
+    assert all(0.5 <= row.length / row.diameter <= 0.8 for row in (front, rear))
+    found = results.outcomes["bearings"].result.bearings
+    power = sum(b.friction_power for b in found.values())
+    engine = results.outcomes["engine"].result
+    rated = 10e5 * engine.displacement * made.engine.rated_speed / 2  # 10 bar of mean pressure
+    assert f"{100 * power / rated:.2g} %" in made.note and "mean pressure 10 bar, assumed" in made.note
+    assert (power > 0.01 * rated) is (name in DEAR) is ("rolling bearings would lose less" in made.note)
+    for b in found.values():
+        assert min(abs(b.clearance / front.diameter - psi) for psi in PSI) < 0.05e-3
+        assert b.corners.clearance_max - b.corners.clearance_min < 28.5e-6, "±11 µm of a pair, and what walls leave"
 
 
 @pytest.mark.parametrize("name", MOUNTED)
@@ -364,19 +391,6 @@ def test_two_alike_take_the_order_and_do_not_roll_the_engine():
     assert values["countershaft.residual_order_1_force"].shown == pytest.approx(0.015 * 2 * 4136.35, rel=1e-4)
 
 
-@pytest.mark.parametrize("name", ROLLING)
-def test_rolling_bearings_carry_what_no_plain_one_does(name):
-    """The reason stands in the design, their loss in its friction, and the power of the train covers both."""
-    made, results = solved(name)
-    assert "rolling bearings" in dict(made.without)["bearings"]
-    shaft, losses = results.outcomes["countershaft"].result, results.outcomes["friction"].result
-    (rolling,) = made.friction.rolling_bearings
-    assert rolling.load == pytest.approx(sum(shaft.loads.values()), abs=1)
-    assert 0 < losses.delivered_power < 200  # W
-    length = 0.75 * 2 * (made.countershaft.outer_radius + made.countershaft.radial_clearance) * 1e3
-    assert shaft.loads["front"] * made.engine.rated_speed * 60 / length > 500_000  # N·rpm/mm
-
-
 @pytest.mark.parametrize("name", SHAFT)
 def test_the_rules_hold_that_the_file_states(name):
     made, results = solved(name)
@@ -391,14 +405,9 @@ def test_the_rules_hold_that_the_file_states(name):
     assert span == pytest.approx(max(row, 1.5 * made.engine.bore), abs=2.01e-3)
     if "couple" in SHAFT[name]:
         assert found.holes.hole_overdesign >= shaft.overdesign
-    if made.bearings is None:
-        return
-    front, rear = made.rows
-    assert max(found.slopes.values()) <= 0.2e-3
-    assert rear.diameter / 2 >= shaft.outer_radius + shaft.radial_clearance
-    assert train.wheels["shaft"].tip_diameter < front.diameter <= rear.diameter
-    assert shaft.half_length < (span - rear.length) / 2
-    assert all(0.25 <= row.length / row.diameter <= 0.7501 for row in (front, rear))
+    assert max(found.slopes.values()) <= 0.25e-3
+    assert shaft.half_length < (span - made.rows[-1].length) / 2
+    assert train.wheels["shaft"].tip_diameter > made.rows[0].diameter, "it is laid in with its wheel"
 
 
 @pytest.mark.parametrize("name", SHAFT)
@@ -411,7 +420,7 @@ def test_every_number_that_is_assumed_says_so(name):
     for row in numbers:
         key, value = row.split(" #")[0].split(" = ")
         assert "# assumed" in row or key in free or "as many as on the crank" in row, row
-        if key.endswith("_mm") and key not in ("radial_clearance_mm", "normal_module_mm"):
+        if key.endswith("_mm") and key != "normal_module_mm" and "classes" not in key:
             assert all(float(x) * 2 % 1 == 0 for x in re.findall(r"[\d.]+", value)), row
 
 
