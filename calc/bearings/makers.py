@@ -23,8 +23,8 @@ MAKER_RANGE = CheckRule(
     moved_by=(dotted(ROW, BearingRow.diameter), dotted(ROW, BearingRow.clearance)),
 )
 NUMBERS = (  # what is compared: of a maker's journal, and in which unit
-    (lambda journal: journal.diameter, "mm"),
-    (lambda journal: journal.relative_clearance, "‰"),
+    (lambda journal: journal.diameters, "mm"),
+    (lambda journal: journal.relative_clearances, "‰"),
 )
 
 

@@ -43,6 +43,13 @@ class MakerJournal:
         return _middle(_ends(self.journal)) if self.journal else self.nominal
 
     @property
+    def diameters(self) -> Limits | None:
+        """Least and most over all classes; the diameter without limits for both."""
+        if self.journal:
+            return _ends(self.journal)
+        return None if self.nominal is None else (self.nominal, self.nominal)
+
+    @property
     def wall_middle(self) -> Metre | None:
         return _middle(_ends(self.wall)) if self.wall else None
 
@@ -75,6 +82,12 @@ class MakerJournal:
         if self.stated_clearance is None or self.diameter is None:
             return None
         return _middle(self.stated_clearance[0]) / self.diameter
+
+    @property
+    def relative_clearances(self) -> Limits | None:
+        """The same for both: what stands beside it is the middle of a design's own."""
+        psi = self.relative_clearance
+        return None if psi is None else (psi, psi)
 
 
 @inputs
@@ -124,12 +137,13 @@ def journals(ratio: Number, assembly: str | None = None) -> tuple[PrintedJournal
     )
 
 
-def span(printed: Iterable[PrintedJournal], number: Callable[[MakerJournal], Number | None]) -> Limits | None:
-    """Least and most of a number over printed journals; None where fewer than three engines print it."""
-    numbers = [(each.sheet.name, found) for each in printed if (found := number(each.journal)) is not None]
+def span(printed: Iterable[PrintedJournal], limits: Callable[[MakerJournal], Limits | None]) -> Limits | None:
+    """Least and most of a number over printed journals, of each its least and most; None where fewer than three engines
+    print it."""
+    numbers = [(each.sheet.name, found) for each in printed if (found := limits(each.journal)) is not None]
     if len({engine for engine, _ in numbers}) < FEWEST:
         return None
-    return min(found for _, found in numbers), max(found for _, found in numbers)
+    return min(least for _, (least, _) in numbers), max(most for _, (_, most) in numbers)
 
 
 def _ends(limits: tuple[Metre, ...]) -> Limits:
