@@ -203,14 +203,14 @@ def test_journals_of_a_ratio_and_an_assembly() -> None:
 
 def test_least_and_most_are_those_of_three_engines_or_are_not_said() -> None:
     def diameter(journal):
-        return journal.diameter
+        return journal.diameters
 
     def psi(journal):
-        return journal.relative_clearance
+        return journal.relative_clearances
 
-    assert span(journals(2, "module"), diameter) == pytest.approx((24.9475e-3, 36.008e-3))  # J24B, AGCO
+    assert span(journals(2, "module"), diameter) == pytest.approx((24.940e-3, 36.016e-3))  # J24B, AGCO
     assert span(journals(2, "module"), psi) == pytest.approx((0.0545 / 36.008, 0.0775 / 29.9625))  # AGCO, LD9
-    assert span(journals(1, "split"), diameter) == pytest.approx((19.9685e-3, 27.9935e-3))  # STX38, Kawasaki
+    assert span(journals(1, "split"), diameter) == pytest.approx((19.962e-3, 28.0e-3))  # STX38, Kawasaki
     assert span(journals(1, "split"), psi) is None  # of the STX38 alone
     assert span(journals(2, "cartridge"), diameter) is None  # four journals of two engines
 
