@@ -103,7 +103,7 @@ class ArrayHeading(Widget, can_focus=True):
 
     def cells(self) -> list[tuple[str, ...]]:
         """Their names, and what each must have beside it, below the labels."""
-        shaft = content_at(self.session.data, self.row.place[:2])
+        shaft = content_at(self.session.data, self.row.place[:2]) or {}  # none: it is just being taken away
         if self.row.place[2:] == BEARINGS and is_twin(shaft):
             elsewhere = self.app.say(Text("as {name}", name=Name(original_of(shaft))))
             said = [elsewhere if set(item) == {NAME} else self.app.say(Text("rules here")) for item in self.items()]
