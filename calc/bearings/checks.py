@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from ..countershaft.inputs import ShaftInputs
-from ..countershaft.rows import ROW, SHAFT, BearingRow, called, row_key
+from ..countershaft.rows import RELIEF, RELIEF_LENGTH, ROW, SHAFT, BearingRow, called, row_key
 from ..library import journal_rules as rules
 from ..library.catalogue import Material, Oil, proof_of
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
@@ -638,7 +638,7 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
             base=lost,
         )
     if r.split is not None:
-        missing = edge_missing(r, r.split.film)
+        missing = _split_missing(r, r.split.film)
         yield on_bearing(FILM_EDGE_SPLIT, place, r.split.film, r.kreisle_film, missing=missing, base=lost)
     label = Text(
         "Film at the edge at {overspeed} % overspeed", overspeed=Amount(r.seat.inputs.overspeed * 100, form="g")
@@ -661,7 +661,7 @@ def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Ch
     lands = supply.lands(inputs)
     groove = bearing.length - supply.bare_length(inputs, bearing.length)
     yield from _pressure_checks(place, r, housing)
-    bare = inputs.bush_material is None
+    bare = inputs.bush_material is None and not bearing.ringed
     rule, limit = (SPECIFIC_LOAD, rules.SPECIFIC_LOAD) if bare else (SPECIFIC_LOAD_USUAL, rules.USUAL_SPECIFIC_LOAD)
     longer = _lengthened(place, bearing, groove + (bearing.length - groove) * (r.specific_load / limit))
     yield on_bearing(rule, place, r.specific_load, limit, remedies=longer)
@@ -685,6 +685,8 @@ def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterato
         if lining is None or lining.yield_ is None:
             return
         limit, strength = lining.yield_, Text("yield stress of {name}: {source}", name=bush, source=Text(lining.source))
+    elif r.seat.rings is not None:  # of which the lining is not known
+        return
     elif housing.proof_stress is None and housing.tensile_strength is not None:
         limit = housing.tensile_strength
         strength = Text("elasticity, tensile strength of {name}, which has no proof stress", name=housing.name)
@@ -727,6 +729,21 @@ def edge_missing(
         taken.append(Text("slope {slope}", slope=Amount(SLOPE_TAKEN * 1e3, "mrad")))
         best += r.film - r.film_edge
     return Missing(tuple(keys), tuple(taken), best, math.nan if edge is None else edge) if keys else None
+
+
+def _split_missing(r: BearingResult, film: Metre) -> Missing | None:
+    """The same, and the relief where it is not given: at best there is none."""
+    missing, row = edge_missing(r, film), r.seat.bearing
+    reliefs = ((BearingRow.relief, row.relief), (BearingRow.relief_length, row.relief_length))
+    keys = tuple(row_key(row.name, key) for key, given in reliefs if given is None)
+    if not keys or r.split is None:
+        return missing
+    taken = Text("relief {t} over {a}", t=Amount(RELIEF * 1e6, "µm"), a=Amount(RELIEF_LENGTH * 1e3, "mm"))
+    best = film + r.film * (1 - r.split.share)
+    if missing is None:
+        return Missing(keys, (taken,), best, film)
+    of_slope = r.film - r.film_edge if r.slope is None else 0.0
+    return Missing((*missing.keys, *keys), (*missing.taken, taken), best + of_slope, film)
 
 
 def fits_missing(r: BearingResult) -> list[str]:

@@ -24,6 +24,7 @@ SLOPE_TAKEN: Radian = 0.1e-3  # of the journal in its seat, where nothing is kno
 
 # the folds of the form
 MATERIALS = Text("Materials and fits")
+BY_CLASSES = Text("Shells by classes")
 
 
 @inputs
@@ -106,7 +107,7 @@ class BearingsInputs:
         repair="asked",
         fold=MATERIALS,
     )
-    select: Select | None = table("Shells by classes", Select, default=None, fold=MATERIALS)
+    select: Select | None = table("Shells by classes", Select, default=None, fold=BY_CLASSES)
     expansion_restraint: float = quantity(
         "Expansion held back",
         default=0.0,

@@ -25,7 +25,7 @@ from ..sheet.record import record
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.units import MetrePerSecond, Newton, Watt
-from ..sheet.value import about, based_on, trace
+from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .as_supports import runs_centred
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
@@ -35,12 +35,13 @@ from .result import BearingResult, BearingsResult, StandingResult, TwinBearing, 
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, settled
-from .seats.checks import SEAT_FRETTING, SEAT_PRESS, SEAT_TURN, press_checks
+from .seats.checks import BUSH_STRESS, SEAT_FRETTING, SEAT_PRESS, SEAT_STRESS, SEAT_TURN, pressed_checks
 from .seats.formulas import press_needed
 from .seats.result import SeatResult
+from .seats.seat import chosen, seated
 from .suitability import DIAMETER, LENGTH
 
-PRESSED = (SEAT_PRESS, SEAT_FRETTING, SEAT_TURN)  # which stand on the largest load of a turn
+PRESSED = (SEAT_PRESS, SEAT_FRETTING, SEAT_TURN, SEAT_STRESS, BUSH_STRESS)  # on the largest load of a turn
 
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
 ALIKE = 1e-3  # of a standing load: so much more of it makes no other film
@@ -87,7 +88,7 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
             bearings[place] = bearing
             checks = [check for check in checks if not (check.rule in PRESSED and f".{place}." in check.id)]
             if bearing.seat_ is not None:
-                checks += press_checks(place, bearing.seat.bearing, bearing.seat_)
+                checks += pressed_checks(place, bearing.seat.bearing, bearing.seat_)
             checks += _checks(place, bearing, part)
     return replace(
         outcome,
@@ -99,12 +100,18 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
 
 
 def _more_pressed(bearing: BearingResult, peak: Newton) -> SeatResult | None:
-    """The seat with the pressure that the largest load of a turn asks of its fit."""
+    """The seat under the largest load of a turn, which asks more of its fit; an interference that is chosen is so much
+    larger."""
     seat, row = bearing.seat_, bearing.seat.bearing
     if seat is None:
         return None
-    fit = seat.rings.fit(row.diameter, bearing.clearance)
-    return replace(seat, press_needed=press_needed(F=peak, d_o=fit.d_o, l=row.length))
+    if not seat.rings.chosen:
+        with untraced():
+            fit = seat.rings.fit(row.diameter, bearing.clearance)
+        return replace(seat, press_needed=press_needed(F=peak, d_o=fit.d_o, l=row.length))
+    rings = chosen(seat.rings, row, bearing.clearance, peak, seat.temperatures)
+    omega = f.angular_speed(n=bearing.duty.speed)
+    return seated(rings, row, bearing.clearance, peak, bearing.friction_power, omega, seat.temperatures)
 
 
 def of_twin(

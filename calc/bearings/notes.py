@@ -127,14 +127,20 @@ def _seats(results: Mapping[str, BearingResult]) -> Iterator[Text]:
         rings = seat.rings
         if rings.chosen:
             yield Text(
-                "{place} bearing: no interference is given; it takes {least} to {most}, the least that keeps the fit "
-                "shut under the load from {cold} to {hot} and the field that such parts are made in: whether it holds "
-                "is not judged.",
+                "{place} bearing: no interference is given; the one shown is the least that keeps the fit shut under "
+                "the load, cold and hot, with the field that such parts are made in: whether it holds is not judged.",
                 place=titled(place),
-                least=Amount(seat.interference_min * 1e6, form=".0f"),
-                most=Amount(seat.interference_max * 1e6, "µm", form=".0f"),
-                cold=Amount(seat.temperatures.cold, "°C", form=".0f"),
-                hot=Amount(seat.temperatures.hot, "°C", form=".0f"),
+            )
+        if row.crush is not None and not row.crush_load:
+            yield Text(
+                "{place} bearing: the crush counts as measured without a checking load; under one it is more by what "
+                "the load shortens the shell.",
+                place=titled(place),
+            )
+        if r.seat.inputs.bush_material is None:
+            yield Text(
+                "{place} bearing: the lining is not given; what it bears, and whether it runs in, is not judged.",
+                place=titled(place),
             )
         if rings.outside is None:
             yield Text("The metal around the bore is taken as a ring of twice its diameter.")

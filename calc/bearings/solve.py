@@ -210,7 +210,7 @@ def _material_checks(place: str, r: BearingResult) -> Iterator[Check]:
     """Advice by what the journal runs on, and by what bearings of this application usually carry."""
     inputs, bearing = r.seat.inputs, r.seat.bearing
     surface = running_surface(inputs.bush_material, inputs.housing_material)
-    if surface is not None:
+    if surface is not None and (inputs.bush_material is not None or not bearing.ringed):
         T_in = inputs.supply_temperature
         yield from material_checks(place, surface, r.specific_load, r.pressure_velocity, r.outlet_temperature, T_in)
     yield from application_checks(

@@ -257,6 +257,7 @@ class BearingRow:
         count=(2, 2),
         within=(0, 1000),
         symbol="delta",
+        rule_of_thumb=(5, 150),
         help="Least and most: outside of the bush less bore, both free, at the reference temperature. Left out: what "
         "holds the bush.",
         where=(seat, "bush", "shells"),
@@ -269,6 +270,7 @@ class BearingRow:
         count=(2, 2),
         within=(0, 1000),
         symbol="c",
+        rule_of_thumb=(10, 200),
         help="Least and most: by how much one half's outer length exceeds half the bore's circumference.",
         where=(seat, "shells"),
         fold=SEAT,

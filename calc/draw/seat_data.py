@@ -2,12 +2,13 @@
 """What the drawing of a shaft says of the seats that its journals run in: limits of journal, bore and walls, the press,
 and which shell goes with which pair of classes.  Nothing of a seat of which nothing more is known than its fit."""
 
-from collections.abc import Iterator
+import math
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from ..library.tolerances import parse
 from ..sheet.quantity import dotted
-from ..sheet.text import Text
+from ..sheet.text import COMMA, Text
 from ..sheet.units import UNITS, Metre
 from .annotations import LETTER, Say, millimetres, number
 from .lettering import width
@@ -34,12 +35,23 @@ def _judged(results: "Results") -> "Iterator[tuple[BearingRow, BearingResult]]":
 
 
 def seat_rows(results: "Results", say: Say) -> Rows:
-    """Of each of these bearings what it is made of and how it is pressed."""
+    """Of these bearings what they are made of and how they are pressed; those that are alike in one."""
     rows: Rows = []
-    for row, r in _judged(results):
+    for names, row, r in _alike(results, lambda row, r: tuple(map(str, _of_seat(row, r)))):
         for label, words in _of_seat(row, r):
-            rows.append((say(Text("{what}, {place}", what=label, place=row.in_words)), say(words)))
+            rows.append((say(Text("{what}, {place}", what=label, place=names)), say(words)))
     return rows
+
+
+def _alike(
+    results: "Results", by: "Callable[[BearingRow, BearingResult], object]"
+) -> "Iterator[tuple[Text, BearingRow, BearingResult]]":
+    """The first of those bearings that are alike, with the names of all."""
+    groups: dict[object, list[tuple[BearingRow, BearingResult]]] = {}
+    for row, r in _judged(results):
+        groups.setdefault(by(row, r), []).append((row, r))
+    for group in groups.values():
+        yield COMMA.join(row.in_words for row, _ in group), *group[0]
 
 
 def _of_seat(row: "BearingRow", r: "BearingResult") -> "Iterator[tuple[Text, Text]]":
@@ -54,7 +66,7 @@ def _of_seat(row: "BearingRow", r: "BearingResult") -> "Iterator[tuple[Text, Tex
         yield (Text("Shells, wall") if row.seat == "shells" else Text("Bush, wall")), _lengths(walls)
     if seat is not None:
         name = Text("Interference, by the program") if seat.rings.chosen else Text("Interference")
-        yield name, _microns(seat.interference_min, seat.interference_max)
+        yield name, _microns(seat.interference_min, seat.interference_max, up=True)
     g_min, g_max = r.corners.clearance_min, r.corners.clearance_max
     if finished and stack is not None:
         yield Text("Running bore, finished"), _across(stack.bore)
@@ -66,8 +78,10 @@ def _of_seat(row: "BearingRow", r: "BearingResult") -> "Iterator[tuple[Text, Tex
         yield Text("Clearance"), _microns(g_min, g_max)
 
 
-def _microns(least: Metre, most: Metre) -> Text:
-    low, high = (number(UNITS["µm"].shown(end), 0) for end in (least, most))
+def _microns(least: Metre, most: Metre, *, up: bool = False) -> Text:
+    """In whole ones; `up`: none less."""
+    shown = [UNITS["µm"].shown(end) for end in (least, most)]
+    low, high = (number(math.ceil(end - 1e-6) if up else end, 0) for end in shown)
     return Text("{low} to {high} µm", low=low, high=high)
 
 
@@ -83,7 +97,7 @@ def _across(limits: tuple[Metre, ...]) -> Text:
 def class_tables(results: "Results", say: Say) -> list[tuple[str, Rows, tuple[float, ...]]]:
     """Of shells that are picked: rows by class of the bore, columns by class of the journal."""
     found = []
-    for row, r in _judged(results):
+    for names, _, r in _alike(results, lambda row, r: str(r.seat.stack and r.seat.stack.pairs)):
         if (stack := r.seat.stack) is None or stack.pairs is None:
             continue
         bores, journals = _classes(stack)
@@ -92,7 +106,7 @@ def class_tables(results: "Results", say: Say) -> list[tuple[str, Rows, tuple[fl
         for n, size in bores.items():
             cells = (say(stack.shells[stack.pairs[n, journal][1]]) for journal in journals)
             rows.append((say(size), *cells))
-        title = say(Text("Shells by classes, {place}: bore by journal", place=row.in_words))
+        title = say(Text("Shells by classes, colours by this program, {place}: bore by journal", place=names))
         found.append((title, rows, (BORES, *[(WIDE - BORES) / len(journals)] * len(journals))))
     return found
 

@@ -109,8 +109,8 @@ SELECT = CheckRule(
     advice=Text("Narrower classes, more of them, or a wider band."),
     sense="in",
     moved_by=(
-        dotted("bearings", BearingsInputs.select, Select.clearance_band),
         dotted("bearings", BearingsInputs.select, Select.bore_classes_mm),
+        dotted("bearings", BearingsInputs.select, Select.journal_classes_mm),
     ),
 )
 SPREAD = CheckRule(
@@ -154,6 +154,13 @@ UNKNOWN_SHARE = 0.05  # of the clearance, up to which its wall does not matter
 MEGAPASCAL, NEWTON_METRE, HUNDRED_MICRONS, TEN_MICRONS = 1e6, 1.0, 100e-6, 10e-6  # what margins from nought are of
 
 
+OF_SHELLS = {  # what they are called of shells, which are no bush
+    SEAT_TURN: Text("Torque that holds the shells, against twice that of the film"),
+    SEAT_STRESS: Text("Stress of the housing around the shells"),
+    BUSH_STRESS: Text("Hoop stress of the shells"),
+}
+
+
 def seat_checks(
     place: str,
     row: BearingRow,
@@ -163,8 +170,7 @@ def seat_checks(
 ) -> Iterator[Check]:
     """`band`: of the clearance that classes shall make; None: there are none."""
     if seat is not None:
-        yield from press_checks(place, row, seat)
-        yield from _stress_checks(place, seat)
+        yield from pressed_checks(place, row, seat)
     if select is not None and band is not None:
         yield _worst_pair(place, select, (band[0], band[-1]))
     if row.spread is not None:
@@ -174,10 +180,15 @@ def seat_checks(
         yield BORE_CLEARANCE(room, 0.0, at=place, name=_at(BORE_CLEARANCE, place), scale=TEN_MICRONS)
 
 
-def press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Check]:
-    """Whether the bush stays where it is; not asked of an interference that was chosen so that it does."""
-    if seat.rings.chosen:
-        return
+def pressed_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Check]:
+    """Of what is pressed in."""
+    if not seat.rings.chosen:  # so that it holds
+        yield from _press_checks(place, row, seat)
+    yield from _stress_checks(place, row, seat)
+
+
+def _press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Check]:
+    """Whether the bush stays where it is."""
     rule = SEAT_FRETTING if row.retained == "pin" else SEAT_PRESS
     hot, best, need = seat.press_hot, seat.press_hot_cool, seat.press_needed
     yield rule(
@@ -199,7 +210,7 @@ def press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Chec
         held,
         drag,
         at=place,
-        name=_at(SEAT_TURN, place),
+        name=_at(SEAT_TURN, place, row),
         missing=_housing(seat, held, None if best is None else each * best),
         scale=NEWTON_METRE,
         remedies=lambda: _tighter(place, row, seat, drag / each),
@@ -232,7 +243,7 @@ def _tighter(place: str, row: BearingRow, seat: SeatResult, p: Pascal) -> tuple[
     return by_key(BearingRow, row_key(place, field), ends, place=called(place), bound=">=")()
 
 
-def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
+def _stress_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Check]:
     housing, backing = seat.rings.housing, seat.rings.backing
     stress, value_id, missing = seat.housing_stress, None, None
     source = Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name)
@@ -243,16 +254,37 @@ def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     else:
         limit, missing = proof_of(housing.proof_stress, stress)
     yield SEAT_STRESS(
-        stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, value_id=value_id, missing=missing
+        stress,
+        limit,
+        at=place,
+        name=_at(SEAT_STRESS, place, row),
+        source=source,
+        value_id=value_id,
+        missing=missing,
+        advice=_as_chosen(seat, SEAT_STRESS),
     )
     limit, missing = proof_of(backing.proof_stress, abs(seat.bush_stress))
     yield BUSH_STRESS(
         based_on(abs(seat.bush_stress), seat.bush_stress),
         limit,
         at=place,
-        name=_at(BUSH_STRESS, place),
+        name=_at(BUSH_STRESS, place, row),
         source=Text("{lame}; proof stress of {name}", lame=LAME, name=backing.name),
         missing=missing,
+        advice=_as_chosen(seat, BUSH_STRESS),
+    )
+
+
+def _as_chosen(seat: SeatResult, rule: CheckRule) -> Text:
+    """What to do; of an interference that is not given, which one it stands on."""
+    if not seat.rings.chosen:
+        return rule.advice
+    return Text(
+        "No interference is given: this is of {least} to {most}, the least that holds and its field; give a closer "
+        "one. {advice}",
+        least=Amount(seat.interference_min * 1e6, form=".0f"),
+        most=Amount(seat.interference_max * 1e6, "µm", form=".0f"),
+        advice=rule.advice,
     )
 
 
@@ -295,5 +327,6 @@ def unknown_check(
     return SEAT_UNKNOWN(less, UNKNOWN_SHARE * clearance, at=place, name=_at(SEAT_UNKNOWN, place))
 
 
-def _at(rule: CheckRule, place: str) -> Text:
-    return Text("{what}, {place}", what=rule.name, place=called(place))
+def _at(rule: CheckRule, place: str, row: BearingRow | None = None) -> Text:
+    what = OF_SHELLS.get(rule, rule.name) if row is not None and row.seat == "shells" else rule.name
+    return Text("{what}, {place}", what=what, place=called(place))

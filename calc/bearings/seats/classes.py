@@ -153,5 +153,10 @@ def found_walls(bores: tuple[Range, ...], journals: tuple[Range, ...], band: Met
     return [sum(group) / len(group) for group in groups]
 
 
+def _whole_um(length: Metre) -> Metre:
+    """As it stands on a drawing."""
+    return round(length, 6)
+
+
 def _middle(limits: Range) -> Metre:
     return (limits[0] + limits[1]) / 2

@@ -21,6 +21,7 @@ from ...sheet.units import (
 )
 
 LAME = "elasticity: thick rings in plane stress (Lamé)"
+NO_INTERFERENCE: Metre = 0.0
 
 
 # --- two rings
@@ -54,7 +55,7 @@ def housing_compliance(D: Metre, d_o: Metre, nu_H: Number, E_H: Pascal) -> PerPa
 
 @formula("p", f"{LAME}: interference over what both rings give way; none where it is play", unit="MPa")
 def press(delta: Metre, d_o: Metre, k_B: PerPascal, k_H: PerPascal) -> Pascal:
-    return largest(delta, 0.0) / (d_o * (k_B + k_H))
+    return largest(delta, NO_INTERFERENCE) / (d_o * (k_B + k_H))
 
 
 @formula("c_i", f"{LAME}: by which the bore of the bush closes", unit="µm")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the clearance of one bearing is made of: housing bore, walls, journal."""
 
+from dataclasses import replace
+
 from ...countershaft.rows import BearingRow
 from ...sheet.record import record
 from ...sheet.text import Text
@@ -51,27 +53,29 @@ class SeatStack:
 
     def clearances(self, rings: Rings | None) -> Range:
         """Least and most of all parts that may come together, with the least interference for the least."""
-        if self.pairs is None:
-            parts = self.bore, self.walls, self.journal
-            return self._end(*parts, rings, 0), self._end(*parts, rings, 1)
+        least, most = (None, None) if self.pairs is None else self.governing(rings)
+        return self.end(least, rings, 0), self.end(most, rings, 1)
+
+    def governing(self, rings: Rings | None) -> tuple[tuple[int, int], tuple[int, int]]:
+        """The pairs of classes with the least and with the most clearance."""
+        assert self.pairs is not None
         with untraced():
             every = {pair: self.of_pair(pair, rings) for pair in self.pairs}
-        least, most = min(every, key=lambda pair: every[pair][0]), max(every, key=lambda pair: every[pair][1])
-        return self._end(*self.pairs[least], rings, 0), self._end(*self.pairs[most], rings, 1)
+        return min(every, key=lambda pair: every[pair][0]), max(every, key=lambda pair: every[pair][1])
 
     def of_pair(self, pair: tuple[int, int], rings: Rings | None) -> Range:
         """Of one pair of classes, at the middle interference."""
-        assert self.pairs is not None
-        parts = self.pairs[pair]
-        return self._end(*parts, rings, 0), self._end(*parts, rings, 1)
+        at_middle = None if rings is None else replace(rings, interference=(rings.middle, rings.middle))
+        return self.end(pair, at_middle, 0), self.end(pair, at_middle, 1)
 
-    def _end(self, bore: Range, walls: Range | None, journal: Range, rings: Rings | None, most: int) -> Metre:
-        """The least clearance of these parts, or the `most`."""
+    def end(self, pair: tuple[int, int] | None, rings: Rings | None, most: int) -> Metre:
+        """The least clearance of a pair of classes, or of parts that are not sorted; or the `most`."""
+        bore, walls, journal = (self.bore, self.walls, self.journal) if pair is None else (self.pairs or {})[pair]
         D, d = based_on(bore[most], bore), based_on(journal[1 - most], journal)
         if walls is None or rings is None:
             direct: Metre = f.clearance_direct(D_b=D, d_J=d)
             return direct
-        delta = rings.middle if self.pairs is not None else rings.interference[most]
+        delta = rings.interference[most]
         with untraced():
             D_m, w_m = (bore[0] + bore[1]) / 2, (walls[0] + walls[1]) / 2
             c = rings.pressed(rings.fit_of(D_m, D_m - 2 * w_m), delta).c

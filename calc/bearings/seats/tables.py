@@ -49,42 +49,43 @@ def ends_of(seat: "BearingCase[Any]") -> Range:
 
 
 def stack_parts(seat: "BearingCase[Any]") -> list[StackPart]:
-    """From the outside inwards; at the end by how much wider the seated bore stands."""
+    """From the outside inwards; at the end by how much wider the seated bore stands.  Of shells by classes: of the pair
+    with the least clearance."""
     stack, row = seat.stack, seat.bearing
     assert stack is not None
     name = Text("bore of the seat") if not row.ringed else Text("housing bore")
     if stack.walls is None and row.ringed:
         name = Text("finished bore")
-    fields = _fields(stack)
-    parts = [StackPart(name, 1, *stack.bore, fields[0])]
-    if stack.walls is not None:
-        parts.append(StackPart(Text("wall"), -2, *stack.walls, fields[1]))
-    parts.append(StackPart(Text("journal"), -1, *stack.journal, fields[2]))
-    if stack.walls is not None and seat.rings is not None:
-        rise = _rise(seat, stack)
+    bore, walls, journal = _one(seat)
+    parts = [StackPart(name, 1, *bore, bore[1] - bore[0])]
+    if walls is not None:
+        parts.append(StackPart(Text("wall"), -2, *walls, 2 * (walls[1] - walls[0])))
+    parts.append(StackPart(Text("journal"), -1, *journal, journal[1] - journal[0]))
+    if walls is not None and seat.rings is not None:
+        least, most = clearance_of(seat)
+        rise = least - bore[0] + 2 * walls[1] + journal[1], most - bore[1] + 2 * walls[0] + journal[0]
         parts.append(StackPart(Text("rise of the bore by the press"), 1, *rise, rise[1] - rise[0]))
     return parts
 
 
-def _fields(stack: SeatStack) -> tuple[Metre, Metre, Metre]:
-    """By which bore, both walls and journal open the clearance."""
-    one = (stack.bore, stack.walls or (0.0, 0.0), stack.journal)
-    pairs = [one] if stack.pairs is None else [*stack.pairs.values()]
-    bore, walls, journal = (max(most - least for least, most in part) for part in zip(*pairs))
-    return bore, 2 * walls, journal
+def pair_of(seat: "BearingCase[Any]") -> tuple[int, int] | None:
+    """Of shells by classes the pair that is shown: that with the least clearance."""
+    stack = seat.stack
+    return None if stack is None or stack.pairs is None else stack.governing(seat.rings)[0]
 
 
-def _rise(seat: "BearingCase[Any]", stack: SeatStack) -> Range:
-    """What the clearance has beyond bore, walls and journal: interference less closing of the bore."""
-    assert stack.walls is not None
+def _one(seat: "BearingCase[Any]") -> tuple[Range, Range | None, Range]:
+    stack, pair = seat.stack, pair_of(seat)
+    assert stack is not None
+    return (stack.bore, stack.walls, stack.journal) if pair is None or stack.pairs is None else stack.pairs[pair]
+
+
+def clearance_of(seat: "BearingCase[Any]") -> Range:
+    """Least and most clearance of the parts that are shown."""
+    stack, pair = seat.stack, pair_of(seat)
+    assert stack is not None
     with untraced():
-        if stack.pairs is None:
-            (bore, walls, journal), (least, most) = (stack.bore, stack.walls, stack.journal), ends_of(seat)
-            rises = [least - bore[0] + 2 * walls[1] + journal[1], most - bore[1] + 2 * walls[0] + journal[0]]
-        else:
-            ends = ((stack.of_pair(pair, seat.rings), parts) for pair, parts in stack.pairs.items())
-            rises = [least - bore[0] + 2 * walls[1] + journal[1] for (least, _), (bore, walls, journal) in ends]
-    return min(rises), max(rises)
+        return stack.end(pair, seat.rings, 0), stack.end(pair, seat.rings, 1)
 
 
 def squares(parts: list[StackPart]) -> Metre:
@@ -111,17 +112,24 @@ def _microns(field: Metre) -> float:
 
 
 def _stack_table(place: str, seat: "BearingCase[Any]") -> Table:
-    parts, (least, most) = stack_parts(seat), ends_of(seat)
+    parts, (least, most) = stack_parts(seat), clearance_of(seat)
     rows = [(part.term, size(part.least), size(part.most), _microns(part.field)) for part in parts]
-    field = squares(parts)
-    low, high = _middles(seat)
+    field, middle = squares(parts), (least + most) / 2
     ends = (Text("= clearance, worst case"), size(least), size(most), _microns(most - least))
-    low, high = low - field / 2, high + field / 2
+    low, high = middle - field / 2, middle + field / 2
     root = (Text("= clearance, root of squares about the middle"), size(low), size(high), _microns(high - low))
-    selected = seat.stack is not None and seat.stack.pairs is not None
     note = Text("Assembled at {T}.", T=Amount(seat.inputs.clearance_reference_temperature, "°C"))
-    if selected:
-        note = Text("{assembled} Fields within a class; the clearance of all pairs of classes.", assembled=note)
+    if (pair := pair_of(seat)) is not None:
+        low, high = ends_of(seat)
+        note = Text(
+            "{assembled} Bore class {bore} with journal class {journal}, which has the least clearance; all pairs: "
+            "{low} to {high}.",
+            assembled=note,
+            bore=str(pair[0]),
+            journal=str(pair[1]),
+            low=Amount(low * 1e6, form=".1f"),
+            high=Amount(high * 1e6, "µm", form=".1f"),
+        )
     return Table(
         f"stack_{place}",
         Text("What the clearance is made of, {place} bearing", place=called(place)),
@@ -130,16 +138,6 @@ def _stack_table(place: str, seat: "BearingCase[Any]") -> Table:
         note,
         short=True,
     )
-
-
-def _middles(seat: "BearingCase[Any]") -> Range:
-    """Least and largest middle of the clearances of pairs of classes; twice the same where parts are not sorted."""
-    stack = seat.stack
-    assert stack is not None
-    with untraced():
-        middles = [sum(stack.of_pair(pair, seat.rings)) / 2 for pair in stack.pairs or ()]
-    middles = middles or [sum(ends_of(seat)) / 2]
-    return min(middles), max(middles)
 
 
 # --- shells by classes
@@ -169,7 +167,10 @@ def _classes_table(place: str, stack: SeatStack, select: SelectResult) -> Table:
         Text("Shells by classes, {place} bearing", place=called(place)),
         ((Text("bore / journal, mm"), ""), *head),
         rows,
-        Text("Shells by their wall in mm, colours by this program: {walls}.", walls=SEMICOLON.join(walls)),
+        Text(
+            "Clearance at the middle interference. Shells by their wall in mm, colours by this program: {walls}.",
+            walls=SEMICOLON.join(walls),
+        ),
         (f"{dotted('bearings', place)}.select.",),
         short=True,
     )
