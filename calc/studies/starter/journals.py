@@ -62,11 +62,14 @@ def estimated_length(d: Metre) -> Metre:
     return up(RATIO * d, 0.5e-3)
 
 
+def wall_of(d: Metre) -> Metre:
+    return WALL if d <= THICK_FROM else THICK_WALL
+
+
 def select(d: Metre, psi: Number) -> Section:
     """Shells in three walls for two classes of journal and bore."""
-    outer = d + 2 * (WALL if d <= THICK_FROM else THICK_WALL)
-    middle = round(psi * d * 1e6)
-    wall = mm(WALL if d <= THICK_FROM else THICK_WALL)
+    wall = wall_of(d)
+    outer, middle = d + 2 * wall, round(psi * d * 1e6)
     rows: Rows = {
         Select.journal_classes_mm: (
             [[mm(d - 2 * JOURNAL_CLASS - BETWEEN), mm(d - JOURNAL_CLASS - BETWEEN)], [mm(d - JOURNAL_CLASS), mm(d)]],
@@ -77,7 +80,7 @@ def select(d: Metre, psi: Number) -> Section:
                 [mm(outer), mm(outer + BORE_CLASS)],
                 [mm(outer + BORE_CLASS + BETWEEN), mm(outer + 2 * BORE_CLASS + BETWEEN)],
             ],
-            f"assumed: two classes of 8 µm; shells of {wall:g} mm in three walls of 4 µm",
+            f"assumed: two classes of 8 µm; shells of {mm(wall):g} mm in three walls of 4 µm",
         ),
         Select.clearance_band: (
             [middle - BAND * 1e6, middle + BAND * 1e6],

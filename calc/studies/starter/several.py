@@ -2,13 +2,15 @@
 """Other shafts than one at −1: pairs at ±1 and ±2, one at ±2, two at −1.
 
 They lie in a module that is parted at their axes, so that nothing has to pass a seat: a journal is as thick as the
-core, and core and outer radius grow together until the bearings hold.  All run on shells of one set of classes, and so
-have journals of one size.  A force at twice crank speed gets three bearings, one cylinder pitch apart, all else two."""
+core, and core and outer radius grow together until the bearings hold.  Shells of journals of one size are picked by
+classes; where shafts have different ones they lie as close by their fits.  A force at twice crank speed gets three
+bearings, one cylinder pitch apart, all else two."""
 
 import math
 from collections.abc import Iterator
 from dataclasses import replace
 
+from ...bearings.inputs import BearingsInputs
 from ...bearings.selection.variants import STANDARD
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
@@ -24,16 +26,18 @@ from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Kilogram, Metre
+from ...sheet.units import Kilogram, Metre, Newton
 from ...sheet.value import untraced
 from ...solve import Results, solve
-from .journals import BEARINGS, OILS, PRESSURE, PSI, RATIO, estimated_length, oil_of, select, shared, shell
+from .journals import BEARINGS, OILS, PRESSURE, PSI, RATIO, estimated_length, oil_of, select, shared, shell, wall_of
 from .shaft import FILLET, NAME, OVERDESIGN, SHAFT, STEEL, UTILISATION, StarterTask, task
 from .writing import BEARING_ROW, Rows, Section, down, head, mm, table, up
 
 ROWS, SHAFTS = dotted(ShaftInputs.bearings), dotted(Design.shafts)
-JOURNALS = tuple(1e-3 * d for d in STANDARD if d <= 60)  # m: diameters that are tried
+JOURNALS = tuple(1e-3 * d for d in STANDARD if 22 <= d <= 60)  # m: diameters that are tried; a wheel sits on the core
 WIDEST: Metre = 0.1  # outer radius
+LARGEST = 7e6  # Pa: no journal is looked at that would carry more
+FIT = "IT5"  # of journal and seat, where no classes pick the shells
 FAILS = 1000  # more than there are cautions
 APART: Metre = 5e-3  # between what turns
 GEAR: Metre = 15e-3  # from the front journal to the middle of the widest wheel, and a fillet
@@ -88,15 +92,16 @@ def arrangement(balancing: str, imbalance: ImbalanceResult) -> tuple[Arranged, .
 
 
 def shafts(document: Document, results: Results, arranged: tuple[Arranged, ...]) -> list[Section]:
-    """The tables of all shafts, with the thinnest core whose journals hold in plain bearings, or where none does with
-    the thickest; one for all, as the classes of their shells are.  Raises NoSolution where no envelope has room."""
-    diameter = max(_thinnest(document, results, one) for one in arranged)
-    return [section for one in arranged for section in _shaft(results, one, diameter)]
+    """The tables of all shafts, each with the thinnest core whose journals hold in plain bearings, or where none does
+    with the thickest.  Raises NoSolution where no envelope has room."""
+    each = [_shaft(results, one, _thinnest(document, results, one)) for one in arranged]
+    return [section for sections in each for section in sections]
 
 
 def _thinnest(document: Document, results: Results, one: Arranged) -> Metre:
+    least = math.sqrt(_load(results, one) / (RATIO * LARGEST))
     found: tuple[int, Metre] | None = None
-    for diameter in JOURNALS:
+    for diameter in (d for d in JOURNALS if d >= least):
         try:
             tried = _shaft(results, one, diameter)
         except NoSolution:
@@ -143,17 +148,35 @@ def _best(document: Document, results: Results, oils: tuple[str, ...]) -> tuple[
 
 def judged_document(document: Document, made: Design, oil: str, psi: float) -> Document:
     """With [bearings], and with what the rows of all shafts that are no twins need there."""
-    diameter = 2e-3 * max(_core(shaft) for shaft in own_shafts(document.data).values())
-    document = replace(document, data={**document.data, **table(_shared(made, oil, diameter, psi))})
-    needed = _in_tables(shell(diameter, estimated_length(diameter)))
-    for n, shaft in own_shafts(document.data).items():
+    own = own_shafts(document.data)
+    sizes = {n: 2e-3 * _core(shaft) for n, shaft in own.items()}
+    document = replace(document, data={**document.data, **table(_shared(made, oil, set(sizes.values()), psi))})
+    for n, shaft in own.items():
+        needed = _in_tables(_row(sizes[n], psi, alike=len(set(sizes.values())) == 1))
         rows = [{**as_table(row), **needed} for row in as_list(shaft.get(ROWS))]
         document = document.with_value(dotted(SHAFTS, n, ROWS), rows)
     return document
 
 
-def _shared(made: Design, oil: str, diameter: Metre, psi: float) -> list[Section]:
-    return [*shared(made, oil), select(diameter, psi)]
+def _shared(made: Design, oil: str, sizes: set[Metre], psi: float) -> list[Section]:
+    """Of journals of one size with their classes, else with fits that are as close."""
+    of_all = shared(made, oil)
+    if len(sizes) == 1:
+        return [*of_all, select(min(sizes), psi)]
+    (header, rows), *others = of_all
+    close = "assumed: as close as shells that are picked by classes"
+    fits: Rows = {BearingsInputs.journal_fit: (FIT, close), BearingsInputs.seat_fit: (FIT, close)}
+    return [(header, rows | fits), *others]
+
+
+def _row(diameter: Metre, psi: float, *, alike: bool) -> Rows:
+    rows = shell(diameter, estimated_length(diameter))
+    if alike:
+        return rows
+    return rows | {
+        BearingRow.wall: (mm(wall_of(diameter)), "assumed"),
+        BearingRow.clearance: (float(round(psi * diameter * 1e6)), f"assumed: {psi * 1e3:g} ‰"),
+    }
 
 
 def _core(shaft: Table) -> float:
@@ -183,12 +206,16 @@ def _places(results: Results, one: Arranged, todo: StarterTask) -> tuple[Metre, 
     return -half, half
 
 
-def estimated_mass(results: Results, one: Arranged) -> Kilogram:
-    """Of the eccentric masses of a shaft and its twin, with journals by their load alone."""
+def _load(results: Results, one: Arranged) -> Newton:
+    """On one bearing, as if all carried alike."""
     todo = _task(results, one)
     places = _places(results, one, todo)
-    load = abs(todo.F) / len(places) + abs(todo.C) / (2 * places[-1])
-    diameter = up(math.sqrt(load / (RATIO * PRESSURE)), JOURNALS[1] - JOURNALS[0])
+    return abs(todo.F) / len(places) + abs(todo.C) / (2 * places[-1])
+
+
+def estimated_mass(results: Results, one: Arranged) -> Kilogram:
+    """Of the eccentric masses of a shaft and its twin, with journals by their load alone."""
+    diameter = up(math.sqrt(_load(results, one) / (RATIO * PRESSURE)), JOURNALS[1] - JOURNALS[0])
     return float(_sized(results, one, max(diameter, JOURNALS[0]))[-1].mass) * (2 if one.twin else 1)
 
 
@@ -270,9 +297,20 @@ def _radii(core: Metre) -> Iterator[Metre]:
 def completed(sections: list[Section], document: Document) -> list[Section]:
     """The sections of the shafts with what their bearings have in the document beside it."""
     made = design(document)
-    bearings, row = made.bearings, made.rows[0]
-    assert bearings is not None and bearings.select is not None
-    band = bearings.select.clearance_band
-    needed = shell(row.diameter, row.length)
-    whole = [(header, rows | needed if header == BEARING_ROW else rows) for header, rows in sections]
-    return [*whole, *_shared(made, bearings.oil, row.diameter, (band[0] + band[-1]) / 2 / row.diameter)]
+    bearings = made.bearings
+    assert bearings is not None
+    sizes = {row.diameter for view in made.views.values() for row in view.rows}
+    first = made.rows[0]
+    if bearings.select is not None:
+        middle = (bearings.select.clearance_band[0] + bearings.select.clearance_band[-1]) / 2
+    else:
+        middle = first.clearance or 0.0
+    psi = min(PSI, key=lambda psi: abs(psi - middle / first.diameter))
+    whole: list[Section] = []
+    needed: Rows = {}
+    for header, rows in sections:
+        if ShaftInputs.core_radius in rows:
+            core = float(rows[ShaftInputs.core_radius][0])  # type: ignore[arg-type]
+            needed = _row(2e-3 * core, psi, alike=len(sizes) == 1)
+        whole.append((header, rows | needed if header == BEARING_ROW else rows))
+    return [*whole, *_shared(made, bearings.oil, sizes, psi)]
