@@ -735,6 +735,10 @@ def _split_missing(r: BearingResult, film: Metre) -> Missing | None:
     """The same, and the relief where it is not given: at best there is none."""
     missing, row = edge_missing(r, film), r.seat.bearing
     reliefs = ((BearingRow.relief, row.relief), (BearingRow.relief_length, row.relief_length))
+    if r.split is not None and r.split.beyond:
+        length = row_key(row.name, BearingRow.relief_length)
+        taken = Text("a relief and a film at the end of what was marched")
+        return Missing((length,), (taken,), film if missing is None else missing.best, "none")
     keys = tuple(row_key(row.name, key) for key, given in reliefs if given is None)
     if not keys or r.split is None:
         return missing

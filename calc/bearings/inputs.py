@@ -368,6 +368,7 @@ class BearingsInputs:
 
     def asked_of(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
         """What a plain bearing that these inputs judge still lacks, by the keys of its row."""
+        yield from row.idle()
         for key, there in (
             (BearingRow.diameter, row.diameter),
             (BearingRow.length, row.length),
