@@ -333,6 +333,12 @@ def oils(it: argparse.ArgumentParser) -> None:
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
+@command("published", "the journals of balance shafts that makers print, or all of one engine's sheet with its address")
+def makers(it: argparse.ArgumentParser) -> None:
+    it.add_argument("name", nargs="?", metavar="NAME", help="an engine, or a word of its name; left out: all")
+    it.add_argument("--json", action="store_true", help="print one JSON object")
+
+
 @command("setup", "the JSON Schema of a design file, by which editors complete and check it")
 def schema(it: argparse.ArgumentParser) -> None:
     it.add_argument(

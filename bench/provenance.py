@@ -11,7 +11,6 @@ import sys
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import is_dataclass
-from pathlib import Path
 from typing import Any
 
 from calc.design.model import Design
@@ -21,10 +20,10 @@ from calc.sheet.quantity import keys
 from calc.sheet.value import leaves, link_of
 from calc.solve import Results, solve
 from calc.studies.explain import Chains
+from calc.studies.shipped import DESIGNS, designs, shipped_name
 
 SHARE = 1e-3  # by which a number is moved
 DUST = 1e-9  # relative change of a value that is none
-DESIGNS = Path(__file__).parents[1] / "designs"
 
 
 def numbers(inputs: Any, prefix: str = "") -> Iterator[tuple[str, str, float]]:
@@ -94,7 +93,7 @@ def compared(name: str, every: int = 1) -> tuple[Results, dict[str, set[str]], d
 
 
 def main() -> None:
-    names = [a for a in sys.argv[1:] if not a.startswith("-")] or sorted(path.stem for path in DESIGNS.glob("*.toml"))
+    names = [a for a in sys.argv[1:] if not a.startswith("-")] or list(map(shipped_name, designs()))
     for name in names:
         results, moves, chain, stuck = compared(name)
         missing: dict[str, list[str]] = defaultdict(list)

@@ -12,8 +12,7 @@ from pathlib import Path
 
 from calc.design.toml_file import load_design
 from calc.solve import Results, solve
-
-DESIGNS = Path(__file__).parent.parent / "designs"
+from calc.studies.shipped import designs
 
 
 def written(results: Results) -> dict[str, list[str]]:
@@ -28,7 +27,7 @@ def written(results: Results) -> dict[str, list[str]]:
 def main() -> None:
     match sys.argv[1:]:
         case [out, *rest] if not rest or not rest[0].endswith(".json"):
-            paths = sorted(Path(*rest or [DESIGNS]).glob("*.toml"))
+            paths = sorted(Path(*rest).glob("*.toml")) if rest else designs()
             all_ = {path.stem: written(solve(load_design(path)).whole()) for path in paths}
             Path(out).write_text(json.dumps(all_, indent=0, ensure_ascii=False), encoding="utf-8")
         case [before, after]:

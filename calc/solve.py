@@ -290,6 +290,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 h.bearing_materials(design, design.bearings, shaft.inputs),
                 speed_ratio=design.views[original].shafts[0].speed_ratio,
                 how=shaft.how,
+                assembly=shaft.inputs.assembly,
                 compared=compared,
             )
         for shaft in h.turning(design):

@@ -7,12 +7,14 @@ import time
 from pathlib import Path
 
 import pytest
+from _pytest.mark.structures import ParameterSet
 from hypothesis import settings
 
 from calc.design.toml_file import Document, read
 from calc.design.toml_file import design as checked
 from calc.solve import Results, solve
 from calc.studies.published import Unmet, ValidationRow, rows, unmet
+from calc.studies.shipped import designs, shipped_name
 
 settings.register_profile("untimed", deadline=None)  # how long an example takes depends on what else the machine does
 settings.load_profile("untimed")
@@ -31,6 +33,17 @@ SCREENED = (
     "../tests/data/upgraded/r754ie4_balance_shafts"  # from DESIGNS: a pair at ±2 that is screened, without [bearings]
 )
 GAMMA = DESIGNS / "r753ie4_gamma.toml"
+SHIPPED = designs()
+# of makers' journals, which are alike, the two that are always walked: shells; a bush, a seat of its own, a carrier
+FEW = [path for path in SHIPPED if path.parent == DESIGNS or path.stem in ("er6n", "l61")]
+
+
+def each_shipped(*long: str) -> list[ParameterSet]:
+    """Every shipped design as a parameter of a test; those that take `long` only where that is asked for."""
+    late = [path for path in SHIPPED if path not in FEW or path.stem in long]
+    return [
+        pytest.param(path, id=shipped_name(path), marks=[pytest.mark.slow] if path in late else []) for path in SHIPPED
+    ]
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

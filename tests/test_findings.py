@@ -12,7 +12,7 @@ from calc.sheet.text import Text
 from calc.sheet.verdict import TITLES
 from calc.solve import solve
 from calc.studies.shipped import DESIGNS
-from tests.conftest import ROOT
+from tests.conftest import ROOT, each_shipped
 from tests.made_checks import made_check
 
 
@@ -38,7 +38,7 @@ def printed(*checks, everything=False):
     return "\n".join(finding_lines(checks, everything))
 
 
-@pytest.mark.parametrize("file", sorted(DESIGNS.glob("*.toml")), ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", each_shipped())
 def test_what_is_open_fits_on_a_screen(file):
     lines = list(finding_lines(list(solve(design(read(file))).checks())))
     assert len(lines) <= 1 + 48 and max(map(len, lines), default=0) <= 160
@@ -142,10 +142,12 @@ def test_what_holds_by_a_formula_outside_its_validity_is_counted():
 
 # --- one object, one screen
 
-FILES = sorted([*DESIGNS.glob("*.toml"), *(ROOT / "tests" / "reference" / "designs_0_1").glob("*.toml")])
+OLD = sorted((ROOT / "tests" / "reference" / "designs_0_1").glob("*.toml"))
 
 
-@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.stem}")
+@pytest.mark.parametrize(
+    "file", [*each_shipped(), *(pytest.param(file, id=f"{file.parent.name}/{file.stem}") for file in OLD)]
+)
 def test_plain_text_json_and_replay_give_one_state(file, tmp_path, capsys):
     document = read(file)
     results = solve(design(document))

@@ -17,6 +17,7 @@ from calc.sheet.quantity import given
 from calc.sheet.value import recorded
 from calc.solve import Results, solve
 from calc.studies.shipped import DESIGNS, engine_design, engines
+from tests.conftest import FEW
 
 NUMBERS = ("number", "integer", "series")
 CHUNK = 50
@@ -149,7 +150,7 @@ def solved(document: Document) -> Beginning:
 
 @cache
 def shipped() -> tuple[Beginning, ...]:
-    return tuple([solved(read(path)) for path in sorted(DESIGNS.glob("*.toml"))])
+    return tuple([solved(read(path)) for path in FEW])
 
 
 @cache

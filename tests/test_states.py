@@ -16,6 +16,7 @@ from calc.studies.shipped import DESIGNS
 from reports.blocks.summary import summary_blocks
 from reports.report import context_of
 from reports.typesetting.pagination import TextContent
+from tests.conftest import each_shipped
 
 OLD = Path(__file__).parent / "reference" / "designs_0_1"
 
@@ -103,33 +104,6 @@ def test_what_is_open_of_alpha_and_of_the_balance_shafts() -> None:
     assert (shafts.verdict, shafts.colour) == ("not_verified", "not_verified")
 
 
-# --- journals of makers, healthy in their films: what is printed and what is assumed stands in each file
-
-MAKERS = Path(__file__).parent / "reference" / "makers"
-BOTH = ("front", "rear")
-JUDGED = {  # the state, and which cautions are open of each journal
-    "er6n": ("pass", ()),
-    "ld9": ("pass", ()),
-    "l61_front": ("warn", ("film_edge_sheared", "film_edge_corner", "temperature_corner")),
-    "l61_rear": ("warn", ("temperature_corner",)),
-    "j24b": ("warn", ("film_edge_sheared", "film_edge_corner")),
-    "v3307": ("pass", ()),
-    "wlc": ("pass", ()),
-    "cat3304": ("pass", ()),
-    "stx38": ("warn", ("film_edge_corner",)),
-}
-
-
-@pytest.mark.parametrize("name", JUDGED)
-def test_the_journals_of_makers(name: str) -> None:
-    results = solve(design(read(MAKERS / f"{name}.toml")))
-    state, cautions = JUDGED[name]
-    open_ones = {c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open and not c.narrow}
-    assert not failing(results)
-    assert open_ones == {f"bearings.{place}.{key}" for place in BOTH for key in cautions}
-    assert results.verdict == state
-
-
 WHEELS = ["crank", "central", "idler", "shaft"]
 
 
@@ -142,17 +116,10 @@ def test_the_runout_of_ground_wheels_frees_the_twin(given: list[str], state: str
     assert solve(design(parse(text.encode(), "twin_drive.toml"))).verdict == state
 
 
-SHIPPED = sorted(DESIGNS.glob("*.toml"))
-
-
 LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized")
 
 
-@pytest.mark.parametrize(
-    "file",
-    [pytest.param(file, marks=pytest.mark.slow) if file.stem in LONG else file for file in SHIPPED],
-    ids=lambda file: file.stem,
-)
+@pytest.mark.parametrize("file", each_shipped(*LONG))
 def test_the_session_and_page_one_say_the_state_of_the_program(file: Path) -> None:
     """Of every design the words from which the session's step list and the first page are drawn; what plain text, JSON
     and a replay say `tests/test_findings.py` compares."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands about what the program stands on: `contralbero sources`, `oils`, `errata` and `validate`.
+"""The commands about what the program stands on: `contralbero sources`, `oils`, `makers`, `errata` and `validate`.
 
 sources: the register of publications and kinds of sources, and what of the program rests on one of them.  oils: the
-oils that a design may name, and what is known of each.  errata: what is wrong in the documents that this program grew
-out of.  validate: values of others beside ours."""
+oils that a design may name, and what is known of each.  makers: the journals that makers print.  errata: what is wrong
+in the documents that this program grew out of.  validate: values of others beside ours."""
 
 import json
 import textwrap
@@ -17,12 +17,14 @@ from typing import Any
 from assistant.results_text import sign, table_json, table_lines
 from calc.library.catalogue import Oil, oils
 from calc.library.lubricant import Lubricant
+from calc.library.makers import CONFIDENCE, MakerJournal, MakerSheet, maker_sheets
 from calc.library.oil_formulas import viscosity_index
 from calc.library.oils import least_sure, printed_table, values_table
 from calc.library.publications import KINDS, KNOWN, Publication, references, register, resolved
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.formula import FORMULAS
 from calc.sheet.number import short
+from calc.sheet.quantity import keys
 from calc.sheet.step import Table
 from calc.sheet.text import SEMICOLON, Amount, Name, Text
 from calc.sheet.units import UNITS
@@ -253,6 +255,128 @@ def _one_oil(oil: Oil) -> list[Table]:
 def _shown(inside: float, unit: str) -> float:
     """Four digits, which is more than any of these is known to."""
     return float(f"{UNITS[unit].shown(inside):.4g}")
+
+
+# --- contralbero makers
+# The journals of balance shafts as makers print them; of one engine all that its sheet says, with its address.
+
+
+def run_makers(asked: Namespace) -> int:
+    known = maker_sheets()
+    sheet = None if asked.name is None else _sheet_meant(asked.name, known)
+    tables = [_all_sheets(known.values())] if sheet is None else _one_sheet(sheet)
+    if asked.json:
+        about: dict[str, Any] = {"schema": 1, "program": "contralbero", "version": VERSION}
+        if sheet is not None:
+            about |= {"engine": sheet.name, "title": sheet.title, "address": sheet.address, "confidence": CONFIDENCE}
+        shown = {table.id: table_json(table) for table in tables}
+        print(json.dumps({**about, "tables": shown}, ensure_ascii=False, indent=1))
+        return 0
+    for n, table in enumerate(tables):
+        print(("\n" if n else "") + "\n".join(table_lines(table)))
+    if sheet is not None:  # whole, to be copied: in a table it would be as wide as all of it
+        print(f"\n{sheet.title}\n{sheet.address}\n{str(CONFIDENCE)[:1].upper()}{str(CONFIDENCE)[1:]}.")
+    return 0
+
+
+def _sheet_meant(word: str, known: Mapping[str, MakerSheet]) -> MakerSheet:
+    """The sheet of that engine, or the one whose engine holds the word."""
+    meant = [name for name in known if word.casefold() in name.casefold()] if word not in known else [word]
+    if len(meant) == 1:
+        return known[meant[0]]
+    if meant:
+        hint = Text("may be {names}", names=", ".join(f'"{name}"' for name in meant))
+    else:
+        hint = Text("is not known; `contralbero makers` lists all")
+    raise BadInput("contralbero makers", [InputError(0, "", f'"{word}"', hint)])
+
+
+def _all_sheets(sheets: Iterable[MakerSheet]) -> Table:
+    """A row for each journal; engines of which no journal is printed have one row."""
+    columns = (
+        (Text("Engine"), ""),
+        (Text("Place"), ""),
+        (Text("Ratio"), ""),
+        (Text("Assembly"), ""),
+        (Name("d"), "mm"),
+        (Text("Wall"), "mm"),
+        (Text("Clearance"), "µm"),
+        (Name("ψ"), "‰"),
+    )
+    rows = tuple(
+        (
+            sheet.name,
+            journal.place,
+            sheet.ratio,
+            sheet.assembly,
+            _maybe(journal.diameter, "mm", 5),
+            _maybe(journal.wall_middle, "mm", 5),
+            _range(journal.stated_clearance[0] if journal.stated_clearance else (), "µm"),
+            _maybe(journal.relative_clearance, "‰", 3),
+        )
+        for sheet in sheets
+        for journal in sheet.journals or (MakerJournal(),)
+    )
+    note = Text(
+        "d and wall: middles of their limits. Clearance: as printed, else by the diameters that are printed; ψ: its "
+        "middle over d. Empty: not printed. `contralbero makers NAME` tells all of a sheet, with its address."
+    )
+    return Table("makers", Text("Journals of balance shafts as makers print them"), columns, rows, note)
+
+
+def _one_sheet(sheet: MakerSheet) -> list[Table]:
+    """All that a sheet prints: of the engine, then of each journal."""
+    said = [
+        (about.about.label, _fact(getattr(sheet, about.attribute), about.about.unit), about.about.unit)
+        for about in keys(MakerSheet).values()
+        if about.about.kind != "tables" and about.key not in ("name", "title", "address")
+    ]
+    heads = tuple((head, "") for head in (Text("Value"), Text("Printed"), Text("Unit")))
+    rows = tuple((label, fact, unit) for label, fact, unit in said if fact)
+    tables = [Table("maker", Text("{engine}: what its sheet says", engine=sheet.name), heads, rows)]
+    if sheet.journals:
+        tables.append(_journals(sheet))
+    return tables
+
+
+def _journals(sheet: MakerSheet) -> Table:
+    """A column for each number that is printed of a journal, and a row for each journal."""
+    printed = [
+        about
+        for about in keys(MakerJournal).values()
+        if any(_fact(getattr(journal, about.attribute), about.about.unit) for journal in sheet.journals)
+    ]
+    columns = (
+        *((about.about.label, about.about.unit) for about in printed),
+        (Text("Clearance is"), ""),
+        (Name("ψ"), "‰"),
+    )
+    rows = tuple(
+        (
+            *(_fact(getattr(journal, about.attribute), about.about.unit) for about in printed),
+            journal.stated_clearance[1] if journal.stated_clearance else None,
+            _maybe(journal.relative_clearance, "‰", 3),
+        )
+        for journal in sheet.journals
+    )
+    return Table("maker_journals", Text("{engine}: journals", engine=sheet.name), columns, rows)
+
+
+def _fact(value: Any, unit: str) -> str:
+    """What a sheet prints: a number or limits in its unit, or words; empty where it prints nothing."""
+    if isinstance(value, tuple):
+        return _range(value, unit)
+    return f"{UNITS[unit].shown(value):g}" if isinstance(value, float) else str(value or "")
+
+
+def _range(limits: tuple[float, ...], unit: str) -> str:
+    """The limits of each class in turn."""
+    ends = [f"{UNITS[unit].shown(x):.6g}" for x in limits]
+    return ", ".join(f"{low}–{high}" for low, high in zip(ends[::2], ends[1::2]))
+
+
+def _maybe(inside: float | None, unit: str, digits: int) -> float | None:
+    return None if inside is None else float(f"{UNITS[unit].shown(inside):.{digits}g}")
 
 
 # --- contralbero errata

@@ -17,7 +17,7 @@ from textual.widgets.option_list import Option
 
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
-from calc.studies.shipped import DESIGNS
+from calc.studies.shipped import designs, shipped_name
 
 from ..base_app import BaseApp
 from ..session.beginnings import engine_only, own_file
@@ -246,14 +246,13 @@ class CompareFile(PathDialog[Chosen | None]):
     def fill(self) -> None:
         """What is beside the path that is typed; and always the shipped designs."""
         super().fill()
-        shipped = sorted(DESIGNS.glob("*.toml"))
-        shipped = [path for path in shipped if str(path) not in self._names]
+        shipped = [path for path in designs() if str(path) not in self._names]
         self._names += [str(path) for path in shipped]
         options = self.query_one("#names", OptionList)
         options.add_options(
             [
-                Option(Content(self.app.say(Text("{name}   (comes with the program)", name=path.name))))
-                for path in shipped
+                Option(Content(self.app.say(Text("{name}   (comes with the program)", name=f"{name}.toml"))))
+                for name in map(shipped_name, shipped)
             ]
         )
         options.display = bool(self._names)
@@ -391,7 +390,7 @@ class OpenDialog(PathDialog[Session | None]):
 
     def offered(self) -> list[tuple[Text, list[Path]]]:
         recent = [path for path in self.memory.recent() if path != self.here]
-        return [(Text("Opened last"), recent), (Text("Examples"), sorted(DESIGNS.glob("*.toml")))]
+        return [(Text("Opened last"), recent), (Text("Examples"), designs())]
 
     def take(self, path: Path) -> None:
         if path.is_dir():

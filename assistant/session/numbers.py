@@ -6,6 +6,7 @@ would be a factor of a thousand.  The answer stands in the unit of the field, as
 
 import math
 import re
+import tomllib
 from datetime import date
 from typing import Any
 
@@ -157,6 +158,8 @@ def value(text: str, about: Quantity) -> Any:
             return series(text, about)
         case "names":
             return names(text, about)
+        case "open":
+            return nested(text, about)
     raise NotUnderstood(Text("can not be typed into one field"))
 
 
@@ -217,6 +220,19 @@ def names(text: str, about: Quantity) -> list[str]:
     if not all(found):
         raise NotUnderstood(Text("has an empty place; needs {allowed}", allowed=about.allowed()))
     return found
+
+
+def nested(text: str, about: Quantity) -> list[Any]:
+    """`[[27.987, 27.993], [27.994, 28.0]]`: a list as the design file has it, where a comma parts numbers."""
+    if text.count("[") > text.count("]"):
+        raise NotUnderstood(Text("is not finished"))
+    try:
+        read = tomllib.loads(f"it = {text.translate(MINUS)}")
+    except ValueError:
+        read = {}
+    if list(read) != ["it"] or not isinstance(read["it"], list):
+        raise NotUnderstood(Text("is no list of lists; write [[1.48, 1.49], [1.5, 1.51]], with points in the numbers"))
+    return read["it"]
 
 
 def _parts(text: str, about: Quantity) -> tuple[float, str]:
@@ -350,9 +366,16 @@ def written(content: Any, about: Quantity) -> str:
     """A value of the design file as it stands in its field."""
     if content is None:
         return ""
+    if about.kind == "open":
+        return _as_in_file(content)
     if isinstance(content, list):
         return "; ".join(_digits(item) for item in content)
     return content if isinstance(content, str) else _digits(content)
+
+
+def _as_in_file(content: Any) -> str:
+    """A list of lists in brackets; anything in them as a field of its own has it."""
+    return f"[{', '.join(map(_as_in_file, content))}]" if isinstance(content, list) else _digits(content)
 
 
 def _digits(content: Any) -> str:

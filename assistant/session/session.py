@@ -20,7 +20,7 @@ from calc.design.toml_file import design, parse, read, same_content
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
 from calc.sheet.text import EMPTY, Text
-from calc.studies.shipped import DESIGNS, EXAMPLE
+from calc.studies.shipped import EXAMPLE, is_shipped
 
 from .editing import Editing
 from .places import NAME, SHAFTS, Place, content_at, named_key, original_of
@@ -44,7 +44,7 @@ class Session(Editing):
         self.memory = memory or Memory()
         self.now = now
         self.origin = origin  # the file that was read
-        self.path: Path | None = None if _shipped(origin) else origin.absolute()
+        self.path: Path | None = None if is_shipped(origin) else origin.absolute()
         self.message = EMPTY  # something to be told once, when the session begins
         self.results: Results | None = None
         self.seconds, self.failure = 0.0, EMPTY
@@ -341,7 +341,7 @@ class Session(Editing):
         path = path.expanduser()
         if not path.suffix and not path.is_dir():
             path = path.with_suffix(".toml")
-        if _shipped(path):
+        if is_shipped(path):
             raise SaveError(Text("{name} is the shipped example; give another name", name=path.name))
         if path.is_dir():
             raise SaveError(Text("{path} is a folder; give the name of a file in it", path=str(path)))
@@ -456,7 +456,3 @@ class Session(Editing):
         """Nothing is lost if the program ends now."""
         kept = self._kept is not None and self._kept.state() == self._state and self.memory.keeps(self.home, self._kept)
         return not self.dirty or (kept and not self.autosave_failure)
-
-
-def _shipped(path: Path) -> bool:
-    return path.resolve().parent == DESIGNS.resolve()

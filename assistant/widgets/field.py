@@ -33,7 +33,7 @@ from .text import fit, pad, wrap
 LABEL, LABEL_NARROW = 22, 30  # cells, as in the style sheet
 LABEL_CELLS = 19
 CELL = 9  # cells of the box of an input that stands beside others
-BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "names": 20, "text": 20, "choice": 20}
+BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "names": 20, "text": 20, "choice": 20, "open": 20}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
 AUTO = "(auto)"  # the program chooses; the same in every language, as in the texts that name it
@@ -120,7 +120,7 @@ class Field(Widget):
                 prompt=self._prompt() if self._else() else f"{default} {AUTO}".lstrip() if optional else choose,
                 named=not self.about.choices,
             )
-        return Entry(text, self._prompt(), numeric=self.about.kind not in ("text", "names"))
+        return Entry(text, self._prompt(), numeric=self.about.kind not in ("text", "names", "open"))
 
     def _else(self) -> Text | None:
         """What holds where nothing stands here and it is said elsewhere: what all bearings share, or that of the

@@ -382,7 +382,9 @@ class Fold(Widget, can_focus=True):
         return f"{title}, {self.app.say(Text('assumed ({n})', n=assumed))}" if assumed and self.row.open else title
 
     def _names(self) -> list[str]:
-        names = [str(row.about.label) for row in self.row.inside if len(row.place) == 2 or row.kind == "field"]
+        names = [
+            str(row.about.label) for row in self.row.inside if len(row.place) == 2 or row.kind in ("field", "cells")
+        ]
         return [name if name[1:2].isupper() else name[:1].lower() + name[1:] for name in dict.fromkeys(names)]
 
     def render(self) -> Content:

@@ -83,10 +83,20 @@ class Picture(Widget, can_focus=True):
             if isinstance(sketch, Sketch):
                 self.views = sketch.views
                 lit = self.design.as_in_rules(self.lit) if self.design is not None else self.lit
+                sketch = sketch if self.view else self._with(lit, sketch)
                 return draw(sketch, columns, rows, signs, say, lit, MORE), sketch.turning
         except Exception:  # a picture that cannot be drawn never stops the work that it shows
             sketch = FAILED
         return Content.styled(say(sketch), signs.style("muted")), False
+
+    def _with(self, lit: str, sketch: Sketch) -> Sketch:
+        """Where nothing of a picture is lit, one that stands apart on paper and has what is, if there is one."""
+        if not lit or shows(lit, *(part for part in (sketch, *sketch.beside) if not part.caption)):
+            return sketch
+        angle = math.radians(self.degrees)
+        others = (sketch_of(self.step, self.design, self.results, angle, view) for view in range(1, sketch.views))
+        apart = (other for other in others if isinstance(other, Sketch) and other.caption)
+        return next((other for other in apart if shows(lit, other)), sketch)
 
     # --- turning
     def action_turn(self, by: int) -> None:
@@ -111,6 +121,13 @@ class Picture(Widget, can_focus=True):
     def on_blur(self) -> None:
         if self._clock is not None:
             self._clock.pause()
+
+
+def shows(lit: str, *pictures: Sketch) -> bool:
+    """Whether one of the pictures has something that the input changes."""
+    from .canvas import covers
+
+    return any(covers(key, lit) for part in pictures for mark in part.primitives for key in mark.key.split())
 
 
 def sketch_of(

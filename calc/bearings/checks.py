@@ -26,6 +26,7 @@ from .routes import supply
 from .routes.routes import ROUTES
 from .routes.side_by_side import SPREAD
 from .seats.checks import seat_checks, unknown_check
+from .seats.result import SplitResult
 from .suitability import DIAMETER, LENGTH, MATERIAL_TEMPERATURE, OIL, SUPPLY_TEMPERATURE
 
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (from memory), in m.
@@ -124,6 +125,19 @@ FILM_EDGE_SHEARED = CheckRule(
     value_id=dotted("bearings", "B", BearingResult.film_sheared),
     limit_id=ASKED,
     moved_by=(LENGTH, *ROUGHNESSES, *CLEARANCE, OIL),
+)
+FILM_EDGE_SPLIT = CheckRule(
+    "bearings.B.film_edge_split",
+    "caution",
+    "Where shells stand back at their split the film is thinner each time the turning load passes.",
+    Text("Film at the edge as the split passes under the load"),
+    unit="µm",
+    source=KREISLE + Text("; the split: march over a turn by Reynolds' equation, rigid shells, constant viscosity"),
+    advice=Text("A bush, which has no split, or a shorter and shallower relief; else as for the film at the edge."),
+    cause=FILM_EDGE.id,
+    value_id=dotted("bearings", "B", "split", SplitResult.film),
+    limit_id=ASKED,
+    moved_by=(dotted(ROW, BearingRow.relief), dotted(ROW, BearingRow.relief_length), LENGTH, *ROUGHNESSES),
 )
 FILM_OVERSPEED = CheckRule(
     "bearings.B.film_overspeed",
@@ -462,6 +476,7 @@ FILMS = (
     FILM_EDGE_SPEEDS,
     FILM_EDGE_STANDING,
     FILM_EDGE_SHEARED,
+    FILM_EDGE_SPLIT,
     FILM_OVERSPEED,
     FILM_EDGE_CORNER,
     FILM_EDGE_USUAL,
@@ -578,7 +593,7 @@ def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
         yield on_bearing(SHEAR_RATE, place, r.shear_rate, SHEAR_THINNING)
     yield from _corner_checks(place, r)
     band = None if inputs.select is None else inputs.select.clearance_band
-    yield from seat_checks(place, bearing, r.seat_, r.seat.stack, band)
+    yield from seat_checks(place, bearing, r.seat_, r.select, band)
     if (unknown := unknown_check(place, bearing, housing, inputs, r.clearance, r.hot.mean_temperature)) is not None:
         yield unknown
     journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
@@ -622,6 +637,9 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
             missing=edge_missing(r, r.film_sheared, unsheared=r.film_edge),
             base=lost,
         )
+    if r.split is not None:
+        missing = edge_missing(r, r.split.film)
+        yield on_bearing(FILM_EDGE_SPLIT, place, r.split.film, r.kreisle_film, missing=missing, base=lost)
     label = Text(
         "Film at the edge at {overspeed} % overspeed", overspeed=Amount(r.seat.inputs.overspeed * 100, form="g")
     )

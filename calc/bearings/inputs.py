@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import pi
 from typing import ClassVar
 
-from ..countershaft.rows import BearingRow, called, near
+from ..countershaft.rows import LEAST_METAL, BearingRow, called, more_metal, near
 from ..library import journal_rules as rules
 from ..library import tolerances as fits
 from ..library.catalogue import Oil
@@ -380,6 +380,8 @@ class BearingsInputs:
             yield dotted(BearingRow.wall), Text('needed with seat = "{seat}"', seat=row.seat)
         if sorted_:
             yield from self._by_classes(row)
+        elif row.journal is not None and not row.limited:
+            yield dotted(BearingRow.journal), Text("needs bore_mm beside it: both make the clearance")
         elif row.clearance is None and row.clearance_factor is None and not row.limited and not self.of(row)._placed:
             letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
             yield (
@@ -399,6 +401,11 @@ class BearingsInputs:
         ):
             if there is not None:
                 yield dotted(key), made
+        if row.wall is not None:
+            yield dotted(BearingRow.wall), Text("leave it out: the walls are those of [bearings.select]")
+        bores = self.select.bores
+        if row.housing_outer is not None and bores and row.housing_outer <= bores[-1][1] + LEAST_METAL:
+            yield dotted(BearingRow.housing_outer), more_metal(bores[-1][1])
         for limited, limits, classes in (
             (BearingRow.journal, row.journal, self.select.journals),
             (BearingRow.bore, row.bore, self.select.bores),

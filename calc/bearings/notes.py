@@ -4,7 +4,7 @@
 from collections.abc import Iterator, Mapping
 
 from ..countershaft.result import CountershaftResult
-from ..countershaft.rows import called, titled
+from ..countershaft.rows import RELIEF, RELIEF_LENGTH, called, titled
 from ..library.oils import rising_rows
 from ..sheet.quantity import dotted
 from ..sheet.step import Erratum
@@ -43,13 +43,15 @@ def _all_notes(
     yield Text(
         "The clearance is taken as given at {reference} and judged at the film's mean temperature.", reference=reference
     )
-    if not any(r.seat.inputs.fits_given for r in results.values()):
+    by_fits = [r.seat for r in results.values() if r.seat.stack is None]
+    if by_fits and not any(seat.inputs.fits_given for seat in by_fits):
         yield Text(
             "No fits are given: the corners take IT7 for journal and seat, half of it to either side of the "
             "clearance, and the oil within "
             "±{viscosity_tolerance} % of its viscosity.",
             viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
         )
+    yield from _seats(results)
     yield _slope(results, shaft)
     yield from _on_shaft(results, shaft)
     yield from _feeds(results)
@@ -114,6 +116,40 @@ def _surfaces(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> I
             )
         elif passes:
             yield fatigue_note(place, surface, r.film_pressure_max, passes * r.duty.speed, None)
+
+
+def _seats(results: Mapping[str, BearingResult]) -> Iterator[Text]:
+    """What is taken of bushes and shells."""
+    for place, r in results.items():
+        row, seat = r.seat.bearing, r.seat_
+        if seat is None:
+            continue
+        rings = seat.rings
+        if rings.chosen:
+            yield Text(
+                "{place} bearing: no interference is given; it takes {least} to {most}, the least that keeps the fit "
+                "shut under the load from {cold} to {hot} and the field that such parts are made in: whether it holds "
+                "is not judged.",
+                place=titled(place),
+                least=Amount(seat.interference_min * 1e6, form=".0f"),
+                most=Amount(seat.interference_max * 1e6, "µm", form=".0f"),
+                cold=Amount(seat.temperatures.cold, "°C", form=".0f"),
+                hot=Amount(seat.temperatures.hot, "°C", form=".0f"),
+            )
+        if rings.outside is None:
+            yield Text("The metal around the bore is taken as a ring of twice its diameter.")
+        if r.split is not None and (row.relief is None or row.relief_length is None):
+            yield Text(
+                "Relief of the shells at their split, where it is not given: {depth} over {length} to each side (from "
+                "memory).",
+                depth=Amount(RELIEF * 1e6, "µm"),
+                length=Amount(RELIEF_LENGTH * 1e3, "mm"),
+            )
+        elif row.seat == "shells" and r.split is None and not r.seat.centred:
+            yield Text(
+                "{place} bearing: the relief at the split lies outside what was marched: the film there is not known.",
+                place=titled(place),
+            )
 
 
 def _load(inputs: BearingsInputs) -> Text:

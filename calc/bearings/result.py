@@ -4,8 +4,8 @@
 from ..countershaft.bending.condensed import OnSupports
 from ..countershaft.rows import IN_WORDS
 from ..sheet.arrays import Array, ComplexArray
-from ..sheet.quantity import group, result, value
-from ..sheet.text import Name
+from ..sheet.quantity import group, result, value, values
+from ..sheet.text import Name, Text
 from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -28,7 +28,7 @@ from .film.dynamics import Dynamics
 from .routes.routes import ROUTES
 from .routes.side_by_side import RouteResultBeside
 from .routes.states import BearingCase, Film, OperatingPoint
-from .seats.result import SeatResult
+from .seats.result import SeatResult, SelectResult, SplitResult
 from .speeds import Sweep
 
 
@@ -51,6 +51,7 @@ class RouteResult:
 
 
 ROUTE_WORDS = {name: route.brief for name, route in ROUTES.items()} | {"din31652": Name("DIN 31652")}
+AT_ALL: tuple[Celsius, ...] = (-20.0, 20.0, 100.0)  # of all parts alike, where the clearance is told
 FORMER_NAMES = {name: route.former for name, route in ROUTES.items() if route.former}
 
 
@@ -107,6 +108,11 @@ class OnShaftResult:
     film_alignment: Metre | None = value("Film under the load with that of the bores", "µm", "h_c", default=None)
 
 
+def _degrees(at: str) -> Text:
+    """A temperature of `AT_ALL` as it is read."""
+    return Name(at.replace("-", "−"))
+
+
 @result
 class BearingResult:
     """One bearing as judged, and beside it the routes on the clearance as given."""
@@ -142,6 +148,9 @@ class BearingResult:
     clearance: Metre = value("Clearance at its reference temperature", "µm", "g", short=True)
     clearance_hot: Metre = value("Clearance at the film's mean temperature", "µm", "g_hot", short=True)
     clearance_cold: Metre = value("Clearance at the lowest temperature", "µm", "g_cold", short=True)
+    clearances: dict[str, Metre] = values(
+        "Clearance with all parts at {row} °C", "µm", "g_*", id="clearance_at.*", called=_degrees, sign=_degrees
+    )
     relative_clearance: Number = value("Relative clearance, warm", "‰", "ψ")
     load: Newton = value("Load", "N", "F", short=True)
     specific_load: Pascal = value("Specific load", "MPa", "p", short=True)
@@ -164,6 +173,8 @@ class BearingResult:
     )  # those that have an answer
     corners: Corners = group(words="corners")
     seat_: SeatResult | None = group(words="seat", default=None)
+    select: SelectResult | None = group(words="classes", default=None)
+    split: SplitResult | None = group(words="split line", default=None)
     dynamics: Dynamics = group(words="dynamics")
     standing: StandingResult | None = group(spread=True, default=None)
     on_shaft: OnShaftResult | None = group(spread=True, default=None)

@@ -46,6 +46,7 @@ from .as_supports import FILM_EDGE_TILTED
 from .checks import FILM_EDGE
 from .inputs import BearingsInputs, ruled_by
 from .result import BearingResult, BearingsResult
+from .seats.sketch import seat_sketches
 
 if TYPE_CHECKING:
     from ..design.model import Design
@@ -61,8 +62,8 @@ STEP = "bearings"
 
 
 def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int = 0) -> Sketch:
-    """The bearings of a shaft side by side, and from the side how all shafts lie in their films; `view` 1: that
-    first."""
+    """The bearings of a shaft side by side, from the side how all shafts lie in their films, and each seat of which
+    more is known in section; `view`: which of these first."""
     outcome = results.outcomes[STEP]
     result, side = outcome.result, _from_the_side(design, results)
     if not isinstance(result, BearingsResult):
@@ -78,11 +79,10 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int 
         Sketch(tuple(_bearing(place, r, gap, checks)), title=_title(place, r)) for place, r in result.bearings.items()
     ]
     ends[0] = replace(ends[0], notes=notes)
-    pictures = [*ends, side] if side is not None else ends
-    if side is not None and view:
-        pictures = [side, *ends]
-    first, *others = pictures
-    return replace(first, beside=tuple(others), views=1 if side is None else 2)
+    ways = [ends, *([[side]] if side is not None else [])]
+    ways += seat_sketches(result.bearings, checks)
+    first, *others = [picture for way in (ways[view:] + ways[:view]) for picture in way]
+    return replace(first, beside=tuple(others), views=len(ways))
 
 
 def _title(place: str, r: BearingResult) -> Text:

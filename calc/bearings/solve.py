@@ -26,31 +26,34 @@ from ..sheet.errors import NoSolution
 from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
-from ..sheet.step import Further, Outcome, Table
+from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks, turned_over
 from .checks import SLOPE, checks, oil_check
-from .corners import assumed, corner_points, corners, corners_table
+from .corners import corner_points, corners, corners_table
 from .curves import charts, curves, in_films
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
 from .inputs import SLOPE_TAKEN, BearingsInputs, ruled_by
 from .loads import loads_beside
+from .makers import maker_checks, makers_table, own_journal
 from .materials import application, running_surface
 from .notes import errata, notes
-from .result import BearingResult, BearingsResult, route_result
+from .result import AT_ALL, BearingResult, BearingsResult, route_result
 from .routes import supply
 from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
-from .routes.thermal_balance import balanced, closed, settled, settled_together
-from .seats import formulas as seats_by
-from .seats.seat import GUESSED, chosen, rings_of, seated, states
+from .routes.thermal_balance import balanced, closed, settled_together
+from .seats.seat import rings_of
+from .seats.sitting import seat_result, select_result, sitting, split_result
 from .seats.stack import stack_of
+from .seats.tables import seat_tables
+from .seats.warm import seat_curves, warm_table
 from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
 from .suitability import (
     Journal,
@@ -76,9 +79,6 @@ SLOPE_GIVEN = CheckRule(
 )
 
 
-CHOSEN_PASSES, CHOSEN_WITHIN = 6, 0.05  # until the hottest film of a chosen interference stays, in K
-EIGHT = 8  # corners of the tolerances under one load
-
 HTHS_TEMPERATURE: Celsius = 150.0  # at which the viscosity at high shear is measured, SAE J300
 
 
@@ -101,13 +101,15 @@ def solve(
     *,
     speed_ratio: Number | None,
     how: How = "own",
+    assembly: str | None = None,
     compared: bool = True,
 ) -> Outcome[BearingsResult]:
     """The bearings of a shaft, front to rear, under the loads given, or the shaft's reactions, which turn with it and
     grow with its speed squared; more than two share them by their films and its bending.
 
     `speed_ratio`: of the shaft to the crank.  `how`: the bearings may be those of its mirror image, whose films are
-    the same turned over.  `compared`: with the other routes to the film beside the one that judges.
+    the same turned over.  `assembly`: how the shaft comes into its seats, where that is said.  `compared`: with the
+    other routes to the film beside the one that judges.
     """
     speed, bench = bearings.speed, tuple[BenchPoint, ...]()
     if engine is not None:
@@ -156,6 +158,7 @@ def solve(
             result = turned_over(result) if how == "mirrors" else result
     all_checks += _slope_checks(shaft, results)
     all_checks += support_checks(result, films, shaft)
+    all_checks += maker_checks(results, assembly, speed_ratio)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
         all_checks.append(pumping_check)
     results = result.bearings
@@ -164,8 +167,8 @@ def solve(
         result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        curves=Later(lambda: (*(c for place, r in results.items() for c in curves(place, r)), *in_films(result))),
-        tables=Later(lambda: _tables(results, speed)),
+        curves=Later(lambda: _curves(result)),
+        tables=Later(lambda: _tables(results, speed, assembly, speed_ratio)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)),
         further=lambda: Further(curves=Later(lambda: charts(results))),
@@ -178,14 +181,29 @@ def _by_row(row: BearingRow, found: list[Check]) -> list[Check]:
     return [check.in_place(lambda key: (own.get(key, key),)) for check in found] if own else found
 
 
-def _tables(results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
+def _curves(result: BearingsResult) -> Iterator[Curve]:
+    for place, r in result.bearings.items():
+        yield from curves(place, r)
+    yield from in_films(result)
+    for place, r in result.bearings.items():
+        yield from seat_curves(place, r)
+
+
+def _tables(
+    results: dict[str, BearingResult], speed: RevPerSecond, assembly: str | None, ratio: Number | None
+) -> Iterator[Table]:
     for place, r in results.items():
         yield routes_table(place, r.side)
         yield corners_table(place, r.corners, r.seat)
+        yield from seat_tables(place, r.seat, r.select)
+        yield from warm_table(place, r, AT_ALL[:2])
     runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
     yield bushes_table(runs, [r.seat.inputs.bush_material or r.seat.inputs.housing_material for r in results.values()])
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
     yield reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items())
+    beside_makers = makers_table([own_journal(place, r) for place, r in results.items()], assembly, ratio)
+    if beside_makers is not None:
+        yield beside_makers
 
 
 def _material_checks(place: str, r: BearingResult) -> Iterator[Check]:
@@ -221,54 +239,6 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingRow, speed: RevPerSecon
         for fit in (inputs.journal_fit, inputs.seat_fit)
     )
     return f.clearance_of_fits(EI=EI, ES=ES, ei=ei, es=es)
-
-
-def sitting(seat: BearingCase, duty: OperatingPoint) -> BearingCase:
-    """The same bearing with the interference of what is pressed in and the clearance that its parts make.
-
-    An interference that is chosen holds where the film is hottest, which hangs on the clearance, and walls that are
-    found allow for what the press does to the bore: until both stay."""
-    if seat.rings is None:
-        return replace(seat, clearance=_of_parts(seat))
-    hot = duty.supply_temperature + GUESSED
-    with untraced():
-        for _ in range(CHOSEN_PASSES):
-            before, seat = hot, _pressed(seat, duty, hot)
-            hot = _hottest(seat, duty) if seat.rings is not None and seat.rings.chosen else hot
-            if abs(hot - before) < CHOSEN_WITHIN:
-                break
-    return _pressed(seat, duty, hot)
-
-
-def _pressed(seat: BearingCase, duty: OperatingPoint, hot: Celsius) -> BearingCase:
-    """With bush and shells as they sit where the film is so hot."""
-    row, inputs, rings = seat.bearing, seat.inputs, seat.rings
-    assert rings is not None
-    rings = chosen(rings, row, seat.clearance, duty.load, states(inputs, hot))
-    if seat.stack is not None and seat.stack.pairs is not None:
-        with untraced():
-            stack = stack_of(row, inputs.select, rings.rise(row.diameter, seat.clearance))
-        assert stack is not None and stack.walls is not None
-        seat, rings = replace(seat, stack=stack), replace(rings, wall=sum(stack.walls) / 2)
-    seat = replace(seat, rings=rings)
-    return replace(seat, clearance=_of_parts(seat))
-
-
-def _of_parts(seat: BearingCase) -> Metre:
-    """The clearance: of its parts, where they make it, their middle."""
-    if seat.stack is None:
-        return seat.clearance
-    least, most = seat.stack.clearances(seat.rings)
-    return seats_by.middle_clearance(g_min=least, g_max=most)
-
-
-def _hottest(seat: BearingCase, duty: OperatingPoint) -> Celsius:
-    """Highest mean temperature of the film over its corners; of the film where fits are not given.  The limit of the
-    outlet where no film answers."""
-    at = replace(duty, load=max(duty.load, 1.0))
-    film = settled(*((seat, at) if assumed(seat) else corner_points(seat, at)))
-    corners = np.atleast_1d(film.mean_temperature)[:EIGHT]
-    return float(np.nanmax(corners)) if np.isfinite(corners).any() else seat.inputs.outlet_temperature_limit
 
 
 def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:
@@ -381,6 +351,7 @@ def _bearing(
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
         cold = seat.clearance_at(inputs.lowest_temperature)
+        at_all = {f"{T:g}": seat.clearance_at(T) for T in AT_ALL}
     ratio = f.length_ratio(l=based_on(bare / 2, bare) if lands == 2 else bare, d=d)
     with about(Text("{place} bearing, between largest load and least friction", place=called(place))):
         most, least_friction = optimum.share_of_largest_load(b=ratio), optimum.share_of_least_friction(b=ratio)
@@ -418,17 +389,12 @@ def _bearing(
     with about(Text("{place} bearing, corners of the tolerances", place=called(place))):
         of = Text("{place} bearing", place=called(place))
         at_worst = corners(seat, duty, theta, corner_films, of, None if share is None else points[1].load)
-    pressed = None
-    if seat.rings is not None:
-        with about(Text("{place} bearing, seat", place=called(place))):
-            mean = np.atleast_1d(corner_films.mean_temperature)[:EIGHT]
-            hottest = hot.mean_temperature
-            if not assumed(seat):
-                there = np.isfinite(mean).any()
-                hottest = float(np.nanmax(mean)) if there else inputs.outlet_temperature_limit
-            omega = f.angular_speed(n=speed)
-            at = states(inputs, hottest)
-            pressed = seated(seat.rings, bearing, seat.clearance, load, hot.friction_power, omega, at)
+    with about(Text("{place} bearing, seat", place=called(place))):
+        pressed = seat_result(seat, load, duty, hot, corner_films)
+    with about(Text("{place} bearing, split line", place=called(place))):
+        passed = split_result(seat, hot, edge, ratio)
+    with about(Text("{place} bearing, classes", place=called(place))):
+        selected = select_result(seat.stack, seat.rings)
     swept = sweep(speed, inputs, bench, speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=called(place))):
         thinnest = _thinnest(seat, duty, swept)
@@ -458,6 +424,7 @@ def _bearing(
         clearance=seat.clearance,
         clearance_hot=hot.clearance,
         clearance_cold=cold,
+        clearances=at_all,
         relative_clearance=hot.relative_clearance,
         load=load,
         specific_load=p,
@@ -480,6 +447,8 @@ def _bearing(
         },
         corners=at_worst,
         seat_=pressed,
+        select=selected,
+        split=passed,
         dynamics=moving,
         hot=hot,
         seat=seat,

@@ -28,7 +28,7 @@ from ..sheet.units import (
     RevPerSecond,
     Second,
 )
-from ..sheet.value import untraced
+from ..sheet.value import based_on, untraced
 from . import formulas as f
 from .inputs import BearingsInputs
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings, running_surface
@@ -79,6 +79,7 @@ def film_duty(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
 
 LEAST_WORD = "fair"  # rule of this program: below it, advice
 RUNS_IN = ("good", "excellent")  # words of emergency running
+SMOOTHEST: Metre = 0.01e-6  # Ra of a polished journal; rule of this program
 FIGURE = Text("Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16")
 
 LENGTH = dotted(ROW, BearingRow.length)
@@ -214,7 +215,10 @@ class Running(NamedTuple):
 
 def film_asked(inputs: BearingsInputs, journal: Metre, seat: Metre) -> Metre:
     """The film that keeps the peaks of both surfaces apart, by their roughnesses Ra.  On a lining that runs in the seat
-    counts as no rougher than its journal; bare metal keeps its peaks."""
+    counts as no rougher than its journal; bare metal keeps its peaks.  A journal of no roughness is one of the finest
+    that are made, and so is the film that is asked for."""
+    if journal < SMOOTHEST:
+        journal = based_on(SMOOTHEST, journal)
     surface = running_surface(inputs.bush_material, inputs.housing_material)
     if surface is not None and surface.form != "bare" and surface.emergency_running in RUNS_IN:
         seat = f.roughness_run_in(Ra_1=journal, Ra_2=seat)

@@ -19,6 +19,7 @@ from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
 from ..sheet.units import Metre, Number
 from .bending.shaft import Bending
 from .inputs import ShaftInputs
+from .insertion import way_in
 from .outline import Journals, Outline, outer_face
 from .result import CountershaftResult, SupportResult
 from .rows import EACH_ROW, SHAFT, BearingRow, called
@@ -343,28 +344,19 @@ def _envelope_checks(
 ) -> Iterator[Check]:
     """Whether sectors and gear can be threaded in, and the sectors end before the journals begin; also where they can
     not be drawn."""
-    seats, outline = shaft.bearing_positions, shaft_result.outline
-    parts = [p for p in outline.pieces if p.what in ("sector", "full")] if outline is not None else []
-    # those at a bearing are journals
-    radii = [p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)]
-    R = max(radii, default=shaft.outer_radius)
-    clearance, seat, cartridge = shaft.room_asked, shaft.seat, shaft.assembly == "cartridge"
-    if cartridge and R is not None:  # all journals pass but the one that its carrier holds
-        R = max(
-            R,
-            *(
-                d / 2
-                for row, (d, _) in zip(shaft.bearings, journals)
-                if row.carrier_bore is None or row.carrier_bore[0] != seat
-            ),
-        )
-    if clearance is not None and seat is not None and R is not None:
-        room = seat / 2 - R
-        smaller = _no_longer(ShaftInputs.outer_radius, R + room - clearance) if R == shaft.outer_radius else None
+    seats, clearance = shaft.bearing_positions, shaft.room_asked
+    room = way_in(shaft, shaft_result.insertion_room_front, shaft_result.insertion_room_rear)
+    if clearance is not None and room is not None:
+        outline, R = shaft_result.outline, shaft.outer_radius
+        parts = [p for p in outline.pieces if p.what in ("sector", "full")] if outline is not None else []
+        wider = any(R is None or p.outer_radius > R for p in parts if not any(p.start < z < p.end for z in seats))
+        smaller = None if R is None or wider else _no_longer(ShaftInputs.outer_radius, R + room - clearance)
+        cartridge = shaft.assembly == "cartridge"
         name = Text("Room around the shaft in the bore of its carrier") if cartridge else None
         keys = (dotted(SHAFT, ShaftInputs.outer_radius), dotted(EACH_ROW, BearingRow.carrier_bore))
         moved_by = keys if cartridge else None
-        yield ENVELOPE(round(room, 9), clearance, scale=R, remedies=smaller, name=name, moved_by=moved_by)
+        scale = R if R is not None else max(d for d, _ in journals) / 2
+        yield ENVELOPE(round(room, 9), clearance, scale=scale, remedies=smaller, name=name, moved_by=moved_by)
     if clearance is not None and gear is not None and shaft.passes_seats:
         front = dotted(SHAFT, ShaftInputs.bearings, shaft.bearings[0].name, BearingRow.diameter)
         keys = front, dotted("gears", GearsInputs.normal_module)

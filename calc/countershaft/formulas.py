@@ -351,3 +351,16 @@ def reaction_peak(R: Newton, R_0: Newton) -> Newton:
 @formula("w", "Finotti 2013, 4.2: the support's outside stays, its seat grows", unit="mm", names={"w": "w_w"})
 def wall_beside(w: Metre, d: Metre, D_w: Metre) -> Metre:
     return w - (d - D_w) / 2
+
+
+@formula("c_R", "geometry: room of a piece of the shaft in an opening that it passes", unit="mm")
+def room_on_the_way(D_b: Metre, R: Metre) -> Metre:
+    """>>> room_on_the_way(D_b=0.0403, R=0.019976)
+    0.000174...
+    """
+    return D_b / 2 - R
+
+
+@formula("n_1/n_max", "definition: first critical speed over the highest speed of the shaft")
+def critical_share(n_1: RevPerSecond, n_max: RevPerSecond) -> Number:
+    return n_1 / n_max

@@ -400,6 +400,13 @@ class ShaftInputs:
         "through the bore of the carrier of an outer bearing, which comes along. Left out: threaded in mode size or "
         "with a clearance for threading in, else not asked.",
     )
+    insert_from: str | None = choice(
+        "Comes in from",
+        "front",
+        "rear",
+        default=None,
+        help="Of a shaft that is threaded or comes with its carrier. Left out: from the side with more room.",
+    )
     bore_diameter: float = quantity(
         "Bore through it",
         "mm",
@@ -583,6 +590,7 @@ class ShaftInputs:
             yield dotted(ShaftInputs.shell_gap), Text('needed with covered = "shell"')
         if self.covered != "shell" and self.shell_gap is not None:
             yield dotted(ShaftInputs.shell_gap), Text('leave it out, or say covered = "shell"')
+        yield from self._seats()
         if self.mode == "bearings":
             return
         for i, row in enumerate(self.bearings):
@@ -598,7 +606,6 @@ class ShaftInputs:
                 Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R),
             )
         yield from self._envelope()
-        yield from self._seats()
         yield from self._sections()
         if self._placed:
             yield from self._places()
@@ -646,9 +653,8 @@ class ShaftInputs:
             )
             yield dotted(ShaftInputs.radial_clearance), laid_in
         for i, row in enumerate(self.bearings):
-            if row.seat == "shells" and self.assembly not in LAID_IN:
-                key = dotted(ShaftInputs.bearings, i, BearingRow.seat)
-                yield key, Text('half shells go in with a divided housing; assembly = "split", "caps" or "module"')
+            if (undivided := self.seat_problem(row)) is not None:
+                yield dotted(ShaftInputs.bearings, i, BearingRow.seat), undivided
             if row.carrier is not None and row.carrier_bore is None:
                 key = dotted(ShaftInputs.bearings, i, BearingRow.carrier)
                 yield key, Text("needs carrier_bore_mm beside it: the bore that the carrier fills")
@@ -662,6 +668,14 @@ class ShaftInputs:
         if self.assembly == "cartridge" and not carriers:
             needed = Text('needed with assembly = "cartridge": the bore that the carrier of an outer bearing fills')
             yield dotted(ShaftInputs.bearings, 0, BearingRow.carrier_bore), needed
+
+    def seat_problem(self, row: BearingRow) -> Text | None:
+        """Why a bearing can not have its seat on this shaft; where its bearings alone are asked, the way of assembly
+        may be left open."""
+        left_open = self.mode == "bearings" and self.assembly is None
+        if row.seat != "shells" or self.assembly in LAID_IN or left_open:
+            return None
+        return Text('half shells go in with a divided housing; assembly = "split", "caps" or "module"')
 
     @property
     def _known(self) -> bool:

@@ -168,6 +168,9 @@ class CountershaftResult:
     first_critical_speed_without_rotary: RevPerSecond | None = value(
         "the first without rotary inertia, as other programs have it", "rpm", "n_1", default=None
     )
+    first_critical_share: Number | None = value(
+        "First bending critical speed over the highest speed", "", "n_1/n_max", default=None
+    )
     fem_safety: Number | None = value(
         "Safety against fatigue of the largest principal stress by finite elements", "", "j", default=None
     )
@@ -184,6 +187,8 @@ class CountershaftResult:
     drain: "DrainResult | None" = group(spread=True, default=None)
     further_drains: "dict[str, DrainResult] | None" = group(default=None, words="further drains")
     alternative: "dict[str, MaterialResult] | None" = group(default=None, words="alternative")
+    insertion_room_front: Metre | None = value("Room on the way in from the front", "mm", "c_R,f", default=None)
+    insertion_room_rear: Metre | None = value("Room on the way in from the rear", "mm", "c_R,r", default=None)
     part_count: Number | None = value("Parts of the assembly", "", default=None)
     part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it

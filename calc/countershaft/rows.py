@@ -18,7 +18,7 @@ SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
 # of what brings the oil, over the length, for guide texts
 USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
 OF_ITS_OWN = Text("Supply and seat of its own")  # folds of the form
-SEAT = Text("Seat: bush, shells, limits")
+SEAT = Text("Seat")
 RELIEF, RELIEF_LENGTH = 8e-6, 2.5e-3  # m, of shells at the split, where not given; from memory, confidence low
 ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is needed, the whole design says so
 
@@ -504,7 +504,10 @@ class BearingRow:
     def with_own(self, twin: "BearingRow") -> "BearingRow":
         """The bearing of a twin: this one of its original, with what the twin's row says."""
         own = {entry.attribute: getattr(twin, entry.attribute) for entry in said_in(twin)}
-        if not CLEARANCES.isdisjoint(own):  # one of them, in place of what the original has
+        # one clearance, in place of what the original has: a number, or limits, some of which may be the original's
+        if not CLEARANCES.isdisjoint(own):
+            own = dict.fromkeys(CLEARANCES | LIMITS) | own
+        elif not {"journal", "finished"}.isdisjoint(own):
             own = dict.fromkeys(CLEARANCES) | own
         return replace(self, **own)
 
@@ -569,14 +572,34 @@ class BearingRow:
             ):
                 if there is not None:
                     yield dotted(other), instead
-        elif self.journal is not None:
-            yield dotted(BearingRow.journal), Text("needs bore_mm beside it: both make the clearance")
         for key, pair in ((BearingRow.journal, self.journal), (BearingRow.finished, self.finished)):
             if pair is not None and self.diameter is not None and not near(self.diameter, (pair,)):
                 yield (
                     dotted(key),
-                    Text("is not the size of diameter_mm, {diameter}", diameter=Amount(self.diameter * 1e3, "mm")),
+                    Text(
+                        "is not the size of diameter_mm, {diameter}",
+                        diameter=Amount(self.diameter * 1e3, "mm", form="g"),
+                    ),
                 )
+        yield from self._bore()
+
+    def _bore(self) -> Iterable[tuple[str, Text]]:
+        """Whether the running bore goes with the journal, and the housing's with the walls too."""
+        finished = self.finished if self.seat == "bush" else None
+        running = ((BearingRow.finished, finished), (BearingRow.bore, None if self.ringed else self.bore))
+        for key, bore in running:
+            if bore is not None and self.journal is None:
+                yield dotted(key), Text("needs journal_mm beside it: both make the clearance")
+            elif bore is not None and self.journal is not None and sum(bore) <= sum(self.journal):
+                yield dotted(key), Text("must be larger than journal_mm")
+        if self.bore is None or self.diameter is None:
+            return
+        if not self.ringed and not near(self.diameter, (self.bore,)):
+            size = Amount(self.diameter * 1e3, "mm", form="g")
+            yield dotted(BearingRow.bore), Text("is not the size of diameter_mm, {diameter}", diameter=size)
+        if self.ringed and self.wall is not None and not near(d := self.diameter + 2 * self.wall[-1], (self.bore,)):
+            size = Amount(d * 1e3, "mm", form="g")
+            yield dotted(BearingRow.bore), Text("is not the size of diameter_mm and two walls, {size}", size=size)
 
     def _seat(self) -> Iterable[tuple[str, Text]]:
         """What seat, bush and shells need, and what says nothing of them."""
@@ -586,7 +609,7 @@ class BearingRow:
             yield dotted(BearingRow.finished), Text('needed with bore = "finished"')
         for key, words in SAYS_WITH.items():
             entry = keys(BearingRow)[key]
-            if self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
+            if self.seat and self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
                 of = " or ".join(f'seat = "{word}"' for word in words)
                 yield key, Text("belongs to {seats}", seats=of)
         if self.bore_ != "finished" and self.finished is not None and self.seat == "bush":
@@ -594,18 +617,19 @@ class BearingRow:
         if self.housing_outer is not None and self.ringed and self.diameter is not None and self.wall is not None:
             bore = self.bore[-1] if self.bore is not None else self.diameter + 2 * self.wall[-1]
             if self.housing_outer <= bore + LEAST_METAL:
-                yield (
-                    dotted(BearingRow.housing_outer),
-                    Text(
-                        "must be above {least}: the bore and 1 mm of metal around it",
-                        least=Amount((bore + LEAST_METAL) * 1e3, "mm"),
-                    ),
-                )
+                yield dotted(BearingRow.housing_outer), more_metal(bore)
+
+
+def more_metal(bore: float) -> Text:
+    """What an outside of the housing is told that leaves next to nothing around this bore."""
+    least = Amount((bore + LEAST_METAL) * 1e3, "mm", form="g")
+    return Text("must be above {least}: the bore and 1 mm of metal around it", least=least)
 
 
 def near(diameter: float, limits: Sequence[tuple[float, ...]]) -> bool:
-    """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself."""
-    return limits[0][0] - diameter / 100 <= diameter <= limits[-1][-1] + diameter / 100
+    """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself.
+    One that is no number, of which that is said, is."""
+    return not (diameter < limits[0][0] - diameter / 100 or diameter > limits[-1][-1] + diameter / 100)
 
 
 LEAST_METAL = 2e-3  # m, in diameter
@@ -643,7 +667,7 @@ SAYS_WITH = {
 }
 
 
-CLEARANCES = {"clearance", "clearance_factor", "journal", "bore", "finished"}  # what may say a clearance
+CLEARANCES, LIMITS = {"clearance", "clearance_factor"}, {"journal", "bore", "finished"}  # what may say a clearance
 
 
 def said_in(row: BearingRow) -> list[Key]:

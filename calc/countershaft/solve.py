@@ -40,6 +40,7 @@ from .bending.shaft import bending, on_springs, run_up_fatigue
 from .checks import FILLET_ROOM, bending_checks, checks, fem_checks
 from .curves import curves
 from .inputs import EccentricMass, ShaftInputs
+from .insertion import rooms
 from .making.drain import DrainResult, run_off_check
 from .making.parts import ShaftStep, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
@@ -113,6 +114,8 @@ def solve(
         if shaft.fem_principal_stress:
             result = replace(result, fem_safety=fem_safety(shaft.fem_principal_stress, step.material))
         step.checks += fem_checks(shaft, step.material, result.fem_safety)
+        front, rear = rooms(shaft, outline, journals, shaft.outer_radius) if journals else (None, None)
+        result = replace(result, insertion_room_front=front, insertion_room_rear=rear)
     further = step.notes
     return Outcome(
         "countershaft",
@@ -243,6 +246,7 @@ def _with_outline(
         first_critical_speed=bent.natural_frequency,
         first_critical_speed_stiff=bent.natural_frequency_stiff,
         first_critical_speed_without_rotary=bent.natural_frequency_without_rotary,
+        first_critical_share=f.critical_share(n_1=bent.natural_frequency, n_max=based_on(fastest * bent.speed, omega)),
     )
 
 

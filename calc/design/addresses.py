@@ -46,8 +46,7 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
         cls = about.table
         if about.kind in ("reasons", "open"):
             rest = ".".join(parts[i + 1 :])  # an id, which has dots of its own
-            given = here.get(part) if isinstance(here, dict) else None
-            if not rest and not whole and not isinstance(given, list):
+            if not rest and not whole and about.kind == "reasons":
                 raise _no_such(key, Text("is a table; name one of its keys: ") + "bearings.front.mckee")
             return (*path, rest) if rest else tuple(path)
         here = here.get(part, [] if about.kind == "tables" else {}) if isinstance(here, dict) else {}

@@ -479,16 +479,21 @@ class Design:
     def _twin_rows(self, twin: ShaftInputs, rows: list[tuple[str, BearingRow]]) -> Problems:
         """The rows of a twin: whether its original has such a bearing, and what is wrong of that as the twin has it."""
         original = next((shaft for shaft in self.shafts if shaft.name == (twin.mirrors or twin.repeats)), None)
-        there = {row.name: row for row in original.bearings} if original is not None else {}
-        for key, row in rows if original is not None else ():
+        if original is None:
+            return
+        there = {row.name: row for row in original.bearings}
+        for key, row in rows:
             if row.name not in there:
                 yield dotted(key, BearingRow.name), _unknown_name(row.name, there)
             elif self.bearings is None:
                 yield key, JUDGED
             else:
                 known = list(_of_row(self.bearings, there[row.name]))
-                here = _of_row(self.bearings, there[row.name].with_own(row))
+                own = there[row.name].with_own(row)
+                here = _of_row(self.bearings, own)
                 yield from _within(key, (problem for problem in here if problem not in known))
+                if row.seat != "direct" and (undivided := original.seat_problem(own)) is not None:
+                    yield dotted(key, BearingRow.seat), undivided
 
     def _seat(self, bearings: BearingsInputs, key: str, row: BearingRow) -> Problems:
         """Supply and seat of one bearing: what is wrong by what all share is said there, the rest at its row."""
@@ -657,6 +662,7 @@ def _of_seat(bearings: BearingsInputs, row: BearingRow) -> Problems:
 def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
     """What is wrong with one bearing, by itself and by what all share."""
     yield from row.problems()
+    yield from bearings.asked_of(row)
     yield from _of_seat(bearings, row)
 
 

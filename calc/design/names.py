@@ -113,6 +113,7 @@ CHECKED = {  # parts that only checks have, and tables of inputs
     dotted("countershaft", "*", ShaftInputs.bolts): Text("bolts"),  # of one of several shafts
     dotted("countershaft", "*.drain"): Text("drain"),
     dotted("countershaft", "*", ShaftInputs.holes): Text("holes"),
+    "bearings.**.clearance_at": Text("clearance"),
     "gears.train": Text("train"),
     "friction.train": Text("train"),
     "mounting.decoupling": Text("decoupling"),
@@ -147,7 +148,7 @@ def _of_groups(result: type, way: str) -> Iterator[tuple[str, Text]]:
     for f in fields(result):
         if (group := f.metadata.get("group")) is None:
             continue
-        here = way if group.spread else f"{way}.{f.name}"
+        here = way if group.spread else f"{way}.{f.name.rstrip('_')}"
         if group.words:
             yield here, group.words
         content, keys = _first(f.type), [here]
@@ -217,7 +218,11 @@ CHOICE_WORDS: dict[str, str] = {
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),
     "threaded": Text("threaded"), "cartridge": Text("cartridge"), "split": Text("split at the axis"),
     "caps": Text("caps"), "module": Text("module"),
+    "front": Text("front"), "rear": Text("rear"),
     # oil and bearings
+    "direct": Text("in the housing itself"), "bush": Text("pressed bush"), "shells": Text("half shells"),
+    "as_pressed": Text("as pressed"), "finished": Text("cut after pressing"), "press": Text("its press"),
+    "pin": Text("a pin"),
     "mineral": Text("mineral"), "ester": Text("ester"), "forced": Text("forced"),
     "forced_cooled": Text("forced, oil cooled"),
     "grease": Text("grease"), "ring": Text("ring"), "ring_moving_air": Text("ring, in moving air"),

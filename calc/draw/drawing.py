@@ -122,7 +122,8 @@ class Sketch:
 
     `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands
     above each. `views`: how many of them may come first, one after the other. `of_all`: it shows all of
-    several shafts, so many of them one below another, for which paper has more room."""
+    several shafts, so many of them one below another, for which paper has more room. `caption`: pictures with the same
+    one stand on paper as a figure of their own."""
 
     primitives: tuple[Mark, ...] = ()
     notes: tuple[Text, ...] = ()
@@ -131,6 +132,7 @@ class Sketch:
     beside: tuple["Sketch", ...] = ()
     views: int = 1
     of_all: int = 0
+    caption: Text = EMPTY
 
     @cached_property
     def box(self) -> Box:

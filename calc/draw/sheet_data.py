@@ -19,6 +19,7 @@ from .shaft_outline import drawn
 if TYPE_CHECKING:
     from ..countershaft.outline import Piece
     from ..countershaft.result import CountershaftResult
+    from ..countershaft.rows import BearingRow
     from ..friction.inputs import FrictionInputs
     from ..gears.inputs import GearsInputs
     from ..gears.result import TrainResult, WheelResult
@@ -90,11 +91,24 @@ def _cylinder(results: "Results", piece: "Piece", support: Metre | None) -> tupl
     if bearings is None or shaft is None or support is None:
         return size, None
     bearing = next(row for row in shaft.bearings if row.position == support)
-    if (fit := bearings.of(bearing).journal_fit) != ASSUMED_FIT:
+    if (limits := journal_limits(results, bearing)) is not None:
+        size = deviated(size, *(limit - 2 * piece.outer_radius for limit in limits))
+    elif (fit := bearings.of(bearing).journal_fit) != ASSUMED_FIT:
         field = parse(fit, "shaft")
         named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
         size = deviated(named, *deviations(field, 2 * piece.outer_radius))
     return size, _roughness(bearing.journal_roughness)
+
+
+def journal_limits(results: "Results", row: "BearingRow") -> tuple[Metre, Metre] | None:
+    """Least and most of a journal, of all its classes where there are some; None where its fit says it."""
+    bearings = results.design.bearings
+    if bearings is None:
+        return None
+    if row.seat == "shells" and bearings.select is not None:
+        classes = bearings.select.journals
+        return classes[0][0], classes[-1][1]
+    return None if row.journal is None else (row.journal[0], row.journal[-1])
 
 
 def _roughness(Ra: Metre) -> Text:
@@ -105,7 +119,8 @@ def missing(results: "Results") -> Iterator[Text]:
     """What a drawing needs and this design does not give; nothing is put in its place."""
     bearings, shaft = results.design.bearings, results.design.countershaft
     seats = [bearings.of(row) for row in results.design.rows] if bearings is not None else []
-    if not seats or any(seat.journal_fit == ASSUMED_FIT for seat in seats):
+    fitted = [seat for row, seat in zip(results.design.rows, seats) if journal_limits(results, row) is None]
+    if not seats or any(seat.journal_fit == ASSUMED_FIT for seat in fitted):
         yield Text("fits of the journals")
     if bearings is None:
         yield Text("roughness of the journals")

@@ -8,11 +8,12 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..sheet.text import COMMA, Text
+from ..sheet.text import COMMA, Amount, Text
 from ..sheet.units import Metre, Radian
 from . import annotations, sheet_data
 from .annotations import TITLE, Leaf, Say, degrees, millimetres, number, rounded
 from .drawing import CENTRE, EDGE, VISIBLE, Point
+from .seat_data import class_tables, seat_rows
 from .shaft_outline import FLAT, upwards
 from .sheet_data import PART_DRAWING, TurnedPiece
 from .side_view import OVER, SideView
@@ -169,6 +170,8 @@ def shaft_sheet(
     beside = [
         (say(Text("Balancing")), sheet_data.balance_rows(results, solved, say), COLUMNS),
         (masses, sheet_data.mass_rows(results, solved, say), MASS_COLUMNS),
+        (say(Text("Seats of the journals, at {T} °C", T=_reference(results))), seat_rows(results, say), COLUMNS),
+        *class_tables(results, say),
     ]
     if (wheel := sheet_data.shaft_wheel(results)) is not None:
         beside.insert(0, _gear_table(results, wheel, say))
@@ -181,6 +184,12 @@ def shaft_sheet(
         say,
         PART_DRAWING,
     )
+
+
+def _reference(results: "Results") -> Amount:
+    """The temperature that clearances and limits are given at."""
+    bearings = results.design.bearings
+    return Amount(20.0 if bearings is None else bearings.clearance_reference_temperature, form="g")
 
 
 def _gear_table(results: "Results", wheel: "WheelResult", say: Say) -> tuple[str, sheet_data.Rows, tuple[float, ...]]:

@@ -134,6 +134,7 @@ SCALES = ((2, 1), (1, 1), (1, 2), (1, 5), (1, 10), (1, 20))
 COLUMNS = (68.0, 44.0)  # of a table: what, and how much
 TABLE_LEFT = RIGHT - sum(COLUMNS)
 MARGIN, BELOW = 4.0, 4.0
+UNDER_MARK = 12.0  # below the frame's centring mark
 LINE = 4.2  # from one line of a note to the next
 
 
@@ -168,7 +169,8 @@ def composed(
 ) -> WorkshopSheet:
     """`views`: drawn in a scale, wherever they stand; `kind`: of the document."""
     noted = _noted(notes, say)
-    wide, high = TABLE_LEFT - LEFT - 2 * MARGIN, TOP - LOW - 3 * MARGIN - noted.extent[3]
+    beside = min(0.0, tables.extent[0]) if tables.marks else 0.0  # columns of tables beside the first
+    wide, high = TABLE_LEFT + beside - LEFT - 2 * MARGIN, TOP - LOW - 3 * MARGIN - noted.extent[3]
     for over, under in SCALES:
         drawn = views(over / under)
         left, low, right, top = drawn.extent
@@ -185,14 +187,18 @@ def composed(
 
 
 def tables(parts: Iterable[tuple[str, Rows, tuple[float, ...]]]) -> Leaf:
-    """Tables one below the other: head, rows, widths of the columns; those without rows are left out."""
-    leaf, y = Leaf(), 0.0
+    """Tables one below the other: head, rows, widths of the columns; those without rows are left out.  What has no
+    room above the title block stands in a further column to the left."""
+    leaf, x, y = Leaf(), 0.0, 0.0
     for head, rows, columns in parts:
         if rows:
             block = Leaf()
             block.table(rows, columns, head)
-            leaf.add(block, 0.0, y)
-            y += block.extent[1] - BELOW
+            low = block.extent[1]
+            if y < 0 and y + low < BLOCK_TOP + BELOW - TOP:
+                x, y = x - sum(COLUMNS) - BELOW, -UNDER_MARK
+            leaf.add(block, x, y)
+            y += low - BELOW
     return leaf
 
 

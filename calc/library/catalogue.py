@@ -277,7 +277,10 @@ def _row(cls: type[T], row: dict[str, Any], file: str, place: str) -> T:
             continue
         about = known[key].about
         if about.table is not None and isinstance(value, list):
-            value = tuple(_row(about.table, item, file, f"{place}.{key}") for item in value)
+            value = tuple(_row(about.table, item, file, f"{place}.{key}.{n}") for n, item in enumerate(value))
+        elif about.kind == "series":
+            numbers = value if isinstance(value, list) else [value]
+            value = tuple(about.units.inside(float(number)) for number in numbers)
         elif about.kind == "text" and key != "name":
             value = Text(str(value))  # a word of the program, not of a user
         values[known[key].attribute] = about.units.inside(float(value)) if about.kind == "number" else value
@@ -298,11 +301,16 @@ def _mistakes(cls: type, row: dict[str, Any], place: str) -> Iterator[Mistake]:
             continue
         if key not in known:
             yield where, "", unknown(key, known)
-        elif known[key].about.kind == "number" and (isinstance(value, bool) or not isinstance(value, (int, float))):
-            yield where, str(value), Text("must be {allowed}", allowed=known[key].about.allowed())
-    for key, about in known.items():
-        if key not in row and about.field.default is MISSING:
-            yield f"{place}.{key}", "", Text("is missing; needs {allowed}", allowed=about.about.allowed())
+            continue
+        about = known[key].about
+        if about.kind not in ("number", "series"):
+            continue
+        numbers = value if about.kind == "series" and isinstance(value, list) else [value]
+        if any(isinstance(number, bool) or not isinstance(number, (int, float)) for number in numbers):
+            yield where, str(value), Text("must be {allowed}", allowed=about.allowed())
+    for key, needed in known.items():
+        if key not in row and needed.field.default is MISSING:
+            yield f"{place}.{key}", "", Text("is missing; needs {allowed}", allowed=needed.about.allowed())
 
 
 @cache

@@ -153,6 +153,9 @@ def _inside(content: object, indent: str) -> Iterator[tuple[str, str, str]]:
     for f in [f for f in known if f.metadata] or known:
         about = f.metadata.get("value") or f.metadata.get("quantity")
         label, unit = (about.label, about.unit) if about else (f.name, "")
+        where = getattr(about, "where", None)
+        if where is not None and getattr(content, where.choice.name) not in (None, *where.words):
+            continue  # it says nothing here
         yield from _rows(label, getattr(content, f.name), unit, indent)
 
 

@@ -26,9 +26,24 @@ if TYPE_CHECKING:
     from ..engine.inputs import EngineInputs
 
 DESIGNS = Path(__file__).parents[2] / "designs"
+MAKERS = "makers"  # the folder in it of journals as makers of engines print them
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
 # of the gear friction thesis
 SCENARIOS = tuple(DESIGNS / f"thesis_{name}.toml" for name in ("temperatures", "oils", "tip_relief"))
+
+
+def designs() -> list[Path]:
+    """The files of the complete designs; the journals of makers last."""
+    return [*sorted(DESIGNS.glob("*.toml")), *sorted((DESIGNS / MAKERS).glob("*.toml"))]
+
+
+def is_shipped(path: Path) -> bool:
+    return path.resolve().is_relative_to(DESIGNS.resolve())
+
+
+def shipped_name(path: Path) -> str:
+    """r753ie4_gamma, makers/er6n."""
+    return path.resolve().relative_to(DESIGNS.resolve()).with_suffix("").as_posix()
 
 
 class _Row(TypedDict, total=False):

@@ -54,7 +54,8 @@ def exact(value: Any, *, rounded: bool = False) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, (list, tuple)):
-        return "; ".join(exact(v, rounded=rounded) for v in value)
+        parts = [exact(v, rounded=rounded) for v in value]
+        return "; ".join(f"[{part}]" if isinstance(v, (list, tuple)) else part for v, part in zip(value, parts))
     if not isinstance(value, (int, float)):
         return str(value)
     # + 0: minus nought is nought
@@ -360,6 +361,9 @@ def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
         for key in keys(step.inputs).values():  # a default counts as named
             if key.about.catalogue and isinstance(key.field.default, str):
                 named.setdefault(key.field.default, key.about.catalogue)
+    if design.bearings is not None:  # what bushes and shells are of where the file does not say it
+        for row in (row for shaft in design.shafts for row in shaft.bearings if row.ringed):
+            named.setdefault(row.backing, "materials")
     oils, materials = design.oils, design.materials
     return (
         [oils[n] for n, catalogue in named.items() if catalogue == "oils" and n in oils],

@@ -74,8 +74,11 @@ EDGE_STYLE: tuple[Colour, tuple[float, ...], float] = ((0.45, 0.45, 0.45), (), 0
 
 
 def series_style(curve: Curve, i: int) -> tuple[Colour, tuple[float, ...], float]:
-    """How the i-th series is drawn.  Loci may run over each other, and more than once: the first of a variant is broad,
-    and those that are drawn over it are thin, so that it looks out on both sides of them."""
+    """How the i-th series is drawn; the last two of a band are its edges.  Loci may run over each other, and more than
+    once: the first of a variant is broad, and those that are drawn over it are thin, so that it looks out on both
+    sides of them."""
+    if curve.band and i >= len(curve.series) - 2:
+        return EDGE_STYLE
     colour, dashes, thick = line_style(i)
     like = [n for n, s in enumerate(curve.series) if s.variant == curve.series[i].variant]
     if curve.equal and len(like) > 1:
@@ -266,7 +269,7 @@ def _lines(axes: Any, curve: Curve) -> None:
         )
     for i, series in enumerate(curve.series):
         xs, ys = numbers(series.x), numbers(series.y)
-        colour, dashes, thick = EDGE_STYLE if i in edges else series_style(curve, i)
+        colour, dashes, thick = series_style(curve, i)
         dot = "o" if _is_point(curve, xs, ys) else None
         axes.plot(
             xs,

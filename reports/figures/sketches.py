@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 
 HIGH = 118.0  # at most, of a row of pictures; where shafts stand below each other of each of them
 BETWEEN = 18.0  # of two pictures
-ABREAST, APART = 4, 8.0  # pictures in a row; between two rows
+ABREAST, PAIRED, APART = 4, 2, 8.0  # pictures in a row, and of a figure of their own; between two rows
 LETTERS = Style(7.5, 9.2)
 FAINT_LETTERS = Style(7.5, 9.2, colour=GREY)
 SIGN = Style(9.0, 9.6, BOLD)
@@ -68,7 +68,7 @@ DARK = 0.55  # how dark a full shade is
 
 
 def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> list[Block]:
-    """The picture of a solved step with its number and its notes; nothing where there is nothing to draw."""
+    """The pictures of a solved step, each with its number and its notes; nothing where there is nothing to draw."""
     if outcome.state != "solved" or outcome.result is None:
         return []
     results = context.original or context.results
@@ -78,11 +78,25 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
         parts = [part for part in parts if bool(part.of_all) is not bool(context.shaft)]
     if not parts:
         return []
+    captions = dict.fromkeys(part.caption for part in parts)
+    return [
+        _figure(
+            context,
+            [part for part in parts if part.caption == own],
+            context.say(own) if own else context.title(step),
+        )
+        for own in captions
+    ]
+
+
+def _figure(context: Context, parts: list[Sketch], title: str) -> Block:
     context.figures += 1
-    title = f"{context.shaft}: {context.title(step)}" if context.shaft else context.title(step)
+    title = f"{context.shaft}: {title}" if context.shaft else title
     caption = f"{context.words['figure']} {context.figures}. {title}"
     notes = "; ".join(dict.fromkeys(context.say(note) for part in parts for note in part.notes))
-    return [_rows([_Picture(part, context.say) for part in parts], caption + (f" ({notes})" if notes else ""))]
+    abreast = PAIRED if any(part.caption for part in parts) else ABREAST
+    pictures = [_Picture(part, context.say) for part in parts]
+    return _rows(pictures, caption + (f" ({notes})" if notes else ""), abreast)
 
 
 class _Row:
@@ -119,9 +133,9 @@ class _Row:
             x += width + self.apart
 
 
-def _rows(pictures: list[_Picture], caption: str) -> Block:
+def _rows(pictures: list[_Picture], caption: str, abreast: int) -> Block:
     """One row of pictures, or several where there are many, above their caption."""
-    count = math.ceil(len(pictures) / ABREAST)
+    count = math.ceil(len(pictures) / abreast)
     across = math.ceil(len(pictures) / count)
     rows = [_Row(pictures[n : n + across]) for n in range(0, len(pictures), across)]
     under = lines(caption, STRONG, WIDTH, 3)

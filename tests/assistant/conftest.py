@@ -2,7 +2,9 @@
 """A design in a folder of its own, a memory of its own, a clock that stands still, and the screen over them."""
 
 import asyncio
+import sys
 import time
+import traceback
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from datetime import datetime
@@ -107,7 +109,25 @@ async def solved(pilot: Pilot[int], limit: float = 30.0) -> None:
             await pilot.pause()
             return
         await asyncio.sleep(0.02)
-    raise TimeoutError("no results")
+    raise TimeoutError(f"no results: {_state(app)}")
+
+
+def _state(app: ContralberoApp) -> str:
+    """What it waits for: which thread stands where."""
+    bench = app.screen_stack[0]
+    assert isinstance(bench, Workbench)
+    session, results = app.session, app.session.results
+    page = bench.pages.get(bench.step.key)
+    written = page is not None and results is not None and page.outcome is results.outcomes[bench.step.key]
+    stacks = {id: "".join(traceback.format_stack(frame)) for id, frame in sys._current_frames().items()}
+    return "\n".join(
+        (
+            f"{len(app.screen_stack)} screens, asked {session.generation}, solved {session.solved}, failure "
+            f"{session.failure}, solving {bench._solving}, written {written}, waiting {list(bench._quiet_timers)}",
+            *(f"{worker.group}: {worker.state.name} {worker.error}" for worker in app.workers),
+            *stacks.values(),
+        )
+    )
 
 
 def _shown(app: ContralberoApp) -> bool:

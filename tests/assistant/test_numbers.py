@@ -139,6 +139,18 @@ def test_an_ambiguous_list_is_refused(text: str) -> None:
         numbers.value(text, about("series"))
 
 
+@pytest.mark.parametrize("text", ["[[1.5, 1.6], [1.7, 2]]", " [[1.5,1.6],[1.7,2.0]] "])
+def test_a_list_of_lists_is_typed_and_shown_as_the_file_has_it(text: str) -> None:
+    assert numbers.value(text, about("open")) == [[1.5, 1.6], [1.7, 2]]
+    assert numbers.written([[1.5, 1.6], [1.7, 2.0]], about("open")) == "[[1.5, 1.6], [1.7, 2]]"
+
+
+@pytest.mark.parametrize("text", ["1.5; 1.6", "[[1,5; 1,6]]", "3", "[1]]", "[1]\ny = [2]", "[[1.5, 1.6"])
+def test_no_list_of_lists_is_refused(text: str) -> None:
+    with pytest.raises(NotUnderstood):
+        numbers.value(text, about("open"))
+
+
 def test_whole_numbers() -> None:
     assert numbers.value("25", about("integer", "")) == 25
     assert isinstance(numbers.value("25.0", about("integer", "")), int)

@@ -17,6 +17,7 @@ from calc.engine.sketch import icon
 from calc.locale import language
 from calc.solve import solve
 from calc.studies.shipped import engine_inputs, engines
+from tests.calc.bearings.test_seat_inputs import document
 from tests.conftest import DESIGNS, GAMMA, SCREENED
 
 
@@ -52,6 +53,24 @@ async def test_it_shows_each_step_and_says_what_it_waits_for(shown, gamma):
     assert drawing.render().spans != engine.spans
     drawing.show("imbalance", design, None)
     assert drawing.render().plain == "The picture waits for the results of the step Imbalance."
+
+
+async def test_the_seat_comes_first_while_an_input_of_it_alone_is_edited(shown):
+    """One that the film shows too leaves the picture as it is."""
+    drawing, _ = shown
+    seated = design(document())
+    results = solve(seated)
+    for key, title in (
+        ("shafts.shaft.bearings.front.diameter_mm", "front Ø28"),
+        ("shafts.shaft.bearings.rear.wall_mm", "rear: bush"),
+        ("bearings.select.journal_classes_mm", "front: shells"),
+        ("bearings.lowest_temperature_C", "front Ø28"),  # in no picture
+    ):
+        drawing.show("bearings", seated, results, key)
+        assert drawing.render().plain.splitlines()[0].strip().startswith(title), key
+    drawing.view = 2
+    drawing.show("bearings", seated, results, "bearings.select.journal_classes_mm")
+    assert "rear: bush" in drawing.render().plain  # who has leafed stays
 
 
 async def test_keys_turn_what_turns(shown, gamma):

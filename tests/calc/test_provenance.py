@@ -7,19 +7,25 @@ import importlib.util
 from pathlib import Path
 
 import pytest
+import tomli_w
+
+from calc.studies.shipped import shipped_name
+from tests.calc.bearings.test_seat_inputs import document
+from tests.conftest import SHIPPED
 
 ROOT = Path(__file__).parents[2]
 SPEC = importlib.util.spec_from_file_location("provenance", ROOT / "bench" / "provenance.py")
 assert SPEC is not None and SPEC.loader is not None
 provenance = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(provenance)
-DESIGNS = sorted(path.stem for path in (ROOT / "designs").glob("*.toml"))
+# a bearing in the housing itself, by its limits
+OWN = {"seat": "direct", "journal_mm": [27.98, 28.0], "bore_mm": [28.03, 28.05]}
 # one input in so many; the primes share no table's period
 EVERY = {"r753ie4_gamma": 17, "r753ie4_beta": 29, "r753ie4_sized": 31}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", DESIGNS)
+@pytest.mark.parametrize("name", [shipped_name(path) for path in SHIPPED])
 def test_an_input_that_moves_a_value_stands_in_its_chain(name):
     results, moves, chain, _ = provenance.compared(name, every=EVERY.get(name, 11))
     missing = {
@@ -29,6 +35,28 @@ def test_an_input_that_moves_a_value_stands_in_its_chain(name):
         for key in moves[id] - chain[id]
     }  # scenarios are many designs at once: explained by solving the one
     assert any(moves.values()) and not missing
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "seats",
+    [
+        {},  # shells by classes, a bush by its limits, both with the interference that holds them
+        {
+            "front": {"crush_um": [30, 45], "crush_load_N": 3000.0, "housing_outer_mm": 60.0},
+            "housing_temperature_C": 99.0,
+        },
+        {
+            "rear": {"interference_um": [30, 45], "housing_outer_mm": 66.0, "retained": "pin"},
+            "expansion_restraint": 0.1,
+        },
+        {"rear": {"bore": "finished", "finished_mm": [30.0, 30.02]}, "select": False, "front": OWN},
+    ],
+)
+def test_what_moves_a_seat_stands_in_its_chain(seats, tmp_path):
+    (tmp_path / "seats.toml").write_text(tomli_w.dumps(document(**seats).data), encoding="utf-8")
+    results, moves, chain, _ = provenance.compared(str(tmp_path / "seats"), every=2)
+    assert {(id, key) for id in results.values() for key in moves[id] - chain[id]} == set()
 
 
 @pytest.mark.parametrize(

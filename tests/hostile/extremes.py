@@ -14,7 +14,7 @@ from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.quantity import Quantity
 from calc.solve import solve
-from calc.studies.shipped import DESIGNS
+from calc.studies.shipped import designs, shipped_name
 
 SECONDS = 30  # that one design may take; a solve takes a twentieth of one
 TINY = (5e-324, 1e-300, 1e-29, 1e-9)  # the first two are no numbers that a design may have
@@ -119,8 +119,8 @@ def _faults(document: Document) -> list[str]:
 
 
 if __name__ == "__main__":
-    designs = {path.stem: read(path) for path in sorted(DESIGNS.glob("*.toml"))}
-    for name in sys.argv[1:] or designs:
-        cases = single(designs[name])
-        found = [f"{name} {key}={value}: {bad}" for key, value in cases if (bad := faults(designs[name], {key: value}))]
+    all_ = {shipped_name(path): read(path) for path in designs()}
+    for name in sys.argv[1:] or all_:
+        cases = single(all_[name])
+        found = [f"{name} {key}={value}: {bad}" for key, value in cases if (bad := faults(all_[name], {key: value}))]
         print(f"{name}: {len(cases)} cases, {len(found)} faults", *found, sep="\n", flush=True)

@@ -11,10 +11,11 @@ from hypothesis import strategies as st
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-from tests.conftest import DESIGNS
+from calc.studies.shipped import shipped_name
+from tests.conftest import SHIPPED
 from tests.hostile.extremes import extremes, faults, fields, single
 
-ALL = {path.stem: read(path) for path in sorted(DESIGNS.glob("*.toml"))}
+ALL = {shipped_name(path): read(path) for path in SHIPPED}
 FIELDS = {name: fields(document) for name, document in ALL.items()}
 TIP_RELIEF = ALL["thesis_tip_relief"]
 SHARE = 60  # of the cases of a design, of which there are from 400 to 4,700

@@ -15,6 +15,7 @@ from calc.locale import FOLDER, LANGUAGES, Language, language
 from calc.locale.language import PLACE, WORD, said
 from calc.sheet.text import Text
 from calc.solve import solve
+from tests.conftest import each_shipped
 from tests.languages.texts import (
     ROOT,
     before_release,
@@ -38,7 +39,6 @@ ENGLISH = re.compile(
 )
 # keys and choices of the file; two authors
 QUOTED = re.compile(r'"[^"]*"|\b\w+-\w+\b|“[^”]*”|`[^`]*`|\b[A-Z]\w+,? (and|&) [A-Z]\w+')
-DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 
 
 # --- the files
@@ -92,11 +92,7 @@ LONG = ("r753ie4_beta", "r753ie4_drive", "r753ie4_gamma", "r753ie4_sized")
 
 
 @pytest.mark.parametrize("code", OTHERS)
-@pytest.mark.parametrize(
-    "file",
-    [pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path for path in DESIGNS],
-    ids=lambda path: path.stem,
-)
+@pytest.mark.parametrize("file", each_shipped(*LONG, "l61"))
 def test_no_english_word_is_left_in_what_a_design_gives(file: Path, code: str) -> None:
     say, names = (
         language(code),

@@ -12,9 +12,9 @@ import tomli_w
 from calc.design.toml_file import design, parse
 from calc.locale import language
 from calc.solve import Results, solve
-from tests.languages.texts import ROOT, named, of_results
+from tests.conftest import SHIPPED, each_shipped
+from tests.languages.texts import named, of_results
 
-DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 VOCABULARY = (
     "rear",
     "left",
@@ -52,15 +52,11 @@ def with_names(file: Path, words: tuple[str, ...]) -> Results:
     return solve(design(parse(tomli_w.dumps(_renamed(data, names)).encode(), file.name)))
 
 
-LONG = {"twin_drive", *(path.stem for path in DESIGNS if path.stem.startswith("r753"))}
+LONG = ("twin_drive", *(path.stem for path in SHIPPED if path.stem.startswith("r753")))
 
 
 @pytest.mark.parametrize("code", ["it", pytest.param("en", marks=pytest.mark.slow)])
-@pytest.mark.parametrize(
-    "file",
-    [pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path for path in DESIGNS],
-    ids=lambda path: path.stem,
-)
+@pytest.mark.parametrize("file", each_shipped(*LONG, "l61"))
 def test_names_that_are_words_of_the_program_are_not_translated(file: Path, code: str) -> None:
     """What is said of a design named in vocabulary is what is said of the one named in gibberish, name for name."""
     say = language(code)

@@ -24,6 +24,7 @@ from babel.messages.pofile import read_po, write_po
 from calc.bearings.materials import bearing_materials, running_bearings
 from calc.design.model import STEPS
 from calc.library.catalogue import base_stocks, materials, shipped_oils
+from calc.library.makers import maker_sheets
 from calc.locale.language import FOLDER, PLACE, WORD
 from calc.sheet.quantity import keys
 from calc.sheet.step import Outcome
@@ -169,7 +170,9 @@ def _words(data: Any) -> Iterator[str]:
 
 
 def of_catalogues() -> Iterator[Text]:
-    """What the tables of oils, materials, bearings and engines tell beside names and numbers."""
+    """What the tables of oils, materials, bearings and engines tell beside names and numbers; of makers' sheets, which
+    are read in the terminal alone, the places of their journals."""
+    yield from _texts(tuple(journal.place for sheet in maker_sheets().values() for journal in sheet.journals))
     yield from _texts((shipped_oils(), base_stocks(), materials(), bearing_materials(), running_bearings(), engines()))
 
 

@@ -34,7 +34,7 @@ from reports.typesetting.equation import spoken as spoken_formula
 from reports.typesetting.fonts import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP
 from reports.typesetting.pagination import paginate
 from reports.typesetting.prose import NOTE
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, each_shipped
 from tests.languages.texts import judge_english
 from tests.made_checks import made_check
 from tests.reports.reading import V12, Solved, pages_of, solved, spans, spoken, squeezed, text_of, with_outcome
@@ -153,14 +153,7 @@ def test_a_chapter_says_once_how_a_long_list_is_written(engineer: bytes) -> None
 LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "r753ie4_sized", "thesis_temperatures")
 
 
-@pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
-        for path in sorted(DESIGNS.glob("*.toml"))
-    ],
-    ids=lambda path: path.stem,
-)
+@pytest.mark.parametrize("path", each_shipped(*LONG, "l61"))
 def test_what_fails_or_comes_near_its_limit_is_proven(path: Path) -> None:
     """Each such check of each shipped design has its block: its own number, limit, source, the formula behind it, and a
     remedy."""

@@ -37,6 +37,8 @@ from .reynolds import (
     ITERATION_LIMIT,
     UNIFORM_SHARE,
     film_integrals,
+    links,
+    push_of,
     solved_where_active,
 )
 from .table import FilmRangeError, short_bearing_load
@@ -293,7 +295,7 @@ def _grid(
     conductance = 1.0 / np.diff(cube)
     drag = 6.0 * np.diff(square) * conductance
 
-    z = _nodes_across(feeds[0].share, cells[1])
+    z = nodes_across(feeds[0].share, cells[1])
     gap = np.diff(z)
     across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
     sideways = (film**3 * around / length_ratio**2)[:, None] / gap
@@ -302,7 +304,7 @@ def _grid(
     return _Grid(theta - math.pi + phi, theta, around, across, film, conductance, drag, sideways, held)
 
 
-def _nodes_across(share: float, cells: int) -> Array:
+def nodes_across(share: float, cells: int) -> Array:
     """From the middle to the edge, closer towards the edge; one on the end of a pocket."""
     if share >= 1.0:
         return np.tanh(np.linspace(0.0, EDGE_CLUSTERING, cells + 1)) / math.tanh(EDGE_CLUSTERING)
@@ -315,10 +317,8 @@ def _nodes_across(share: float, cells: int) -> Array:
 def _pressure(grid: _Grid, squeeze: Array, feed_pressure: float, guess: Array | None) -> Array:
     """Π at all nodes: the complementarity problem of `reynolds`, with nodes that are held."""
     inner = grid.across[:-1]
-    along = grid.conductance[:, None] * inner
     aside = grid.sideways[1:-1]
-    diagonal = along[1:] + along[:-1] + aside
-    diagonal[:, 1:] += aside[:, :-1]
+    along, diagonal = links(grid.conductance, inner, aside)
     source = (-np.diff(grid.drag) - 12.0 * (squeeze * grid.around)[1:-1])[:, None] * inner
 
     pressure = np.zeros((grid.theta.size, grid.across.size))
@@ -326,8 +326,7 @@ def _pressure(grid: _Grid, squeeze: Array, feed_pressure: float, guess: Array | 
     free = ~grid.fixed[1:-1]
     inside = pressure[1:-1, :-1]
     held = pressure.copy()
-    from_held = along[1:] * held[2:, :-1] + along[:-1] * held[:-2, :-1] + aside * held[1:-1, 1:]
-    from_held[:, 1:] += aside[:, :-1] * held[1:-1, :-2]
+    from_held = push_of(held, along, aside, np.zeros_like(source))
     if guess is not None and guess.shape == pressure.shape:
         active = free & (guess[1:-1, :-1] > 0.0)
     else:
@@ -339,9 +338,7 @@ def _pressure(grid: _Grid, squeeze: Array, feed_pressure: float, guess: Array | 
             solved_where_active(active, diagonal, along[1:-1], aside[:, :-1], source + from_held),
             held[1:-1, :-1],
         )
-        push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
-        push[:, 1:] += aside[:, :-1] * inside[:, :-1]
-        corrected = free & np.where(active, inside > 0.0, push > round_off)
+        corrected = free & np.where(active, inside > 0.0, push_of(pressure, along, aside, source) > round_off)
         if np.array_equal(corrected, active):
             return pressure
         active = corrected

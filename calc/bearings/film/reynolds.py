@@ -144,7 +144,9 @@ def _levels(eccentricity: float, length_ratio: float, cells: tuple[int, int]) ->
         grid = film_grid(eccentricity, length_ratio, cells[0] // coarser, max(cells[1] // coarser, 1))
         source = -np.diff(grid.drag)[:, None] * grid.across[:-1]
         active = None if pressure is None else _refined(pressure, grid.across.size)[1:-1, :-1] > 0.0
-        pressure = pressure_of(grid.theta, *_links(grid), source, active)
+        aside = grid.sideways[1:-1]
+        along, diagonal = links(grid.conductance, grid.across[:-1], aside)
+        pressure = pressure_of(grid.theta, along, aside, diagonal, source, active)
         levels.append((grid, pressure))
     return levels
 
@@ -212,14 +214,22 @@ def _refined(pressure: Array, nodes_across: int) -> Array:
     return finest
 
 
-def _links(grid: _Grid) -> tuple[Array, Array, Array]:
-    """The matrix A: links around, links across towards the edge, and the diagonal, at the nodes where Π is not
-    given."""
-    along = grid.conductance[:, None] * grid.across[:-1]
-    aside = grid.sideways[1:-1]
+def links(conductance: Array, inner: Array, aside: Array) -> tuple[Array, Array]:
+    """The matrix A: links around, and the diagonal, at the nodes where Π is not given.
+
+    `conductance` of each gap around, `inner`: weights of the nodes across without the edge, `aside`: links across
+    towards the edge, [node around, gap]."""
+    along = conductance[:, None] * inner
     diagonal = along[1:] + along[:-1] + aside
     diagonal[:, 1:] += aside[:, :-1]
-    return along, aside, diagonal
+    return along, diagonal
+
+
+def push_of(pressure: Array, along: Array, aside: Array, source: Array) -> Array:
+    """b − A·Π without the diagonal's part: what lifts Π at each node where it is not given."""
+    push: Array = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
+    push[:, 1:] += aside[:, :-1] * pressure[1:-1, :-2]
+    return push
 
 
 def pressure_of(
@@ -241,9 +251,7 @@ def pressure_of(
             active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole]
         )
         inside[whole:] = 0.0
-        push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
-        push[:, 1:] += aside[:, :-1] * inside[:, :-1]
-        corrected = np.where(active, inside > 0.0, push > round_off)
+        corrected = np.where(active, inside > 0.0, push_of(pressure, along, aside, source) > round_off)
         if np.array_equal(corrected, active):
             if active[-1].any():
                 end, size = Amount(theta[-2], form=".3f"), theta.size
@@ -272,7 +280,8 @@ def _squeezed(eccentricity: float, grid: _Grid, pressure: Array) -> float:
     (Hadamard)."""
     active = pressure[1:-1, :-1] > 0.0
     inner = grid.across[:-1]
-    along, aside, diagonal = _links(grid)
+    aside = grid.sideways[1:-1]
+    along, diagonal = links(grid.conductance, inner, aside)
     source = -12.0 * (np.cos(grid.theta) * grid.around)[1:-1, None] * inner
     last = active.shape[0] - 1 - active[::-1].argmax(axis=0)
     whole = int(last.max()) + 1
@@ -289,7 +298,9 @@ def _squeezed(eccentricity: float, grid: _Grid, pressure: Array) -> float:
 
 
 def solved_where_active(active: Mask, diagonal: Array, along: Array, aside: Array, source: Array) -> Array:
-    """Solve for the active nodes; the others are zero.  Symmetric and banded: Cholesky, nodes across numbered first."""
+    """Solve for the active nodes; the others are zero.  Symmetric and banded: Cholesky, nodes across numbered first.
+
+    `source`: [around, across], or [source, around, across] of several on one matrix."""
     from scipy.linalg.lapack import dpbsv  # type: ignore[import-untyped]
 
     rows, columns = active.shape
@@ -298,9 +309,8 @@ def solved_where_active(active: Mask, diagonal: Array, along: Array, aside: Arra
         band[:, :-1, 1] = np.where(active[:, :-1] & active[:, 1:], -aside, 0.0)
     band[:-1, :, columns] = np.where(active[:-1] & active[1:], -along, 0.0)
     band[:, :, 0] = np.where(active, diagonal, 1.0)
-    _, solution, failure = dpbsv(
-        band.reshape(-1, columns + 1).T, np.where(active, source, 0.0).ravel(), lower=1, overwrite_ab=1, overwrite_b=1
-    )
+    right = np.where(active, source, 0.0).reshape(-1, rows * columns).T
+    _, solution, failure = dpbsv(band.reshape(-1, columns + 1).T, right, lower=1, overwrite_ab=1, overwrite_b=1)
     if failure:
         raise ArithmeticError(
             Text(
@@ -310,7 +320,7 @@ def solved_where_active(active: Mask, diagonal: Array, along: Array, aside: Arra
                 failure=failure,
             )
         )
-    return np.asarray(solution, dtype=np.float64).reshape(rows, columns)
+    return np.asarray(solution.T, dtype=np.float64).reshape(source.shape)
 
 
 def _integrals(grid: _Grid, pressure: Array) -> Array:

@@ -12,12 +12,13 @@ from ...library.lubricant import Lubricant, OilState
 from ...sheet.arrays import Value
 from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.value import based_on
 from .. import formulas as f
 from ..film.grooved import Feed, Feeds
 from ..inputs import BearingsInputs
 from ..seats import formulas as seats
 from ..seats.rings import Rings
-from ..seats.stack import Stack
+from ..seats.stack import SeatStack
 
 
 @record
@@ -31,7 +32,7 @@ class BearingCase(Generic[Value]):
     journal_expansion: float
     housing_expansion: float
     viscosity_factor: Value | None = None  # on the oil's viscosity, at a corner of its tolerance
-    stack: Stack | None = None  # the parts that make its clearance; None: it is given otherwise
+    stack: SeatStack | None = None  # the parts that make its clearance; None: it is given otherwise
     rings: Rings | None = None  # what is pressed into its housing
     centred: bool = False  # it carries next to nothing: its film is the thickest of the table, whatever the load
 
@@ -64,9 +65,9 @@ class BearingCase(Generic[Value]):
         if self.rings is not None:
             return self.rings.clearance_at(d, self.clearance, self.journal_expansion, T, T_H)
         if self.stack is not None:
-            d_J = (self.stack.journal[0] + self.stack.journal[1]) / 2
+            d_J = based_on((self.stack.journal[0] + self.stack.journal[1]) / 2, self.stack.journal)
             d_iT = seats.own_bore_at(
-                d_i=d_J + self.clearance,
+                d_i=based_on(d_J + self.clearance, d_J, self.clearance),
                 alpha_H=self.housing_expansion,
                 chi=inputs.expansion_restraint,
                 T=T,

@@ -2,20 +2,22 @@
 """What a seat is judged by: does the bush hold, what it does to its housing and itself, do the classes fit."""
 
 from collections.abc import Iterator
+from math import pi
 
 from ...countershaft.rows import ROW, BearingRow, called, row_key
 from ...library.catalogue import Material, materials, proof_of
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
-from ...sheet.remedy import Remedy, by_key, up
+from ...sheet.remedy import Remedy, by_key, up_um
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Pascal
+from ...sheet.value import based_on, untraced
 from ..inputs import BearingsInputs
 from . import formulas as f
 from .classes import Select
-from .result import SeatResult
-from .rings import Rings
-from .stack import Stack
+from .result import SeatResult, SelectResult
+from .rings import Fit, Rings
+from .seat import HOLDING_FRICTION
 
 LAME = Text("elasticity: thick rings in plane stress (Lamé)")
 CAUSE = "bearings.B.seat"
@@ -153,14 +155,18 @@ MEGAPASCAL, NEWTON_METRE, HUNDRED_MICRONS, TEN_MICRONS = 1e6, 1.0, 100e-6, 10e-6
 
 
 def seat_checks(
-    place: str, row: BearingRow, seat: SeatResult | None, stack: Stack | None, band: tuple[Metre, ...] | None
+    place: str,
+    row: BearingRow,
+    seat: SeatResult | None,
+    select: SelectResult | None,
+    band: tuple[Metre, ...] | None,
 ) -> Iterator[Check]:
     """`band`: of the clearance that classes shall make; None: there are none."""
     if seat is not None:
         yield from press_checks(place, row, seat)
         yield from _stress_checks(place, seat)
-    if stack is not None and stack.pairs is not None and band is not None and seat is not None:
-        yield _worst_pair(place, stack, seat.rings, (band[0], band[-1]))
+    if select is not None and band is not None:
+        yield _worst_pair(place, select, (band[0], band[-1]))
     if row.spread is not None:
         yield SPREAD(row.spread, 0.0, at=place, name=_at(SPREAD, place), scale=HUNDRED_MICRONS)
     if row.carrier is not None and row.carrier_bore is not None:
@@ -173,34 +179,36 @@ def press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Chec
     if seat.rings.chosen:
         return
     rule = SEAT_FRETTING if row.retained == "pin" else SEAT_PRESS
-    hot, best = seat.press_hot, seat.press_hot_cool
-    tighter = _tighter(place, seat, seat.press_needed - hot)
-    missing = _housing(seat, hot, best)
+    hot, best, need = seat.press_hot, seat.press_hot_cool, seat.press_needed
     yield rule(
         hot,
-        seat.press_needed,
+        need,
         at=place,
         name=_at(rule, place),
-        missing=missing,
+        missing=_housing(seat, hot, best),
         scale=MEGAPASCAL,
-        remedies=lambda: tighter,
+        remedies=lambda: _tighter(place, row, seat, need),
     )
     if row.retained == "pin":
         return
-    held, share = seat.holding_torque, None if best is None or not hot else best / hot
-    missing = _housing(seat, held, None if best is None else held * share if share is not None else _held(row, seat))
+    held, drag = seat.holding_torque, 2 * seat.drag_torque
+    with untraced():
+        fit = _fit(seat)
+        each = f.holding_torque(mu_s=HOLDING_FRICTION, p=1.0, d_o=fit.d_o, l=row.length)  # of each Pa
     yield SEAT_TURN(
-        held, 2 * seat.drag_torque, at=place, name=_at(SEAT_TURN, place), missing=missing, scale=NEWTON_METRE
+        held,
+        drag,
+        at=place,
+        name=_at(SEAT_TURN, place),
+        missing=_housing(seat, held, None if best is None else each * best),
+        scale=NEWTON_METRE,
+        remedies=lambda: _tighter(place, row, seat, drag / each),
     )
 
 
-def _held(row: BearingRow, seat: SeatResult) -> float:
-    """Torque that holds the bush while its housing is at its coolest."""
-    from .seat import HOLDING_FRICTION
-
-    fit = seat.rings.fit(row.diameter, seat.bore - (seat.rings.journal or row.diameter))
-    held: float = f.holding_torque(mu_s=HOLDING_FRICTION, p=seat.press_hot_cool or 0.0, d_o=fit.d_o, l=row.length)
-    return held
+def _fit(seat: SeatResult) -> Fit:
+    rings = seat.rings
+    return rings.fit_of(seat.bore + 2 * rings.wall if rings.bore is None else rings.bore, seat.bore)
 
 
 def _housing(seat: SeatResult, value: float, best: float | None) -> Missing | None:
@@ -210,32 +218,36 @@ def _housing(seat: SeatResult, value: float, best: float | None) -> Missing | No
     return Missing((T_HOUSING,), (taken,), best, value)
 
 
-def _tighter(place: str, seat: SeatResult, lacks: Pascal) -> tuple[Remedy, ...]:
-    """So much more interference, at both ends, as the press lacks."""
+def _tighter(place: str, row: BearingRow, seat: SeatResult, p: Pascal) -> tuple[Remedy, ...]:
+    """The interference, as wide as it is, that leaves this pressure where the film is hottest; of shells by their
+    crush, where that is given."""
     rings = seat.rings
-    fit = rings.fit_of(seat.bore + 2 * rings.wall if rings.bore is None else rings.bore, seat.bore)
-    more = lacks * fit.d_o * (fit.k_B + fit.k_H)
-    ends = tuple(up(end + more) for end in rings.interference)
-    key = row_key(place, BearingRow.interference)
-    return by_key(BearingRow, key, ends, place=called(place), bound=">=")()
+    with untraced():
+        needed = rings.needed(_fit(seat), p, seat.temperatures.hot, seat.temperatures.housing)
+    more = needed - rings.interference[0]
+    field, given = BearingRow.interference, rings.interference
+    if row.crush is not None:
+        field, given, more = BearingRow.crush, (row.crush[0], row.crush[-1]), more * pi / 2
+    ends = [up_um(end + more) for end in given]
+    return by_key(BearingRow, row_key(place, field), ends, place=called(place), bound=">=")()
 
 
 def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     housing, backing = seat.rings.housing, seat.rings.backing
-    stress, source, missing = (
-        seat.housing_stress,
-        Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name),
-        None,
-    )
+    stress, value_id, missing = seat.housing_stress, None, None
+    source = Text("{lame}; proof stress of {name}", lame=LAME, name=housing.name)
     if housing.proof_stress is None and housing.tensile_strength is not None:
         stress, limit = seat.tension, housing.tensile_strength
+        value_id = dotted("bearings", place, "seat", SeatResult.tension)
         source = Text("{lame}; hoop tension, tensile strength of {name}", lame=LAME, name=housing.name)
     else:
         limit, missing = proof_of(housing.proof_stress, stress)
-    yield SEAT_STRESS(stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, missing=missing)
+    yield SEAT_STRESS(
+        stress, limit, at=place, name=_at(SEAT_STRESS, place), source=source, value_id=value_id, missing=missing
+    )
     limit, missing = proof_of(backing.proof_stress, abs(seat.bush_stress))
     yield BUSH_STRESS(
-        abs(seat.bush_stress),
+        based_on(abs(seat.bush_stress), seat.bush_stress),
         limit,
         at=place,
         name=_at(BUSH_STRESS, place),
@@ -244,15 +256,15 @@ def _stress_checks(place: str, seat: SeatResult) -> Iterator[Check]:
     )
 
 
-def _worst_pair(place: str, stack: Stack, rings: Rings, band: tuple[Metre, Metre]) -> Check:
+def _worst_pair(place: str, select: SelectResult, band: tuple[Metre, Metre]) -> Check:
     """The pair of classes that stands furthest outside the band, else nearest to its ends."""
-    assert stack.pairs is not None
-    ends = [(pair, g) for pair in stack.pairs for g in stack.of_pair(pair, rings)]
-    (bore, journal), g = min(ends, key=lambda end: min(end[1] - band[0], band[1] - end[1]))
+    ends = [(pair, g) for pair, of_pair in select.pair.items() for g in (of_pair.min, of_pair.max)]
+    pair, g = min(ends, key=lambda end: min(end[1] - band[0], band[1] - end[1]))
+    bore, _, journal = pair.partition("_")
     name = Text(
         "Clearance of bore class {bore} with journal class {journal}, {place}",
-        bore=str(bore),
-        journal=str(journal),
+        bore=bore,
+        journal=journal,
         place=called(place),
     )
     return SELECT(g, band, at=place, name=name)

@@ -9,12 +9,15 @@ from itertools import pairwise, product
 from typing import Any
 
 from ...sheet.quantity import dotted, inputs, open_, series
-from ...sheet.text import Text
+from ...sheet.text import Amount, Text
 from ...sheet.units import Metre
+from ...sheet.value import based_on
 
 Range = tuple[Metre, Metre]
 
 WALL_FIELD: Metre = 4e-6  # of a shell of one class, where the program finds the walls; rule of this program
+LEAST_WALL, MOST_WALL = 0.5e-3, 10e-3  # m, as of a bearing's own wall_mm
+BOUNDS = {"least": Amount(LEAST_WALL * 1e3), "most": Amount(MOST_WALL * 1e3, "mm")}
 PAIRS = Text("a list of pairs of numbers in mm, [[least, most], …], rising and apart")
 
 
@@ -74,11 +77,11 @@ class Select:
         return _ranges(self.bore_classes_mm) or ()
 
     def walls(self, rise: Metre = 0.0) -> tuple[Range, ...]:
-        """As given, else as found.  `rise`: by which a seated bore stands wider than its parts leave it."""
+        """As given, else as found.  `rise`: of a seated bore over what housing bore and walls leave."""
         if self.walls_mm is not None:
             return _ranges(self.walls_mm) or ()
         found = found_walls(self.bores, self.journals, self._middle(rise))
-        return tuple((w - WALL_FIELD / 2, w + WALL_FIELD / 2) for w in found)
+        return tuple(based_on((w - WALL_FIELD / 2, w + WALL_FIELD / 2), self.clearance_band, rise) for w in found)
 
     def _middle(self, rise: Metre) -> Metre:
         """Of the clearance asked for, less what the seated bore adds."""
@@ -114,9 +117,9 @@ class Select:
             yield key, Text("must be {pairs}", pairs=PAIRS)
         if self.clearance_band[0] >= self.clearance_band[-1]:
             yield dotted(Select.clearance_band), Text("least before most")
-        elif not wrong and self.walls_mm is None and any(low <= 0 for low, _ in self.walls()):
-            none = Text("leaves no wall between bore and journal")
-            yield dotted(Select.clearance_band), none
+        elif not wrong and any(low < LEAST_WALL or high > MOST_WALL for low, high in self.walls()):
+            key = dotted(Select.clearance_band) if self.walls_mm is None else dotted(Select.walls_mm)
+            yield key, Text("must leave walls of {least} to {most} between bore and journal", **BOUNDS)
         if self.pick is not None and not wrong:
             yield from self._pick(self.pick)
 

@@ -15,6 +15,7 @@ from ...sheet.units import (
     Pascal,
     PerKelvin,
     PerPascal,
+    Radian,
     RadPerSecond,
     Watt,
 )
@@ -23,6 +24,21 @@ LAME = "elasticity: thick rings in plane stress (Lamé)"
 
 
 # --- two rings
+
+
+@formula("d_i", "geometry: bore as assembled", unit="mm")
+def assembled_bore(d_J: Metre, g: Metre) -> Metre:
+    return d_J + g
+
+
+@formula("d_o", "geometry: outside of bush or shells, pressed in", unit="mm")
+def outside_of_bush(d_i: Metre, w: Metre) -> Metre:
+    return d_i + 2 * w
+
+
+@formula("D", "rule of this program: metal around the bore", unit="mm", names={"D_rel": "(D/d_o)"})
+def housing_outside(D_rel: Number, d_o: Metre) -> Metre:
+    return D_rel * d_o
 
 
 @formula("k_B", f"{LAME}: compliance of the bush at its outside", names={"nu_B": "ν_B"})
@@ -56,14 +72,14 @@ def bush_stress(p: Pascal, d_o: Metre, d_i: Metre) -> Pascal:
     return -2 * p * d_o**2 / (d_o**2 - d_i**2)
 
 
-@formula("q", f"{LAME}: hoop stress of the housing at its bore", unit="MPa")
+@formula("σ_H", f"{LAME}: hoop stress of the housing at its bore", unit="MPa")
 def housing_tension(p: Pascal, D: Metre, d_o: Metre) -> Pascal:
     return p * (D**2 + d_o**2) / (D**2 - d_o**2)
 
 
-@formula("σ_v", "elasticity: von Mises stress of hoop tension q and pressure p", unit="MPa")
-def housing_stress(q: Pascal, p: Pascal) -> Pascal:
-    return sqrt(q**2 + q * p + p**2)
+@formula("σ_v", "elasticity: von Mises stress of hoop tension and pressure p", unit="MPa", names={"sigma_H": "σ_H"})
+def housing_stress(sigma_H: Pascal, p: Pascal) -> Pascal:
+    return sqrt(sigma_H**2 + sigma_H * p + p**2)
 
 
 # --- shells
@@ -203,3 +219,24 @@ def clearance_as_pressed(D_b: Metre, w: Metre, d_J: Metre, delta: Metre, c_i: Me
 @formula("g", "definition: the middle of what the parts leave", unit="µm")
 def middle_clearance(g_min: Metre, g_max: Metre) -> Metre:
     return (g_min + g_max) / 2
+
+
+# --- the split line
+
+
+@formula("t/c", "definition: depth of the relief over the warm radial clearance")
+def relief_depth(t: Metre, g: Metre) -> Number:
+    return t / (g / 2)
+
+
+@formula("a", "geometry: the arc of the relief on one side of the split, by the radius")
+def relief_arc(a_r: Metre, d: Metre) -> Radian:
+    return 2 * a_r / d
+
+
+@formula("h_split", "computed here: the film at the edge, less what the split takes of the film", unit="µm")
+def film_at_split(h_edge: Metre, h_0: Metre, s_t: Number) -> Metre:
+    """>>> film_at_split(h_edge=4.7e-6, h_0=5.6e-6, s_t=0.78)
+    3.468e-06
+    """
+    return h_edge - h_0 * (1 - s_t)

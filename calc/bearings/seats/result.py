@@ -37,6 +37,7 @@ class SeatResult:
     press_needed: Pascal = value("Pressure that keeps the fit shut under the load", "MPa", "p_need")
     bush_stress: Pascal = value("Hoop stress of the bush", "MPa", "σ_B")
     housing_stress: Pascal = value("Stress of the housing at its bore", "MPa", "σ_v")
+    tension: Pascal = value("Hoop tension of the housing at its bore", "MPa", "σ_H")
     expansion: PerKelvin = value("Expansion of the bore while it is pressed", "10⁻⁶/K", "α_eff")
     loose_at: Celsius | None = value("Temperature at which it comes loose", "°C", "T_0", default=None, short=True)
     holding_torque: NewtonMetre = value("Torque that holds it where the film is hottest", "N·m", "M_h")
@@ -44,7 +45,6 @@ class SeatResult:
     rings: Rings
     temperatures: Temperatures
     press_hot_cool: Pascal | None  # with the housing at its coolest; None: its temperature is given
-    tension: Pascal  # hoop stress of the housing, where the stress is largest
 
 
 @result
@@ -67,5 +67,5 @@ class SelectResult:
 class SplitResult:
     """The film as the parting lines of the shells pass under the turning load."""
 
-    share: Number = value("Film left as the split passes, share", "", "k_s")
-    film: Metre | None = value("Film at the edge as the split passes", "µm", "h_split", default=None, short=True)
+    share: Number = value("Share of the film that is left", "", "s_t")
+    film: Metre = value("Film at the edge as the split passes under the load", "µm", "h_split", short=True)

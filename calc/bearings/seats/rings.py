@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from ...library.catalogue import Material
 from ...sheet.record import record
 from ...sheet.units import Metre, Number, Pascal
+from ...sheet.value import based_on, untraced
 from . import formulas as f
 
 HOUSING_RATIO = 2.0  # D/d_o where nothing is given; rule of this program
@@ -49,15 +50,23 @@ class Rings:
 
     @property
     def middle(self) -> Metre:
-        return (self.interference[0] + self.interference[1]) / 2
+        least, most = self.interference
+        return based_on((least + most) / 2, least, most)
 
     def fit(self, diameter: Any, clearance: Any) -> Fit:
         """For a journal of this nominal diameter and the clearance as assembled at the reference temperature."""
-        d_i = (diameter if self.journal is None else self.journal) + clearance
-        return self.fit_of(d_i + 2 * self.wall if self.bore is None else self.bore, d_i)
+        d_i = f.assembled_bore(d_J=diameter if self.journal is None else self.journal, g=clearance)
+        return self.fit_of(f.outside_of_bush(d_i=d_i, w=self.wall) if self.bore is None else self.bore, d_i)
+
+    def quiet_fit(self, diameter: Any, clearance: Any) -> Fit:
+        """The same without lines, which stand with the seat."""
+        with untraced():
+            fit = self.fit(diameter, clearance)
+        of = diameter, clearance, self.wall, self.bore, self.journal, self.outside
+        return fit._replace(d_i=based_on(fit.d_i, *of), d_o=based_on(fit.d_o, *of))
 
     def fit_of(self, d_o: Any, d_i: Any) -> Fit:
-        D = HOUSING_RATIO * d_o if self.outside is None else self.outside
+        D = f.housing_outside(D_rel=HOUSING_RATIO, d_o=d_o) if self.outside is None else self.outside
         k_B = f.bush_compliance(d_o=d_o, d_i=d_i, nu_B=self.backing.poisson, E_B=self.backing.E)
         k_H = f.housing_compliance(D=D, d_o=d_o, nu_H=self.housing.poisson, E_H=self.housing.E)
         return Fit(d_i, d_o, D, k_B, k_H)
@@ -82,10 +91,13 @@ class Rings:
 
     def clearance_at(self, diameter: Any, clearance: Any, journal_expansion: float, T: Any, T_H: Any) -> Any:
         """`T`: of journal and bush, `T_H`: of the housing."""
-        fit = self.fit(diameter, clearance)
-        c_i, c_T = self.pressed(fit, self.middle).c, self.at(fit, self.middle, T, T_H).c
+        fit = self.quiet_fit(diameter, clearance)
+        with untraced():
+            c_i = self.pressed(fit, self.middle).c
+        c_i = based_on(c_i, fit.d_i, self.interference)
+        c_T = self.at(fit, self.middle, T, T_H).c
         d_iT = f.bore_at(d_i=fit.d_i, c_i=c_i, alpha_B=self.backing.expansion, T_B=T, T_ref=self.reference, c_T=c_T)
-        d_J = fit.d_i - clearance
+        d_J = based_on(fit.d_i - clearance, diameter if self.journal is None else self.journal)
         return f.clearance_in(d_iT=d_iT, d_J=d_J, alpha_J=journal_expansion, T=T, T_ref=self.reference)
 
     def rise(self, diameter: Any, clearance: Any) -> Any:

@@ -13,7 +13,7 @@ from ..inputs import BearingsInputs
 from . import formulas as f
 from .result import SeatResult, Temperatures
 from .rings import Rings
-from .stack import Stack
+from .stack import SeatStack
 
 CRUSH_FIELD: Metre = (
     12e-6  # of the interference of shells that are sorted by their crush, assumed; rule of this program
@@ -24,7 +24,7 @@ HOLDING_FRICTION: Number = 0.10  # μ_s of steel pressed in metal; from memory
 
 
 def rings_of(
-    row: BearingRow, inputs: BearingsInputs, stack: Stack | None, backing: Material, housing: Material, d: Metre
+    row: BearingRow, inputs: BearingsInputs, stack: SeatStack | None, backing: Material, housing: Material, d: Metre
 ) -> Rings | None:
     """What is pressed into the housing of a bearing of diameter `d`; None: nothing.  An interference that is not given
     is nought until it is chosen."""
@@ -33,22 +33,23 @@ def rings_of(
     walls = stack.walls if stack is not None and stack.walls is not None else row.wall
     assert walls is not None
     bore = row.bore if stack is None or stack.walls is None else stack.bore
+    journal = None if stack is None else stack.journal
     rings = Rings(
         backing=backing,
         housing=housing,
-        wall=(walls[0] + walls[-1]) / 2,
+        wall=based_on((walls[0] + walls[-1]) / 2, walls),
         restraint=inputs.expansion_restraint,
         reference=inputs.clearance_reference_temperature,
         interference=(0.0, 0.0),
-        bore=None if bore is None else (bore[0] + bore[1]) / 2,
-        journal=None if stack is None else (stack.journal[0] + stack.journal[1]) / 2,
+        bore=None if bore is None else based_on((bore[0] + bore[1]) / 2, row.bore),
+        journal=None if journal is None else based_on((journal[0] + journal[1]) / 2, row.journal),
         outside=row.housing_outer,
     )
     if row.interference is not None:
         least, most = row.interference
         return replace(rings, interference=(least, most))
     if row.crush is not None:
-        d_o = d + 2 * rings.wall if rings.bore is None else rings.bore
+        d_o = f.outside_of_bush(d_i=d, w=rings.wall) if rings.bore is None else rings.bore
         least, most = (
             f.interference_of_crush(
                 c=based_on(c, row.crush), F_c=row.crush_load, d_o=d_o, E_B=backing.E, w=rings.wall, b=row.length
@@ -76,7 +77,7 @@ def chosen(rings: Rings, row: BearingRow, clearance: Metre, F: Newton, at: Tempe
     are made.  As they stand where it is given."""
     if not rings.chosen:
         return rings
-    fit = rings.fit(row.diameter, clearance)
+    fit = rings.quiet_fit(row.diameter, clearance)
     p_need = f.press_needed(F=F, d_o=fit.d_o, l=row.length)
     with untraced():
         needs = [(rings.needed(fit, p_need, *state), state) for state in _states(at)]
@@ -109,7 +110,7 @@ def seated(
     with untraced():
         tightest = max(_states(at), key=lambda state: rings.at(fit, most, *state).delta)
     p = rings.at(fit, most, *tightest).p
-    q = f.housing_tension(p=p, D=fit.D, d_o=fit.d_o)
+    tension = f.housing_tension(p=p, D=fit.D, d_o=fit.d_o)
     loose = None
     if alpha_H > rings.backing.expansion:
         loose = f.loose_at(
@@ -125,7 +126,7 @@ def seated(
         interference_max=most,
         interference=rings.middle,
         bore=fit.d_i,
-        bore_free=fit.d_i + middle.c,
+        bore_free=based_on(fit.d_i + middle.c, fit.d_i, middle.c),
         bore_closing=middle.c,
         housing_growth=f.housing_growth(p=middle.p, d_o=fit.d_o, k_H=fit.k_H),
         press=press,
@@ -133,7 +134,7 @@ def seated(
         press_hot=hot,
         press_needed=f.press_needed(F=F, d_o=fit.d_o, l=row.length),
         bush_stress=f.bush_stress(p=p, d_o=fit.d_o, d_i=fit.d_i),
-        housing_stress=f.housing_stress(q=q, p=p),
+        housing_stress=f.housing_stress(sigma_H=tension, p=p),
         expansion=f.bore_expansion(
             alpha_B=rings.backing.expansion,
             s=s,
@@ -148,5 +149,5 @@ def seated(
         rings=rings,
         temperatures=at,
         press_hot_cool=cool,
-        tension=q,
+        tension=tension,
     )

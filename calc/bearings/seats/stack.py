@@ -3,15 +3,30 @@
 
 from ...countershaft.rows import BearingRow
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Metre
-from ...sheet.value import based_on
+from ...sheet.value import based_on, untraced
 from . import formulas as f
 from .classes import Range, Select
 from .rings import Rings
 
+# what shells of one wall are called, from the thinnest, as makers mark them with paint
+COLOURS = (
+    Text("brown"),
+    Text("black"),
+    Text("blue"),
+    Text("green"),
+    Text("yellow"),
+    Text("red"),
+    Text("white"),
+    Text("pink"),
+    Text("violet"),
+    Text("orange"),
+)
+
 
 @record
-class Stack:
+class SeatStack:
     """Limits of the parts at the reference temperature.  `bore`: of the housing, or as finished; `walls` None: there
     are none between bore and journal, or they do not count.  `pairs`: where they are selected, of each pair of classes
     bore, walls and journal, by the numbers of bore class and journal class from 1."""
@@ -27,34 +42,46 @@ class Stack:
         of = [journal for *_, journal in self.pairs.values()] if self.pairs is not None else [self.journal]
         return max(most - least for least, most in of)
 
+    @property
+    def shells(self) -> dict[Range, Text]:
+        """The walls that are picked, from the thinnest, each with the word for its colour."""
+        walls = sorted({wall for _, wall, _ in (self.pairs or {}).values()})
+        more = (Text("number {n}", n=n) for n in range(len(COLOURS) + 1, len(walls) + 1))
+        return dict(zip(walls, (*COLOURS, *more)))
+
     def clearances(self, rings: Rings | None) -> Range:
         """Least and most of all parts that may come together, with the least interference for the least."""
         if self.pairs is None:
-            return self._of(self.bore, self.walls, self.journal, rings, selected=False)
-        every = [self._of(*pair, rings, selected=True) for pair in self.pairs.values()]
-        return min(least for least, _ in every), max(most for _, most in every)
+            parts = self.bore, self.walls, self.journal
+            return self._end(*parts, rings, 0), self._end(*parts, rings, 1)
+        with untraced():
+            every = {pair: self.of_pair(pair, rings) for pair in self.pairs}
+        least, most = min(every, key=lambda pair: every[pair][0]), max(every, key=lambda pair: every[pair][1])
+        return self._end(*self.pairs[least], rings, 0), self._end(*self.pairs[most], rings, 1)
 
     def of_pair(self, pair: tuple[int, int], rings: Rings | None) -> Range:
+        """Of one pair of classes, at the middle interference."""
         assert self.pairs is not None
-        return self._of(*self.pairs[pair], rings, selected=True)
+        parts = self.pairs[pair]
+        return self._end(*parts, rings, 0), self._end(*parts, rings, 1)
 
-    def _of(self, bore: Range, walls: Range | None, journal: Range, rings: Rings | None, *, selected: bool) -> Range:
+    def _end(self, bore: Range, walls: Range | None, journal: Range, rings: Rings | None, most: int) -> Metre:
+        """The least clearance of these parts, or the `most`."""
+        D, d = based_on(bore[most], bore), based_on(journal[1 - most], journal)
         if walls is None or rings is None:
-            least, most = (
-                f.clearance_direct(D_b=based_on(D, self.bore), d_J=based_on(d, self.journal))
-                for D, d in ((bore[0], journal[1]), (bore[1], journal[0]))
-            )
-            return least, most
-        ends = (rings.middle, rings.middle) if selected else rings.interference
-        g = []
-        D_m, w_m = (bore[0] + bore[1]) / 2, (walls[0] + walls[1]) / 2
-        fit = rings.fit_of(D_m, D_m - 2 * w_m)
-        for D, w, d, delta in zip(bore, reversed(walls), reversed(journal), ends):
-            g.append(f.clearance_as_pressed(D_b=D, w=w, d_J=d, delta=delta, c_i=rings.pressed(fit, delta).c))
-        return g[0], g[1]
+            direct: Metre = f.clearance_direct(D_b=D, d_J=d)
+            return direct
+        delta = rings.middle if self.pairs is not None else rings.interference[most]
+        with untraced():
+            D_m, w_m = (bore[0] + bore[1]) / 2, (walls[0] + walls[1]) / 2
+            c = rings.pressed(rings.fit_of(D_m, D_m - 2 * w_m), delta).c
+        w = based_on(walls[1 - most], walls)
+        c = based_on(c, delta, D, w, rings.outside)
+        pressed: Metre = f.clearance_as_pressed(D_b=D, w=w, d_J=d, delta=delta, c_i=c)
+        return pressed
 
 
-def stack_of(row: BearingRow, select: Select | None, rise: Metre = 0.0) -> Stack | None:
+def stack_of(row: BearingRow, select: Select | None, rise: Metre = 0.0) -> SeatStack | None:
     """Of a bearing whose clearance its parts make; None where it is given otherwise.  `rise`: by which its seated bore
     stands wider, which walls that are found allow for."""
     if select is not None and row.seat == "shells":
@@ -63,14 +90,14 @@ def stack_of(row: BearingRow, select: Select | None, rise: Metre = 0.0) -> Stack
         return None
     journal = row.journal[0], row.journal[1]
     if row.finished is not None:
-        return Stack((row.finished[0], row.finished[1]), None, journal)
+        return SeatStack((row.finished[0], row.finished[1]), None, journal)
     assert row.bore is not None
     walls = None if row.wall is None or not row.ringed else (row.wall[0], row.wall[-1])
-    return Stack((row.bore[0], row.bore[1]), walls, journal)
+    return SeatStack((row.bore[0], row.bore[1]), walls, journal)
 
 
-def _sorted(select: Select, rise: Metre) -> Stack:
+def _sorted(select: Select, rise: Metre) -> SeatStack:
     walls, bores, journals = select.walls(rise), select.bores, select.journals
-    return Stack(
+    return SeatStack(
         (bores[0][0], bores[-1][1]), (walls[0][0], walls[-1][1]), (journals[0][0], journals[-1][1]), select.pairs(rise)
     )

@@ -19,6 +19,7 @@ from ..checks import (
     CLEARANCE_COLD_CORNER,
     FILM_EDGE,
     FILM_EDGE_SHEARED,
+    FILM_EDGE_SPLIT,
     FILM_OVERSPEED,
     FILM_PRESSURE,
     LENGTH_RATIO,
@@ -55,6 +56,7 @@ EXPLAIN = Text(
 RULES: dict[CheckRule, Text] = {
     FILM_EDGE: Name("h_edge"),
     FILM_EDGE_SHEARED: Text("sheared"),
+    FILM_EDGE_SPLIT: Text("split"),
     FILM_OVERSPEED: Text("overspeed"),
     TEMPERATURE: Text("outlet"),
     SPECIFIC_LOAD: Name("p"),
@@ -441,7 +443,7 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
     yield Text(
         "{rows}, at the worst corner of the tolerances: the film at the edge, {reserve} below the limit of the oil "
         "that leaves, and a twentieth of the clearance at the lowest temperature; as given, the film at the edge "
-        "with the oil thinned by shear and at overspeed, what the seat carries, a slope of 0.25 mrad, and l/d from "
+        "with the oil thinned by shear, as the split of shells passes and at overspeed, what the seat carries, a slope of 0.25 mrad, and l/d from "
         "{least} to {most} where the diameter is free.",
         rows=rows,
         reserve=Amount(OUTLET_RESERVE, "K"),

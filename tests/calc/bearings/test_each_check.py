@@ -494,6 +494,13 @@ def test_films_of_makers_journals(case):
     assert film_asked(hard, 0.2 * UM, 0.4 * UM) / UM == pytest.approx(4.5)
 
 
+def test_a_film_is_asked_for_of_the_smoothest_journal_too(given):
+    """In a lining that runs in, its 0.01 µm twice."""
+    lined = replace(given.seat.inputs, bush_material="AlSn20Cu")
+    for Ra in (0.0, 0.01):
+        assert film_asked(lined, Ra * UM, 0.4 * UM) / UM == pytest.approx(7.5 * 0.02)
+
+
 def test_the_film_at_overspeed_is_that_of_a_load_with_the_square_of_the_speed(gamma):
     results = solve(design(gamma.with_value("bearings.overspeed_percent", 20.0)))
     r = results.outcomes["bearings"].result.bearings["front"]

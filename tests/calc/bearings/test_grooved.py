@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from calc.bearings.film import grooved
-from calc.bearings.film.grooved import Feed, Feeds, GroovedTable, _grid, _nodes_across, _slopes, overlap, solve_grooved
+from calc.bearings.film.grooved import Feed, Feeds, GroovedTable, _grid, _slopes, nodes_across, overlap, solve_grooved
 from calc.bearings.film.table import film_at
 
 REFERENCE = tomllib.loads(
@@ -192,7 +192,7 @@ def test_what_has_no_meaning_is_refused(eps, feeds, words):
 @pytest.mark.parametrize("angles", [(math.pi / 2, 3 * math.pi / 2), (0.4,), (5.0, 1.0, 3.0)])
 def test_the_grid_goes_round_once_and_holds_what_lies_in_the_feeds_to_their_ends(angles, share):
     feeds = tuple(Feed(angle, 0.3, share) for angle in angles)
-    grid, z = _grid(0.7, 0.6, 0.5, feeds, (96, 12)), _nodes_across(share, 12)
+    grid, z = _grid(0.7, 0.6, 0.5, feeds, (96, 12)), nodes_across(share, 12)
     assert (z[0], z[-1]) == pytest.approx((0, 1)) and (np.diff(z) > 0).all() and np.abs(z - share).min() < 1e-12
     assert grid.around.sum() == pytest.approx(2 * math.pi, rel=1e-3)
     assert grid.across.sum() == pytest.approx(1) and (grid.conductance > 0).all()

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.checks import InPlace, shafts_clear, swept
+from calc.countershaft.insertion import Opening, Passing, room
 from calc.countershaft.sizing.shares import share_of
 from calc.countershaft.solve import solve as solve_shaft
 from calc.design.step_inputs import sized_alike
@@ -320,7 +321,7 @@ CARRIER = [{**row, "carrier_bore_mm": 66.0} if row["name"] == "front" else row f
 
 
 def test_what_has_to_pass_where():
-    """Threaded: the largest seat.  Laid in: nothing.  In a cartridge: the bore of its carrier."""
+    """Threaded: the seats on the way in.  Laid in: nothing.  In a cartridge: the bore of its carrier."""
     threaded = outcome(outer_radius_mm=32.0)
     assert (
         check(threaded, "envelope").value == pytest.approx(15.0 - 32.0)
@@ -331,11 +332,38 @@ def test_what_has_to_pass_where():
     )
     for word in ("split", "caps", "module"):
         assert check(outcome(outer_radius_mm=32.0, assembly=word), "envelope") is None
-    carried = check(outcome(outer_radius_mm=32.0, assembly="cartridge", bearings=CARRIER), "envelope")
+    outer_two = [CARRIER[0], CARRIER[-1]]
+    carried = check(outcome(outer_radius_mm=32.0, assembly="cartridge", bearings=outer_two), "envelope")
     assert carried.value == pytest.approx(1.0) and carried.verdict == "pass"
-    large = [{**row, "diameter_mm": 68.0} if row["name"] == "rear" else row for row in CARRIER]
-    found = outcome(outer_radius_mm=32.0, assembly="cartridge", bearings=large)
+    from_rear = outcome(outer_radius_mm=32.0, assembly="cartridge", bearings=outer_two, insert_from="rear")
+    assert check(from_rear, "envelope").value == pytest.approx(15.0 - 32.0)  # the rear seat has no carrier
+    large = [{**row, "diameter_mm": 68.0} if row["name"] == "rear" else row for row in outer_two]
+    found = outcome(outer_radius_mm=32.0, assembly="cartridge", bearings=large, insert_from="front")
     assert check(found, "envelope").value == pytest.approx(-1.0)  # the rear journal has to pass it too
+    # an inner seat that is not divided stops what lies behind it
+    stopped = check(outcome(outer_radius_mm=32.0, assembly="cartridge", bearings=CARRIER), "envelope")
+    assert stopped.value == pytest.approx(15.0 - 32.0)
+
+
+@pytest.mark.parametrize(
+    "pieces, openings, front, rear",
+    [
+        (  # journals that step by 2 mm, as those of the Mazda WL-C: each passes the seat before it by 1 mm
+            [(-120, 20.976), (-60, 19.5), (0, 19.976), (60, 18.5), (120, 18.991)],
+            [(-120, 42.035), (0, 40.064), (120, 38.065)],
+            1.041,
+            -1.9435,
+        ),
+        ([(0, 20.0), (150, 18.3665)], [(-150, 42.0), (150, 36.8)], 1.0, -1.6),  # GM L61: a carrier, and a bush
+        ([(0, 37.0)], [], math.inf, math.inf),  # a divided crankcase
+    ],
+)
+def test_the_room_on_the_way_in(pieces, openings, front, rear):
+    """Computed independently for the specification; printed diameters as the makers have them."""
+    parts = [Passing(z / 1e3, R / 1e3) for z, R in pieces]
+    seats = [Opening(z / 1e3, D / 1e3) for z, D in openings]
+    assert room(parts, seats, front=True) * 1e3 == pytest.approx(front, rel=1e-6)
+    assert room(parts, seats, front=False) * 1e3 == pytest.approx(rear, rel=1e-6)
 
 
 def test_the_speed_of_the_shaft_is_its_own():

@@ -11,6 +11,7 @@ from calc.countershaft import checks as of_shaft
 from calc.countershaft import left_over
 from calc.countershaft import outline as drawn
 from calc.countershaft.inputs import EccentricMass, Holes
+from calc.countershaft.insertion import rooms
 from calc.countershaft.making import bolts, drain, parts, scatter
 from calc.countershaft.making import unbalance as balance
 from calc.countershaft.making.inputs import Bolts, Clamp, FurtherDrain, OilDrain, Support
@@ -56,8 +57,13 @@ def only(checks, id):
 def step(id, shaft=None, todo=None, journals=((59 * mm, 24 * mm), (65 * mm, 26 * mm)), gear=GEAR, **result):
     """A check of the whole step with inputs and results in place of those of the design."""
     inputs = replace(ASKED.countershaft, **(shaft or {}))
-    solved = replace(SOLVED, **result)
+    solved = with_rooms(inputs, journals, replace(SOLVED, **result))
     return only(of_shaft.checks(inputs, replace(TODO, **(todo or {})), solved, journals, gear), id)
+
+
+def with_rooms(shaft, journals, solved):
+    front, rear = rooms(shaft, solved.outline, journals, shaft.outer_radius)
+    return replace(solved, insertion_room_front=front, insertion_room_rear=rear)
 
 
 def envelope(room, clearance=0.2 * mm, **outline):
@@ -702,7 +708,8 @@ def test_a_check_of_a_further_drain_names_it_with_its_values_and_keys():
 def judged(shaft=None, todo=None, journals=((59 * mm, 24 * mm), (65 * mm, 26 * mm)), gear=GEAR, **result):
     """All checks of the step, of inputs and results in place of those of the design."""
     inputs = replace(ASKED.countershaft, **(shaft or {}))
-    checks = of_shaft.checks(inputs, replace(TODO, **(todo or {})), replace(SOLVED, **result), journals, gear)
+    solved = with_rooms(inputs, journals, replace(SOLVED, **result))
+    checks = of_shaft.checks(inputs, replace(TODO, **(todo or {})), solved, journals, gear)
     return {check.id.removeprefix("countershaft."): check for check in checks}
 
 

@@ -29,18 +29,23 @@ def test_stiffness_and_strength(name):
     assert (solid.proof_stress is None) if proof is None else solid.proof_stress / 1e6 == pytest.approx(proof)
 
 
+# backings of bushes, whose proof stress is from memory
+FROM_MEMORY = {"strip": 300e6, "CuSn10P": 170e6}
+
+
 def test_no_other_strength_is_stated():
-    assert {n for n, m in materials().items() if m.proof_stress is not None or m.tensile_strength is not None} == set(
-        TABLE
-    )
+    stated = {n for n, m in materials().items() if m.proof_stress is not None or m.tensile_strength is not None}
+    assert stated == {*TABLE, *FROM_MEMORY}
+    for name, proof in FROM_MEMORY.items():
+        assert materials()[name].proof_stress == proof and "from memory, confidence low" in materials()[name].source
 
 
 @pytest.mark.parametrize("name", materials())
 def test_numbers_are_those_of_a_metal(name):
     solid = materials()[name]
-    light = solid.density < 3000
-    assert (2500 if light else 7000) <= solid.density <= 7900
-    assert (18e-6 if light else 10e-6) <= solid.expansion <= (24e-6 if light else 15e-6)
+    light, bronze = solid.density < 3000, name.startswith("CuSn")
+    assert (2500 if light else 7000) <= solid.density <= (8900 if bronze else 7900)
+    assert (18e-6 if light else 10e-6) <= solid.expansion <= (24e-6 if light else 18e-6 if bronze else 15e-6)
     assert 0.25 <= solid.poisson <= 0.34
     if solid.proof_stress is not None and solid.tensile_strength is not None:
         assert 0.5 < solid.proof_stress / solid.tensile_strength < 0.9

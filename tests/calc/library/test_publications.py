@@ -21,11 +21,11 @@ from calc.sheet.check import RULES
 from calc.sheet.formula import FORMULAS
 from calc.sheet.quantity import keys
 from calc.solve import solve
+from tests.conftest import FEW, each_shipped
 
 CALC = Path(calc.__file__).parent
 ROOT = CALC.parent
 TABLES = sorted(path for path in TABLE.parent.glob("*.toml") if path not in (TABLE, PLACES))
-DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 READ = {"Finotti 2013", "mechanics textbook", "gear friction thesis"}  # whose text lay before us
 
 
@@ -160,7 +160,7 @@ def test_every_row_of_a_table(path):
     assert lost(dict(of_table(tomllib.loads(path.read_text(encoding="utf-8"))))) == {}
 
 
-@pytest.mark.parametrize("path", DESIGNS, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", each_shipped())
 def test_every_check_erratum_and_row_of_a_shipped_design(path):
     outcomes = [outcome.whole for outcome in solve(load(path)[1]).outcomes.values()]
     sources = {f"check {c.id}": str(c.source) for o in outcomes for c in o.checks}
@@ -218,7 +218,7 @@ def test_nothing_is_generally_published():
 def test_every_kind_is_used():
     every = [*formulas().values(), *fields().values()]
     every += [source for path in TABLES for _, source in of_table(tomllib.loads(path.read_text(encoding="utf-8")))]
-    for path in DESIGNS:
+    for path in FEW:
         for outcome in solve(load(path)[1]).outcomes.values():
             every += [str(one.source) for one in (*outcome.checks, *outcome.errata)]
     assert {resolved(source).kind for source in every} - {""} == set(KINDS)
@@ -227,7 +227,7 @@ def test_every_kind_is_used():
 def test_what_is_from_memory_and_decides_a_limit_has_a_second_witness_or_says_that_it_has_none() -> None:
     """By the sources of the limits, as declared and as the shipped designs meet them."""
     limits = [str(rule.source) for rule in RULES.values() if rule.kind == "limit"]
-    for file in DESIGNS:
+    for file in FEW:
         limits += [str(check.source) for check in solve(load(file)[1]).checks() if check.kind == "limit"]
     named = {c.publication.name: c.publication for source in limits for c in resolved(source).citations}
     deciding = [row for row in named.values() if row.known == "memory"]

@@ -56,12 +56,14 @@ def test_repr_shortens_what_is_long():
 def test_inputs_print_labels_values_and_units():
     assert str(BearingRow(**GIVEN)).splitlines() == [
         "BearingRow",
-        "  Name                   front",
-        "  Kind                   plain",
-        "  Journal diameter          60 mm",
-        "  Length                    30 mm",
-        "  Roughness Ra, journal    0.6 µm",
-        "  Roughness Ra, seat       0.6 µm",
+        "  Name                    front",
+        "  Kind                    plain",
+        "  Journal diameter           60 mm",
+        "  Length                     30 mm",
+        "  Roughness Ra, journal     0.6 µm",
+        "  Roughness Ra, seat        0.6 µm",
+        "  Seat                   direct",
+        "  Plane of the joint          0 °",
     ]
 
 

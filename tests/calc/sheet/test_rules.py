@@ -13,11 +13,10 @@ from calc.design.upgrade import current
 from calc.sheet.check import KINDS, LETTER, RULES, CheckRule
 from calc.sheet.quantity import keys
 from calc.solve import Results, solve
-from calc.studies.shipped import DESIGNS
+from tests.conftest import SHIPPED
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 OLD = sorted((REFERENCE / "designs_0_1").glob("*.toml"))
-SHIPPED = sorted(DESIGNS.glob("*.toml"))
 # what the checks shall be: decided check by check before they were declared
 SHALL_BE = {row["id"]: row for row in csv.DictReader((REFERENCE / "severities.csv").open(encoding="utf-8"))}
 FORM = re.compile(r"[a-z_.BMNWDJ0-9]+")

@@ -11,10 +11,11 @@ from calc.design.toml_file import design, read
 from calc.sheet.value import Line
 from calc.solve import solve
 from calc.studies.explain import Chains, chain, needs, origin
-from tests.conftest import SCREENED
+from calc.studies.shipped import shipped_name
+from tests.conftest import FEW, SCREENED
 
 DESIGNS = Path(__file__).parents[3] / "designs"
-SHIPPED = sorted(path.stem for path in DESIGNS.glob("*.toml"))
+SHIPPED = list(map(shipped_name, FEW))
 RESULTS = {name: solve(design(read(DESIGNS / f"{name}.toml"))) for name in (*SHIPPED, SCREENED)}
 CHAINS = {name: Chains(results) for name, results in RESULTS.items()}
 SIZED, R754 = "r753ie4_sized", SCREENED

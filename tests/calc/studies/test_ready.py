@@ -2,6 +2,7 @@
 """How far a design is: the state of its steps, what decides them, whether it is ready, and what it leaves to shake."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -13,6 +14,7 @@ from calc.studies.headlines import closest_limit, headline, heads, main_numbers,
 from calc.studies.ready import NO_PLAIN, OF_PROGRAM, Readiness, limits_hold, readiness, whole
 from calc.studies.shipped import DESIGNS, EXAMPLE, engine_design
 from calc.studies.starter import build
+from tests.conftest import each_shipped
 from tests.made_checks import made_check
 
 HOLDS, FAILS, NARROW = (made_check(value, id="gears.a") for value in (2.0, 0.5, 1.01))
@@ -181,9 +183,9 @@ def test_the_value_that_decides_is_said_with_its_limit(gamma: tuple[Document, Re
     assert bearings is not None and bearings.share == pytest.approx(film / 9) and str(bearings.brief) == "film 7.4/9 µm"
 
 
-@pytest.mark.parametrize("name", sorted(path.stem for path in DESIGNS.glob("*.toml")))
-def test_a_number_of_the_drive_is_told_where_there_is_one(name: str) -> None:
-    results = solve(design(read(DESIGNS / f"{name}.toml")))
+@pytest.mark.parametrize("path", each_shipped())
+def test_a_number_of_the_drive_is_told_where_there_is_one(path: Path) -> None:
+    results, name = solve(design(read(path))), path.stem
     told = dict(main_numbers(results))
     assert all(told.values()) and len(told) == len(main_numbers(results))
     if (loss := results.values().get("friction.total_loss")) is not None:

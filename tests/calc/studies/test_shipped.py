@@ -24,6 +24,7 @@ from calc.studies.ready import by_program
 from calc.studies.shipped import DESIGNS, _rows, engine_design, engines
 from calc.studies.starter.balancing import what_shakes
 from calc.studies.starter.journals import PSI
+from tests.conftest import each_shipped
 
 ENGINES = engines()
 SLOW = ("inline-4-cross", "twin-180", "twin-270", "twin-360", "v2-45")  # whose rules look at many trains
@@ -470,7 +471,7 @@ assert not {heavy} & set(sys.modules), {heavy} & set(sys.modules)
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", each_shipped())
 def test_every_curve_and_table_of_a_step_has_an_id_of_its_own(path):
     """They are turned over by their ids."""
     for outcome in solve(design(read(path))).outcomes.values():
@@ -478,16 +479,8 @@ def test_every_curve_and_table_of_a_step_has_an_id_of_its_own(path):
         assert len(ids) == len(set(ids)), ids
 
 
-LONG = ("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting")
-
-
 @pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
-        for path in sorted(DESIGNS.glob("*.toml"))
-    ],
-    ids=lambda path: path.stem,
+    "path", each_shipped("r753ie4_beta", "r753ie4_gamma", "r753ie4_drive", "r753ie4_mounting", "l61")
 )
 def test_curves_and_tables_of_a_step_are_told_apart_by_their_names(path):
     """The session and the JSON find them so."""
