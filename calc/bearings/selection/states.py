@@ -17,7 +17,7 @@ import numpy as np
 
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.result import CountershaftResult
-from ...countershaft.rows import called
+from ...countershaft.rows import RELIEF, RELIEF_LENGTH, called
 from ...countershaft.sizing.stretches import gap_of
 from ...library.journal_rules import specific_load
 from ...library.lubricant import Lubricant
@@ -36,6 +36,7 @@ from ..checks import (
     CLEARANCE_COLD_CORNER,
     FILM_EDGE,
     FILM_EDGE_SHEARED,
+    FILM_EDGE_SPLIT,
     FILM_OVERSPEED,
     FILM_PRESSURE,
     LENGTH_RATIO,
@@ -44,9 +45,11 @@ from ..checks import (
     on_bearing,
 )
 from ..corners import widths
+from ..film import split_line
 from ..routes import supply
 from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
+from ..seats import formulas as seats
 from ..solve import HTHS_TEMPERATURE
 from ..suitability import MATERIAL_LOAD, film_asked
 
@@ -97,7 +100,7 @@ OUTLET_RESERVE: Kelvin = 5.0  # rule of this program for choosing: nearer, the l
 RATIO: tuple[Number, Number] = (0.5, 0.8)  # l/d; rule of this program for choosing, as makers of shells have it
 OWN = Text("rule of this program for choosing")
 READ = (FILM_EDGE, TEMPERATURE, CLEARANCE_COLD, CLEARANCE_COLD_CORNER)
-EDGES = (FILM_EDGE, FILM_EDGE_SHEARED, FILM_OVERSPEED)  # films at the edge that keep the peaks apart
+EDGES = (FILM_EDGE, FILM_EDGE_SHEARED, FILM_EDGE_SPLIT, FILM_OVERSPEED)  # films at the edge that keep the peaks apart
 OF_SEATS = (FILM_PRESSURE, SPECIFIC_LOAD, MATERIAL_LOAD)  # asked where the step asks them: by what the seat is of
 
 Index = int | tuple[np.intp, ...]  # of one of many candidates
@@ -147,6 +150,7 @@ def rules(place: str, checks: Iterable[Check], ratio: tuple[Number, Number]) -> 
     nought = math.nan  # what is judged are the candidates
     made = (
         on_bearing(FILM_EDGE_SHEARED, place, nought, film),
+        on_bearing(FILM_EDGE_SPLIT, place, nought, film),
         on_bearing(FILM_OVERSPEED, place, nought, film),
         on_bearing(LENGTH_RATIO, place, nought, ratio, source=OWN),
     )
@@ -351,7 +355,8 @@ def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
 @record
 class States:
     """Films of candidates, in SI: arrays whose first axis is that of the task's states, the others those of length and
-    clearance; `power`, `flow` and `pressure` of the first state alone."""
+    clearance; `power`, `flow`, `pressure` and `passed`, the film as the split of shells passes, of the first state
+    alone."""
 
     length: Array
     clearance: Array
@@ -361,13 +366,14 @@ class States:
     power: Array
     flow: Array
     pressure: Array
+    passed: Array
 
     def among(self, part: slice) -> "States":
         """Some of the candidates, along the last axis."""
         return States(*(numbers[..., part] for numbers in vars(self).values()))
 
 
-FILM_NUMBERS = ("film", "rise", "viscosity", "power", "flow", "pressure")
+FILM_NUMBERS = ("film", "rise", "viscosity", "power", "flow", "pressure", "passed")
 
 
 def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
@@ -409,7 +415,24 @@ def solved_at(task: BearingTask, d: Num, l: Array, g: Array, half: Num, *, all_r
     first = films[0]
     pressure = first.largest_pressure
     assert pressure is not None
-    return States(l, g, film, rise, viscosity, first.friction_power[0], first.oil_flow[0], pressure[0])
+    passed = film[0] * _share_of_split(task, d, l, first.eccentricity[0], first.clearance[0])
+    return States(l, g, film, rise, viscosity, first.friction_power[0], first.oil_flow[0], pressure[0], passed)
+
+
+def _share_of_split(task: BearingTask, d: Num, l: Array, eps: Array, g: Array) -> Array:
+    """Of the film, what the split of shells leaves as it passes under the load; 1 where there is none, or it is not
+    known."""
+    row, inputs = task.seat.bearing, task.seat.inputs
+    if row.seat != "shells" or inputs.load_speed_ratio == inputs.bush_speed_ratio:
+        return np.ones(l.shape)
+    t = RELIEF if row.relief is None else row.relief
+    a_r = RELIEF_LENGTH if row.relief_length is None else row.relief_length
+    bare = supply.bare_length(inputs, l)
+    ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=d)
+    with np.errstate(all="ignore"):
+        depth, arc = seats.relief_depth(t=t, g=g), seats.relief_arc(a_r=a_r, d=d)
+        share: Array = split_line.share_at(eps, ratio, depth, arc, outside="nan")
+    return np.where(np.isnan(share), 1.0, share)
 
 
 def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
@@ -438,6 +461,8 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
         for n, state in enumerate(task.states[once:], once):
             film = FILM_OVERSPEED if state.beside == "faster" else FILM_EDGE_SHEARED
             judged.append(rule[film].on(f.film_at_edge(h_0=states.film[n], theta=slope, l=l), where=n))
+        if seat.bearing.seat == "shells":
+            judged.append(rule[FILM_EDGE_SPLIT].on(f.film_at_edge(h_0=states.passed, theta=slope, l=l)))
         judged += [rule[load].on(p) for load in (SPECIFIC_LOAD, MATERIAL_LOAD) if load in rule]
         return [*judged, rule[FILM_PRESSURE].on(states.pressure)] if FILM_PRESSURE in rule else judged
 

@@ -485,7 +485,9 @@ def test_limits_and_classes_move_and_keep_their_widths(shells):
         assert made.clearance == pytest.approx(pick.clearance, abs=0.5e-6) and pick.diameter < of_design.diameter
         fields_of_both = [c.clearance_max - c.clearance_min for c in (made.corners, was.corners)]
         assert fields_of_both[0] == pytest.approx(fields_of_both[1], rel=0.05)
-        assert written.diameter == pick.diameter and pick.task.half * 2 == pytest.approx(fields_of_both[1])
+        assert written.diameter == pytest.approx(pick.diameter) and pick.task.half * 2 == pytest.approx(
+            fields_of_both[1]
+        )
     assert inputs.select.journals[-1][1] == pytest.approx(picks[0].diameter)
     assert inputs.select.bores[0][0] - case.bearings.select.bores[0][0] == pytest.approx(picks[0].diameter - 0.028)
     assert rows[1].journal[1] - rows[1].journal[0] == pytest.approx(13e-6)
