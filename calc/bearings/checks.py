@@ -202,19 +202,6 @@ FILM_TRUMPLER = CheckRule(
     limit_id=dotted("bearings", "B", BearingResult.trumpler_film),
     moved_by=(LENGTH, *CLEARANCE, OIL),
 )
-FILM_EDGE_TRUMPLER = CheckRule(
-    "bearings.B.film_edge_trumpler",
-    "advice",
-    "Asked of a candidate that is chosen, so that it has the reserve at its edge too.",
-    Text("Film at the edge by Trumpler"),
-    unit="µm",
-    source=rules.TRUMPLER,
-    advice=FILM_EDGE.advice,
-    cause=FILM_DOUBLE_LOAD.id,
-    value_id=dotted("bearings", "B", BearingResult.film_edge),
-    moved_by=(LENGTH, dotted(ROW, BearingRow.clearance), OIL),
-    short=Text("film"),
-)
 FILM_PRESSURE = CheckRule(
     "bearings.B.film_pressure",
     "limit",

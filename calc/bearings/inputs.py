@@ -24,7 +24,7 @@ SLOPE_TAKEN: Radian = 0.1e-3  # of the journal in its seat, where nothing is kno
 
 # the folds of the form
 MATERIALS = Text("Materials and fits")
-BY_CLASSES = Text("Shells by classes")
+BY_CLASSES = Text("Classes")
 
 
 @inputs
