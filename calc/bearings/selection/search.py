@@ -46,7 +46,7 @@ from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, 
 
 # of a film, as a share of what it needs, one after the other, where the whole design refuses what has less: over the
 # speeds, or with what stands still; rule of this program
-SPARE = (0.0, 0.1, 0.2, 0.4)
+SPARE = (0.0, 0.05, 0.1, 0.2, 0.4)
 AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER)
 
 
@@ -115,11 +115,15 @@ def settle(
     there is no candidate."""
     what = "nearest" if order is by_change else "offered"
     settled: Settled | None = None
+    tried: tuple[Pick, ...] = ()
     for more in (share for share in SPARE if share >= spare):
         for _ in range(2):
             picked = best(_with_spare(fields, more), slopes, order)
             if picked is None:
                 return settled
+            if _alike(picked, tried):
+                break
+            tried = picked
             settled = confirmed(case, CandidateRow(what, variant, picked), slopes, strict=strict)
             settled = replace(settled, spare=more)
             steeper = {place: max(slope, settled.slopes[place]) for place, slope in slopes.items()}
@@ -129,6 +133,14 @@ def settle(
         if settled is not None and settled.row is not None:
             break
     return settled
+
+
+def _alike(some: tuple[Pick, ...], others: tuple[Pick, ...]) -> bool:
+    """Whether bearings are of the same sizes and surfaces."""
+    return bool(others) and all(
+        (a.diameter, a.length, a.clearance, a.task.level) == (b.diameter, b.length, b.clearance, b.task.level)
+        for a, b in zip(some, others)
+    )
 
 
 def _with_spare(fields: Fields, spare: Number) -> Fields:
@@ -261,8 +273,8 @@ class BearingsFound:
     no film.  `refused`: variants without a row, with what stops them.  `slopes`: by row number those that solved rows
     were judged with; 0: the others.  `own`: the number of the row with the design's own oil, supply and surfaces; 0:
     there is none.  `elsewhere`: by row number, what then is open and was not before: limits of other steps, cautions
-    of the bearings.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`: results of
-    whole designs by row number, with their shaft in view."""
+    of the bearings.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`:
+    results of whole designs by row number, with their shaft in view."""
 
     case: SelectionCase
     aim: str

@@ -445,8 +445,8 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
     yield Text(
         "{rows}, at the worst corner of the tolerances: the film at the edge, {reserve} below the limit of the oil "
         "that leaves, and a twentieth of the clearance at the lowest temperature; as given, the film at the edge "
-        "with the oil thinned by shear, at overspeed and as the split of shells passes, what the seat carries, a slope of 0.25 mrad, and l/d from "
-        "{least} to {most} where the diameter is free.",
+        "with the oil thinned by shear, at overspeed and as the split of shells passes, what the seat carries, a slope "
+        "of 0.25 mrad, and l/d from {least} to {most} where the diameter is free.",
         rows=rows,
         reserve=Amount(OUTLET_RESERVE, "K"),
         least=Amount(RATIO[0]),

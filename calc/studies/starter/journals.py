@@ -13,7 +13,7 @@ from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingsResult
 from ...bearings.seats.classes import Select
 from ...bearings.selection.grid import clearances, fields_over, lengths
-from ...bearings.selection.ranking import Fields, best, by_power
+from ...bearings.selection.ranking import CandidateRow, Fields, best, by_power
 from ...bearings.selection.search import bearing_changes, settle, slopes_of
 from ...bearings.selection.variants import STANDARD, SelectionCase, Variant, tasks
 from ...countershaft.inputs import LAID_IN, ShaftInputs
@@ -187,12 +187,17 @@ def _found(document: Document, results: Results, sections: list[Section], oils: 
             able.append((sum(pick.power for pick in picked), n, variant, fields))
     able.sort(key=lambda entry: entry[:2])
     for strict in (True, False):  # rather a caution than no bearings
-        for _, _, variant, fields in able:
+        found: CandidateRow | None = None
+        for power, _, variant, fields in able:
+            if found is not None and power >= found.power:
+                break  # what the whole design asks for more of costs more
             settled = settle(case, variant, fields, slopes, by_power, strict=strict)
             if settled is not None and settled.row is not None:
-                return changed(sections, bearing_changes(settled.row, case), FOUND)
-            if settled is not None:
+                found = settled.row if found is None or settled.row.power < found.power else found
+            elif settled is not None:
                 tried.append(settled.why)
+        if found is not None:
+            return changed(sections, bearing_changes(found, case), FOUND)
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 
