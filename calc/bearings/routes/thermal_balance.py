@@ -279,6 +279,8 @@ def _each(
         return change(x) if np.ndim(x) else x
 
     seat = resized(seat, diameter=changed(seat.bearing.diameter), length=changed(seat.bearing.length))
+    if seat.rings is not None:
+        seat = replace(seat, rings=replace(seat.rings, outside=changed(seat.rings.outside)))
     asked = {name: changed(x) for name, x in vars(duty).items()}
     factor = None if seat.viscosity_factor is None else changed(seat.viscosity_factor)
     return replace(seat, clearance=changed(seat.clearance), viscosity_factor=factor), OperatingPoint(**asked)

@@ -22,7 +22,7 @@ from ...sheet.record import record
 from ...sheet.remedy import Changes, applied, digits
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Number, Radian
-from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE, FILM_EDGE_CORNER, TEMPERATURE_CORNER
+from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER
 from ..inputs import SLOPE_TAKEN, BearingsInputs
 from ..seats.classes import Select
 from . import ranking
@@ -46,14 +46,14 @@ from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, 
 
 # of a film, as a share of what it needs, one after the other, where the whole design refuses what has less: over the
 # speeds, or with what stands still; rule of this program
-SPARE = (0.0, 0.1, 0.2, 0.4)
+SPARE = (0.0, 0.05, 0.1, 0.2, 0.4)
 AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER)
 
 
 @record
 class Settled:
     """A row after the whole solution: as it is then judged, with the slopes read there, and what it breaks:
-    limits of other steps, and cautions on films that only the whole knows.
+    limits of other steps, and cautions of its own.
 
     `row` None: it does not pass, and `why`.  `results`: of the whole design with it.  `spare`: what its films had to
     have left.
@@ -78,14 +78,13 @@ def confirmed(case: SelectionCase, row: CandidateRow, slopes: dict[str, Radian],
     failing = [c for c in there.checks if c.verdict == "fail"]
     if row.corners:
         failing += [c for c in there.checks if c.rule in AT_CORNERS and c.verdict != "fail" and not c.margin >= 0]
-    films = [c for c in there.checks if c.kind == "caution" and c.rule.cause == FILM_EDGE.id and c.margin < 0]
-    films = [c for c in films if c.rule is not FILM_EDGE_CORNER]
-    failing += [c for c in there.checks if c.kind == "caution" and c.open] if strict else []
+    cautions = [c for c in there.checks if c.kind == "caution" and c.open]
+    failing += cautions if strict else []
     failing += [pick.governing for pick in picked if pick.margin < 0]
     failing += _steeper(case, seen)
     elsewhere = (c for c in results.checks() if c.verdict == "fail" and not c.id.startswith(case.ids))
-    were_open = {c.id for c in case.results.checks() if c.kind == "caution" and not c.margin >= 0}
-    others = [c for c in elsewhere if c.id not in before] + [c for c in films if c.id not in were_open]
+    were_open = {c.id for c in case.seen(case.results).outcomes["bearings"].checks if c.kind == "caution" and c.open}
+    others = [c for c in elsewhere if c.id not in before] + [c for c in cautions if c.id not in were_open]
     if not any(row.too_long):
         failing += crossings(seen)
     if there.state != "solved" or failing:
@@ -116,11 +115,15 @@ def settle(
     there is no candidate."""
     what = "nearest" if order is by_change else "offered"
     settled: Settled | None = None
+    tried: tuple[Pick, ...] = ()
     for more in (share for share in SPARE if share >= spare):
         for _ in range(2):
             picked = best(_with_spare(fields, more), slopes, order)
             if picked is None:
                 return settled
+            if _alike(picked, tried):
+                break
+            tried = picked
             settled = confirmed(case, CandidateRow(what, variant, picked), slopes, strict=strict)
             settled = replace(settled, spare=more)
             steeper = {place: max(slope, settled.slopes[place]) for place, slope in slopes.items()}
@@ -130,6 +133,14 @@ def settle(
         if settled is not None and settled.row is not None:
             break
     return settled
+
+
+def _alike(some: tuple[Pick, ...], others: tuple[Pick, ...]) -> bool:
+    """Whether bearings are of the same sizes and surfaces."""
+    return bool(others) and all(
+        (a.diameter, a.length, a.clearance, a.task.level) == (b.diameter, b.length, b.clearance, b.task.level)
+        for a, b in zip(some, others)
+    )
 
 
 def _with_spare(fields: Fields, spare: Number) -> Fields:
@@ -169,8 +180,9 @@ def _changes(row: CandidateRow, bearings: BearingsInputs) -> tuple[Changes, dict
         b, here = pick.task.seat.bearing, dict[object, object]()
         if pick.diameter != pick.task.diameter:
             here[BearingRow.diameter] = _in_mm(pick.diameter)
-            if b.housing_outer is not None:  # as much metal around it
-                here[BearingRow.housing_outer] = _in_mm(b.housing_outer + pick.diameter - pick.task.diameter)
+            rings = pick.task.seat.rings
+            if rings is not None and rings.outside is not None:  # as much metal around it
+                here[BearingRow.housing_outer] = _in_mm(rings.outside)
         if pick.length != pick.task.length:
             here[BearingRow.length] = _in_mm(pick.length)
         if pick.task.alike:
@@ -229,8 +241,11 @@ def _moved_classes(classes: Iterable[tuple[Metre, Metre]], by: Metre) -> list[li
 
 def fits_to_write(row: CandidateRow, bearings: BearingsInputs) -> tuple[str, str] | None:
     """Closer fits; or widths for fits with a place, which would make another clearance than the row's.  None: they
-    stay."""
-    return row.variant.fits or (placed(bearings) if any(map(_moved, row.picks)) else None)
+    stay, or make no clearance of these bearings."""
+    by_fits = [pick for pick in row.picks if pick.task.field is None]
+    if not by_fits:
+        return None
+    return row.variant.fits or (placed(bearings) if any(map(_moved, by_fits)) else None)
 
 
 def _moved(pick: Pick) -> bool:
@@ -257,9 +272,9 @@ class BearingsFound:
     every rule and are too long for the room, numbered on; then `pareto`.  `now`: the design as it is, None where it has
     no film.  `refused`: variants without a row, with what stops them.  `slopes`: by row number those that solved rows
     were judged with; 0: the others.  `own`: the number of the row with the design's own oil, supply and surfaces; 0:
-    there is none.  `elsewhere`: by row number, what then is open and was not before: limits of other steps, cautions on
-    films.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`: results of
-    whole designs by row number, with their shaft in view."""
+    there is none.  `elsewhere`: by row number, what then is open and was not before: limits of other steps, cautions
+    of the bearings.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`:
+    results of whole designs by row number, with their shaft in view."""
 
     case: SelectionCase
     aim: str

@@ -17,7 +17,7 @@ import numpy as np
 
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.result import CountershaftResult
-from ...countershaft.rows import RELIEF, RELIEF_LENGTH, called
+from ...countershaft.rows import RELIEF, RELIEF_LENGTH, BearingRow, called
 from ...countershaft.sizing.stretches import gap_of
 from ...library.journal_rules import specific_load
 from ...library.lubricant import Lubricant
@@ -46,6 +46,8 @@ from ..checks import (
 )
 from ..corners import widths
 from ..film import split_line
+from ..film.reynolds import ECCENTRICITY_RANGE
+from ..inputs import BearingsInputs
 from ..routes import supply
 from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
@@ -134,9 +136,16 @@ def check_of(judgement: Judged, index: Index) -> Check:
     return replace(check, value=float(np.broadcast_to(judgement.value, shape)[index]), limit=limit)
 
 
-def rules(place: str, checks: Iterable[Check], ratio: tuple[Number, Number]) -> dict[CheckRule, BearingRule]:
+def passes_split(row: BearingRow, inputs: BearingsInputs) -> bool:
+    """Whether the load turns past the split of shells."""
+    return row.seat == "shells" and inputs.load_speed_ratio != inputs.bush_speed_ratio
+
+
+def rules(
+    place: str, checks: Iterable[Check], ratio: tuple[Number, Number], *, split: bool = False
+) -> dict[CheckRule, BearingRule]:
     """The constraints of one bearing, by the declarations of their checks, from the checks of a solved design.
-    `ratio`: l/d, least and most.
+    `ratio`: l/d, least and most; `split`: whether the load passes one.
 
     Raises NoSolution where it carries next to nothing, so that nothing of its film is judged."""
     by_id = {c.id: c for c in checks}
@@ -150,7 +159,7 @@ def rules(place: str, checks: Iterable[Check], ratio: tuple[Number, Number]) -> 
     nought = math.nan  # what is judged are the candidates
     made = (
         on_bearing(FILM_EDGE_SHEARED, place, nought, film),
-        on_bearing(FILM_EDGE_SPLIT, place, nought, film),
+        *((on_bearing(FILM_EDGE_SPLIT, place, nought, film),) if split else ()),
         on_bearing(FILM_OVERSPEED, place, nought, film),
         on_bearing(LENGTH_RATIO, place, nought, ratio, source=OWN),
     )
@@ -327,7 +336,7 @@ class BearingTask:
     def at_diameter(self, d: Metre) -> "BearingTask":
         """The same journal at another diameter, under the same load; its room, and the design's size, are those of the
         one it was made for."""
-        return replace(self, seat=resized(self.seat, diameter=d))
+        return replace(self, seat=at_size(self.seat, d))
 
     def smoother(self) -> Iterator["BearingTask"]:
         """The same with its own surfaces, then with ever smoother ones."""
@@ -335,9 +344,17 @@ class BearingTask:
         yield self
         for level, (Ra_1, Ra_2) in enumerate(smoother(bearing.journal_roughness, bearing.housing_roughness), 1):
             asked = UNITS["µm"].shown(film_asked(self.seat.inputs, Ra_1, Ra_2))
-            films = {rule: BearingRule(self.rules[rule].check.but(limit=asked)) for rule in EDGES}
+            films = {rule: BearingRule(self.rules[rule].check.but(limit=asked)) for rule in EDGES if rule in self.rules}
             surfaces = replace(bearing, journal_roughness=Ra_1, housing_roughness=Ra_2)
             yield replace(self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, **films}, level=level)
+
+
+def at_size(seat: BearingCase[Any], d: Any) -> BearingCase[Any]:
+    """The case of a bearing of another diameter, a number or an array of them, with as much metal around it."""
+    rings, larger = seat.rings, d - seat.bearing.diameter
+    if rings is not None and rings.outside is not None:
+        seat = replace(seat, rings=replace(rings, outside=rings.outside + larger))
+    return resized(seat, diameter=d)
 
 
 def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
@@ -355,8 +372,7 @@ def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
 @record
 class States:
     """Films of candidates, in SI: arrays whose first axis is that of the task's states, the others those of length and
-    clearance; `power`, `flow`, `pressure` and `passed`, the film as the split of shells passes, of the first state
-    alone."""
+    clearance; `power`, `flow`, `pressure` and the clearance `hot` of the first state alone."""
 
     length: Array
     clearance: Array
@@ -366,14 +382,14 @@ class States:
     power: Array
     flow: Array
     pressure: Array
-    passed: Array
+    hot: Array
 
     def among(self, part: slice) -> "States":
         """Some of the candidates, along the last axis."""
         return States(*(numbers[..., part] for numbers in vars(self).values()))
 
 
-FILM_NUMBERS = ("film", "rise", "viscosity", "power", "flow", "pressure", "passed")
+FILM_NUMBERS = ("film", "rise", "viscosity", "power", "flow", "pressure", "hot")
 
 
 def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
@@ -392,7 +408,7 @@ def solved_at(task: BearingTask, d: Num, l: Array, g: Array, half: Num, *, all_r
     plain = [state for state in task.states if state.beside != "sheared"]
     side, oil = (column(plain, name)[axes] for name in ("side", "oil"))
     faster = np.array([state.beside == "faster" for state in plain])[axes]
-    seat: BearingCase[Any] = resized(task.seat, diameter=np.asarray(d)[None], length=l[None])
+    seat = resized(at_size(task.seat, np.asarray(d)[None]), length=l[None])
     there, over = vars(task.duty), vars(task.faster)
     duty: OperatingPoint[Any] = replace(
         task.duty,
@@ -415,24 +431,8 @@ def solved_at(task: BearingTask, d: Num, l: Array, g: Array, half: Num, *, all_r
     first = films[0]
     pressure = first.largest_pressure
     assert pressure is not None
-    passed = film[0] * _share_of_split(task, d, l, first.eccentricity[0], first.clearance[0])
-    return States(l, g, film, rise, viscosity, first.friction_power[0], first.oil_flow[0], pressure[0], passed)
-
-
-def _share_of_split(task: BearingTask, d: Num, l: Array, eps: Array, g: Array) -> Array:
-    """Of the film, what the split of shells leaves as it passes under the load; 1 where there is none, or it is not
-    known."""
-    row, inputs = task.seat.bearing, task.seat.inputs
-    if row.seat != "shells" or inputs.load_speed_ratio == inputs.bush_speed_ratio:
-        return np.ones(l.shape)
-    t = RELIEF if row.relief is None else row.relief
-    a_r = RELIEF_LENGTH if row.relief_length is None else row.relief_length
-    bare = supply.bare_length(inputs, l)
-    ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=d)
-    with np.errstate(all="ignore"):
-        depth, arc = seats.relief_depth(t=t, g=g), seats.relief_arc(a_r=a_r, d=d)
-        share: Array = split_line.share_at(eps, ratio, depth, arc, outside="nan")
-    return np.where(np.isnan(share), 1.0, share)
+    of_first = first.friction_power, first.oil_flow, pressure, np.broadcast_to(first.clearance, first.film.shape)
+    return States(l, g, film, rise, viscosity, *(numbers[0] for numbers in of_first))
 
 
 def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
@@ -461,10 +461,26 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
         for n, state in enumerate(task.states[once:], once):
             film = FILM_OVERSPEED if state.beside == "faster" else FILM_EDGE_SHEARED
             judged.append(rule[film].on(f.film_at_edge(h_0=states.film[n], theta=slope, l=l), where=n))
-        if seat.bearing.seat == "shells":
-            judged.append(rule[FILM_EDGE_SPLIT].on(f.film_at_edge(h_0=states.passed, theta=slope, l=l)))
+        if FILM_EDGE_SPLIT in rule:
+            judged.append(rule[FILM_EDGE_SPLIT].on(_film_at_split(task, states, ratio, slope)))
         judged += [rule[load].on(p) for load in (SPECIFIC_LOAD, MATERIAL_LOAD) if load in rule]
         return [*judged, rule[FILM_PRESSURE].on(states.pressure)] if FILM_PRESSURE in rule else judged
+
+
+def _film_at_split(task: BearingTask, states: States, ratio: Array, slope: Radian) -> Array:
+    """As given, once the split passes; nan where the relief lies outside what was marched."""
+    row, h_0 = task.seat.bearing, states.film[0]
+    t, a_r = (RELIEF if row.relief is None else row.relief), row.relief_length
+    share = split_line.share_at(
+        np.maximum(f.eccentricity_of_film(h_0=h_0, g=states.hot), ECCENTRICITY_RANGE[0]),
+        ratio,
+        seats.relief_depth(t=t, g=states.hot),
+        seats.relief_arc(a_r=RELIEF_LENGTH if a_r is None else a_r, d=task.size),
+        outside="nan",
+    )
+    edge = f.film_at_edge(h_0=h_0, theta=slope, l=states.length)
+    film: Array = seats.film_at_split(h_edge=edge, h_0=h_0, s_t=share)
+    return film
 
 
 def without_rise(task: BearingTask) -> Judged:

@@ -258,10 +258,12 @@ class Neighbour:
 
 
 def neighbours(row: CandidateRow, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
-    """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil."""
+    """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil; a step is the grid's."""
     for chosen in row.picks:
         l, g, place = chosen.length, chosen.clearance, chosen.task.place
-        (shorter, _), (tighter, wider) = beside(l, LENGTH_STEP), beside(g, clearance_step(chosen.diameter))
+        (shorter, _), step = beside(l, LENGTH_STEP), clearance_step(chosen.diameter)
+        # clearances that limits of parts make are counted from the design's own
+        tighter, wider = beside(g, step) if chosen.task.field is None else (g - step, g + step)
         steps = (
             (Text("l {now} → {to}", now=Amount(l * 1e3), to=Amount(shorter * 1e3, "mm")), shorter, g),
             (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(tighter * 1e6, "µm")), l, tighter),
@@ -468,8 +470,8 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
     yield Text(
         "{rows}, at the worst corner of the tolerances: the film at the edge, {reserve} below the limit of the oil "
         "that leaves, and a twentieth of the clearance at the lowest temperature; as given, the film at the edge "
-        "with the oil thinned by shear, as the split of shells passes and at overspeed, what the seat carries, a "
-        "slope of 0.25 mrad, and l/d from {least} to {most} where the diameter is free.",
+        "with the oil thinned by shear, at overspeed and as the split of shells passes, what the seat carries, a slope "
+        "of 0.25 mrad, and l/d from {least} to {most} where the diameter is free.",
         rows=rows,
         reserve=Amount(OUTLET_RESERVE, "K"),
         least=Amount(RATIO[0]),

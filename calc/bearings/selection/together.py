@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...countershaft.result import CountershaftResult
-from ...countershaft.rows import called
+from ...countershaft.rows import BearingRow, called
 from ...sheet.arrays import Array
 from ...sheet.check import Check, CheckRule, Kind
 from ...sheet.errors import NoSolution
@@ -52,6 +52,7 @@ KINDS: tuple[tuple[Kind, ...], ...] = (("limit", "caution"), ("limit",))
 # of a film, asked one after the other, where the step itself refuses what has less; rule of this program
 SPARE = (KEPT, 0.1, 0.2)
 ALL_ALIKE = Text("all alike")
+AS_IT_IS = Text("as it is")
 
 
 @record
@@ -156,6 +157,8 @@ def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = N
         for kinds in KINDS:
             refused, asked = [], _asked(every, kinds)
             rows = list(_rows(case, groups, variant, slopes, asked, ORDERS[aim], refused, progress))
+            if (own_row := _as_it_is(case, variant, every, slopes, asked)) is not None:
+                rows = [own_row, *(one for one in rows if tables.changed(one.row))]
             if rows:
                 break
         if rows:
@@ -177,6 +180,23 @@ def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = N
         stays,
         tuple(refused),
     )
+
+
+def _as_it_is(
+    case: SelectionCase,
+    variant: Variant,
+    every: tuple[Pick, ...],
+    slopes: dict[str, Radian],
+    asked: AskedRules,
+) -> SharedRow | None:
+    """The design as a row of its own; None where it does not keep what is asked."""
+    if not all(pick.power == pick.power for pick in every) or _governing(every, asked).margin < 0:
+        return None
+    settled = confirmed(case, CandidateRow("offered", variant, every), slopes, asked, last=True)
+    if settled.row is None:
+        return None
+    picked = settled.row.picks
+    return SharedRow(AS_IT_IS, settled.row, picked, _governing(picked, asked))
 
 
 def _as_they_are(tasks: Mapping[str, BearingTask], slopes: Slopes) -> tuple[Pick, ...]:
@@ -247,7 +267,7 @@ def _groups(
     row = next(row for row in case.rows if row.name == most.place)
     for n, d in enumerate(diameters(case, row, most)[:LOOKED] if free else ()):
         tell(progress, 0.1 + 0.4 * n / LOOKED, ALL_ALIKE)
-        rows = tuple(replace(row, diameter=d) for row in case.rows)
+        rows = tuple(_thicker(row, d) for row in case.rows)
         try:
             other = solved_or_probed(case, rows)
         except NoSolution:
@@ -256,6 +276,12 @@ def _groups(
         yield from _group(case, ALL_ALIKE, tasks, other, variant, tuple(tasks), asked)
     for place in own if len(own) > 1 else ():
         yield from _group(case, Text("{place} alone", place=called(place)), own, there, variant, (place,), asked)
+
+
+def _thicker(row: BearingRow, d: Metre) -> BearingRow:
+    """A row with another diameter, and as much metal around it."""
+    outer = None if row.housing_outer is None else row.housing_outer + d - row.diameter
+    return replace(row, diameter=d, housing_outer=outer)
 
 
 def _group(
@@ -272,6 +298,8 @@ def _group(
     of_each = [set(np.round(_lengths(tasks[place]), 9)) for place in moved]
     l = np.array(sorted(set.intersection(*of_each)))
     g = clearances(first_task, FEW)
+    if any(task.alike and (place in moved) != first_task.alike for place, task in tasks.items()):
+        g = np.array([first_task.clearance])  # classes are of all that are picked by them
     if not l.size or not g.size:
         return
     loads = _loads(case, tasks, there, moved, l, g)

@@ -30,7 +30,7 @@ from ..result import BearingResult, BearingsResult
 from ..seats.rings import Rings
 from ..solve import clearance_of
 from ..suitability import MATERIAL_LOAD
-from .states import ALWAYS_TIGHT, RATIO, BearingTask, room, rules
+from .states import ALWAYS_TIGHT, RATIO, BearingTask, passes_split, room, rules
 
 # --- what the search is given
 # The bearings as they are, what stands around them, and how to solve the whole with others.
@@ -259,7 +259,8 @@ def _task(case: SelectionCase, bearing: BearingRow, solved: Solution, at_own: Be
     if alike and bearings.select is not None and bearings.select.walls_mm is None:  # what the walls are found for
         g = (bearings.select.clearance_band[0] + bearings.select.clearance_band[-1]) / 2
     ratio = (LENGTH_RATIO[0], RATIO[1]) if tied(case, bearing) else RATIO
-    limits = rules(place, solved.outcomes["bearings"].checks, ratio)
+    split = passes_split(bearing, bearings.of(bearing))
+    limits = rules(place, solved.outcomes["bearings"].checks, ratio, split=split)
     return BearingTask(place, seat, result.duty, result.faster, limits, space, l, g, d, field, alike)
 
 

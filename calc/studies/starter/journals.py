@@ -13,7 +13,7 @@ from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingsResult
 from ...bearings.seats.classes import Select
 from ...bearings.selection.grid import clearances, fields_over, lengths
-from ...bearings.selection.ranking import Fields, best, by_power
+from ...bearings.selection.ranking import CandidateRow, Fields, best, by_power
 from ...bearings.selection.search import bearing_changes, settle, slopes_of
 from ...bearings.selection.variants import STANDARD, SelectionCase, Variant, tasks
 from ...countershaft.inputs import LAID_IN, ShaftInputs
@@ -36,7 +36,8 @@ from .writing import BEARING_ROW, Rows, Section, changed, mm, parted, table, up
 from .writing import head as headed
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on
-FOUND = "assumed: of least friction, by the search for bearings; its rules hold at every corner of the tolerances"
+BY_SEARCH = "of least friction, by the search for bearings"
+FOUND = f"assumed: {BY_SEARCH}; its rules hold at every corner of the tolerances"
 BEARINGS = Text("bearings to begin with")
 THREADED: Metre = 0.2e-3
 
@@ -66,25 +67,25 @@ def wall_of(d: Metre) -> Metre:
     return WALL if d <= THICK_FROM else THICK_WALL
 
 
-def select(d: Metre, psi: Number) -> Section:
-    """Shells in three walls for two classes of journal and bore."""
+def select(d: Metre, psi: Number, where: str = "") -> Section:
+    """Shells in three walls for two classes of journal and bore; `where` they lie, as it is said."""
     wall = wall_of(d)
     outer, middle = d + 2 * wall, round(psi * d * 1e6)
     rows: Rows = {
         Select.journal_classes_mm: (
             [[mm(d - 2 * JOURNAL_CLASS - BETWEEN), mm(d - JOURNAL_CLASS - BETWEEN)], [mm(d - JOURNAL_CLASS), mm(d)]],
-            "assumed: two classes of 6 µm",
+            f"assumed: two classes of 6 µm{where}",
         ),
         Select.bore_classes_mm: (
             [
                 [mm(outer), mm(outer + BORE_CLASS)],
                 [mm(outer + BORE_CLASS + BETWEEN), mm(outer + 2 * BORE_CLASS + BETWEEN)],
             ],
-            f"assumed: two classes of 8 µm; shells of {mm(wall):g} mm in three walls of 4 µm",
+            f"assumed: two classes of 8 µm; shells of {mm(wall):g} mm in three walls of 4 µm{where}",
         ),
         Select.clearance_band: (
             [middle - BAND * 1e6, middle + BAND * 1e6],
-            "assumed: ±11 µm of every pair, and what the walls leave",
+            f"assumed: ±11 µm of every pair, and what the walls leave{where}",
         ),
     }
     return headed(Design.bearings, BearingsInputs.select), rows
@@ -150,16 +151,19 @@ def bearings(document: Document, results: Results) -> list[Section]:
     if made.countershaft is None or shaft is None or made.engine is None:
         raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [[shafts]] first"))
     oils = oil_of(made, OILS)
+    (header, both), *_ = shared(made, oils[0])
+    of_all: Section = (header, both | {BearingsInputs.oil: (oils[0], FOUND if len(oils) > 1 else "that of the teeth")})
     if not laid_in(made):
         front, rear, length = threaded_sizes(made)
-        return _found(document, results, [*shared(made, oils[0]), *_threaded(made, front, rear, length)], oils)
+        return _found(document, results, [of_all, *_threaded(made, front, rear, length)], oils)
     d = estimated(max(shaft.loads.values()))
     for _ in range(2):
+        searched: Rows = {BearingRow.diameter: (mm(d), FOUND), BearingRow.length: (mm(estimated_length(d)), FOUND)}
         rows: list[Section] = [
-            (BEARING_ROW, {BearingRow.name: (row.name, "")} | shell(d, estimated_length(d)))
+            (BEARING_ROW, {BearingRow.name: (row.name, "")} | shell(d, estimated_length(d)) | searched)
             for row in made.countershaft.bearings
         ]
-        sections = _found(document, results, [*shared(made, oils[0]), select(d, PSI[1]), *rows], oils)
+        sections = _found(document, results, [of_all, select(d, PSI[1], f"; {BY_SEARCH}"), *rows], oils)
         found = design(with_bearings(document, sections)).rows[0].diameter
         if (found <= THICK_FROM) == (d <= THICK_FROM):
             break
@@ -183,12 +187,17 @@ def _found(document: Document, results: Results, sections: list[Section], oils: 
             able.append((sum(pick.power for pick in picked), n, variant, fields))
     able.sort(key=lambda entry: entry[:2])
     for strict in (True, False):  # rather a caution than no bearings
-        for _, _, variant, fields in able:
+        found: CandidateRow | None = None
+        for power, _, variant, fields in able:
+            if found is not None and power >= found.power:
+                break  # what the whole design asks for more of costs more
             settled = settle(case, variant, fields, slopes, by_power, strict=strict)
             if settled is not None and settled.row is not None:
-                return changed(sections, bearing_changes(settled.row, case), FOUND)
-            if settled is not None:
+                found = settled.row if found is None or settled.row.power < found.power else found
+            elif settled is not None:
                 tried.append(settled.why)
+        if found is not None:
+            return changed(sections, bearing_changes(found, case), FOUND)
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 
@@ -261,11 +270,11 @@ def _threaded(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Se
     through = "assumed: that of the rear" if front == rear else "assumed: the gear goes through"
     in_front: Rows = {
         BearingRow.diameter: (mm(front), through),
-        BearingRow.length: (mm(length), "assumed"),
+        BearingRow.length: (mm(length), FOUND),
     }
     behind: Rows = {
         BearingRow.diameter: (mm(rear), "assumed: the sectors and their clearance go through"),
-        BearingRow.length: (mm(length), "assumed"),
+        BearingRow.length: (mm(length), FOUND),
     }
     return [
         (BEARING_ROW, {BearingRow.name: ("front", "")} | in_front | alike),

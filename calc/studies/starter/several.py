@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...bearings.inputs import BearingsInputs
+from ...bearings.result import BearingsResult
 from ...bearings.selection.variants import STANDARD
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
@@ -26,7 +27,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Kilogram, Metre, Newton
+from ...sheet.units import Kilogram, Metre, Newton, Watt
 from ...sheet.value import untraced
 from ...solve import Results, solve
 from .journals import BEARINGS, OILS, PRESSURE, PSI, RATIO, estimated_length, oil_of, select, shared, shell, wall_of
@@ -107,7 +108,7 @@ def _thinnest(document: Document, results: Results, one: Arranged) -> Metre:
         except NoSolution:
             continue
         with_it = Document({**document.data, **table(tried)})
-        worse, _ = _best(with_it, solve(design(with_it), results), OILS[:1])
+        worse, _, _ = _best(with_it, solve(design(with_it), results), OILS[:1], first=True)
         if found is None or worse < found[0]:
             found = worse, diameter
         if worse == 0:
@@ -120,16 +121,18 @@ def _thinnest(document: Document, results: Results, one: Arranged) -> Metre:
 def bearings(document: Document, results: Results) -> Document:
     """The document with plain bearings of all its shafts, whose journals are as thick as they have them, or their core.
     Raises NoSolution where none keep every limit."""
-    worse, found = _best(document, results, OILS)
+    worse, _, found = _best(document, results, OILS)
     if worse >= FAILS:
         raise NoSolution(BEARINGS, Text("clearances of usual size with usual oils"), Text("thicker cores"))
     return found
 
 
-def _best(document: Document, results: Results, oils: tuple[str, ...]) -> tuple[int, Document]:
-    """With the oil and the clearance of which least is to be said, and how much that is: the cautions that are open,
-    FAILS where a limit fails."""
-    found: tuple[int, Document] | None = None
+def _best(
+    document: Document, results: Results, oils: tuple[str, ...], *, first: bool = False
+) -> tuple[int, Watt, Document]:
+    """With the oil and the clearance of which least is to be said, of these with the least friction; and how much that
+    is: the cautions that are open, FAILS where a limit fails.  `first`: with the first of which nothing is."""
+    found: tuple[int, Watt, Document] | None = None
     for oil in oil_of(results.design, oils):
         for psi in reversed(PSI):
             tried = judged_document(document, results.design, oil, psi)
@@ -138,10 +141,14 @@ def _best(document: Document, results: Results, oils: tuple[str, ...]) -> tuple[
             worse = sum(c.kind == "caution" and c.open for outcome in outcomes for c in outcome.checks)
             if any(outcome.verdict not in ("pass", "warn") for outcome in outcomes):
                 worse += FAILS
-            if found is None or worse < found[0]:
-                found = worse, tried
-            if worse == 0:
-                return found
+            films = [view.result(BearingsResult) for view in solved.views.values()]
+            power = sum(b.friction_power for of_shaft in films if of_shaft for b in of_shaft.bearings.values())
+            if found is None or (worse, power) < found[:2]:
+                found = worse, power, tried
+            if worse == 0:  # of one oil the widest that holds has the least friction
+                if first:
+                    return found
+                break
     assert found is not None
     return found
 

@@ -43,7 +43,7 @@ def table(sections: list[Section]) -> Table:
 
 def changed(sections: list[Section], changes: Mapping[str, object], why: str) -> list[Section]:
     """The same with keys changed of single tables and of elements with a name (`bearings.oil`,
-    `shafts.shaft.bearings.front.length_mm`); None takes one out."""
+    `shafts.shaft.bearings.front.length_mm`); None takes one out.  What is said of a key stays, else `why` is."""
     new_sections: list[Section] = [(header, _by_key(rows)) for header, rows in sections]
     for key, value in changes.items():
         where, _, field = key.rpartition(".")
@@ -51,7 +51,7 @@ def changed(sections: list[Section], changes: Mapping[str, object], why: str) ->
         if value is None:
             rows.pop(field, None)
         else:
-            rows[field] = (value, why)
+            rows[field] = (value, rows[field][1] if field in rows and rows[field][1] else why)
     return new_sections
 
 

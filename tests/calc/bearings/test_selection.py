@@ -12,6 +12,7 @@ from calc.bearings.checks import (
     CLEARANCE_COLD_CORNER,
     FILM_EDGE,
     FILM_EDGE_SHEARED,
+    FILM_EDGE_SPLIT,
     FILM_OVERSPEED,
     FILM_PRESSURE,
     LENGTH_RATIO,
@@ -22,11 +23,13 @@ from calc.bearings.corners import corner_points, corners
 from calc.bearings.result import BearingsResult
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.thermal_balance import balanced, settled
+from calc.bearings.selection import search as search_
 from calc.bearings.selection.grid import clearances, fields, lengths
-from calc.bearings.selection.ranking import ONE_PER_CENT, CandidateRow, best, by_power
+from calc.bearings.selection.ranking import ONE_PER_CENT, CandidateRow, best, by_power, picks
 from calc.bearings.selection.search import (
     bearing_changes,
     fields_of,
+    fits_to_write,
     in_room,
     nearest_row,
     search,
@@ -34,7 +37,7 @@ from calc.bearings.selection.search import (
     with_row,
     with_surfaces,
 )
-from calc.bearings.selection.states import judge, room, smoother, solved
+from calc.bearings.selection.states import judge, passes_split, room, smoother, solved
 from calc.bearings.selection.tables import (
     beyond_table,
     changed,
@@ -504,3 +507,89 @@ def test_shells_of_one_set_of_classes_are_of_one_size(shells):
     assert picks[0].diameter == picks[1].diameter < 0.028
     assert picks[0].clearance == pytest.approx(picks[1].clearance, abs=0.1e-6)
     assert picks[0].length > picks[1].length
+
+
+def test_a_candidate_of_shells_is_what_the_step_finds_as_the_split_passes(shells):
+    """A bush has no split, nor has a load that stands with the seat one to pass.  A chosen interference, which a
+    candidate has at every temperature, moves the film by some tenths of a per cent."""
+    _, case = shells
+    front, rear = (tasks(case)[place][0] for place in ("front", "rear"))
+    assert FILM_EDGE_SPLIT in front.rules and FILM_EDGE_SPLIT not in rear.rules
+    assert not passes_split(case.rows[0], replace(case.bearings, load_speed_ratio=0.0))
+    longer = tuple(replace(row, length=0.0205) for row in case.rows)
+    there = case.solve(case.bearings, longer, last=True).result(BearingsResult).bearings["front"]
+    value = {one.rule.declared: one for one in judge(front, solved(front, [0.0205], [there.clearance]), 1e-4)}
+    assert value[FILM_EDGE_SPLIT].value[0] == pytest.approx(there.split.film * 1e6, rel=4e-3)
+    assert there.split.film < 0.9 * there.film_edge
+
+
+def test_a_relief_that_is_not_known_passes_nowhere(shells):
+    task = tasks(shells[1])["front"][0]
+    wide = replace(task, seat=replace(task.seat, bearing=replace(task.seat.bearing, relief_length=0.02)))
+    value = {one.rule.declared: one for one in judge(wide, solved(wide, [0.0205], [42e-6]), 1e-4)}
+    assert np.isinf(value[FILM_EDGE_SPLIT].margin[0]) and np.isfinite(value[FILM_EDGE].margin[0])
+
+
+def test_the_metal_around_a_bush_moves_with_its_diameter(shells):
+    """In each candidate, many at once or alone, and in the row that is written."""
+    text = shells[0].replace('seat = "bush"\n', 'seat = "bush"\nhousing_outer_mm = 40\n')
+    case = bearings_case(design(parse(text.encode(), "shells")), solve)
+    of_rear = tasks(case)["rear"]
+    assert len(of_rear) > 3
+    assert all(t.seat.rings.outside - t.size == pytest.approx(0.012) for t in of_rear)
+    made = {field.task.size: field for field in fields(of_rear, variants(case)[0])}
+    largest = made[max(made)]
+    assert largest.task.size + 0.003 > 0.040, "thicker than what the design has around its bush"
+    l, g = largest.states.length[:, -1:], largest.states.clearance[:, -1:]
+    alone = solved(largest.task, l, g, all_rises=False)
+    assert largest.states.film[:5, :, -1:] == pytest.approx(alone.film[:5], rel=1e-4, nan_ok=True)
+    pick = picks(largest.task, [float(l[0, 0])], [float(g[0, 0])], 1e-4)[0]
+    _, rows = with_row(case, CandidateRow("offered", variants(case)[0], (pick,)))
+    assert rows[1].housing_outer - rows[1].diameter == pytest.approx(0.012)
+
+
+def test_fits_are_of_bearings_that_they_make(shells, source):
+    """Not of those by limits or classes."""
+    case = shells[1]
+    closer = replace(variants(case)[0], fits=("IT5", "IT5"))
+    of_parts = tuple(picks(t := some[0], [t.length], [t.clearance], 1e-4)[0] for some in tasks(case).values())
+    assert fits_to_write(CandidateRow("offered", closer, of_parts), case.bearings) is None
+    own = task_of(source)
+    by_fits = (*picks(own, [own.length], [own.clearance], 1e-4), *of_parts)
+    assert fits_to_write(CandidateRow("offered", closer, by_fits), source.bearings) == ("IT5", "IT5")
+
+
+def test_a_step_of_clearance_is_the_grid_s(shells):
+    """Counted from the design's own clearance, where limits of the parts make it."""
+    case = shells[1]
+    of_parts = tuple(picks(t := some[0], [t.length], [t.clearance], 1e-4)[0] for some in tasks(case).values())
+    around = neighbours(CandidateRow("offered", variants(case)[0], of_parts), (), dict.fromkeys(tasks(case), 1e-4))
+    steps = [n.instead.clearance - n.of.clearance for n in around if n.change.startswith("g ")]
+    assert steps == pytest.approx([-2e-6, 2e-6] * 2)
+
+
+def test_two_candidates_that_are_alike_are_solved_whole_once(source, monkeypatch):
+    """More spare film that asks for no other bearing is no new trial."""
+    seen = []
+
+    def refused(case, row, slopes, *, strict=False):
+        seen.append(tuple((p.diameter, p.length, p.clearance, p.task.level) for p in row.picks))
+        return search_.Settled(None, dict(slopes), why="refused")
+
+    monkeypatch.setattr(search_, "confirmed", refused)
+    monkeypatch.setattr(search_, "SPARE", (0.0, 1e-6, 0.1))
+    variant = variants(source)[0]
+    some = with_surfaces(in_room(fields_of(variant, tasks(source))))
+    assert search_.settle(source, variant, some, slopes_of(source), by_power).row is None
+    assert len(seen) == len(set(seen)) == 2
+
+
+@pytest.mark.parametrize("length, opened", [(0.019, []), (0.016, ["bearings.rear.seat_press"])])
+def test_cautions_of_the_bearings_that_a_row_opens_are_told(shells, length, opened):
+    """A shorter bush takes more press to be held than is given."""
+    text = shells[0].replace('seat = "bush"\n', 'seat = "bush"\ninterference_um = [32, 47]\n')
+    case = bearings_case(design(parse(text.encode(), "shells")), solve)
+    both = zip(tasks(case).values(), (0.0205, length))
+    shorter = tuple(picks(some[0], [l], [some[0].clearance], 1e-4)[0] for some, l in both)
+    settled = search_.confirmed(case, CandidateRow("offered", variants(case)[0], shorter), slopes_of(case))
+    assert settled.row is not None and [c.id for c in settled.broken if "seat_press" in c.id] == opened

@@ -358,7 +358,8 @@ def test_a_row_of_several_bearings_that_is_written_passes(monkeypatch):
     three = solved("r754-films", rows=smooth)
     case = bearings_case(three.design, solve, three)
     found = together.search(case)
-    assert found.rows
+    assert found.now is not None and found.rows[0].power <= found.now.power
+    assert sum(one.which == together.AS_IT_IS for one in found.rows) == 1
     settled = together.confirmed(case, found.rows[-1].row, found.slopes, found.asked)
     assert settled.row is not None and not settled.results.outcomes["bearings"].verdict == "fail"
 
