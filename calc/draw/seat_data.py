@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..library.tolerances import parse
 from ..sheet.quantity import dotted
-from ..sheet.text import COMMA, Amount, Text
+from ..sheet.text import COMMA, EMPTY, Amount, Text
 from ..sheet.units import UNITS, Metre
 from .annotations import LETTER, Say, number
 from .lettering import width
@@ -39,19 +39,24 @@ def seat_rows(results: "Results", say: Say) -> Rows:
     rows: Rows = []
     for names, row, r in _alike(results, lambda row, r: tuple(map(str, _of_seat(row, r)))):
         for label, words in _of_seat(row, r):
-            rows.append((say(Text("{what}, {place}", what=label, place=names)), say(words)))
+            rows.append((say(_at(label, names)), say(words)))
     return rows
 
 
 def _alike(
     results: "Results", by: "Callable[[BearingRow, BearingResult], object]"
 ) -> "Iterator[tuple[Text, BearingRow, BearingResult]]":
-    """The first of those bearings that are alike, with the names of all."""
+    """The first of those bearings that are alike, with the names of all; empty where all are."""
     groups: dict[object, list[tuple[BearingRow, BearingResult]]] = {}
     for row, r in _judged(results):
         groups.setdefault(by(row, r), []).append((row, r))
     for group in groups.values():
-        yield COMMA.join(row.in_words for row, _ in group), *group[0]
+        names = COMMA.join(row.in_words for row, _ in group)
+        yield EMPTY if len(groups) == 1 < len(group) else names, *group[0]
+
+
+def _at(what: Text, names: Text) -> Text:
+    return Text("{what}, {place}", what=what, place=names) if names else what
 
 
 def _of_seat(row: "BearingRow", r: "BearingResult") -> "Iterator[tuple[Text, Text]]":
@@ -106,7 +111,7 @@ def class_tables(results: "Results", say: Say) -> list[tuple[str, Rows, tuple[fl
         for n, size in bores.items():
             cells = (say(stack.shells[stack.pairs[n, journal][1]]) for journal in journals)
             rows.append((say(size), *cells))
-        title = say(Text("Shells by bore and journal, {place}; colours by this program", place=names))
+        title = say(_at(Text("Shells by bore and journal, colours by this program"), names))
         found.append((title, rows, (BORES, *[(WIDE - BORES) / len(journals)] * len(journals))))
     return found
 

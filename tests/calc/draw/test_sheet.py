@@ -286,7 +286,7 @@ def test_limits_of_journals_and_what_they_run_in_stand_on_the_sheet():
     assert beside["Interference, by the program, rear"] == f"{low} to {high} µm"
     least, most = (values[f"bearings.rear.corners.clearance_{end}"].shown / 1e3 for end in ("min", "max"))
     assert beside["Running bore, as pressed, rear"] == f"⌀{81.0 + least:.3f}–{80.97 + most:.3f}"
-    at = words.index("Shells by bore and journal, front; colours by this program")
+    at = words.index("Shells by bore and journal, colours by this program, front")
     assert words[at + 1 : at + 9] == [
         "⌀59.485–59.492",
         "⌀59.493–59.500",
