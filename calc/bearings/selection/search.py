@@ -625,8 +625,10 @@ def _settled(
 
 
 def _rank(settled: Settled, order: Order) -> tuple[float, ...]:
+    """By the order; of rows that are alike in what is wanted first, those that open nothing."""
     assert settled.row is not None
-    return tuple(map(float, order(settled.row.wanted)))
+    foremost, *others = map(float, order(settled.row.wanted))
+    return foremost, float(len(settled.broken)), *others
 
 
 def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> CandidateRow | None:
