@@ -10,7 +10,6 @@ from assistant.commands import choose
 from assistant.offers import Offer
 from calc.gears.selection import search as offered
 from calc.gears.selection.search import search
-from calc.studies.shipped import engine_design
 from tests.command import run
 from tests.conftest import DESIGNS, GAMMA
 
@@ -115,9 +114,11 @@ def test_the_best_of_a_pair_below_the_usual_limits_is_the_first_row_and_is_writt
 
 
 def test_what_a_row_makes_worse_in_the_whole_design_is_said(tmp_path, monkeypatch):
-    """Gears with the larger tips of the optimum, in a design that passes: the front seat is then too narrow for one."""
-    path = tmp_path / "new.toml"
-    path.write_text(engine_design("inline-3"), encoding="utf-8")
+    """Gears with larger tips, in a design that passes: the front seat, as wide as the tips as they are, is then too
+    narrow for one."""
+    path = tmp_path / "threaded.toml"
+    text = (DESIGNS / "twin_drive.toml").read_text(encoding="utf-8")
+    path.write_text(text.replace("diameter_mm = 80.0 ", "diameter_mm = 72.0 ", 1), encoding="utf-8")
     shifts = {f"gears.wheels.{wheel}.profile_shift": 0.8 for wheel in ("crank", "central", "idler", "shaft")}
     row = Offer(1, lambda top: None, lambda n: shifts, lambda n: "now has other gears", "")
     monkeypatch.setattr(choose, "offer_for", lambda *asked, **_: row)

@@ -280,8 +280,8 @@ def run_makers(asked: Namespace) -> int:
 
 
 def _sheet_meant(word: str, known: Mapping[str, MakerSheet]) -> MakerSheet:
-    """The sheet of that engine, or the one whose engine holds the word."""
-    meant = [name for name in known if word.casefold() in name.casefold()] if word not in known else [word]
+    """The sheet of that engine, or the one whose engine holds the word, however it is written: er6n is ER-6n."""
+    meant = [name for name in known if _letters(word) in _letters(name)] if word not in known else [word]
     if len(meant) == 1:
         return known[meant[0]]
     if meant:
@@ -289,6 +289,10 @@ def _sheet_meant(word: str, known: Mapping[str, MakerSheet]) -> MakerSheet:
     else:
         hint = Text("is not known; `contralbero makers` lists all")
     raise BadInput("contralbero makers", [InputError(0, "", f'"{word}"', hint)])
+
+
+def _letters(name: str) -> str:
+    return "".join(filter(str.isalnum, name.casefold()))
 
 
 def _all_sheets(sheets: Iterable[MakerSheet]) -> Table:

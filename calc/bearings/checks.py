@@ -202,19 +202,6 @@ FILM_TRUMPLER = CheckRule(
     limit_id=dotted("bearings", "B", BearingResult.trumpler_film),
     moved_by=(LENGTH, *CLEARANCE, OIL),
 )
-FILM_EDGE_TRUMPLER = CheckRule(
-    "bearings.B.film_edge_trumpler",
-    "advice",
-    "Asked of a candidate that is chosen, so that it has the reserve at its edge too.",
-    Text("Film at the edge by Trumpler"),
-    unit="µm",
-    source=rules.TRUMPLER,
-    advice=FILM_EDGE.advice,
-    cause=FILM_DOUBLE_LOAD.id,
-    value_id=dotted("bearings", "B", BearingResult.film_edge),
-    moved_by=(LENGTH, dotted(ROW, BearingRow.clearance), OIL),
-    short=Text("film"),
-)
 FILM_PRESSURE = CheckRule(
     "bearings.B.film_pressure",
     "limit",
@@ -735,6 +722,10 @@ def _split_missing(r: BearingResult, film: Metre) -> Missing | None:
     """The same, and the relief where it is not given: at best there is none."""
     missing, row = edge_missing(r, film), r.seat.bearing
     reliefs = ((BearingRow.relief, row.relief), (BearingRow.relief_length, row.relief_length))
+    if r.split is not None and r.split.beyond:
+        length = row_key(row.name, BearingRow.relief_length)
+        taken = Text("a relief and a film at the end of what was marched")
+        return Missing((length,), (taken,), film if missing is None else missing.best, "none")
     keys = tuple(row_key(row.name, key) for key, given in reliefs if given is None)
     if not keys or r.split is None:
         return missing

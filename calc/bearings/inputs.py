@@ -24,7 +24,7 @@ SLOPE_TAKEN: Radian = 0.1e-3  # of the journal in its seat, where nothing is kno
 
 # the folds of the form
 MATERIALS = Text("Materials and fits")
-BY_CLASSES = Text("Shells by classes")
+BY_CLASSES = Text("Classes")
 
 
 @inputs
@@ -368,6 +368,7 @@ class BearingsInputs:
 
     def asked_of(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
         """What a plain bearing that these inputs judge still lacks, by the keys of its row."""
+        yield from row.idle()
         for key, there in (
             (BearingRow.diameter, row.diameter),
             (BearingRow.length, row.length),

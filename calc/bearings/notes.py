@@ -52,6 +52,8 @@ def _all_notes(
             viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
         )
     yield from _seats(results)
+    if inputs.select is not None and all(r.seat.bearing.seat != "shells" for r in results.values()):
+        yield Text("The classes of [bearings.select] are not used: no bearing of this shaft runs in shells.")
     yield _slope(results, shaft)
     yield from _on_shaft(results, shaft)
     yield from _feeds(results)
@@ -151,11 +153,17 @@ def _seats(results: Mapping[str, BearingResult]) -> Iterator[Text]:
                 depth=Amount(RELIEF * 1e6, "µm"),
                 length=Amount(RELIEF_LENGTH * 1e3, "mm"),
             )
-        elif row.seat == "shells" and r.split is None and not r.seat.centred:
+        elif row.seat == "shells" and r.split is None and not r.seat.centred and _sweeps(r.seat.inputs):
             yield Text(
-                "{place} bearing: the relief at the split lies outside what was marched: the film there is not known.",
+                "{place} bearing: what the split does to the film is known of a load that turns with the journal in a "
+                "seat that stands, and not of this one.",
                 place=titled(place),
             )
+
+
+def _sweeps(inputs: BearingsInputs) -> bool:
+    """Whether the load passes along the seat."""
+    return inputs.load_speed_ratio != inputs.bush_speed_ratio
 
 
 def _load(inputs: BearingsInputs) -> Text:

@@ -13,7 +13,7 @@ from .inputs import ShaftInputs
 from .outline import Journals, Outline
 from .rows import BearingRow
 
-SAME = 1e-3  # of a diameter: a journal slides through a seat of its own size, as it runs in one
+SAME: Metre = 0.5e-3  # smaller at most: a journal slides through a seat of its own size, as it runs in one
 
 
 class Passing(NamedTuple):
@@ -56,7 +56,7 @@ def room(pieces: Iterable[Passing], openings: Sequence[Opening], *, front: bool)
 def _slides(piece: Passing, opening: Opening) -> bool:
     if piece.journal is None or opening.journal is None:
         return False
-    return abs(piece.journal - opening.journal) <= SAME * opening.journal
+    return piece.journal <= opening.diameter and opening.journal - piece.journal <= SAME
 
 
 def rooms(

@@ -511,6 +511,8 @@ class BearingRow:
             own = dict.fromkeys(CLEARANCES | LIMITS) | own
         elif not {"journal", "finished"}.isdisjoint(own):
             own = dict.fromkeys(CLEARANCES) | own
+        if not PRESSES.isdisjoint(own):
+            own = dict.fromkeys(PRESSES) | own
         return replace(self, **own)
 
     @property
@@ -529,6 +531,11 @@ class BearingRow:
         return self.journal is not None and (self.bore is not None or self.finished is not None)
 
     @property
+    def _wall(self) -> float:
+        """Of what is pressed in, at most."""
+        return self.wall[-1] if self.ringed and self.wall is not None else 0.0
+
+    @property
     def ringed(self) -> bool:
         """Whether something is pressed into the housing."""
         return self.seat != "direct"
@@ -545,8 +552,12 @@ class BearingRow:
             yield dotted(BearingRow.clearance), both
         if self.clearance is not None and self.diameter is not None and self.clearance >= 0.1 * self.diameter:
             yield dotted(BearingRow.clearance), Text("must stay below a tenth of the diameter")
-        if self.carrier_bore is not None and self.diameter is not None and self.carrier_bore[0] <= self.diameter:
-            yield dotted(BearingRow.carrier_bore), Text("must be larger than the diameter: the carrier holds its seat")
+        if self.diameter is not None:
+            around = max(self.diameter, self.bore[-1] if self.bore is not None else self.diameter + 2 * self._wall)
+            held = Text("must be larger than {seat}: the carrier holds the seat", seat=Amount(around * 1e3, "mm"))
+            for carrier, size in ((BearingRow.carrier_bore, self.carrier_bore), (BearingRow.carrier, self.carrier)):
+                if size is not None and size[0] <= around:
+                    yield dotted(carrier), held
         yield from self._limits()
         yield from self._seat()
 
@@ -599,27 +610,40 @@ class BearingRow:
         if not self.ringed and not near(self.diameter, (self.bore,)):
             size = Amount(self.diameter * 1e3, "mm", form="g")
             yield dotted(BearingRow.bore), Text("is not the size of diameter_mm, {diameter}", diameter=size)
-        if self.ringed and self.wall is not None and not near(d := self.diameter + 2 * self.wall[-1], (self.bore,)):
+        if not self.ringed or self.wall is None:
+            return
+        walls = self.wall[0] + self.wall[-1]
+        if self.journal is not None and self.finished is None and _leaves(self.bore, self.journal) < walls - SET:
+            yield dotted(BearingRow.bore), Text("leaves no clearance: two walls and journal_mm are larger")
+        elif not near(d := self.diameter + 2 * self.wall[-1], (self.bore,)):
             size = Amount(d * 1e3, "mm", form="g")
             yield dotted(BearingRow.bore), Text("is not the size of diameter_mm and two walls, {size}", size=size)
 
-    def _seat(self) -> Iterable[tuple[str, Text]]:
-        """What seat, bush and shells need, and what says nothing of them."""
-        if self.crush is not None and self.interference is not None:
-            yield dotted(BearingRow.crush), Text("give either crush_um or interference_um, one of the two")
-        if self.bore_ == "finished" and self.finished is None:
-            yield dotted(BearingRow.finished), Text('needed with bore = "finished"')
+    def idle(self) -> Iterable[tuple[str, Text]]:
+        """What says nothing with its seat; of the bearing of a twin as it is with what its original has."""
         for key, words in SAYS_WITH.items():
             entry = keys(BearingRow)[key]
             if self.seat and self.seat not in words and getattr(self, entry.attribute) != entry.field.default:
                 of = " or ".join(f'seat = "{word}"' for word in words)
                 yield key, Text("belongs to {seats}", seats=of)
+
+    def _seat(self) -> Iterable[tuple[str, Text]]:
+        """What seat, bush and shells need."""
+        if self.crush is not None and self.interference is not None:
+            yield dotted(BearingRow.crush), Text("give either crush_um or interference_um, one of the two")
+        if self.bore_ == "finished" and self.finished is None:
+            yield dotted(BearingRow.finished), Text('needed with bore = "finished"')
         if self.bore_ != "finished" and self.finished is not None and self.seat == "bush":
             yield dotted(BearingRow.finished), Text('belongs to bore = "finished"')
         if self.housing_outer is not None and self.ringed and self.diameter is not None and self.wall is not None:
             bore = self.bore[-1] if self.bore is not None else self.diameter + 2 * self.wall[-1]
             if self.housing_outer <= bore + LEAST_METAL:
                 yield dotted(BearingRow.housing_outer), more_metal(bore)
+
+
+def _leaves(bore: tuple[float, ...], journal: tuple[float, ...]) -> float:
+    """Between their middles, in diameter."""
+    return (sum(bore) - sum(journal)) / 2
 
 
 def more_metal(bore: float) -> Text:
@@ -635,6 +659,7 @@ def near(diameter: float, limits: Sequence[tuple[float, ...]]) -> bool:
 
 
 LEAST_METAL = 2e-3  # m, in diameter
+SET = 40e-6  # m: by so much, at most, a seated bore stands wider than housing and walls leave it
 
 # what says nothing but with these seats
 RINGED = ("bush", "shells")
@@ -669,6 +694,7 @@ SAYS_WITH = {
 }
 
 
+PRESSES = {"interference", "crush"}  # what may say how a bush is pressed
 CLEARANCES, LIMITS = {"clearance", "clearance_factor"}, {"journal", "bore", "finished"}  # what may say a clearance
 
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from ..library.tolerances import parse
 from ..sheet.quantity import dotted
-from ..sheet.text import COMMA, Text
+from ..sheet.text import COMMA, Amount, Text
 from ..sheet.units import UNITS, Metre
-from .annotations import LETTER, Say, millimetres, number
+from .annotations import LETTER, Say, number
 from .lettering import width
 from .sheet_data import Rows
 
@@ -86,7 +86,7 @@ def _microns(least: Metre, most: Metre, *, up: bool = False) -> Text:
 
 
 def _lengths(limits: tuple[Metre, ...]) -> Text:
-    low, high = (millimetres(limit, SIZE) for limit in (limits[0], limits[-1]))
+    low, high = (Amount(UNITS["mm"].shown(limit), form=f".{SIZE}f") for limit in (limits[0], limits[-1]))
     return Text("{low}", low=low) if limits[0] == limits[-1] else Text("{low}–{high}", low=low, high=high)
 
 
@@ -106,7 +106,7 @@ def class_tables(results: "Results", say: Say) -> list[tuple[str, Rows, tuple[fl
         for n, size in bores.items():
             cells = (say(stack.shells[stack.pairs[n, journal][1]]) for journal in journals)
             rows.append((say(size), *cells))
-        title = say(Text("Shells by classes, colours by this program, {place}: bore by journal", place=names))
+        title = say(Text("Shells by bore and journal, {place}; colours by this program", place=names))
         found.append((title, rows, (BORES, *[(WIDE - BORES) / len(journals)] * len(journals))))
     return found
 

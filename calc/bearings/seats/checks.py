@@ -154,6 +154,7 @@ UNKNOWN_SHARE = 0.05  # of the clearance, up to which its wall does not matter
 MEGAPASCAL, NEWTON_METRE, HUNDRED_MICRONS, TEN_MICRONS = 1e6, 1.0, 100e-6, 10e-6  # what margins from nought are of
 
 
+WHEN_COLD = Text("Pressure of the fit at the lowest temperature")
 OF_SHELLS = {  # what they are called of shells, which are no bush
     SEAT_TURN: Text("Torque that holds the shells, against twice that of the film"),
     SEAT_STRESS: Text("Stress of the housing around the shells"),
@@ -174,10 +175,10 @@ def seat_checks(
     if select is not None and band is not None:
         yield _worst_pair(place, select, (band[0], band[-1]))
     if row.spread is not None:
-        yield SPREAD(row.spread, 0.0, at=place, name=_at(SPREAD, place), scale=HUNDRED_MICRONS)
+        yield SPREAD(row.spread, 0.0, at=place, name=_at(SPREAD.name, place), scale=HUNDRED_MICRONS)
     if row.carrier is not None and row.carrier_bore is not None:
         room = row.carrier_bore[0] - row.carrier[-1]
-        yield BORE_CLEARANCE(room, 0.0, at=place, name=_at(BORE_CLEARANCE, place), scale=TEN_MICRONS)
+        yield BORE_CLEARANCE(room, 0.0, at=place, name=_at(BORE_CLEARANCE.name, place), scale=TEN_MICRONS)
 
 
 def pressed_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Check]:
@@ -191,15 +192,25 @@ def _press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Che
     """Whether the bush stays where it is."""
     rule = SEAT_FRETTING if row.retained == "pin" else SEAT_PRESS
     hot, best, need = seat.press_hot, seat.press_hot_cool, seat.press_needed
-    yield rule(
-        hot,
-        need,
-        at=place,
-        name=_at(rule, place),
-        missing=_housing(seat, hot, best),
-        scale=MEGAPASCAL,
-        remedies=lambda: _tighter(place, row, seat, need),
-    )
+    if seat.press_cold < hot:  # the housing grows less than the bush
+        yield rule(
+            seat.press_cold,
+            need,
+            at=place,
+            name=_at(WHEN_COLD, place),
+            value_id=dotted("bearings", place, "seat", SeatResult.press_cold),
+            scale=MEGAPASCAL,
+        )
+    else:
+        yield rule(
+            hot,
+            need,
+            at=place,
+            name=_at(rule.name, place),
+            missing=_housing(seat, hot, best),
+            scale=MEGAPASCAL,
+            remedies=lambda: _tighter(place, row, seat, need),
+        )
     if row.retained == "pin":
         return
     held, drag = seat.holding_torque, 2 * seat.drag_torque
@@ -210,7 +221,7 @@ def _press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Che
         held,
         drag,
         at=place,
-        name=_at(SEAT_TURN, place, row),
+        name=_at(_named(SEAT_TURN, row), place),
         missing=_housing(seat, held, None if best is None else each * best),
         scale=NEWTON_METRE,
         remedies=lambda: _tighter(place, row, seat, drag / each),
@@ -257,7 +268,7 @@ def _stress_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Ch
         stress,
         limit,
         at=place,
-        name=_at(SEAT_STRESS, place, row),
+        name=_at(_named(SEAT_STRESS, row), place),
         source=source,
         value_id=value_id,
         missing=missing,
@@ -268,7 +279,7 @@ def _stress_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Ch
         based_on(abs(seat.bush_stress), seat.bush_stress),
         limit,
         at=place,
-        name=_at(BUSH_STRESS, place, row),
+        name=_at(_named(BUSH_STRESS, row), place),
         source=Text("{lame}; proof stress of {name}", lame=LAME, name=backing.name),
         missing=missing,
         advice=_as_chosen(seat, BUSH_STRESS),
@@ -324,9 +335,12 @@ def unknown_check(
         alpha_B=steel.expansion, s=s, d_o=fit.d_o, d_i=fit.d_i, alpha_H=housing.expansion, chi=rings.restraint
     )
     less = abs(fit.d_i * (alpha_H - eff) * (T - rings.reference))
-    return SEAT_UNKNOWN(less, UNKNOWN_SHARE * clearance, at=place, name=_at(SEAT_UNKNOWN, place))
+    return SEAT_UNKNOWN(less, UNKNOWN_SHARE * clearance, at=place, name=_at(SEAT_UNKNOWN.name, place))
 
 
-def _at(rule: CheckRule, place: str, row: BearingRow | None = None) -> Text:
-    what = OF_SHELLS.get(rule, rule.name) if row is not None and row.seat == "shells" else rule.name
+def _named(rule: CheckRule, row: BearingRow) -> Text:
+    return OF_SHELLS.get(rule, rule.name) if row.seat == "shells" else rule.name
+
+
+def _at(what: Text, place: str) -> Text:
     return Text("{what}, {place}", what=what, place=called(place))

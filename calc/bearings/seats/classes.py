@@ -81,7 +81,8 @@ class Select:
         if self.walls_mm is not None:
             return _ranges(self.walls_mm) or ()
         found = found_walls(self.bores, self.journals, self._middle(rise))
-        return tuple(based_on((w - WALL_FIELD / 2, w + WALL_FIELD / 2), self.clearance_band, rise) for w in found)
+        limits = ((_whole_um(w - WALL_FIELD / 2), _whole_um(w + WALL_FIELD / 2)) for w in found)
+        return tuple(based_on(wall, self.clearance_band, rise) for wall in limits)
 
     def _middle(self, rise: Metre) -> Metre:
         """Of the clearance asked for, less what the seated bore adds."""

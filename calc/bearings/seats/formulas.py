@@ -150,7 +150,11 @@ def bore_expansion(alpha_B: PerKelvin, s: Number, d_o: Metre, d_i: Metre, alpha_
     return alpha_B + s * (d_o / d_i) * (alpha_H * (1 - chi) - alpha_B)
 
 
-@formula("T_0", "physics: temperature at which the interference is used up, all parts alike warm")
+@formula(
+    "T_0",
+    "physics: temperature at which the interference is used up, all parts alike warm: from there on where the "
+    "housing grows more, down from there where it grows less",
+)
 def loose_at(T_ref: Celsius, delta: Metre, d_o: Metre, alpha_H: PerKelvin, chi: Number, alpha_B: PerKelvin) -> Celsius:
     return T_ref + delta / (d_o * (alpha_H * (1 - chi) - alpha_B))
 

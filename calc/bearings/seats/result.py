@@ -69,3 +69,4 @@ class SplitResult:
 
     share: Number = value("Share of the film that is left", "", "s_t")
     film: Metre = value("Film at the edge as the split passes under the load", "µm", "h_split", short=True)
+    beyond: bool  # the relief or the film lies outside what was marched: there is less film than this

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """How bush or shells sit in their housing: the interference, given or chosen, and what follows from it."""
 
-import math
 from dataclasses import replace
 
 from ...countershaft.rows import BearingRow
@@ -19,6 +18,7 @@ CRUSH_FIELD: Metre = (
     12e-6  # of the interference of shells that are sorted by their crush, assumed; rule of this program
 )
 BUSH_GRADE = 7  # IT of the interference of a bush, assumed
+COLDEST: Celsius = -60.0  # at which a fit is asked whether it is loose
 GUESSED = 15.0  # K of the film above its supply, before it is solved
 HOLDING_FRICTION: Number = 0.10  # μ_s of steel pressed in metal; from memory
 
@@ -112,7 +112,7 @@ def seated(
     p = rings.at(fit, most, *tightest).p
     tension = f.housing_tension(p=p, D=fit.D, d_o=fit.d_o)
     loose = None
-    if alpha_H > rings.backing.expansion:
+    if alpha_H != rings.backing.expansion:  # hot, or cold where the housing grows less
         loose = f.loose_at(
             T_ref=rings.reference,
             delta=least,
@@ -143,7 +143,7 @@ def seated(
             alpha_H=rings.housing.expansion,
             chi=rings.restraint,
         ),
-        loose_at=loose if loose is None or math.isfinite(loose) else None,
+        loose_at=loose if loose is not None and loose >= COLDEST else None,
         holding_torque=f.holding_torque(mu_s=HOLDING_FRICTION, p=hot, d_o=fit.d_o, l=row.length),
         drag_torque=f.drag_torque(P_f=P_f, omega=omega),
         rings=rings,

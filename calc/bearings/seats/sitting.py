@@ -13,9 +13,10 @@ from ...sheet.value import based_on, untraced
 from .. import formulas as film_by
 from ..corners import CORNERS, assumed, corner_points
 from ..film import split_line
-from ..film.table import FilmRangeError
+from ..film.reynolds import ECCENTRICITY_RANGE
 from ..routes.states import BearingCase, Film, OperatingPoint
 from ..routes.thermal_balance import settled
+from ..speeds import TURNING
 from . import formulas as f
 from .result import PairResult, SeatResult, SelectResult, SplitResult
 from .rings import Rings
@@ -119,19 +120,21 @@ def select_result(stack: SeatStack | None, rings: Rings | None) -> SelectResult 
 
 
 def split_result(seat: BearingCase, hot: Film, edge: Metre, ratio: Number) -> SplitResult | None:
-    """The film as the split of shells passes under a load that turns past it; None where there is none, or it is not
-    known: the relief lies outside what was marched."""
+    """The film as the split of shells passes under a load that turns with the journal; None where none passes.
+
+    A relief or a film beyond what was marched is taken at its end, which leaves more film than there is."""
     row, inputs = seat.bearing, seat.inputs
-    if row.seat != "shells" or seat.centred or inputs.load_speed_ratio == inputs.bush_speed_ratio:
+    if row.seat != "shells" or seat.centred or inputs.load_speed_ratio != TURNING or inputs.bush_speed_ratio:
         return None
     t, a_r = (
         default if given is None else given
         for given, default in ((row.relief, RELIEF), (row.relief_length, RELIEF_LENGTH))
     )
-    depth = f.relief_depth(t=t, g=hot.clearance)
-    arc = f.relief_arc(a_r=a_r, d=row.diameter)
-    try:
-        share = split_line.share(eps=hot.eccentricity, b=ratio, depth=depth, arc=arc)
-    except FilmRangeError:
-        return None
-    return SplitResult(share=share, film=f.film_at_split(h_edge=edge, h_0=hot.film, s_t=share))
+    depth, arc = f.relief_depth(t=t, g=hot.clearance), f.relief_arc(a_r=a_r, d=row.diameter)
+    eps = hot.eccentricity
+    beyond = bool(t and a_r) and (arc > split_line.HALF_ARC_RANGE[1] or eps > ECCENTRICITY_RANGE[1])
+    if beyond:
+        arc = based_on(min(arc, split_line.HALF_ARC_RANGE[1]), arc)
+        eps = based_on(min(eps, ECCENTRICITY_RANGE[1]), eps)
+    share = split_line.share(eps=eps, b=ratio, depth=depth, arc=arc if t and a_r else 0.0)
+    return SplitResult(share=share, film=f.film_at_split(h_edge=edge, h_0=hot.film, s_t=share), beyond=beyond)

@@ -219,8 +219,7 @@ def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = N
     bearings, offered, slopes = _possible(tasks(case)), variants(case), slopes_of(case)
     dropped, every = list[Text](), list[tuple[Variant, Fields]]()
     within, settled = list[tuple[Variant, Fields]](), list[Settled]()
-    closer = _closer(case, offered[0]) if _of_fits(bearings) else ()
-    ways = _ways(case, [*offered, *closer], bearings)
+    ways = _ways(case, [*offered, *(_closer(case, offered[0]) if _by_fits(bearings) else ())], bearings)
     ways = [way for way in ways if way[0] != "fits"]
     kind = ""
     for n, (kind, tried, asked) in enumerate(ways):  # noqa: B007
@@ -266,16 +265,16 @@ def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = N
 def _ways(case: SelectionCase, offered: list[Variant], bearings: Tasks) -> list[tuple[str, list[Variant], Tasks]]:
     """What is looked at, until something fits: the fits as they are, closer ones, then the limits as given where the
     fits are only assumed."""
-    of_fits = _of_fits(bearings)
+    of_fits = _by_fits(bearings)
     ways = [("all", offered, bearings)]
     if of_fits:
         ways += [("fits", list(_closer(case, *offered)), bearings)]
     return [*ways, ("given", offered, as_given(bearings))] if of_fits and not case.bearings.fits_given else ways
 
 
-def _of_fits(bearings: Tasks) -> bool:
-    """Whether fits make the clearance of some bearing: those by limits or classes have their own."""
-    return any(task.field is None for some in bearings.values() for task in some[:1])
+def _by_fits(bearings: Tasks) -> bool:
+    """Whether fits open the corners of every bearing, and not limits of its parts."""
+    return all(task.field is None for some in bearings.values() for task in some)
 
 
 def _closer(case: SelectionCase, *offered: Variant) -> Iterator[Variant]:

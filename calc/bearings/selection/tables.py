@@ -3,10 +3,12 @@
 
 Each neighbour of a row has the rule that refuses it, or what it costs."""
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from ...countershaft.rows import called
+from ...library.makers import journals
 from ...sheet.check import Check, CheckRule
 from ...sheet.number import short
 from ...sheet.record import record
@@ -396,7 +398,30 @@ def summary(choices: BearingsFound) -> tuple[Text, ...]:
         dropped = SEMICOLON.join(choices.dropped) or Text("smoother surfaces are needed")
         why = next((why for v, why in choices.refused if v is own_variant), dropped)
         words.append(Text("No row has the design's own oil, supply and surfaces: {why}.", why=why))
-    return tuple(filter(None, words))
+    return tuple(filter(None, [*words, _makers(choices)]))
+
+
+def _makers(choices: BearingsFound) -> Text:
+    """Which row stands nearest to a journal that a maker prints for this assembly and ratio; empty where none does."""
+    shaft = choices.case.shaft
+    if shaft is None or shaft.assembly is None or not shaft.speed_ratio:
+        return EMPTY
+    printed = [one for one in journals(shaft.speed_ratio, shaft.assembly) if one.journal.diameter]
+    near = [
+        (abs(math.log(max(pick.diameter for pick in row.picks) / (one.journal.diameter or 1.0))), n, i)
+        for n, row in enumerate(choices.rows, 1)
+        for i, one in enumerate(printed)
+    ]
+    if not near:
+        return EMPTY
+    _, n, i = min(near)
+    d = Amount(round((printed[i].journal.diameter or 0.0) * 1e3, 1), "mm")
+    return Text(
+        "Nearest to what makers print for this assembly stands row {n}: {engine}, {d}.",
+        n=n,
+        engine=printed[i].sheet.name,
+        d=d,
+    )
 
 
 def _missed(choices: BearingsFound) -> Text:

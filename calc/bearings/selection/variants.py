@@ -139,7 +139,7 @@ def diameters(case: SelectionCase, row: BearingRow, own: BearingTask) -> list[Me
     )
     loads = [own.rules[rule] for rule in (SPECIFIC_LOAD, MATERIAL_LOAD) if rule in own.rules]
     found: list[Metre] = []
-    for d in (1e-3 * n for n in STANDARD):
+    for d in (n / 1000 for n in STANDARD):
         p = specific_load(F=own.duty.load, d=d, l=RATIO[1] * d)
         carries = not loads or float(least(load.on(np.asarray(p)) for load in loads)) >= 0
         if d >= least_of_all and carries and d <= max(LARGER * (found or [d])[0], own.size):

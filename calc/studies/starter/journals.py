@@ -57,7 +57,7 @@ LIGHT, CLOSE, FAST = "EN AC-43100", 100e-3, 4000 / 60  # a small fast engine has
 def estimated(load: float) -> Metre:
     """The diameter of a journal that is looked at first."""
     least = math.sqrt(load / (RATIO * PRESSURE))
-    return 1e-3 * float(next((d for d in STANDARD if 1e-3 * d >= least), STANDARD[-1]))
+    return float(next((d for d in STANDARD if d >= 1000 * least), STANDARD[-1])) / 1000
 
 
 def estimated_length(d: Metre) -> Metre:

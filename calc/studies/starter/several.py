@@ -35,7 +35,7 @@ from .shaft import FILLET, NAME, OVERDESIGN, SHAFT, STEEL, UTILISATION, StarterT
 from .writing import BEARING_ROW, Rows, Section, down, head, mm, table, up
 
 ROWS, SHAFTS = dotted(ShaftInputs.bearings), dotted(Design.shafts)
-JOURNALS = tuple(1e-3 * d for d in STANDARD if 22 <= d <= 60)  # m: diameters that are tried; a wheel sits on the core
+JOURNALS = tuple(d / 1000 for d in STANDARD if 22 <= d <= 60)  # m: diameters that are tried; a wheel sits on the core
 WIDEST: Metre = 0.1  # outer radius
 LARGEST = 7e6  # Pa: no journal is looked at that would carry more
 FIT = "IT5"  # of journal and seat, where no classes pick the shells

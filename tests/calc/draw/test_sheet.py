@@ -279,21 +279,21 @@ def test_limits_of_journals_and_what_they_run_in_stand_on_the_sheet():
     words = [mark.text for mark in letters(shaft_sheet(results, data=data))]
     assert {"⌀59.5 (0/−0.015)", "⌀81 (0/−0.03)"} <= set(words)  # the limits of all classes; those given
     beside = dict(pairwise(words))
-    assert beside["Housing bore, front"] == "⌀63.5–63.52" and beside["Housing bore, rear"] == "⌀85.05–85.085"
-    assert beside["Bush, wall, rear"] == "2–2.008"
+    assert beside["Housing bore, front"] == "⌀63.500–63.520" and beside["Housing bore, rear"] == "⌀85.050–85.085"
+    assert beside["Bush, wall, rear"] == "2.000–2.008"
     values = results.values()
-    low, high = (round(values[f"bearings.rear.seat.interference_{end}"].shown) for end in ("min", "max"))
+    low, high = (math.ceil(values[f"bearings.rear.seat.interference_{end}"].shown) for end in ("min", "max"))
     assert beside["Interference, by the program, rear"] == f"{low} to {high} µm"
     least, most = (values[f"bearings.rear.corners.clearance_{end}"].shown / 1e3 for end in ("min", "max"))
     assert beside["Running bore, as pressed, rear"] == f"⌀{81.0 + least:.3f}–{80.97 + most:.3f}"
-    at = words.index("Shells by classes, front: bore by journal")
+    at = words.index("Shells by bore and journal, front; colours by this program")
     assert words[at + 1 : at + 9] == [
         "⌀59.485–59.492",
-        "⌀59.493–59.5",
-        "⌀63.5–63.51",
+        "⌀59.493–59.500",
+        "⌀63.500–63.510",
         "black",
         "brown",
-        "⌀63.511–63.52",
+        "⌀63.511–63.520",
         "blue",
         "black",
     ]
@@ -309,8 +309,8 @@ def test_a_finished_bush_and_a_seat_of_its_own_say_their_limits():
     rear |= {"bore": "finished", "finished_mm": [81.05, 81.08], "interference_um": [60, 90]}
     words = [m.text for m in letters(shaft_sheet(solve(design(Document(data))), data=data))]
     beside = dict(pairwise(words))
-    assert beside["Bore of the seat, front"] == "⌀59.55–59.58" and beside["Clearance, front"] == "50 to 100 µm"
-    assert beside["Running bore, finished, rear"] == "⌀81.05–81.08"
+    assert beside["Bore of the seat, front"] == "⌀59.550–59.580" and beside["Clearance, front"] == "50 to 100 µm"
+    assert beside["Running bore, finished, rear"] == "⌀81.050–81.080"
     assert beside["Interference, rear"] == "60 to 90 µm" and "⌀59.5 (0/−0.02)" in words
 
 

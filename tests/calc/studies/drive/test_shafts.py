@@ -69,7 +69,8 @@ def test_slopes_and_mass_are_those_of_the_step(x):
         # what the mass adds or takes as it turns: -0.6 to 2.9 % at the corners of these sizes
         assert -0.01 < still / turning - 1 < 0.03
         assert turning <= drive.turning(n, mass, still) * (1 + 1e-9)  # which the tables take
-    assert mass == pytest.approx(solved.mass, rel=1e-7)
+    # both look for the least mass, whose bottom is flat: 1.6e-7 apart where the shaft is far from its middle (off 1.74)
+    assert mass == pytest.approx(solved.mass, rel=5e-7)
     assert found.face[0, 0, 0] == pytest.approx(made.countershaft.half_length, abs=1e-9)
 
 
