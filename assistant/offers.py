@@ -10,6 +10,7 @@ from calc.bearings.selection import tables as bearing_tables
 from calc.bearings.selection import together
 from calc.bearings.selection.search import Settled
 from calc.bearings.selection.variants import SUPPLY, SelectionCase
+from calc.bearings.selection.writing import bearing_changes
 from calc.countershaft.sizing import choices as sizing
 from calc.countershaft.sums import SystemShaft
 from calc.design.model import Design
@@ -137,7 +138,7 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
         row = selection.all[number - 1]
         if number not in selection.verified:
             _confirm(bearing_search.confirmed(case, row, selection.slopes[0]), number)
-        return bearing_search.bearing_changes(row, case)
+        return bearing_changes(row, case)
 
     def written(number: int) -> Text:
         row = selection.all[number - 1]
@@ -179,7 +180,7 @@ def _sharing(case: SelectionCase, aim: str, progress: Progress | None) -> Offer:
     def taken(number: int) -> Changes:
         row = selection.rows[number - 1].row
         _confirm(together.confirmed(case, row, selection.slopes, selection.asked), number)
-        return bearing_search.bearing_changes(row, case)
+        return bearing_changes(row, case)
 
     def written(number: int) -> Text:
         chosen = selection.rows[number - 1]

@@ -255,27 +255,27 @@ def _best_alike(
     """The first of bearings that have one diameter, one clearance and surfaces alike: each as long as it has to be."""
     every = []
     for of_size in _of_one_size(fields):
-        shared = set.intersection(*(set(field.steps) for field in of_size))
-        for step in sorted(shared):
-            chosen = [
-                _in_row(field, field.steps.index(step), slopes[place], order, film)
-                for field, place in zip(of_size, fields)
-            ]
-            if None not in chosen:
-                picked = [one for one in chosen if one is not None]
-                sums = Wanted(*(np.sum(numbers) for numbers in zip(*(wanted for wanted, _, _ in picked))))
-                every.append((tuple(map(float, order(sums))), [one[1:] for one in picked]))
+        rows = [_in_rows(field, slopes[place], order, film) for field, place in zip(of_size, fields)]
+        for step in sorted(set.intersection(*map(set, rows))):
+            picked = [of_steps[step] for of_steps in rows]
+            sums = Wanted(*(np.sum(numbers) for numbers in zip(*(wanted for wanted, _, _ in picked))))
+            every.append((tuple(map(float, order(sums))), [one[1:] for one in picked]))
     found = min(every, key=lambda entry: entry[0], default=None)
     return None if found is None else dict(zip(fields, found[1]))
 
 
-def _in_row(
-    field: CandidateField, n: int, slope: Radian, order: Order, film: Metre
-) -> tuple[Wanted, CandidateField, Index] | None:
-    """The first of one clearance."""
-    wanted = Wanted.of(field).at(n)
-    index = first(field.passing(slope, film)[n], *order(wanted))
-    return None if index is None else (wanted.at(index), field, (np.intp(n), *index))
+def _in_rows(
+    field: CandidateField, slope: Radian, order: Order, film: Metre
+) -> dict[float, tuple[Wanted, CandidateField, Index]]:
+    """The first of each clearance, by its step from the design's; of those alone that have one."""
+    wanted, kept, steps = Wanted.of(field), field.passing(slope, film), field.steps
+    numbers = order(wanted)
+    found = dict[float, tuple[Wanted, CandidateField, Index]]()
+    for n in np.flatnonzero(kept.any(axis=1)):
+        if (index := first(kept[n], *(row[n] for row in numbers))) is not None:
+            at = (n, *index)
+            found[steps[n]] = wanted.at(at), field, at
+    return found
 
 
 def _of_one_size(fields: Fields) -> Iterable[tuple[CandidateField, ...]]:

@@ -31,7 +31,7 @@ from ..solve import condensed
 from . import tables
 from .grid import FEW, KEPT, OF_FILM, CandidateField, clearances, lengths
 from .ranking import ORDERS, CandidateRow, Order, Pick, Slopes, Wanted, picks
-from .search import AT_CORNERS, STIFFER, Settled, slopes_of, with_row
+from .search import AT_CORNERS, STIFFER, Settled, slopes_of
 from .states import BearingTask, against, letter_of, size, solved
 from .variants import (
     SelectionCase,
@@ -44,6 +44,7 @@ from .variants import (
     tied,
     variants,
 )
+from .writing import with_row
 
 NODES = 4  # lengths, and clearances, at which the share is found
 LOOKED = 6  # diameters that are looked at, from the smallest that carries the load on

@@ -14,8 +14,9 @@ from ...bearings.result import BearingsResult
 from ...bearings.seats.classes import Select
 from ...bearings.selection.grid import clearances, fields_over, lengths
 from ...bearings.selection.ranking import CandidateRow, Fields, best, by_power
-from ...bearings.selection.search import bearing_changes, settle, slopes_of
+from ...bearings.selection.search import settle, slopes_of
 from ...bearings.selection.variants import STANDARD, SelectionCase, Variant, tasks
+from ...bearings.selection.writing import bearing_changes
 from ...countershaft.inputs import LAID_IN, ShaftInputs
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow

@@ -27,14 +27,11 @@ from calc.bearings.selection import search as search_
 from calc.bearings.selection.grid import clearances, fields, lengths
 from calc.bearings.selection.ranking import ONE_PER_CENT, CandidateRow, best, by_power, picks
 from calc.bearings.selection.search import (
-    bearing_changes,
     fields_of,
-    fits_to_write,
     in_room,
     nearest_row,
     search,
     slopes_of,
-    with_row,
     with_surfaces,
 )
 from calc.bearings.selection.states import judge, passes_split, room, smoother, solved
@@ -50,6 +47,7 @@ from calc.bearings.selection.tables import (
     summary,
 )
 from calc.bearings.selection.variants import closer_fits, tasks, tied, variants
+from calc.bearings.selection.writing import bearing_changes, fits_to_write, with_row
 from calc.countershaft.inputs import Section, ShaftInputs
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design, parse, read

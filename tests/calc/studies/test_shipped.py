@@ -348,6 +348,12 @@ def test_the_journals_are_about_those_of_makers(name):
     maker = MAKERS.get(name, front.diameter * 1e3)
     assert front.diameter * 1e3 == pytest.approx(maker, rel=0.3)
     assert all(0.5 <= row.length / row.diameter <= 0.8 for row in (front, rear))
+    said = written(name)
+    sizes = [
+        line for line in said.splitlines() if line.startswith(("length_mm", "oil =", "journal_classes", "bore_cl"))
+    ]
+    assert len(sizes) == 5 and all("of least friction, by the search for bearings" in line for line in sizes)
+    assert "two classes of 6 µm" in said and "the thinnest that holds" not in said
     found = results.outcomes["bearings"].result.bearings
     power = sum(b.friction_power for b in found.values())
     engine = results.outcomes["engine"].result
