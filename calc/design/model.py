@@ -21,7 +21,6 @@ from ..gears.inputs import ONLY, GearsInputs
 from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
-from ..library.tolerances import Assumed
 from ..mounting.inputs import MountingInputs
 from ..sheet.quantity import (
     Quantity,
@@ -473,24 +472,9 @@ class Design:
         for key, row in rows:
             yield from _within(key, self.bearings.asked_of(row))
             yield from self._seat(self.bearings, key, row)
-        yield from self._clearances([row for _, row in rows])
         if len(rows) > 2 and self.bearings.load_speed_ratio != 1:
             turning = Text("must be 1 on a shaft with more than two bearings, which share what turns with it")
             yield dotted(Design.bearings, BearingsInputs.load_speed_ratio), turning
-
-    def _clearances(self, rows: list[BearingRow]) -> Problems:
-        """What all bearings share and none of these uses: fits beside limits or classes."""
-        bearings = self.bearings
-        if bearings is None or not rows:
-            return
-        if all(row.limited or (bearings.select is not None and row.seat == "shells") for row in rows):
-            unused = Text("leave it out: the limits or classes of the parts make the clearance")
-            for key, fit in (
-                (BearingsInputs.journal_fit, bearings.journal_fit),
-                (BearingsInputs.seat_fit, bearings.seat_fit),
-            ):
-                if not isinstance(fit, Assumed):
-                    yield dotted(Design.bearings, key), unused
 
     def _twin_rows(self, twin: ShaftInputs, rows: list[tuple[str, BearingRow]]) -> Problems:
         """The rows of a twin: whether its original has such a bearing, and what is wrong of that as the twin has it."""

@@ -22,6 +22,7 @@ from ...bearings.checks import (
     TEMPERATURE_CORNER,
 )
 from ...bearings.inputs import BearingsInputs
+from ...bearings.result import BearingsResult
 from ...bearings.selection.variants import SUPPLIES, placed
 from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, JOURNAL_SLOPE, RIGID
 from ...countershaft.inputs import THREADED, ShaftInputs
@@ -40,15 +41,17 @@ from ...gears.backlash.checks import BACKLASH_CHANCE
 from ...gears.checks import CONTACT_RATIO_USUAL
 from ...gears.measures.solve import SPAN_WIDTH
 from ...gears.rating.checks import SAFETY_BENDING_USUAL, SAFETY_CONTACT_USUAL
+from ...library.tolerances import GRADES, tolerance
 from ...library.tolerances import problem as fit_problem
 from ...sheet.check import Check
-from ...sheet.errors import BadInput, InputError
+from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.remedy import Changes
 from ...sheet.search import multiples
 from ...sheet.text import COMMA, EMPTY, Name, Text
-from ...solve import Results
+from ...sheet.units import Metre
+from ...solve import Results, solve
 
 CORE_SHARE = (0.25, 0.55)  # of the outer radius, and a tenth of it about the design's own; rule of this program
 SEAT_REACH = 6.0  # mm beyond the design's; rule of this program
@@ -711,6 +714,10 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
     fits = (str(bearings.journal_fit), str(bearings.seat_fit))
     widths = placed(bearings)
     start |= dict(zip(BOTH_FITS, widths or fits))
+    if any(row.limited or (bearings.select is not None and row.seat == "shells") for row in design.rows):
+        of_parts, words = _clearances(design, keys)
+        start |= of_parts
+        notes.append(words)
     if widths:
         notes.append(
             Text(
@@ -729,3 +736,40 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
             )
         )
     return start, notes
+
+
+def _clearances(design: Design, keys: DriveKeys) -> tuple[Changes, Text]:
+    """Clearances as numbers in place of limits and classes of parts, with tolerances as wide; and in words."""
+    found = solve(design).result(BearingsResult)
+    if found is None:
+        raise NoSolution(
+            Text("the bearings"), EMPTY, Text("a design whose bearings are solved, to begin the search at")
+        )
+    start: Changes = {dotted(Design.bearings, BearingsInputs.select): None}
+    grades = []
+    for row in design.rows:
+        r = found.bearings[row.name]
+        if (stack := r.seat.stack) is None:
+            continue
+        out = {BearingRow.journal: row.journal, BearingRow.finished: row.finished, BearingRow.bore: row.bore}
+        start |= {keys.of_bearing(row.name, key): None for key, there in out.items() if there is not None}
+        if row.bore_ == "finished":
+            start[keys.of_bearing(row.name, BearingRow.bore_)] = None
+        if row.ringed and r.seat.rings is not None and row.wall is None:
+            start[keys.of_bearing(row.name, BearingRow.wall)] = round(r.seat.rings.wall * 1e3, 3)
+        start[keys.of_bearing(row.name, BearingRow.clearance)] = round(r.clearance * 1e6, 1)
+        field = r.corners.clearance_max - r.corners.clearance_min - stack.journal_width
+        grades.append([_grade(width, row.diameter) for width in (stack.journal_width, field)])
+    widest = [f"IT{max(column)}" for column in zip(*grades)]
+    start |= dict(zip(BOTH_FITS, widest))
+    words = Text(
+        "Limits and classes of the parts make the clearance; here it is searched for, with tolerances about as wide, "
+        "{fits}.",
+        fits=Name("/".join(widest)),
+    )
+    return start, words
+
+
+def _grade(width: Metre, diameter: Metre) -> int:
+    """The grade whose tolerance comes nearest to a width."""
+    return min(GRADES, key=lambda grade: abs(tolerance(grade, diameter) - width))

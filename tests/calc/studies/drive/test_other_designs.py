@@ -5,7 +5,6 @@ ends of ranges."""
 import numpy as np
 import pytest
 
-from calc.design.addresses import value_at
 from calc.design.toml_file import Document, design, parse, read
 from calc.solve import solve
 from calc.studies.drive.classes import NotClosed
@@ -13,39 +12,32 @@ from calc.studies.drive.evolve import POPULATION, Space, evolved
 from calc.studies.drive.output import at_end
 from calc.studies.drive.search import asked, search
 from calc.studies.drive.solved_drive import power
+from calc.studies.shipped import DESIGNS, engine_design
 from tests.calc.studies.drive.points import Class, compared
 from tests.calc.studies.drive.test_brute_force import GRID
 from tests.calc.studies.drive.test_verdict import SOME, changed
-from tests.command import run
 from tests.test_shafts_commands import PAIR
 
 
-def written(engine, folder):
-    """The design that `contralbero new` begins an engine with."""
-    path = folder / f"{engine}.toml"
-    assert run("new", path, "--engine", engine).returncode == 0
-    return read(path)
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("engine", ["inline-3", "two-stroke-3", "v6-90", "inline-5", "twin-180"])
-def test_tables_and_whole_solutions_agree_on_every_engine_with_a_couple(engine, tmp_path):
-    _, misses, power, mass, (least, most) = compared(Class(written(engine, tmp_path), {}), 20, 1)
+@pytest.mark.parametrize("name", ["r753ie4_sized", "r753ie4_drive"])
+def test_tables_and_whole_solutions_agree_on_every_threaded_drive(name):
+    """What `new` begins is laid in: no seat binds its outer radius, and its front is searched without proof."""
+    _, misses, power, mass, (least, most) = compared(Class(read(DESIGNS / f"{name}.toml"), {}), 20, 1)
     assert misses == [] and power <= 0.05 and mass <= 1e-6 and -1e-9 <= least and most <= 0.006
 
 
-@pytest.mark.slow
-def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
-    """From `new` alone, a few values of its sizes about the start."""
-    document = written("inline-3", tmp_path)
-    keys = {place: f"shafts.shaft.bearings.{place}.diameter_mm" for place in ("front", "rear")}
-    own = {place: value_at(document.data, key) for place, key in keys.items()}
-    vary = {keys[place]: [own[place]] for place in own}
-    vary |= {"bearings.oil": "fixed", "bearings.supply": "fixed", "shafts.shaft.material": "fixed"}
-    problem, _ = asked(document, {"vary": vary, "rows": 3, "objectives": ["power", "mass"]})
-    found = search(problem)
-    assert found.drives and found.dropped == ()
-    assert all(one.sized.diameter == own for one in found.drives)
+def test_classes_of_what_new_begins_become_clearances(tmp_path):
+    """As a number, with tolerances about as wide; the way in of a shaft that is laid in is told."""
+    path = tmp_path / "own.toml"
+    path.write_text(engine_design("inline-3"), encoding="utf-8")
+    problem, _ = asked(read(path), {"objectives": ["power", "mass"]})
+    assert problem.base.bearings.select is None
+    for row in problem.base.rows:
+        assert row.seat == "shells" and row.journal is None and row.wall == pytest.approx((1.5e-3,), abs=20e-6)
+        assert 0.9e-3 < row.clearance / row.diameter < 2.9e-3
+    (said,) = [words for words in problem.said if "classes of the parts make the clearance" in str(words)]
+    assert "IT4/IT" in str(said)
 
 
 @pytest.mark.slow
