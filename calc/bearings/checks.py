@@ -9,6 +9,7 @@ from ..countershaft.inputs import ShaftInputs
 from ..countershaft.rows import RELIEF, RELIEF_LENGTH, ROW, SHAFT, BearingRow, called, row_key
 from ..library import journal_rules as rules
 from ..library.catalogue import Material, Oil, proof_of
+from ..library.journal_rules import named_at
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..library.tolerances import Assumed, clearance_limits, parse
 from ..sheet.check import Check, CheckRule, Missing
@@ -534,10 +535,6 @@ def on_bearing(
 ) -> Check:
     """A check on one bearing, under the name of its rule."""
     return rule(value, limit, at=place, name=named_at(rule.name, place), **more)
-
-
-def named_at(what: Text, place: str) -> Text:
-    return Text("{what}, {place}", what=what, place=called(place))
 
 
 def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:

@@ -118,6 +118,11 @@ def called(row: str) -> Text:
     return IN_WORDS.get(row, EMPTY) or Name(row)
 
 
+def named_at(what: Text, row: str) -> Text:
+    """What is judged or shown, and of which bearing."""
+    return Text("{what}, {place}", what=what, place=called(row))
+
+
 def titled(row: str) -> Text:
     """The same at the beginning of a sentence."""
     return IN_TITLES.get(row, EMPTY) or Name(row)

@@ -6,6 +6,7 @@ from math import pi
 
 from ...countershaft.rows import ROW, BearingRow, called, row_key
 from ...library.catalogue import Material, materials, proof_of
+from ...library.journal_rules import named_at
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy, by_key, up_um
@@ -175,10 +176,10 @@ def seat_checks(
     if select is not None and band is not None:
         yield _worst_pair(place, select, (band[0], band[-1]))
     if row.spread is not None:
-        yield SPREAD(row.spread, 0.0, at=place, name=_at(SPREAD.name, place), scale=HUNDRED_MICRONS)
+        yield SPREAD(row.spread, 0.0, at=place, name=named_at(SPREAD.name, place), scale=HUNDRED_MICRONS)
     if row.carrier is not None and row.carrier_bore is not None:
         room = row.carrier_bore[0] - row.carrier[-1]
-        yield BORE_CLEARANCE(room, 0.0, at=place, name=_at(BORE_CLEARANCE.name, place), scale=TEN_MICRONS)
+        yield BORE_CLEARANCE(room, 0.0, at=place, name=named_at(BORE_CLEARANCE.name, place), scale=TEN_MICRONS)
 
 
 def pressed_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Check]:
@@ -197,7 +198,7 @@ def _press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Che
             seat.press_cold,
             need,
             at=place,
-            name=_at(WHEN_COLD, place),
+            name=named_at(WHEN_COLD, place),
             value_id=dotted("bearings", place, "seat", SeatResult.press_cold),
             scale=MEGAPASCAL,
         )
@@ -206,7 +207,7 @@ def _press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Che
             hot,
             need,
             at=place,
-            name=_at(rule.name, place),
+            name=named_at(rule.name, place),
             missing=_housing(seat, hot, best),
             scale=MEGAPASCAL,
             remedies=lambda: _tighter(place, row, seat, need),
@@ -221,7 +222,7 @@ def _press_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Che
         held,
         drag,
         at=place,
-        name=_at(_named(SEAT_TURN, row), place),
+        name=named_at(_named(SEAT_TURN, row), place),
         missing=_housing(seat, held, None if best is None else each * best),
         scale=NEWTON_METRE,
         remedies=lambda: _tighter(place, row, seat, drag / each),
@@ -268,7 +269,7 @@ def _stress_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Ch
         stress,
         limit,
         at=place,
-        name=_at(_named(SEAT_STRESS, row), place),
+        name=named_at(_named(SEAT_STRESS, row), place),
         source=source,
         value_id=value_id,
         missing=missing,
@@ -279,7 +280,7 @@ def _stress_checks(place: str, row: BearingRow, seat: SeatResult) -> Iterator[Ch
         based_on(abs(seat.bush_stress), seat.bush_stress),
         limit,
         at=place,
-        name=_at(_named(BUSH_STRESS, row), place),
+        name=named_at(_named(BUSH_STRESS, row), place),
         source=Text("{lame}; proof stress of {name}", lame=LAME, name=backing.name),
         missing=missing,
         advice=_as_chosen(seat, BUSH_STRESS),
@@ -335,12 +336,8 @@ def unknown_check(
         alpha_B=steel.expansion, s=s, d_o=fit.d_o, d_i=fit.d_i, alpha_H=housing.expansion, chi=rings.restraint
     )
     less = abs(fit.d_i * (alpha_H - eff) * (T - rings.reference))
-    return SEAT_UNKNOWN(less, UNKNOWN_SHARE * clearance, at=place, name=_at(SEAT_UNKNOWN.name, place))
+    return SEAT_UNKNOWN(less, UNKNOWN_SHARE * clearance, at=place, name=named_at(SEAT_UNKNOWN.name, place))
 
 
 def _named(rule: CheckRule, row: BearingRow) -> Text:
     return OF_SHELLS.get(rule, rule.name) if row.seat == "shells" else rule.name
-
-
-def _at(what: Text, place: str) -> Text:
-    return Text("{what}, {place}", what=what, place=called(place))
