@@ -6,7 +6,22 @@ import signal
 import sys
 
 
+def press_again(lost: "sys.UnraisableHookArgs") -> None:
+    """Ctrl-C that comes where Python can not raise it (a callback of its own import locks) is pressed again a moment
+    later; anything else that can not be raised is told as ever."""
+    if lost.exc_type is not KeyboardInterrupt:
+        sys.__unraisablehook__(lost)
+        return
+    import _thread
+    import threading
+
+    timer = threading.Timer(0.01, _thread.interrupt_main)
+    timer.daemon = True
+    timer.start()
+
+
 def main() -> int:
+    sys.unraisablehook = press_again
     try:
         from .cli import main as command_line
 

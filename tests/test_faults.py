@@ -91,6 +91,34 @@ def test_ctrl_c_that_python_wraps_is_still_ctrl_c(monkeypatch: pytest.MonkeyPatc
         cli.main([])
 
 
+LOST = """
+import time
+import weakref
+from assistant import __main__, cli
+
+class Thing: pass
+
+def presses(_):
+    raise KeyboardInterrupt
+
+def command_line():
+    thing = Thing()
+    held = weakref.ref(thing, presses)
+    del thing
+    for _ in range(1000):
+        time.sleep(0.01)
+
+cli.main = command_line
+raise SystemExit(__main__.main())
+"""
+
+
+def test_ctrl_c_that_python_can_not_raise_is_pressed_again() -> None:
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([sys.executable, "-c", LOST], capture_output=True, text=True, cwd=ROOT, env=env, timeout=25)
+    assert done.returncode == 130 and not done.stderr
+
+
 READY = f"""
 import sys
 from assistant.__main__ import main
