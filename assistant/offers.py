@@ -5,12 +5,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
-from calc.bearings.selection import search as bearing_search
-from calc.bearings.selection import tables as bearing_tables
-from calc.bearings.selection import together
-from calc.bearings.selection.search import Settled
-from calc.bearings.selection.variants import SUPPLY, SelectionCase
-from calc.bearings.selection.writing import bearing_changes
+from calc.bearings.plain.selection import search as bearing_search
+from calc.bearings.plain.selection import tables as bearing_tables
+from calc.bearings.plain.selection import together
+from calc.bearings.plain.selection.search import Settled
+from calc.bearings.plain.selection.variants import SUPPLY, SelectionCase
+from calc.bearings.plain.selection.writing import bearing_changes
 from calc.countershaft.sizing import choices as sizing
 from calc.countershaft.sums import SystemShaft
 from calc.design.model import Design

@@ -12,8 +12,8 @@ import numpy as np
 
 from bench.film import best
 from calc.bearings import solve as bearings
-from calc.bearings.routes.routes import own_warm
-from calc.bearings.routes.thermal_balance import balanced, settled
+from calc.bearings.plain.routes.routes import own_warm
+from calc.bearings.plain.routes.thermal_balance import balanced, settled
 from calc.design.toml_file import design, read
 from calc.solve import solve
 

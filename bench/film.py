@@ -11,11 +11,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from calc.bearings.film import short_bearing
-from calc.bearings.film import table as film_nodes
-from calc.bearings.film.dynamics import coefficients
-from calc.bearings.film.reynolds import radial_damping, solve_film
-from calc.bearings.film.table import eccentricity_from, film_at
+from calc.bearings.plain.film import short_bearing
+from calc.bearings.plain.film import table as film_nodes
+from calc.bearings.plain.film.dynamics import coefficients
+from calc.bearings.plain.film.reynolds import radial_damping, solve_film
+from calc.bearings.plain.film.table import eccentricity_from, film_at
 
 POINTS = 20_000
 

@@ -20,8 +20,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from calc.bearings.film.reynolds import solve_film
-from calc.bearings.film.table import film_at
+from calc.bearings.plain.film.reynolds import solve_film
+from calc.bearings.plain.film.table import film_at
 
 STATES = ((0.2, 0.5), (0.6, 0.4622), (0.75, 0.4622), (0.8, 0.3272), (0.6, 1.0))
 THEIRS = ((8, 65), (16, 133), (30, 251))  # along the shaft, around

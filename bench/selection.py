@@ -15,12 +15,12 @@ from statistics import median
 from time import perf_counter
 
 from bench.film import best
-from calc.bearings.routes.routes import own_warm
-from calc.bearings.routes.thermal_balance import balanced
-from calc.bearings.selection.grid import field
-from calc.bearings.selection.search import nearest_row, search
-from calc.bearings.selection.states import AT_CORNERS, solved
-from calc.bearings.selection.variants import tasks, variants
+from calc.bearings.plain.routes.routes import own_warm
+from calc.bearings.plain.routes.thermal_balance import balanced
+from calc.bearings.plain.selection.grid import field
+from calc.bearings.plain.selection.search import nearest_row, search
+from calc.bearings.plain.selection.states import AT_CORNERS, solved
+from calc.bearings.plain.selection.variants import tasks, variants
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design, read
 from calc.solve import solve

@@ -14,9 +14,9 @@ from functools import cache, partial
 from typing import TypeVar, cast
 
 from .bearings import solve as bearings
-from .bearings.loads import of_twin as bearings_of_twin
-from .bearings.loads import told as bearings_told
-from .bearings.loads import with_standing as bearings_with_standing
+from .bearings.plain.loads import of_twin as bearings_of_twin
+from .bearings.plain.loads import told as bearings_told
+from .bearings.plain.loads import with_standing as bearings_with_standing
 from .bearings.result import BearingsOfShafts, BearingsResult
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft

@@ -12,9 +12,9 @@ from functools import cache
 
 import pytest
 
-from calc.bearings.seats.result import Temperatures
-from calc.bearings.seats.seat import chosen, seated
-from calc.bearings.seats.sitting import split_result
+from calc.bearings.plain.seats.result import Temperatures
+from calc.bearings.plain.seats.seat import chosen, seated
+from calc.bearings.plain.seats.sitting import split_result
 from calc.design.toml_file import Document, design, read
 from calc.solve import Results, solve
 from calc.studies.shipped import DESIGNS, MAKERS

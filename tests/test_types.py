@@ -106,7 +106,7 @@ FORMULA_CALLS = {
 
 @pytest.mark.slow
 def test_a_formula_of_numbers_is_one_of_arrays_too_and_its_arguments_are_held_to_its_own(tmp_path):
-    head = "import numpy as np\nfrom calc.bearings.formulas import length_ratio\nl, d, lengths = 1.0, 2.0, np.ones(3)\n"
+    head = "import numpy as np\nfrom calc.bearings.plain.formulas import length_ratio\nl, d, lengths = 1.0, 2.0, np.ones(3)\n"
     calls = {name: (name, f"{head}result = {call}\n") for name, (call, _) in FORMULA_CALLS.items()}
     assert accepted(calls, tmp_path) == [name for name, (_, fits) in FORMULA_CALLS.items() if fits]
 

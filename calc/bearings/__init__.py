@@ -6,14 +6,14 @@ from typing import Any
 
 # what this package offers, each from its module; loaded when it is asked for
 OFFERED = {
-    "Feed": ".film.grooved",
+    "Feed": ".plain.film.grooved",
     "Film": ".as_supports",
     "Rolling": ".as_supports",
-    "film_at": ".film.table",
-    "relative_clearance": ".formulas",
+    "film_at": ".plain.film.table",
+    "relative_clearance": ".plain.formulas",
     "solve_film": ".solve",
-    "solve_grooved": ".film.grooved",
-    "sommerfeld": ".formulas",
+    "solve_grooved": ".plain.film.grooved",
+    "sommerfeld": ".plain.formulas",
     "specific_load": "..library.journal_rules",
 }
 __all__ = [*OFFERED]

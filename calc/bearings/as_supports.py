@@ -30,17 +30,17 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Newton, Number, PascalSecond, RevPerSecond
 from ..sheet.value import about, based_on, untraced
-from . import formulas as f
-from .checks import ASKED, CLEARANCE, CORE, FILM_EDGE, KREISLE, on_bearing
-from .corners import corner_points
-from .film.table import CENTRED, FilmRangeError, eccentricity_from, film_hold
 from .inputs import BearingsInputs
+from .plain import formulas as f
+from .plain.checks import ASKED, CLEARANCE, CORE, FILM_EDGE, KREISLE, on_bearing
+from .plain.corners import corner_points
+from .plain.film.table import CENTRED, FilmRangeError, eccentricity_from, film_hold
+from .plain.routes import supply
+from .plain.routes.routes import own_warm
+from .plain.routes.states import BearingCase, OperatingPoint
+from .plain.routes.thermal_balance import balanced, settled, settled_together
+from .plain.suitability import LENGTH
 from .result import BearingResult, BearingsResult, OnShaftResult
-from .routes import supply
-from .routes.routes import own_warm
-from .routes.states import BearingCase, OperatingPoint
-from .routes.thermal_balance import balanced, settled, settled_together
-from .suitability import LENGTH
 
 FARTHEST = 0.98  # ε: the end of the film table
 BEGUN = 0.9  # ε: no film is thinner where a solution is looked for first

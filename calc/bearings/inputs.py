@@ -14,8 +14,8 @@ from ..library.tolerances import ASSUMED_FIT, Assumed
 from ..sheet.quantity import Key, as_in, choice, described, dotted, inputs, keys, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
-from .materials import DEFAULT_APPLICATION, bush_problem
-from .seats.classes import Select
+from .plain.materials import DEFAULT_APPLICATION, bush_problem
+from .plain.seats.classes import Select
 
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 LEAST_SPEED_SHARE = 0.02

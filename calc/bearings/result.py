@@ -23,13 +23,13 @@ from ..sheet.units import (
     RevPerSecond,
     Watt,
 )
-from .corners import Corners
-from .film.dynamics import Dynamics
-from .routes.routes import ROUTES
-from .routes.side_by_side import RouteResultBeside
-from .routes.states import BearingCase, Film, OperatingPoint
-from .seats.result import SeatResult, SelectResult, SplitResult
-from .speeds import Sweep
+from .plain.corners import Corners
+from .plain.film.dynamics import Dynamics
+from .plain.routes.routes import ROUTES
+from .plain.routes.side_by_side import RouteResultBeside
+from .plain.routes.states import BearingCase, Film, OperatingPoint
+from .plain.seats.result import SeatResult, SelectResult, SplitResult
+from .plain.speeds import Sweep
 
 
 @result

@@ -43,10 +43,10 @@ from ..sheet.quantity import dotted
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Newton, Number, Radian
 from .as_supports import FILM_EDGE_TILTED
-from .checks import FILM_EDGE
 from .inputs import BearingsInputs, ruled_by
+from .plain.checks import FILM_EDGE
+from .plain.seats.sketch import seat_sketches
 from .result import BearingResult, BearingsResult
-from .seats.sketch import seat_sketches
 
 if TYPE_CHECKING:
     from ..design.model import Design

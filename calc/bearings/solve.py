@@ -30,32 +30,31 @@ from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
-from . import formulas as f
 from .as_supports import at_corners, on_films, on_shaft, runs_centred, shared, support_checks, turned_over
-from .checks import SLOPE, checks, oil_check
-from .corners import corner_points, corners, corners_table
-from .curves import charts, curves, in_films
-from .film import short_bearing as short
-from .film import table as optimum
-from .film.dynamics import dynamics
 from .inputs import SLOPE_TAKEN, BearingsInputs, ruled_by
-from .loads import loads_beside
 from .makers import maker_checks, makers_table, own_journal
-from .materials import application, running_surface
-from .notes import errata, notes
-from .result import AT_ALL, BearingResult, BearingsResult, route_result
-from .routes import supply
-from .routes.routes import ROUTES, own_cold, own_warm
-from .routes.side_by_side import judged_alone, routes_table, side_by_side
-from .routes.states import BearingCase, Film, OperatingPoint
-from .routes.thermal_balance import balanced, closed, settled_together
-from .seats.seat import rings_of
-from .seats.sitting import seat_result, select_result, sitting, split_result
-from .seats.stack import stack_of
-from .seats.tables import seat_tables
-from .seats.warm import seat_curves, warm_table
-from .speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
-from .suitability import (
+from .plain import formulas as f
+from .plain.checks import SLOPE, checks, oil_check
+from .plain.corners import corner_points, corners, corners_table
+from .plain.curves import charts, curves, in_films
+from .plain.film import short_bearing as short
+from .plain.film import table as optimum
+from .plain.film.dynamics import dynamics
+from .plain.loads import loads_beside
+from .plain.materials import application, running_surface
+from .plain.notes import errata, notes
+from .plain.routes import supply
+from .plain.routes.routes import ROUTES, own_cold, own_warm
+from .plain.routes.side_by_side import judged_alone, routes_table, side_by_side
+from .plain.routes.states import BearingCase, Film, OperatingPoint
+from .plain.routes.thermal_balance import balanced, closed, settled_together
+from .plain.seats.seat import rings_of
+from .plain.seats.sitting import seat_result, select_result, sitting, split_result
+from .plain.seats.stack import stack_of
+from .plain.seats.tables import seat_tables
+from .plain.seats.warm import seat_curves, warm_table
+from .plain.speeds import TURNING, Sweep, highest_speed, of_journals, sweep, sweep_points
+from .plain.suitability import (
     Journal,
     Running,
     application_checks,
@@ -65,7 +64,8 @@ from .suitability import (
     material_checks,
     reference_table,
 )
-from .suitability import table as bushes_table
+from .plain.suitability import table as bushes_table
+from .result import AT_ALL, BearingResult, BearingsResult, route_result
 
 SLOPE_GIVEN = CheckRule(
     "bearings.B.slope_given",

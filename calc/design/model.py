@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from ..bearings.inputs import OF_ROWS, BearingsInputs
-from ..bearings.materials import application_problem, applications, bushes
+from ..bearings.plain.materials import application_problem, applications, bushes
 from ..countershaft.inputs import ShaftInputs, ShaftLoad
 from ..countershaft.making.inputs import Bolts
 from ..countershaft.rows import SHAFT, BearingRow, said_in

@@ -9,10 +9,10 @@ from math import hypot
 from typing import TYPE_CHECKING, Any
 
 from ..bearings.inputs import BearingsInputs
+from ..bearings.plain.selection.variants import SelectionCase
+from ..bearings.plain.speeds import highest_speed, of_journals
 from ..bearings.result import BearingsResult
-from ..bearings.selection.variants import SelectionCase
 from ..bearings.solve import BearingMaterials
-from ..bearings.speeds import highest_speed, of_journals
 from ..countershaft.checks import InPlace, swept
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.making.bolts import on_bearings

@@ -15,8 +15,8 @@ from .lettering import width
 from .sheet_data import Rows
 
 if TYPE_CHECKING:
+    from ..bearings.plain.seats.stack import SeatStack
     from ..bearings.result import BearingResult
-    from ..bearings.seats.stack import SeatStack
     from ..countershaft.rows import BearingRow
     from ..solve import Results
 

@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..bearings.loads import SECOND_ORDER, Response, answered, response
+from ..bearings.plain.loads import SECOND_ORDER, Response, answered, response
+from ..bearings.plain.routes.states import OperatingPoint
+from ..bearings.plain.speeds import TURNING
 from ..bearings.result import BearingsResult
-from ..bearings.routes.states import OperatingPoint
-from ..bearings.speeds import TURNING
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.result import CountershaftResult, Standing
 from ..countershaft.rows import called, titled

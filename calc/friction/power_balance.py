@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from ..bearings.formulas import angular_speed
+from ..bearings.plain.formulas import angular_speed
 from ..library.contact import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
 from ..library.lubricant import Lubricant
 from ..sheet.errors import NoSolution

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TypedDict
 
-from ..bearings.film.table import eccentricity_from, film_at
+from ..bearings.plain.film.table import eccentricity_from, film_at
 from ..design.addresses import Table
 from ..design.toml_file import Document, current_document, design, read
 from ..library.catalogue import Oil

@@ -10,7 +10,7 @@ from assistant.session.recovery import Memory
 from assistant.session.session import Session
 from tests.assistant.conftest import NOON, Screen
 from tests.assistant.driving import go_to, rows, settled, strike, type_in
-from tests.calc.bearings.test_seat_inputs import document
+from tests.calc.bearings.plain.test_seat_inputs import document
 
 JOURNALS = "bearings.select.journal_classes_mm"
 

@@ -17,7 +17,7 @@ from calc.engine.sketch import icon
 from calc.locale import language
 from calc.solve import solve
 from calc.studies.shipped import engine_inputs, engines
-from tests.calc.bearings.test_seat_inputs import document
+from tests.calc.bearings.plain.test_seat_inputs import document
 from tests.conftest import DESIGNS, GAMMA, SCREENED
 
 

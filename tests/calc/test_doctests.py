@@ -47,7 +47,7 @@ def test_the_formulas_that_a_user_calls_have_examples():
 
 
 def test_a_wrong_example_fails(monkeypatch):
-    from calc.bearings.formulas import length_ratio
+    from calc.bearings.plain.formulas import length_ratio
 
     monkeypatch.setattr(length_ratio.function, "__doc__", ">>> length_ratio(l=0.02, d=0.04)\n0.6\n")
     test = doctest.DocTestFinder().find(length_ratio, "length_ratio", globs={"length_ratio": length_ratio})

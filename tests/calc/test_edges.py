@@ -10,13 +10,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from calc.bearings import checks as bearing_checks
-from calc.bearings.film import grooved as grooved_table
-from calc.bearings.film import table
-from calc.bearings.film.grooved import Feed, Feeds
-from calc.bearings.film.table import film_nodes
-from calc.bearings.routes import din31652 as falz
-from calc.bearings.routes import raimondi_boyd
+from calc.bearings.plain import checks as bearing_checks
+from calc.bearings.plain.film import grooved as grooved_table
+from calc.bearings.plain.film import table
+from calc.bearings.plain.film.grooved import Feed, Feeds
+from calc.bearings.plain.film.table import film_nodes
+from calc.bearings.plain.routes import din31652 as falz
+from calc.bearings.plain.routes import raimondi_boyd
 from calc.countershaft.making import inputs as thread
 from calc.engine.cycle import table_pressure
 from calc.gears.rating import classes, distribution, dynamic, stress

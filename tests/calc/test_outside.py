@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.bearings.film import dynamics as d
-from calc.bearings.film import short_bearing as short
-from calc.bearings.film.dynamics import coefficients
-from calc.bearings.film.table import eccentricity_from, film_at
+from calc.bearings.plain.film import dynamics as d
+from calc.bearings.plain.film import short_bearing as short
+from calc.bearings.plain.film.dynamics import coefficients
+from calc.bearings.plain.film.table import eccentricity_from, film_at
 from calc.countershaft.bending.beam import beam, bend, natural_frequency
 from calc.countershaft.making.unbalance import lever_front, lever_rear, plane_unbalance
 from calc.gears import formulas as g

@@ -10,7 +10,7 @@ import pytest
 import tomli_w
 
 from calc.studies.shipped import shipped_name
-from tests.calc.bearings.test_seat_inputs import document
+from tests.calc.bearings.plain.test_seat_inputs import document
 from tests.conftest import SHIPPED
 
 ROOT = Path(__file__).parents[2]

@@ -21,7 +21,7 @@ from babel.messages.catalog import Catalog
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
-from calc.bearings.materials import bearing_materials, running_bearings
+from calc.bearings.plain.materials import bearing_materials, running_bearings
 from calc.design.model import STEPS
 from calc.library.catalogue import base_stocks, materials, shipped_oils
 from calc.library.makers import maker_sheets

@@ -11,7 +11,7 @@ from calc.sheet.step import Curve, Series
 from calc.sheet.text import Text
 from reports.figures.plots import EDGE_STYLE, series_style
 from reports.figures.sketches import ABREAST, PAIRED, _Picture, _rows
-from tests.calc.bearings.test_seat_inputs import document
+from tests.calc.bearings.plain.test_seat_inputs import document
 from tests.reports.reading import solved, squeezed, text_of
 
 

@@ -13,8 +13,8 @@ Type = Literal["ball", "roller", "needle", "cup", "cage"]  # needle: with machin
 class BearingSize(Generic[Value]):
     """The outline of a bearing, in m: of one, or of many of one type.
 
-    `series`: 60 62 63; 10 2 3 22 23 of cylindrical rollers; NA49, RNA49, HK, K; or own.  `bore`: of the inner ring, else
-    the raceway on the shaft, F_w; `outside`: of the outer ring or cup, else that over the elements, E_w."""
+    `series`: 60 62 63; 10 2 3 22 23 of cylindrical rollers; NA49, RNA49, HK, K; or own.  `bore`: of the inner ring,
+    else the raceway on the shaft, F_w; `outside`: of the outer ring or cup, else that over the elements, E_w."""
 
     designation: str
     type: Type

@@ -12,8 +12,8 @@ import math
 
 import numpy as np
 
-from ...bearings import formulas as f
-from ...bearings.film.table import eccentricity_from, film_at
+from ...bearings.plain import formulas as f
+from ...bearings.plain.film.table import eccentricity_from, film_at
 from ...library.journal_rules import specific_load
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula

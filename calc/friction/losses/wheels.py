@@ -7,7 +7,7 @@ Most of it follows from speed and oil alone (`unloaded`); the bearings of a whee
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TypeVar, TypeVarTuple
 
-from ...bearings.formulas import angular_speed
+from ...bearings.plain.formulas import angular_speed
 from ...library.lubricant import Lubricant, OilState
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula

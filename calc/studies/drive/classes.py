@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from ...bearings.checks import FILM_EDGE_SPEEDS, FILM_EDGE_STANDING, LENGTH_RATIO_USUAL, SUPPLY_RANGE
+from ...bearings.plain.checks import FILM_EDGE_SPEEDS, FILM_EDGE_STANDING, LENGTH_RATIO_USUAL, SUPPLY_RANGE
+from ...bearings.plain.selection.grid import LENGTH_STEP
+from ...bearings.plain.selection.states import BearingTask
+from ...bearings.plain.selection.variants import Variant, own_tasks
 from ...bearings.result import BearingsResult
-from ...bearings.selection.grid import LENGTH_STEP
-from ...bearings.selection.states import BearingTask
-from ...bearings.selection.variants import Variant, own_tasks
 from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, JOURNAL_SLOPE
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow

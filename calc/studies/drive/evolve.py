@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from ...bearings.plain.selection.grid import WIDEST
 from ...bearings.result import BearingsResult
-from ...bearings.selection.grid import WIDEST
 from ...countershaft.rows import BearingRow
 from ...design.toml_file import design
 from ...library.journal_rules import USUAL_LENGTH_RATIO

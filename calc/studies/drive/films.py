@@ -10,20 +10,20 @@ from typing import Any
 
 import numpy as np
 
-from ...bearings import formulas as f
-from ...bearings.checks import SPECIFIC_LOAD, SUPPLY_RANGE, TEMPERATURE
-from ...bearings.film import dynamics as d
-from ...bearings.film.dynamics import Dynamics, coefficients, orbit
-from ...bearings.film.table import FilmRangeError
-from ...bearings.loads import SMALL
-from ...bearings.routes import supply
-from ...bearings.routes.states import BearingCase, Film, OperatingPoint, resized
-from ...bearings.routes.thermal_balance import settled
-from ...bearings.selection.grid import KEPT, LENGTH_STEP, OF_FILM, clearances, field_over, over_lengths
-from ...bearings.selection.states import BALANCED, HOT, BearingTask, judge
-from ...bearings.selection.variants import SUPPLIES, Variant
-from ...bearings.speeds import at_speeds, sweep_points
-from ...bearings.suitability import MATERIAL_LOAD, film_asked
+from ...bearings.plain import formulas as f
+from ...bearings.plain.checks import SPECIFIC_LOAD, SUPPLY_RANGE, TEMPERATURE
+from ...bearings.plain.film import dynamics as d
+from ...bearings.plain.film.dynamics import Dynamics, coefficients, orbit
+from ...bearings.plain.film.table import FilmRangeError
+from ...bearings.plain.loads import SMALL
+from ...bearings.plain.routes import supply
+from ...bearings.plain.routes.states import BearingCase, Film, OperatingPoint, resized
+from ...bearings.plain.routes.thermal_balance import settled
+from ...bearings.plain.selection.grid import KEPT, LENGTH_STEP, OF_FILM, clearances, field_over, over_lengths
+from ...bearings.plain.selection.states import BALANCED, HOT, BearingTask, judge
+from ...bearings.plain.selection.variants import SUPPLIES, Variant
+from ...bearings.plain.speeds import at_speeds, sweep_points
+from ...bearings.plain.suitability import MATERIAL_LOAD, film_asked
 from ...engine.inputs import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
 from ...sheet.arrays import Array, BoolArray

@@ -10,7 +10,8 @@ from fnmatch import fnmatchcase
 from itertools import product
 from typing import Any
 
-from ...bearings.checks import (
+from ...bearings.inputs import BearingsInputs
+from ...bearings.plain.checks import (
     CLEARANCE_COLD_CORNER,
     FILM_DOUBLE_LOAD,
     FILM_EDGE_CORNER,
@@ -21,9 +22,8 @@ from ...bearings.checks import (
     SUPPLY_RANGE,
     TEMPERATURE_CORNER,
 )
-from ...bearings.inputs import BearingsInputs
+from ...bearings.plain.selection.variants import SUPPLIES, placed
 from ...bearings.result import BearingsResult
-from ...bearings.selection.variants import SUPPLIES, placed
 from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, JOURNAL_SLOPE, RIGID
 from ...countershaft.inputs import THREADED, ShaftInputs
 from ...countershaft.making.inputs import Support

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from ...bearings.selection.states import ROUGHNESSES
-from ...bearings.selection.variants import ENGINE_OIL, FINEST, SUPPLY
+from ...bearings.plain.selection.states import ROUGHNESSES
+from ...bearings.plain.selection.variants import ENGINE_OIL, FINEST, SUPPLY
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.making.parts import SUPPORT_WALL
 from ...countershaft.rows import BearingRow

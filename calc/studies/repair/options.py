@@ -11,7 +11,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 
-from ...bearings.checks import (
+from ...bearings.inputs import BearingsInputs
+from ...bearings.plain.checks import (
     CLEARANCE_COLD_CORNER,
     FILM_DOUBLE_LOAD,
     FILM_EDGE,
@@ -27,9 +28,8 @@ from ...bearings.checks import (
     TEMPERATURE_CORNER,
     TRANSITION,
 )
-from ...bearings.inputs import BearingsInputs
+from ...bearings.plain.selection.variants import closer_fits, variants
 from ...bearings.result import BearingResult
-from ...bearings.selection.variants import closer_fits, variants
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
 from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.result import CountershaftResult

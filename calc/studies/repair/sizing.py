@@ -11,8 +11,8 @@ from dataclasses import replace
 from itertools import chain
 
 from ...bearings.inputs import BearingsInputs
-from ...bearings.selection.search import nearest_row
-from ...bearings.selection.writing import bearing_changes
+from ...bearings.plain.selection.search import nearest_row
+from ...bearings.plain.selection.writing import bearing_changes
 from ...countershaft.inputs import EccentricMass, ShaftInputs
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.rows import BearingRow, called

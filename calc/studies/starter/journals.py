@@ -10,13 +10,13 @@ from dataclasses import replace
 import numpy as np
 
 from ...bearings.inputs import BearingsInputs
+from ...bearings.plain.seats.classes import Select
+from ...bearings.plain.selection.grid import clearances, fields_over, lengths
+from ...bearings.plain.selection.ranking import CandidateRow, Fields, best, by_power
+from ...bearings.plain.selection.search import settle, slopes_of
+from ...bearings.plain.selection.variants import STANDARD, SelectionCase, Variant, tasks
+from ...bearings.plain.selection.writing import bearing_changes
 from ...bearings.result import BearingsResult
-from ...bearings.seats.classes import Select
-from ...bearings.selection.grid import clearances, fields_over, lengths
-from ...bearings.selection.ranking import CandidateRow, Fields, best, by_power
-from ...bearings.selection.search import settle, slopes_of
-from ...bearings.selection.variants import STANDARD, SelectionCase, Variant, tasks
-from ...bearings.selection.writing import bearing_changes
 from ...countershaft.inputs import LAID_IN, ShaftInputs
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow

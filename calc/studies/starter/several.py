@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...bearings.inputs import BearingsInputs
+from ...bearings.plain.selection.variants import STANDARD
 from ...bearings.result import BearingsResult
-from ...bearings.selection.variants import STANDARD
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
 from ...countershaft.sizing.sectors import Sized, TooSmall

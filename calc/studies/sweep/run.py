@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 
-from ...bearings.routes.side_by_side import COMPARED
+from ...bearings.plain.routes.side_by_side import COMPARED
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...sheet.errors import BadInput, InputError

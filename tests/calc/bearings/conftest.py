@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from calc.bearings.selection.search import search
+from calc.bearings.plain.selection.search import search
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design
 from calc.solve import solve

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from calc import countershaft
 from calc.bearings import Film, Rolling, film_at
-from calc.bearings.film.reynolds import solve_film
-from calc.bearings.film.table import FilmRangeError, film_slopes
-from calc.bearings.formulas import film_at_edge
+from calc.bearings.plain.film.reynolds import solve_film
+from calc.bearings.plain.film.table import FilmRangeError, film_slopes
+from calc.bearings.plain.formulas import film_at_edge
 from calc.bearings.result import BearingsResult
 from calc.countershaft import Rigid
 from calc.countershaft.bending import formulas as f

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.bearings.checks import checks
+from calc.bearings.plain.checks import checks
 from calc.bearings.solve import _slope_checks
 from calc.library.catalogue import materials
 from tests.calc.bearings.documents import outcome

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.checks import checks, least_film, oil_check
-from calc.bearings.corners import Exact
-from calc.bearings.loads import _checks as standing_checks
-from calc.bearings.materials import application, bearing_materials
+from calc.bearings.plain.checks import checks, least_film, oil_check
+from calc.bearings.plain.corners import Exact
+from calc.bearings.plain.loads import _checks as standing_checks
+from calc.bearings.plain.materials import application, bearing_materials
+from calc.bearings.plain.routes.routes import own_warm
+from calc.bearings.plain.routes.thermal_balance import balanced
+from calc.bearings.plain.suitability import application_checks, film_asked, material_checks
 from calc.bearings.result import BearingsResult
-from calc.bearings.routes.routes import own_warm
-from calc.bearings.routes.thermal_balance import balanced
-from calc.bearings.suitability import application_checks, film_asked, material_checks
 from calc.countershaft.rows import BearingRow
 from calc.design.toml_file import Document, design
 from calc.library.catalogue import materials, oils

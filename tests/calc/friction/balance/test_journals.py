@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.loads import response
+from calc.bearings.plain.loads import response
 from calc.design.step_inputs import on_shafts
 from calc.friction.journals import journals_at, journals_of
 from calc.friction.power_balance import shaft_loss

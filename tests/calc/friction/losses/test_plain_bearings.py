@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.bearings.film.table import film_at
-from calc.bearings.routes.routes import own_cold
+from calc.bearings.plain.film.table import film_at
+from calc.bearings.plain.routes.routes import own_cold
 from calc.friction.inputs import PlainBearing
 from calc.friction.losses import bearings as p
 from calc.sheet.errors import NoSolution

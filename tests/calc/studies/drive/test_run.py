@@ -332,7 +332,7 @@ def test_what_can_not_be_varied_is_said_with_its_key(sized, said, key):
 
 def test_the_film_that_surfaces_ask_for(few):
     """Smoother surfaces ask for less film, which is why they are worth a price."""
-    from calc.bearings.selection.variants import own_tasks
+    from calc.bearings.plain.selection.variants import own_tasks
     from calc.design.step_inputs import bearings_case
     from calc.solve import solve
 

@@ -6,7 +6,7 @@ from copy import deepcopy
 
 import pytest
 
-from calc.bearings.selection.search import nearest_row, search
+from calc.bearings.plain.selection.search import nearest_row, search
 from calc.design.addresses import parse_assignment
 from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import Document, design, read
