@@ -13,7 +13,7 @@ from time import process_time
 from types import FrameType
 
 from bench.film import best
-from calc.bearings.as_supports import film_law
+from calc.bearings.plain.as_support import film_law
 from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
 from calc.design.toml_file import load_design

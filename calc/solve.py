@@ -14,10 +14,10 @@ from functools import cache, partial
 from typing import TypeVar, cast
 
 from .bearings import solve as bearings
-from .bearings.plain.loads import of_twin as bearings_of_twin
-from .bearings.plain.loads import told as bearings_told
-from .bearings.plain.loads import with_standing as bearings_with_standing
 from .bearings.result import BearingsOfShafts, BearingsResult
+from .bearings.standing import of_twin as bearings_of_twin
+from .bearings.standing import told as bearings_told
+from .bearings.standing import with_standing as bearings_with_standing
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.checks import shafts_clear
@@ -129,7 +129,7 @@ class Results:
         return replace(self, design=design, outcomes=outcomes, of_shafts={}, viewed=self, _values={})
 
     def values_of(self, field: object) -> list[Published]:
-        """The values of one declared field, `results.values_of(BearingResult.film_edge)`: of each part that has one."""
+        """The values of one declared field, `results.values_of(PlainResult.film_edge)`: of each part that has one."""
         assert isinstance(field, ValueKey), field
         return [v for id, v in self.values().items() if v.about is field.about and v.id == id]  # not by a former name
 
@@ -291,6 +291,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
                 speed_ratio=design.views[original].shafts[0].speed_ratio,
                 how=shaft.how,
                 assembly=shaft.inputs.assembly,
+                life=h.gears_life(design),
                 compared=compared,
             )
         for shaft in h.turning(design):

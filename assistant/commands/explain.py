@@ -11,7 +11,8 @@ from typing import Any
 
 from assistant.commands.published import reference_lines
 from assistant.results_text import shaft_words
-from calc.bearings.result import BearingResult, OnShaftResult
+from calc.bearings.plain.result import PlainResult
+from calc.bearings.support import OnShaftResult
 from calc.countershaft.result import CountershaftResult
 from calc.design.addresses import every, quantities, quantity_of, value_at
 from calc.design.key_results import outside
@@ -33,7 +34,7 @@ from calc.solve import Results, solve
 from calc.studies.explain import Chains, Link, chain, origin, shortened
 
 ORDER = re.compile(r"order_(\d)")
-SHARED = (BearingResult.load, OnShaftResult.share, OnShaftResult.displacement, OnShaftResult.tilt)
+SHARED = (PlainResult.load, OnShaftResult.share, OnShaftResult.displacement, OnShaftResult.tilt)
 SCENARIOS = dotted(Design.friction, FrictionInputs.scenarios)
 
 
@@ -145,7 +146,7 @@ def on_films(results: Results, value: Published) -> Iterator[str]:
     values, shaft = results.values(), _above(_above(value.id))
     for share in results.values_of(OnShaftResult.share):
         if _above(bearing := _above(share.id)) == shaft:
-            eps, c = (values[dotted(bearing, key)] for key in (BearingResult.eccentricity, BearingResult.clearance_hot))
+            eps, c = (values[dotted(bearing, key)] for key in (PlainResult.eccentricity, PlainResult.clearance_hot))
             said = (
                 f"{short(share.shown)} of its load on pins, ε {short(eps.shown)}, clearance {short(c.shown)} {c.unit}"
             )

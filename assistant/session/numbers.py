@@ -11,7 +11,7 @@ from datetime import date
 from typing import Any
 
 from calc.design.toml_file import is_day
-from calc.sheet.quantity import Quantity
+from calc.sheet.quantity import FLAGS, Quantity
 from calc.sheet.text import Text
 
 # --- the units that may be typed behind a number
@@ -148,6 +148,10 @@ def value(text: str, about: Quantity) -> Any:
     match about.kind:
         case "text" | "choice":
             return text
+        case "flag":
+            if text.lower() not in FLAGS:
+                raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
+            return text.lower() == FLAGS[1]
         case "date":
             return day(text, about)
         case "number":

@@ -33,7 +33,8 @@ from .text import fit, pad, wrap
 LABEL, LABEL_NARROW = 22, 30  # cells, as in the style sheet
 LABEL_CELLS = 19
 CELL = 9  # cells of the box of an input that stands beside others
-BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "names": 20, "text": 20, "choice": 20, "open": 20}
+WORDS_BOX = 20  # cells of a box for words
+BOX = {"number": 9, "integer": 9, "flag": 9, "series": 16, "integers": 16}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
 AUTO = "(auto)"  # the program chooses; the same in every language, as in the texts that name it
@@ -271,8 +272,8 @@ class Field(Widget):
             mark = signs.mark("invalid") if self.reason else signs.mark("editing") if self.editing else left
             style = signs.style("invalid") if self.reason else "bold" if focused else "dim"
             return Content.assemble((mark, style), " " * CELL, (right, "dim"))
-        box = BOX[self.about.kind]
-        if label == LABEL_NARROW and box == BOX["text"]:
+        box = BOX.get(self.about.kind, WORDS_BOX)
+        if label == LABEL_NARROW and box == WORDS_BOX:
             box = WORD_NARROW
         note, state = self.note()
         room = max(0, width - label - box - 4)

@@ -7,8 +7,8 @@ from typing import Any
 # what this package offers, each from its module; loaded when it is asked for
 OFFERED = {
     "Feed": ".plain.film.grooved",
-    "Film": ".as_supports",
-    "Rolling": ".as_supports",
+    "Film": ".plain.as_support",
+    "Rolling": ".plain.as_support",
     "film_at": ".plain.film.table",
     "relative_clearance": ".plain.formulas",
     "solve_film": ".solve",

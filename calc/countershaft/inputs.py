@@ -538,8 +538,8 @@ class ShaftInputs:
     @property
     def journals(self) -> tuple[tuple[float, float], ...]:
         """Diameter and length of its journals, front to rear; empty where one of them is not known."""
-        sizes = tuple((row.diameter, row.length) for row in self.bearings)
-        return sizes if all(row.sized for row in self.bearings) else ()
+        sizes = tuple(size for row in self.bearings if (size := row.on_shaft) is not None)
+        return sizes if len(sizes) == len(self.bearings) else ()
 
     @property
     def of_sectors(self) -> str:
@@ -642,7 +642,7 @@ class ShaftInputs:
         """Beside inner bearings the sectors keep a gap."""
         if self.gap is not None and self.half_length is not None and self.gap >= 2 * self.half_length:
             yield dotted(ShaftInputs.gap), Text("must be smaller than twice half_length_mm: it leaves no sectors")
-        if self.gap is None and any(row.length is None for row in self.bearings[1:-1]):
+        if self.gap is None and any(not row.sized for row in self.bearings[1:-1]):
             yield dotted(ShaftInputs.gap), Text("needed where an inner bearing has no length_mm, or give that")
 
     def _seats(self) -> Iterable[tuple[str, Text]]:

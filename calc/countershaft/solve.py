@@ -35,7 +35,7 @@ from ..sheet.units import (
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from . import outline as s
-from .bending.formulas import film_stiffness, in_series
+from .bending.formulas import in_series
 from .bending.shaft import bending, on_springs, run_up_fatigue
 from .checks import FILLET_ROOM, bending_checks, checks, fem_checks
 from .curves import curves
@@ -369,8 +369,7 @@ def with_films(
     with trace() as lines, about(Text("shaft on its films")):
         springs = []
         for bearing in bearings.bearings.values():
-            film = bearing.dynamics
-            K_f = film_stiffness(K_xx=film.stiffness_xx, K_yy=film.stiffness_yy)
+            K_f = bearing.spring()
             springs.append(K_f if housing is None else in_series(K_f=K_f, K_H=housing))
         if min(springs) <= 0:  # of a film whose groove lies under its load: it does not hold the journal there
             return outcome
@@ -436,10 +435,12 @@ def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
     drain, slope = result.drain, result.drain_slope
     if drain.bore is None or slope is None or slope <= 0:
         return result
-    carried = bearings.bearings.values()
+    fed = [bearing for bearing in bearings.bearings.values() if bearing.drained() is not None]
+    if not fed:
+        return result
     with about(Text("oil drain")):
-        nu = max(bearing.seat.oil_at(bearing.outlet_temperature).nu for bearing in carried)
+        nu = max(oil.nu for bearing in fed if (oil := bearing.drained()) is not None)
         v_l, v_t = laminar_speed(theta=slope, d=drain.bore, nu=nu), turbulent_speed(theta=slope, d=drain.bore, nu=nu)
         shares: Any = gathered(drain.oil_share)
-        flow = oil_taken(x=shares, Q=column(carried, "oil_flow"))
+        flow = oil_taken(x=shares, Q=column(fed, "oil_flow"))
         return replace(result, drain_flow=flow, drain_run_off=run_off(d=drain.bore, v_l=v_l, v_t=v_t))

@@ -62,7 +62,10 @@ MOST_SHAFTS = 4
 JUDGED = Text("is for bearings that are judged: add [bearings], or leave it out")
 CARRIED = Text("is carried by the balance that [bearings] begin: add that table, or leave it out")
 # of a bearing that [bearings] does not judge
-SCREENED = ("name", "position", "kind", "diameter", "length", "carrier_bore", "carrier", "offset")
+SCREENED = (
+    "name", "position", "kind", "diameter", "length", "carrier_bore", "carrier", "offset",
+    "size", "elements", "bore", "outside_diameter", "width",
+)  # fmt: skip
 
 
 @inputs
@@ -460,9 +463,10 @@ class Design:
                 yield dotted(key, BearingRow.offset), line
         if self.bearings is None:
             for key, row in rows:
-                if row.sized != rows[0][1].sized or (row.diameter is None) != (row.length is None):
+                plain = row.kind == "plain"
+                if row.sized != rows[0][1].sized or (plain and (row.diameter is None) != (row.length is None)):
                     alike = Text("give diameter and length of all bearings, or of none")
-                    yield dotted(key, BearingRow.diameter), alike
+                    yield dotted(key, BearingRow.diameter if plain else BearingRow.size), alike
                     break
             for key, row in rows:
                 for entry in keys(BearingRow).values():
@@ -471,10 +475,17 @@ class Design:
             return
         for key, row in rows:
             yield from _within(key, self.bearings.asked_of(row))
-            yield from self._seat(self.bearings, key, row)
+            if row.kind == "plain":
+                yield from self._seat(self.bearings, key, row)
+        yield from self._locating(rows)
         if len(rows) > 2 and self.bearings.load_speed_ratio != 1:
             turning = Text("must be 1 on a shaft with more than two bearings, which share what turns with it")
             yield dotted(Design.bearings, BearingsInputs.load_speed_ratio), turning
+
+    def _locating(self, rows: list[tuple[str, BearingRow]]) -> Problems:
+        """One bearing of a shaft takes its thrust."""
+        for key, _ in [(key, row) for key, row in rows if row.locates][1:]:
+            yield dotted(key, BearingRow.locates), Text("another bearing of this shaft locates it already")
 
     def _twin_rows(self, twin: ShaftInputs, rows: list[tuple[str, BearingRow]]) -> Problems:
         """The rows of a twin: whether its original has such a bearing, and what is wrong of that as the twin has it."""
@@ -545,6 +556,8 @@ class Design:
             yield dotted(Design.shafts), Text("needs [[shafts]] with a row [[shafts.bearings]] for each bearing")
             return
         own = [(n, shaft) for n, shaft in enumerate(self.shafts) if not shaft.is_twin]
+        asked = bearings.asked_by(row for _, shaft in own for row in shaft.bearings)
+        yield from _within(dotted(Design.bearings), asked)
         alone = [(n, shaft) for n, shaft in own if shaft.mode == "bearings"]
         if bearings.journal_material is None and any(shaft.material is None for _, shaft in alone):
             needed = Text("needed where a shaft has no material to take it from")
@@ -553,6 +566,11 @@ class Design:
             for i in _unloaded(shaft):
                 needed = Text("needed where there is no shaft whose reactions it carries")
                 yield dotted(Design.shafts, n, ShaftInputs.bearings, i, BearingRow.load), needed
+        for n, shaft in own:
+            for i, row in enumerate(shaft.bearings):
+                if row.standing_load is not None and shaft.mode != "bearings":
+                    known = Text("leave it out: the shaft knows what stands on its bearings")
+                    yield dotted(Design.shafts, n, ShaftInputs.bearings, i, BearingRow.standing_load), known
         yield from self._speeds(bearings, [shaft for _, shaft in own if shaft.mode != "bearings"])
 
     def _speeds(self, bearings: BearingsInputs, turning: list[ShaftInputs]) -> Problems:
@@ -663,7 +681,8 @@ def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
     """What is wrong with one bearing, by itself and by what all share."""
     yield from row.problems()
     yield from bearings.asked_of(row)
-    yield from _of_seat(bearings, row)
+    if row.kind == "plain":
+        yield from _of_seat(bearings, row)
 
 
 def _unloaded(shaft: ShaftInputs) -> list[int]:

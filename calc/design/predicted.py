@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from ..bearings.inputs import BearingsInputs
-from ..bearings.result import BearingResult
+from ..bearings.plain.result import PlainResult
 from ..countershaft.rows import BearingRow
 from ..sheet.deferred import Later
 from ..sheet.quantity import Published, dotted, keys
@@ -171,7 +171,7 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
         return changed
     for name, view in design.views.items():
         ids = design.ids_of(dotted(Design.bearings), name)
-        clearances = [values.get(dotted(ids, row.name, BearingResult.clearance)) for row in view.rows]
+        clearances = [values.get(dotted(ids, row.name, PlainResult.clearance)) for row in view.rows]
         if view.own is not None:
             changed = changed.with_shaft(replace(view.own, bearings=tuple(map(_as_made, view.rows, clearances))))
     if design.engine.bench:

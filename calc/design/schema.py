@@ -55,6 +55,8 @@ def _key(about: Quantity) -> dict[str, Any]:
             # 8.8 may stand without quotes
             numbers = [float(choice) for choice in about.choices if choice.replace(".", "", 1).isdigit()]
             return definition | {"enum": [*about.choices, *numbers]}
+        case "flag":
+            return definition | {"type": "boolean"}
         case "table":
             assert about.table is not None
             return definition | _table(about.table)

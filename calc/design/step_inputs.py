@@ -311,6 +311,11 @@ def ratios(design: Design) -> dict[str, float]:
     return {shaft.name: shaft.inputs.speed_ratio for shaft in turning(design)}
 
 
+def gears_life(design: Design) -> float | None:
+    """The life that is asked of the gears, where it is given."""
+    return design.gears.life if design.gears is not None else None
+
+
 def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInputs) -> BearingMaterials:
     """The oil of the bearings, and what journals and housing are made of; journals that are not given are those of the
     shaft."""

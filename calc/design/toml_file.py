@@ -246,6 +246,7 @@ PLACEHOLDER: Table = {
     "text": "",
     "date": "",
     "choice": "",
+    "flag": False,
     "series": (),
     "integers": (),
     "names": (),
@@ -302,6 +303,9 @@ class _Reader:
         very same, is taken over."""
         kind: type = cls
         known, values = keys(kind), Table()
+        for key, other in getattr(cls, "AS_LISTS", {}).items():
+            if isinstance(data.get(key), list) and other not in data:
+                data = {other if name == key else name: content for name, content in data.items()}
         for key in data:
             if key not in known:
                 counted = len(self.errors) >= SHOWN_ERRORS  # nobody would read the nearest name
@@ -355,6 +359,8 @@ class _Reader:
                 if not isinstance(value, str) or (about.choices and value not in about.choices):
                     return self.refused(about, value, key)
                 return _keyed(about, value, address)
+            case "flag":
+                return value if isinstance(value, bool) else self.refused(about, value, key)
             case "date":
                 return self.date(about, value, key)
         return _keyed(about, self.number(about, value, key), address)
@@ -441,6 +447,8 @@ def is_day(words: str) -> bool:
 def _keyed(about: Quantity, value: object, address: str) -> object:
     """A number, or a word that may choose numbers, with the key that it stands under; what only names or tells
     something has none."""
+    if about.kind == "flag":
+        return value
     words = about.kind in ("text", "choice")
     if words and (not value or address.rpartition(".")[2] in ("name", "note", "source", "label")):
         return value

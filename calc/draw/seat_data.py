@@ -15,8 +15,8 @@ from .lettering import width
 from .sheet_data import Rows
 
 if TYPE_CHECKING:
+    from ..bearings.plain.result import PlainResult
     from ..bearings.plain.seats.stack import SeatStack
-    from ..bearings.result import BearingResult
     from ..countershaft.rows import BearingRow
     from ..solve import Results
 
@@ -24,7 +24,7 @@ SIZE = 3  # decimals
 WIDE, BORES = 112.0, 36.0  # of the table of classes, and of its bore classes
 
 
-def _judged(results: "Results") -> "Iterator[tuple[BearingRow, BearingResult]]":
+def _judged(results: "Results") -> "Iterator[tuple[BearingRow, PlainResult]]":
     """The bearings of whose seat something is known, front to rear."""
     outcome = results.outcomes.get(dotted("bearings"))
     known = getattr(outcome.result, "bearings", {}) if outcome is not None else {}
@@ -44,10 +44,10 @@ def seat_rows(results: "Results", say: Say) -> Rows:
 
 
 def _alike(
-    results: "Results", by: "Callable[[BearingRow, BearingResult], object]"
-) -> "Iterator[tuple[Text, BearingRow, BearingResult]]":
+    results: "Results", by: "Callable[[BearingRow, PlainResult], object]"
+) -> "Iterator[tuple[Text, BearingRow, PlainResult]]":
     """The first of those bearings that are alike, with the names of all; empty where all are."""
-    groups: dict[object, list[tuple[BearingRow, BearingResult]]] = {}
+    groups: dict[object, list[tuple[BearingRow, PlainResult]]] = {}
     for row, r in _judged(results):
         groups.setdefault(by(row, r), []).append((row, r))
     for group in groups.values():
@@ -59,7 +59,7 @@ def _at(what: Text, names: Text) -> Text:
     return Text("{what}, {place}", what=what, place=names) if names else what
 
 
-def _of_seat(row: "BearingRow", r: "BearingResult") -> "Iterator[tuple[Text, Text]]":
+def _of_seat(row: "BearingRow", r: "PlainResult") -> "Iterator[tuple[Text, Text]]":
     stack, seat, finished = r.seat.stack, r.seat_, row.finished is not None
     bore = row.bore if stack is None or finished else stack.bore
     walls = row.wall if stack is None or stack.walls is None else stack.walls

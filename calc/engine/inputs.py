@@ -174,6 +174,34 @@ def usual_order(cylinders: int, strokes: int) -> tuple[int, ...] | None:
 
 
 @inputs
+class Operation:
+    """A part of the engine's life: at which speed and load, for how long, with which oil."""
+
+    name: str = text("Name", help="idle, cruise, rated or any other word.")
+    speed: float = quantity("Speed", "rpm", up_to=1e5, symbol="n", help="Of the crank.", repair="asked")
+    load: float = quantity(
+        "Load", "%", default=1.0, within=(-100, 200), symbol="p", help="Of the full load at this speed.", repair="asked"
+    )
+    hours: float | None = quantity(
+        "Hours",
+        default=None,
+        up_to=1e9,
+        symbol="w",
+        help="In any unit: their shares count. Left out: not a part of the bearings' duty.",
+        repair="asked",
+    )
+    oil_temperature: float | None = quantity(
+        "Oil temperature",
+        "°C",
+        default=None,
+        within=(-40, 200),
+        symbol="T_oil",
+        help="Where it reaches the bearings. Left out: their supply_temperature_C.",
+        repair="asked",
+    )
+
+
+@inputs
 class BenchPoint:
     """One row of a bench run: the main gallery's oil at a speed."""
 
@@ -450,6 +478,13 @@ class EngineInputs:
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
         change=("lighter flywheel", "heavier flywheel"),
         repair="free",
+    )
+    operation: tuple[Operation, ...] = tables(
+        "Operation",
+        Operation,
+        default=(),
+        help="Parts of the engine's life: what its bearings are judged by.",
+        fold=GAS,
     )
     bench: tuple[BenchPoint, ...] = tables(
         "Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed.", fold=GAS

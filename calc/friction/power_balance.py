@@ -281,8 +281,7 @@ def end_of(friction: FrictionInputs, wheel: str, on: OnShaft, journals: Journals
             outline = on.shaft.outline if on.shaft is not None else None
             sectors = sectors_of(on.inputs, outline, angular_speed(n=n))
     if friction.oil_level is not None:
-        first = next(iter(on.bearings.bearings.values()))
-        rho_oil = first.seat.lubricant.at(first.duty.supply_temperature).rho
+        rho_oil = next(iter(on.bearings.bearings.values())).supplied.rho
     return End(wheel, journals, tuple(hung), sectors, rho_oil)
 
 

@@ -23,6 +23,7 @@ T = TypeVar("T")
 Repair = Literal["", "free", "asked"]
 
 REQUIRED: Any = MISSING  # no default, in place of one of any type
+FLAGS = ("false", "true")  # of a flag, as it is typed
 NOTHING_RENAMED: Mapping[str, str] = {}
 NO_KEY_WORDS: Mapping[str, Text] = {}
 # the source of a usual range that practice knows and no book behind this program states
@@ -54,13 +55,15 @@ class Where:
     def holds(self, table: Mapping[str, object]) -> bool:
         """In a table of the design file; a choice that is left out is the first of its words."""
         about: Quantity = self.choice.metadata["quantity"]
+        if about.where is not None and not about.where.holds(table):
+            return False  # a choice that says nothing itself
         return table.get(_key(self.choice), about.choices[0]) in self.words
 
 
 @record
 class Quantity:
-    """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, names,
-    table, tables, reasons, open."""
+    """The description of one input.  `kind` is one of number, integer, text, date, choice, flag, series, integers,
+    names, table, tables, reasons, open."""
 
     kind: str
     label: Text
@@ -122,6 +125,8 @@ class Quantity:
         match self.kind:
             case "choice":
                 return Text("one of {choices}", choices=", ".join(f'"{c}"' for c in self.choices))
+            case "flag":
+                return Text("true or false")
             case "text":
                 return Text("text")
             case "date":
@@ -243,7 +248,9 @@ def _make(
 
 
 def _where(choice: object, *words: object) -> Where:
-    assert isinstance(choice, Field), choice  # in the class that is being made; where it is made, a Key
+    if isinstance(choice, Key):  # of a class that is made
+        return Where(choice.field, tuple(map(str, words)))
+    assert isinstance(choice, Field), choice  # in the class that is being made
     return Where(choice, tuple(map(str, words)))
 
 
@@ -267,6 +274,11 @@ def day(label: str, *, default: T = REQUIRED, free: bool = False, **options: Unp
 
 def choice(label: str, *choices: str, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     return _make("choice", label, "", default, choices=choices, **options)
+
+
+def flag(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
+    """True or false."""
+    return _make("flag", label, "", default, choices=FLAGS, **options)
 
 
 def series(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
@@ -544,7 +556,7 @@ def result(cls: type[T]) -> type[T]:
 @dataclass_transform(
     frozen_default=True,
     kw_only_default=True,
-    field_specifiers=(quantity, integer, text, day, choice, series, integers, names, table, tables, open_, as_in),
+    field_specifiers=(quantity, integer, text, day, choice, flag, series, integers, names, table, tables, open_, as_in),
 )
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are (not what is cached beside them)."""

@@ -4,7 +4,7 @@
 import math
 from collections.abc import Callable, Iterator, Mapping
 
-from ..bearings.result import BearingResult
+from ..bearings.plain.result import PlainResult
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import called
 from ..countershaft.shafts import ShaftsResult
@@ -70,7 +70,7 @@ def heads(results: Results, key: str) -> list[Published]:
         forces, couples = ([v for v in left if v is not None and v.unit == unit] for unit in ("N", "N·m"))
         return [v for v in (*forces, *rolls, *couples) if v is not None and v.inside > NOTHING]
     if len(results.design.shafts) > 1 and key == "bearings":
-        return sorted(results.values_of(BearingResult.film_edge), key=lambda v: v.shown)
+        return sorted(results.values_of(PlainResult.film_edge), key=lambda v: v.shown)
     own = {value.id: value for value in results.outcomes[key].values()}
     return next(step for step in STEPS if step.key == key).heads(own)
 
@@ -229,7 +229,7 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
         (Text("slope"), extreme(max, slopes)),
         (Text("first critical speed"), shown(CountershaftResult.first_critical_speed)),
     ]
-    edges = results.values_of(BearingResult.film_edge)
+    edges = results.values_of(PlainResult.film_edge)
     if len(edges) == 2:
         front, rear = Amount(edges[0].shown, digits=3), Amount(edges[1].shown, edges[1].unit, digits=3)
         numbers.append((Text("films at the edge"), Text("{front} / {rear}", front=front, rear=rear)))
@@ -238,7 +238,7 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
     roots = {f"safety_bending_{wheel.name}" for wheel in design.gears.wheels} if design.gears is not None else ()
     bending = [v for id, v in results.values().items() if id.rpartition(".")[2] in roots]
     numbers += [
-        (Text("oil leaves with"), extreme(max, results.values_of(BearingResult.outlet_temperature))),
+        (Text("oil leaves with"), extreme(max, results.values_of(PlainResult.outlet_temperature))),
         (Text("backlash"), _backlash(results)),
         (Text("S_H"), extreme(min, results.values_of(MeshStrength.safety_contact))),
         (Text("S_F"), extreme(min, bending)),

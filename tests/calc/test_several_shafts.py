@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from calc import solve as recipe
-from calc.bearings.result import BearingResult
+from calc.bearings.plain.result import PlainResult
 from calc.countershaft.supports import gear_place
 from calc.design.step_inputs import parts_of_power, power, shaft_drive
 from calc.design.toml_file import Document, design, read
@@ -167,7 +167,7 @@ def test_the_ids_of_a_shaft_with_a_twin_have_its_name_and_are_found_by_the_old_o
             assert rest.startswith("residual")
     was = alone.values()["bearings.front.film"]
     assert values["bearings.shaft.front.film"].inside == pytest.approx(was.inside, rel=1e-9)
-    assert both.value(BearingResult.film).id == "bearings.shaft.front.film"
+    assert both.value(PlainResult.film).id == "bearings.shaft.front.film"
     assert both.check("bearings.front.film_edge") is both.check("bearings.shaft.front.film_edge")
     assert both.check("countershaft.slope_front") is both.check("countershaft.shaft.slope_front") is not None
     assert both.check("countershaft.residual").id == "countershaft.residual"

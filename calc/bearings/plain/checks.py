@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from ...countershaft.inputs import ShaftInputs
-from ...countershaft.rows import RELIEF, RELIEF_LENGTH, ROW, SHAFT, BearingRow, called, row_key
+from ...countershaft.rows import ROW, SHAFT, BearingRow, called, row_key
 from ...library import journal_rules as rules
 from ...library.catalogue import Material, Oil, proof_of
 from ...library.journal_rules import named_at
@@ -17,15 +17,17 @@ from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy, by_key, down, up
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ...sheet.units import Metre
-from ..inputs import SLOPE_TAKEN, BearingsInputs
-from ..result import BearingResult, RouteResult
+from ..inputs import BearingsInputs
 from . import formulas as f
 from .corners import Corners
 from .film.table import RAIMONDI_BOYD
+from .inputs import SLOPE_TAKEN
 from .materials import running_surface
+from .result import PlainResult, RouteResult
 from .routes import supply
 from .routes.routes import ROUTES
 from .routes.side_by_side import SPREAD
+from .row import RELIEF, RELIEF_LENGTH
 from .seats.checks import seat_checks, unknown_check
 from .seats.result import SplitResult
 from .suitability import DIAMETER, LENGTH, MATERIAL_TEMPERATURE, OIL, SUPPLY_TEMPERATURE
@@ -57,7 +59,7 @@ SLOPE = dotted(ROW, BearingRow.slope)
 CORE = dotted(SHAFT, ShaftInputs.core_radius)
 SUPPLY_PRESSURE = dotted("bearings", BearingsInputs.supply_pressure)
 HOLE = dotted("bearings", BearingsInputs.hole_diameter)
-ASKED = dotted("bearings", "B", BearingResult.kreisle_film)
+ASKED = dotted("bearings", "B", PlainResult.kreisle_film)
 KREISLE = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra; what runs in: rule of this program")
 
 FILM_EDGE = CheckRule(
@@ -71,7 +73,7 @@ FILM_EDGE = CheckRule(
         "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."
     ),
     role="physics",
-    value_id=dotted("bearings", "B", BearingResult.film_edge),
+    value_id=dotted("bearings", "B", PlainResult.film_edge),
     limit_id=ASKED,
     moved_by=(LENGTH, *ROUGHNESSES, *CLEARANCE, CORE, OIL),
     short=Text("film"),
@@ -123,7 +125,7 @@ FILM_EDGE_SHEARED = CheckRule(
     source=KREISLE + Text("; viscosity at high shear: SAE J300, least of the grade, from memory"),
     advice=Text("As for the film at the edge; or give the viscosity of the oil at high shear (HTHS)."),
     cause=FILM_EDGE.id,
-    value_id=dotted("bearings", "B", BearingResult.film_sheared),
+    value_id=dotted("bearings", "B", PlainResult.film_sheared),
     limit_id=ASKED,
     moved_by=(LENGTH, *ROUGHNESSES, *CLEARANCE, OIL),
 )
@@ -148,7 +150,7 @@ FILM_OVERSPEED = CheckRule(
     source=KREISLE,
     advice=Text("As for the film at the edge."),
     cause=FILM_EDGE.id,
-    value_id=dotted("bearings", "B", BearingResult.film_overspeed),
+    value_id=dotted("bearings", "B", PlainResult.film_overspeed),
     limit_id=ASKED,
     moved_by=(LENGTH, *ROUGHNESSES, *CLEARANCE, dotted("bearings", BearingsInputs.overspeed)),
 )
@@ -174,7 +176,7 @@ FILM_EDGE_USUAL = CheckRule(
     source=Text("ISO 7902-3, in its manner"),
     advice=Text("Lengthen the bearing or lower the clearance."),
     cause=FILM_EDGE.id,
-    value_id=dotted("bearings", "B", BearingResult.film_edge),
+    value_id=dotted("bearings", "B", PlainResult.film_edge),
     moved_by=(LENGTH, *CLEARANCE),
 )
 FILM_DOUBLE_LOAD = CheckRule(
@@ -185,8 +187,8 @@ FILM_DOUBLE_LOAD = CheckRule(
     unit="µm",
     source=rules.DESIGN_FACTOR,
     advice=Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."),
-    value_id=dotted("bearings", "B", BearingResult.film_double_load),
-    limit_id=dotted("bearings", "B", BearingResult.trumpler_film),
+    value_id=dotted("bearings", "B", PlainResult.film_double_load),
+    limit_id=dotted("bearings", "B", PlainResult.trumpler_film),
     moved_by=(LENGTH, *CLEARANCE, OIL),
     short=Text("film, 2 F"),
 )
@@ -199,8 +201,8 @@ FILM_TRUMPLER = CheckRule(
     source=rules.TRUMPLER,
     advice=Text("Lengthen the bearing, lower the clearance, or take a thicker oil."),
     cause=FILM_DOUBLE_LOAD.id,
-    value_id=dotted("bearings", "B", BearingResult.film),
-    limit_id=dotted("bearings", "B", BearingResult.trumpler_film),
+    value_id=dotted("bearings", "B", PlainResult.film),
+    limit_id=dotted("bearings", "B", PlainResult.trumpler_film),
     moved_by=(LENGTH, *CLEARANCE, OIL),
 )
 FILM_PRESSURE = CheckRule(
@@ -212,7 +214,7 @@ FILM_PRESSURE = CheckRule(
     unit="MPa",
     advice=Text("Lengthen the bearing, take a larger journal or a stronger seat."),
     role="physics",
-    value_id=dotted("bearings", "B", BearingResult.film_pressure_max),
+    value_id=dotted("bearings", "B", PlainResult.film_pressure_max),
     moved_by=(LENGTH, DIAMETER, dotted("bearings", BearingsInputs.housing_material)),
     short=Text("pressure"),
 )
@@ -225,7 +227,7 @@ FILM_BAND = CheckRule(
     "%",
     RAIMONDI_BOYD,
     Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."),
-    value_id=dotted("bearings", "B", BearingResult.film_band),
+    value_id=dotted("bearings", "B", PlainResult.film_band),
     moved_by=(*CLEARANCE, OIL),
 )
 TEMPERATURE = CheckRule(
@@ -238,7 +240,7 @@ TEMPERATURE = CheckRule(
     Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),
     Text("More oil (larger hole, more pressure, more clearance) or cooler oil."),
     role="physics",
-    value_id=dotted("bearings", "B", BearingResult.outlet_temperature),
+    value_id=dotted("bearings", "B", PlainResult.outlet_temperature),
     moved_by=(SUPPLY_TEMPERATURE, HOLE, SUPPLY_PRESSURE, *CLEARANCE),
     short=Text("oil"),
 )
@@ -265,7 +267,7 @@ TEMPERATURE_TRUMPLER = CheckRule(
     rules.TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
     Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."),
     cause="bearings.temperature_trumpler",
-    value_id=dotted("bearings", "B", BearingResult.outlet_temperature),
+    value_id=dotted("bearings", "B", PlainResult.outlet_temperature),
     moved_by=(SUPPLY_TEMPERATURE, HOLE, SUPPLY_PRESSURE),
 )
 TEMPERATURE_RISE_USUAL = CheckRule(
@@ -278,7 +280,7 @@ TEMPERATURE_RISE_USUAL = CheckRule(
     Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay"),
     Text("More oil, or a thinner one."),
     cause=TEMPERATURE.id,
-    value_id=dotted("bearings", "B", BearingResult.temperature_rise),
+    value_id=dotted("bearings", "B", PlainResult.temperature_rise),
     moved_by=(HOLE, SUPPLY_PRESSURE, GAP, OIL),
     short=Text("oil rise"),
 )
@@ -292,7 +294,7 @@ SPECIFIC_LOAD = CheckRule(
     rules.FINOTTI,
     Text("A larger journal helps as well."),
     demand=True,
-    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    value_id=dotted("bearings", "B", PlainResult.specific_load),
     moved_by=(LENGTH, DIAMETER),
     short=Text("load"),
 )
@@ -307,7 +309,7 @@ SPECIFIC_LOAD_USUAL = CheckRule(
     Text("A larger journal helps as well."),
     demand=True,
     cause=SPECIFIC_LOAD.id,
-    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    value_id=dotted("bearings", "B", PlainResult.specific_load),
     moved_by=(LENGTH, DIAMETER),
 )
 HEAT_INDEX = CheckRule(
@@ -319,7 +321,7 @@ HEAT_INDEX = CheckRule(
     "N·rpm/mm",
     advice=Text("A longer bearing carries off more heat."),
     demand=True,
-    value_id=dotted("bearings", "B", BearingResult.heat_index),
+    value_id=dotted("bearings", "B", PlainResult.heat_index),
     moved_by=(LENGTH,),
     short=Text("heat"),
 )
@@ -333,7 +335,7 @@ CLEARANCE_COLD = CheckRule(
     advice=Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."),
     role="physics",
     zero="the clearance at its reference temperature",
-    value_id=dotted("bearings", "B", BearingResult.clearance_cold),
+    value_id=dotted("bearings", "B", PlainResult.clearance_cold),
     moved_by=(*CLEARANCE, dotted("bearings", BearingsInputs.housing_material)),
     short=Text("cold gap"),
 )
@@ -360,7 +362,7 @@ LENGTH_RATIO = CheckRule(
     "in",
     source=rules.FINOTTI,
     advice=Text("Change length or diameter."),
-    value_id=dotted("bearings", "B", BearingResult.length_ratio),
+    value_id=dotted("bearings", "B", PlainResult.length_ratio),
     moved_by=(LENGTH, DIAMETER),
     short=Text("length ratio"),
 )
@@ -372,7 +374,7 @@ LENGTH_RATIO_USUAL = CheckRule(
     "in",
     source=Text("Finotti 2013, 5.5.2"),
     advice=Text("Change length or diameter."),
-    value_id=dotted("bearings", "B", BearingResult.length_ratio),
+    value_id=dotted("bearings", "B", PlainResult.length_ratio),
     moved_by=(LENGTH, DIAMETER),
 )
 TRANSITION = CheckRule(
@@ -383,7 +385,7 @@ TRANSITION = CheckRule(
     unit="rpm",
     source=Text(f.least_speed.source),
     advice=Text("A thicker or cooler oil, or a lower specific load."),
-    limit_id=dotted("bearings", "B", BearingResult.least_speed),
+    limit_id=dotted("bearings", "B", PlainResult.least_speed),
     moved_by=(OIL, SUPPLY_TEMPERATURE, LENGTH),
     short=Text("speed"),
 )
@@ -394,7 +396,7 @@ MCKEE = CheckRule(
     Text("McKee number, cP·rpm/psi"),
     source=Text("McKee & McKee 1932, after Finotti 2013, 5.4.1; 30 is the transition"),
     advice=Text("A thicker or cooler oil, or a lower specific load, for a stable film."),
-    value_id=dotted("bearings", "B", BearingResult.mckee_number),
+    value_id=dotted("bearings", "B", PlainResult.mckee_number),
     moved_by=(OIL, SUPPLY_TEMPERATURE, LENGTH),
 )
 MISALIGNMENT = CheckRule(
@@ -417,7 +419,7 @@ FIT = CheckRule(
     "in",
     "µm",
     Text("ISO 286"),
-    value_id=dotted("bearings", "B", BearingResult.clearance),
+    value_id=dotted("bearings", "B", PlainResult.clearance),
     moved_by=(*FITS, GAP),
 )
 ROUTES_SPREAD = CheckRule(
@@ -432,7 +434,7 @@ ROUTES_SPREAD = CheckRule(
         most=Amount(SPREAD * 100),
     ),
     cause="bearings.routes_spread",
-    value_id=dotted("bearings", "B", BearingResult.routes_spread),
+    value_id=dotted("bearings", "B", PlainResult.routes_spread),
 )
 SHEAR_RATE = CheckRule(
     "bearings.B.shear_rate",
@@ -444,7 +446,7 @@ SHEAR_RATE = CheckRule(
     Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
     Text("The film is solved once more with the viscosity at high shear (HTHS)."),
     cause="bearings.shear_rate",
-    value_id=dotted("bearings", "B", BearingResult.shear_rate),
+    value_id=dotted("bearings", "B", PlainResult.shear_rate),
     moved_by=(OIL, dotted("bearings", BearingsInputs.viscosity_tolerance)),
 )
 FRICTION_REGIME = CheckRule(
@@ -537,7 +539,7 @@ def on_bearing(
     return rule(value, limit, at=place, name=named_at(rule.name, place), **more)
 
 
-def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
+def checks(place: str, r: PlainResult, housing: Material) -> Iterator[Check]:
     """Of one bearing; `housing`: what a bare seat is of.  The film of a journal that runs centred is not judged."""
     bearing, inputs, lubricant = r.seat.bearing, r.seat.inputs, r.seat.lubricant
     if not r.seat.centred:
@@ -595,7 +597,7 @@ def checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
         yield on_bearing(SUPPLY_RANGE, place, width, rules.SUPPLY_WIDTH)
 
 
-def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
+def _film_checks(place: str, r: PlainResult) -> Iterator[Check]:
     lost = lost_at_edge(r)
     yield on_bearing(FILM_EDGE, place, r.film_edge, r.kreisle_film, missing=edge_missing(r, r.film_edge), base=lost)
     yield on_bearing(FILM_DOUBLE_LOAD, place, r.film_double_load, r.trumpler_film)
@@ -639,7 +641,7 @@ def _film_checks(place: str, r: BearingResult) -> Iterator[Check]:
         yield on_bearing(FILM_EDGE_USUAL, place, r.film_edge, h_lim, base=lost)
 
 
-def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
+def _seat_checks(place: str, r: PlainResult, housing: Material) -> Iterator[Check]:
     """What the seat carries, the length of the bearing, and the clearance that the cold leaves."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
     lands = supply.lands(inputs)
@@ -660,7 +662,7 @@ def _seat_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Ch
     yield CLEARANCE_COLD(r.clearance_cold, 0.0, at=place, name=name, scale=r.clearance)
 
 
-def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterator[Check]:
+def _pressure_checks(place: str, r: PlainResult, housing: Material) -> Iterator[Check]:
     """The film's pressure on bare metal, and on a lining whose yield stress is known."""
     p, bush = r.film_pressure_max, r.seat.inputs.bush_material
     strength, missing = Text("elasticity, proof stress of {name}", name=housing.name), None
@@ -679,7 +681,7 @@ def _pressure_checks(place: str, r: BearingResult, housing: Material) -> Iterato
     yield on_bearing(FILM_PRESSURE, place, p, limit, source=strength, missing=missing)
 
 
-def lost_at_edge(r: BearingResult) -> Metre:
+def lost_at_edge(r: PlainResult) -> Metre:
     """What the slope leaves at the edge where there is no film between: known, however well the film is."""
     return r.film_edge - r.film
 
@@ -688,7 +690,7 @@ def lost_at_edge(r: BearingResult) -> Metre:
 
 
 def edge_missing(
-    r: BearingResult,
+    r: PlainResult,
     edge: Metre | None,
     *,
     unsheared: Metre | None = None,
@@ -715,7 +717,7 @@ def edge_missing(
     return Missing(tuple(keys), tuple(taken), best, math.nan if edge is None else edge) if keys else None
 
 
-def _split_missing(r: BearingResult, film: Metre) -> Missing | None:
+def _split_missing(r: PlainResult, film: Metre) -> Missing | None:
     """The same, and the relief where it is not given: at best there is none."""
     missing, row = edge_missing(r, film), r.seat.bearing
     reliefs = ((BearingRow.relief, row.relief), (BearingRow.relief_length, row.relief_length))
@@ -734,13 +736,13 @@ def _split_missing(r: BearingResult, film: Metre) -> Missing | None:
     return Missing((*missing.keys, *keys), (*missing.taken, taken), best + of_slope, film)
 
 
-def fits_missing(r: BearingResult) -> list[str]:
+def fits_missing(r: PlainResult) -> list[str]:
     """The keys of the fits that are assumed."""
     inputs = r.seat.inputs
     return [key for key, fit in zip(FITS, (inputs.journal_fit, inputs.seat_fit)) if isinstance(fit, Assumed)]
 
 
-def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
+def _corner_checks(place: str, r: PlainResult) -> Iterator[Check]:
     """The limits once more at the worst corner of the tolerances, given or assumed."""
     c, inputs, exact = r.corners, r.seat.inputs, r.corners.exact
     taken = (Text("IT7 for what has no fit"),)
@@ -788,7 +790,7 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
     )
 
 
-def _outside(r: BearingResult) -> Text:
+def _outside(r: PlainResult) -> Text:
     """Which routes are further off than the spread allows, by how much and why."""
     far_off = [
         Text(

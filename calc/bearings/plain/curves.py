@@ -18,11 +18,12 @@ from ...sheet.functions import root
 from ...sheet.step import Curve, Series, axis_label
 from ...sheet.text import Amount, Name, Text
 from ...sheet.value import unlinked, untraced
-from ..result import BearingResult, BearingsResult
+from ..result import BearingsResult
 from .corners import corner_values
 from .film import reynolds, table
 from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE
 from .film.table import ECCENTRICITIES, FilmPoint, FilmRangeError, film_at
+from .result import PlainResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint, resized
 from .routes.supply import lands
@@ -33,7 +34,7 @@ POINTS = 25
 SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance
 
 
-def curves(place: str, r: BearingResult) -> tuple[Curve, ...]:
+def curves(place: str, r: PlainResult) -> tuple[Curve, ...]:
     return _over_speed(place, r), _over_clearance(place, r)
 
 
@@ -43,8 +44,8 @@ def in_films(found: BearingsResult) -> Iterator[Curve]:
         return
     z, way = found.line
     rows = list(found.bearings.values())
-    places = np.array([r.seat.bearing.position for r in rows]) * 1e3
-    gap = np.array([r.clearance_hot for r in rows]) / 2 * 1e6
+    places = np.array([r.row.position for r in rows]) * 1e3
+    gap = np.array([r.running_clearance for r in rows]) / 2 * 1e6
     largest = way[np.abs(way).argmax()]
     turned = way * np.conj(largest) / (np.abs(largest) or 1.0) * 1e6
     series = (
@@ -57,7 +58,7 @@ def in_films(found: BearingsResult) -> Iterator[Curve]:
     yield Curve("in_films", title, axis_label("from mid-shaft", "mm"), axis_label("way of the axis", "µm"), series)
 
 
-def _over_speed(place: str, r: BearingResult) -> Curve:
+def _over_speed(place: str, r: PlainResult) -> Curve:
     rpm, film = np.array(r.sweep.speeds) * 60, np.array(r.sweep.films) * 1e6
     edge = (r.film - r.film_edge) * 1e6
     series = [Series(Text("mid-bearing"), rpm, film), Series(Text("at the edge"), rpm, film - edge)]
@@ -85,7 +86,7 @@ def _over_speed(place: str, r: BearingResult) -> Curve:
     )
 
 
-def _films_at_corners(r: BearingResult) -> Array:
+def _films_at_corners(r: PlainResult) -> Array:
     """The smallest film at each corner of the tolerances and each speed; nan where there is none."""
     sweep, (g, factor) = r.sweep, corner_values(r.seat)
     count = len(sweep.speeds)
@@ -104,12 +105,12 @@ def clearance_points(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple
     return replace(seat, clearance=np.tile(seat.clearance * SHARES, 2)), replace(duty, load=load)
 
 
-def over_clearance(r: BearingResult) -> Film[Array]:
+def over_clearance(r: PlainResult) -> Film[Array]:
     """The films at `clearance_points`."""
     return settled(*clearance_points(r.seat, r.duty))
 
 
-def _over_clearance(place: str, r: BearingResult) -> Curve:
+def _over_clearance(place: str, r: PlainResult) -> Curve:
     film, edge = over_clearance(r).film, r.film - r.film_edge
     clearance = r.clearance * SHARES * 1e6
     series = (
@@ -149,7 +150,7 @@ EFFECTS = (Text("smallest film"), Text("largest pressure"), Text("temperature ri
 LG_S = Text("lg S")
 
 
-def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
+def charts(results: dict[str, PlainResult]) -> Iterator[Curve]:
     """Every chart that can be drawn: where a film has no solution its chart is left out, and the others stay."""
     first = next(iter(results.values()))
     makers: list[Callable[[], Iterable[Curve]]] = []
@@ -168,7 +169,7 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
         yield from some
 
 
-def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
+def _pressure(place: str, r: PlainResult) -> Iterator[Curve]:
     """Around the middle plane, and along where it is largest: as designed, with the journal's slope, and parted by a
     groove around, where each half carries half of the load."""
     inputs, length = r.seat.inputs, r.seat.bearing.length * 1e3
@@ -202,7 +203,7 @@ def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
     yield Curve(f"pressure_along_{place}", title, axis_label("z", "mm"), pressure, tuple(along), (mean,))
 
 
-def _sloping(r: BearingResult) -> reynolds.MisalignedFilm | None:
+def _sloping(r: PlainResult) -> reynolds.MisalignedFilm | None:
     """The film that carries the same load with the journal's slope; None: it has none, or so much that an edge leaves
     the range."""
     tilt = (r.film - r.film_edge) / (r.clearance_hot / 2)
@@ -223,7 +224,7 @@ def _film(eccentricity: float, length_ratio: float) -> reynolds.FilmSolution:
     )
 
 
-def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
+def _clearance(place: str, r: PlainResult) -> Iterator[Curve]:
     over, clearance = over_clearance(r), r.clearance * SHARES * 1e6
     pressure = np.asarray(over.largest_pressure) / r.film_pressure_max
     effects = over.film / r.film, pressure, over.temperature_rise / r.temperature_rise
@@ -232,7 +233,7 @@ def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
     yield Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), OVER_DESIGN, series)
 
 
-def _length(place: str, r: BearingResult) -> Iterator[Curve]:
+def _length(place: str, r: PlainResult) -> Iterator[Curve]:
     """Longer and thinner, shorter and thicker, with the same projected area and relative clearance."""
     bearing, points = r.seat.bearing, []
     area, psi = bearing.diameter * bearing.length, r.clearance / bearing.diameter
@@ -252,7 +253,7 @@ def _length(place: str, r: BearingResult) -> Iterator[Curve]:
     yield Curve(f"length_effects_{place}", title, Text("l/d"), OVER_DESIGN, series)
 
 
-def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
+def _allowable(place: str, r: PlainResult) -> Iterator[Curve]:
     """The specific load at which the film at the edge is as thin as Kreisle lets it be, over the length of this
     journal, all else as designed: parallel it rises with the length, a journal that slopes loses its edges."""
     bearing, inputs = unlinked(r.seat.bearing), r.seat.inputs
@@ -283,7 +284,7 @@ def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
     yield Curve(f"allowable_load_{place}", title, Text("l/d"), axis_label("p", "MPa"), tuple(series))
 
 
-def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
+def _raimondi_boyd(place: str, r: PlainResult) -> Iterator[Curve]:
     series = [Series(label, np.log10(film.sommerfeld), 1 - ECCENTRICITIES) for label, film in _published(r)]
     series += _band()
     series.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([1 - r.eccentricity])))
@@ -291,13 +292,13 @@ def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
     yield Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
 
 
-def _published(r: BearingResult) -> list[tuple[Text, FilmPoint[Array]]]:
+def _published(r: PlainResult) -> list[tuple[Text, FilmPoint[Array]]]:
     """The films of the published l/d and of the design's own."""
     ratios = dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))
     return [(Text("l/d = {ratio}", ratio=float(ratio)), film_at(ECCENTRICITIES, ratio)) for ratio in ratios]
 
 
-def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
+def _further_charts(place: str, r: PlainResult) -> Iterator[Curve]:
     """The other charts of 1958: friction, flow, side flow and pressure over S, with the design's point on the line of
     its length."""
     design_film = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
@@ -331,7 +332,7 @@ def _band() -> list[Series]:
     return lines
 
 
-def _duty(place: str, r: BearingResult) -> Iterator[Curve]:
+def _duty(place: str, r: PlainResult) -> Iterator[Curve]:
     """f over ZN/P: along the line of this bearing's relative clearance, down to where its film is as thin as its
     roughness."""
     film = film_at(ECCENTRICITIES, float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
@@ -345,7 +346,7 @@ def _duty(place: str, r: BearingResult) -> Iterator[Curve]:
     yield Curve(f"stribeck_{place}", title, Text("ZN/P, cP·rpm/psi"), Text("f"), (line, point), bounds)
 
 
-def _oils(r: BearingResult) -> Iterator[Curve]:
+def _oils(r: PlainResult) -> Iterator[Curve]:
     """Kinematic viscosity over temperature: the design's oil and usual ones."""
     lubricant, known = r.seat.lubricant, oils()
     T = np.linspace(40.0, 150.0, 23)
@@ -357,7 +358,7 @@ def _oils(r: BearingResult) -> Iterator[Curve]:
     yield Curve("viscosity_of_oils", title, axis_label("temperature", "°C"), Text("lg ν, mm²/s"), series)
 
 
-def _bench(r: BearingResult) -> Iterator[Curve]:
+def _bench(r: PlainResult) -> Iterator[Curve]:
     """The oil supplied over the speed, of the engine's bench run."""
     if r.sweep.bench:
         rpm, speed = np.array(r.sweep.speeds) * 60, axis_label("speed", "rpm")

@@ -24,6 +24,11 @@ from ...sheet.units import (
     RevPerSecond,
     Watt,
 )
+from ..formulas import angular_speed as angular_speed
+from ..formulas import load_at_speed as load_at_speed
+from ..formulas import load_peak as load_peak
+from ..formulas import overspeed as overspeed
+from ..formulas import speed_of_equal_loads as speed_of_equal_loads
 
 ONE_METRE_PER_SECOND: MetrePerSecond = 1.0
 ONE_PER_SECOND: RevPerSecond = 1.0
@@ -131,11 +136,6 @@ def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> 
     return modulus(n_J + n_B - 2 * n_F)
 
 
-@formula("ω", "definition of angular speed")
-def angular_speed(n: RevPerSecond) -> RadPerSecond:
-    return 2 * pi * n
-
-
 @formula("S", "Raimondi & Boyd 1958: Sommerfeld number")
 def sommerfeld(mu: PascalSecond, n_h: RevPerSecond, p: Pascal, psi: Number) -> Number:
     """>>> sommerfeld(mu=0.007281, n_h=43.33, p=1043000, psi=0.002359)
@@ -187,11 +187,6 @@ def film(g: Metre, eps: Number) -> Metre:
 @formula("e", "definition of the eccentricity ratio", unit="µm")
 def displacement(eps: Number, g: Metre) -> Metre:
     return eps * g / 2
-
-
-@formula("P/f_c", "definition: load over that of rigid supports")
-def share(P: Newton, R: Newton) -> Number:
-    return P / R
 
 
 @formula("ε", "definition of the eccentricity ratio")
@@ -304,16 +299,6 @@ def shear_factor(kappa: Number, gamma: RevPerSecond) -> Number:
     return 1 + (kappa - 1) * smallest(largest(log10(gamma / ONE_PER_SECOND) - 5, 0.0), 1.0)
 
 
-@formula(
-    "n_0",
-    "dynamics: the turning load grows with the square of the speed; the standing one is as large at this",
-    unit="rpm",
-)
-def speed_of_equal_loads(n: RevPerSecond, R_0: Newton, R: Newton) -> RevPerSecond:
-    """Below it the load swings about the standing part instead of turning round."""
-    return n * sqrt(R_0 / R)
-
-
 @formula("p_0", "dynamics, load at the start: the standing part alone", unit="MPa")
 def load_at_start(R_0: Newton, d: Metre, l: Metre) -> Pascal:
     return R_0 / (d * l)
@@ -341,25 +326,6 @@ def viscosity_factor(t_nu: Number, o: Number) -> Number:
 )
 def viscosity_at_corner(mu: PascalSecond, k: Number) -> PascalSecond:
     return k * mu
-
-
-@formula("n_over", "definition: overspeed above the highest speed", unit="rpm", names={"n": "n_max"})
-def overspeed(n: RevPerSecond, s: Number) -> RevPerSecond:
-    return n * (1 + s)
-
-
-@formula(
-    "F",
-    "dynamics: load of eccentric masses, which grows with the square of the speed",
-    names={"F": "F_rated", "n_0": "n_rated"},
-)
-def load_at_speed(F: Newton, n: RevPerSecond, n_0: RevPerSecond) -> Newton:
-    return F * (n / n_0) ** 2
-
-
-@formula("R_max", "statics: the standing part at the moment when it points with the turning one")
-def load_peak(F: Newton, R_0: Newton) -> Newton:
-    return F + R_0
 
 
 @formula("h_orb", "geometry, smallest film over a turn: less the excursion towards the narrowest film", unit="µm")
@@ -455,11 +421,6 @@ def least_speed_uncapped(u: MetrePerSecond, n_T: RevPerSecond) -> RevPerSecond:
 )
 def film_deviation(h_0: Metre, reference: Metre) -> Number:
     return modulus(h_0 / reference - 1)
-
-
-@formula("φ'", "geometry: a shaft mirrored in the vertical plane, turning the other way")
-def mirrored_phase(phi: Radian) -> Radian:
-    return -phi
 
 
 @formula("ZN/P", "McKee & McKee 1932, after Finotti 2013, 5.4.1: in cP·rpm/psi", names={"n_h": "n"})

@@ -12,30 +12,28 @@ from typing import Any, Generic
 
 import numpy as np
 
-from ...countershaft.result import Standing
-from ...countershaft.rows import ROW, BearingRow, called, titled
+from ...countershaft.rows import ROW, BearingRow, titled
 from ...library import journal_rules as rules
-from ...sheet.arrays import Array, Value
+from ...sheet.arrays import Array, BoolArray, Value
 from ...sheet.check import Check, CheckRule
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import single_or_many
 from ...sheet.quantity import dotted
 from ...sheet.record import record
-from ...sheet.step import Outcome
-from ...sheet.text import Text
+from ...sheet.text import Amount, Text
 from ...sheet.units import MetrePerSecond, Newton, Watt
-from ...sheet.value import about, based_on, trace, untraced
-from ..as_supports import runs_centred
+from ...sheet.value import based_on, untraced
 from ..inputs import BearingsInputs
-from ..result import BearingResult, BearingsResult, StandingResult, TwinBearing, TwinBearings
 from . import formulas as f
+from .as_support import runs_centred
 from .checks import FILM_EDGE_STANDING, edge_missing, lost_at_edge, on_bearing
 from .film.dynamics import orbit
+from .result import PlainResult, StandingResult
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, settled
-from .seats.checks import BUSH_STRESS, SEAT_FRETTING, SEAT_PRESS, SEAT_STRESS, SEAT_TURN, pressed_checks
+from .seats.checks import BUSH_STRESS, SEAT_FRETTING, SEAT_PRESS, SEAT_STRESS, SEAT_TURN
 from .seats.formulas import press_needed
 from .seats.result import SeatResult
 from .seats.seat import chosen, seated
@@ -44,7 +42,6 @@ from .suitability import DIAMETER, LENGTH
 PRESSED = (SEAT_PRESS, SEAT_FRETTING, SEAT_TURN, SEAT_STRESS, BUSH_STRESS)  # on the largest load of a turn
 
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
-ALIKE = 1e-3  # of a standing load: so much more of it makes no other film
 
 
 START_LOAD = CheckRule(
@@ -74,32 +71,7 @@ STANDING_SHARE = CheckRule(
 )
 
 
-def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> Outcome[BearingsResult]:
-    """The same outcome with the standing part of each bearing's load."""
-    if stands is None or outcome.result is None or not stands.stationary:
-        return outcome
-    bearings, checks, notes = {}, list(outcome.checks), list[Text]()
-    with trace() as lines:
-        for place, load in stands.stationary.items():
-            bearing = outcome.result.bearings[place]
-            with about(Text("{place} bearing, standing part of the load", place=called(place))):
-                part = _standing(bearing, load, place, notes)
-                bearing = replace(bearing, standing=part, seat_=_more_pressed(bearing, part.load_peak))
-            bearings[place] = bearing
-            checks = [check for check in checks if not (check.rule in PRESSED and f".{place}." in check.id)]
-            if bearing.seat_ is not None:
-                checks += pressed_checks(place, bearing.seat.bearing, bearing.seat_)
-            checks += _checks(place, bearing, part)
-    return replace(
-        outcome,
-        result=replace(outcome.result, bearings=bearings),
-        checks=tuple(checks),
-        lines=(*outcome.lines, *lines),
-        notes=outcome.notes + tuple(notes),
-    )
-
-
-def _more_pressed(bearing: BearingResult, peak: Newton) -> SeatResult | None:
+def more_pressed(bearing: PlainResult, peak: Newton) -> SeatResult | None:
     """The seat under the largest load of a turn, which asks more of its fit; an interference that is chosen is so much
     larger."""
     seat, row = bearing.seat_, bearing.seat.bearing
@@ -114,24 +86,7 @@ def _more_pressed(bearing: BearingResult, peak: Newton) -> SeatResult | None:
     return seated(rings, row, bearing.clearance, peak, bearing.friction_power, omega, seat.temperatures)
 
 
-def of_twin(
-    original: Outcome[BearingsResult], stands: Standing | None, theirs: Standing | None
-) -> Outcome[BearingsResult] | None:
-    """The bearings of a twin with the standing part of their loads, and what is judged of that; None where nowhere more
-    stands than on its original's (`theirs`), by which they are judged."""
-    if stands is None or theirs is None or original.result is None:
-        return None
-    more = (load > theirs.stationary[place] * (1 + ALIKE) for place, load in stands.stationary.items())
-    return with_standing(Outcome("bearings", result=original.result), stands) if any(more) else None
-
-
-def told(twin: BearingsResult) -> TwinBearings:
-    """What is not its original's."""
-    stands = {place: bearing.standing for place, bearing in twin.bearings.items()}
-    return TwinBearings(bearings={place: TwinBearing(standing=part) for place, part in stands.items() if part})
-
-
-def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text]) -> StandingResult:
+def standing(bearing: PlainResult, R_0: float, place: str, notes: list[Text]) -> StandingResult:
     peak = f.load_peak(F=bearing.load, R_0=R_0)
     at_start = f.load_at_start(R_0=R_0, d=bearing.seat.bearing.diameter, l=bearing.seat.bearing.length)
     film_peak = film_orbit = amplitude = equal = None
@@ -163,14 +118,14 @@ def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text])
     )
 
 
-def _share_is_judged(bearing: BearingResult) -> bool:
+def _share_is_judged(bearing: PlainResult) -> bool:
     """Whether a check says that a standing load is too large for an orbit of first order, which is then shown all the
     same: without it more load would seem to leave more film."""
     shared = bearing.on_shaft is not None and bearing.on_shaft.standing_stiffness is not None
     return shared and not bearing.seat.centred
 
 
-def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
+def standing_checks(place: str, bearing: PlainResult, part: StandingResult) -> Iterator[Check]:
     yield on_bearing(START_LOAD, place, part.load_at_start, rules.TRUMPLER_START_LOAD)
     if _share_is_judged(bearing):
         yield on_bearing(STANDING_SHARE, place, part.standing_load / bearing.load, SMALL)
@@ -227,8 +182,40 @@ class Response(Generic[Value]):
     slope: Value  # m/s
     curvature: Value  # m/s
 
+    @property
+    def unsteady(self) -> bool:
+        """Whether at some point no film is found beside the load."""
+        return not np.all(np.isfinite(self.slope + self.curvature))
+
     def power(self, R_0: Value) -> Value:
         return over_a_turn(P=self.friction_power, R_0=R_0, F=self.load, S=self.slope, K=self.curvature)
+
+    def under(self, R_0: Any) -> Any:
+        """The friction over a turn with R_0 standing; where nothing is known of that, the friction without."""
+        if not np.any(np.isfinite(self.slope + self.curvature)):
+            return self.friction_power
+        P_f = self.power(R_0)
+        return np.where(np.isfinite(P_f), P_f, self.friction_power) if self.unsteady else P_f
+
+    def only(self, some: BoolArray) -> "Response[Any]":
+        """Some of many operating points."""
+        return Response(**{name: x[some] if np.ndim(x) else x for name, x in vars(self).items()})
+
+    def note(self, place: str, R_0: Any) -> Text | None:
+        """What is rough where the load R_0 stands."""
+        if self.unsteady:
+            return Text(
+                "{place} journal: no film is found 5 % beside its load; its friction is that of the turning load.",
+                place=titled(place),
+            )
+        if R_0 > SECOND_ORDER * self.load:
+            percent = Amount(R_0 / self.load * 100, form=".0f")
+            return Text(
+                "{place} journal: {share}; the mean over a turn, of second order in it, is rough.",
+                place=titled(place),
+                share=Text("the standing load is {standing_load} % of the turning one", standing_load=percent),
+            )
+        return None
 
 
 def loads_beside(seat: BearingCase[Any], duty: OperatingPoint[Any]) -> tuple[BearingCase[Any], OperatingPoint[Any]]:

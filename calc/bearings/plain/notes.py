@@ -4,20 +4,22 @@
 from collections.abc import Iterator, Mapping
 
 from ...countershaft.result import CountershaftResult
-from ...countershaft.rows import RELIEF, RELIEF_LENGTH, called, titled
+from ...countershaft.rows import called, titled
 from ...library.oils import rising_rows
 from ...sheet.quantity import dotted
 from ...sheet.step import Erratum
 from ...sheet.text import COMMA, EMPTY, Amount, Text, listed
 from ...sheet.units import UNITS
 from ...sheet.value import untraced
-from ..inputs import SLOPE_TAKEN, BearingsInputs
-from ..result import BearingResult, RouteResult
+from ..inputs import BearingsInputs
+from .inputs import SLOPE_TAKEN
 from .materials import running_surface
+from .result import PlainResult, RouteResult
 from .routes import supply
 from .routes.din31652 import film_heavily_loaded
 from .routes.routes import ROUTES
 from .routes.thermal_balance import HOTTEST
+from .row import RELIEF, RELIEF_LENGTH
 from .suitability import fatigue_note
 
 TURNS = Text(
@@ -30,13 +32,13 @@ NO_RULE = 10.0  # m/s
 
 
 def notes(
-    inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, BearingResult]
+    inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, PlainResult]
 ) -> tuple[Text, ...]:
     return tuple(dict.fromkeys(note for note in _all_notes(inputs, shaft, results) if note))
 
 
 def _all_notes(
-    inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, BearingResult]
+    inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, PlainResult]
 ) -> Iterator[Text]:
     yield _load(inputs)
     reference = f"{inputs.clearance_reference_temperature:g} °C"
@@ -107,7 +109,7 @@ def _all_notes(
         )
 
 
-def _surfaces(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Iterator[Text]:
+def _surfaces(inputs: BearingsInputs, results: Mapping[str, PlainResult]) -> Iterator[Text]:
     """What the journals run on, as often as the load passes a point of it."""
     passes = abs(inputs.load_speed_ratio - inputs.bush_speed_ratio)  # for one turn of the journal
     for place, r in results.items():
@@ -120,7 +122,7 @@ def _surfaces(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> I
             yield fatigue_note(place, surface, r.film_pressure_max, passes * r.duty.speed, None)
 
 
-def _seats(results: Mapping[str, BearingResult]) -> Iterator[Text]:
+def _seats(results: Mapping[str, PlainResult]) -> Iterator[Text]:
     """What is taken of bushes and shells."""
     for place, r in results.items():
         row, seat = r.seat.bearing, r.seat_
@@ -178,7 +180,7 @@ def _load(inputs: BearingsInputs) -> Text:
     )
 
 
-def _slope(results: Mapping[str, BearingResult], shaft: CountershaftResult | None) -> Text:
+def _slope(results: Mapping[str, PlainResult], shaft: CountershaftResult | None) -> Text:
     if any(r.seat.bearing.slope is not None for r in results.values()):
         return Text(
             "The slope of the journals is the one given here (slope_mrad), not that of the counter-shaft's bending."
@@ -193,7 +195,7 @@ def _slope(results: Mapping[str, BearingResult], shaft: CountershaftResult | Non
     )
 
 
-def _on_shaft(results: Mapping[str, BearingResult], shaft: CountershaftResult | None) -> Iterator[Text]:
+def _on_shaft(results: Mapping[str, PlainResult], shaft: CountershaftResult | None) -> Iterator[Text]:
     """How the bearings carry the shaft together, and what is left out of that."""
     if any(r.on_shaft is not None for r in results.values()):
         yield Text(
@@ -217,9 +219,9 @@ def _on_shaft(results: Mapping[str, BearingResult], shaft: CountershaftResult | 
         )
 
 
-def _feeds(results: Mapping[str, BearingResult]) -> Iterator[Text]:
+def _feeds(results: Mapping[str, PlainResult]) -> Iterator[Text]:
     """How the oil comes to the bearings: to all of them, or to those that are fed alike by their names."""
-    alike: list[dict[str, BearingResult]] = []
+    alike: list[dict[str, PlainResult]] = []
     for place, r in results.items():
         there = next((some for some in alike if next(iter(some.values())).seat.inputs == r.seat.inputs), None)
         if there is None:
@@ -232,7 +234,7 @@ def _feeds(results: Mapping[str, BearingResult]) -> Iterator[Text]:
         yield note if len(said) == 1 else Text("{places}: {note}", places=listed(map(titled, places)), note=note)
 
 
-def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
+def _feed(inputs: BearingsInputs, results: Mapping[str, PlainResult]) -> Text:
     part = Text("shaft") if inputs.supply == "shaft" else Text("seat")
     if inputs.supply == "groove":
         if inputs.groove_arc is None:
@@ -283,7 +285,7 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
     )
 
 
-def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
+def errata(place: str, r: PlainResult) -> Iterator[Erratum]:
     """What the source's film rule gives for this bearing by the branch that it keeps."""
     falz = r.routes.get("falz")
     if falz is not None and 0.9 < falz.sommerfeld <= 1:

@@ -30,9 +30,9 @@ from ...sheet.units import (
 )
 from ...sheet.value import based_on, untraced
 from ..inputs import BearingsInputs
-from ..result import BearingResult
 from . import formulas as f
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings, running_surface
+from .result import PlainResult
 
 # --- what the pairing of journal and seat is judged by
 # p·v, the share of what is allowed, the turns of the load, the duty of a full film.
@@ -96,7 +96,7 @@ MATERIAL_LOAD = CheckRule(
     unit="MPa",
     advice=Text("Lengthen the bearing, take a larger journal or another bearing material."),
     demand=True,
-    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    value_id=dotted("bearings", "B", PlainResult.specific_load),
     moved_by=(LENGTH, DIAMETER, BUSH),
 )
 MATERIAL_PV = CheckRule(
@@ -110,7 +110,7 @@ MATERIAL_PV = CheckRule(
         "film the heat balance decides."
     ),
     demand=True,
-    value_id=dotted("bearings", "B", BearingResult.pressure_velocity),
+    value_id=dotted("bearings", "B", PlainResult.pressure_velocity),
     moved_by=(LENGTH, BUSH),
 )
 MATERIAL_TEMPERATURE = CheckRule(
@@ -121,7 +121,7 @@ MATERIAL_TEMPERATURE = CheckRule(
     unit="°C",
     advice=Text("Cooler or more oil, or another bearing material."),
     demand=True,
-    value_id=dotted("bearings", "B", BearingResult.outlet_temperature),
+    value_id=dotted("bearings", "B", PlainResult.outlet_temperature),
     moved_by=(SUPPLY_TEMPERATURE, dotted("bearings", BearingsInputs.hole_diameter), BUSH),
 )
 MATERIAL_HARDNESS = CheckRule(
@@ -146,7 +146,7 @@ APPLICATION_LOAD = CheckRule(
     unit="MPa",
     advice=Text("Lengthen the bearing or take a larger journal."),
     demand=True,
-    value_id=dotted("bearings", "B", BearingResult.specific_load),
+    value_id=dotted("bearings", "B", PlainResult.specific_load),
     moved_by=(LENGTH, DIAMETER),
 )
 APPLICATION_PV = CheckRule(
@@ -157,14 +157,14 @@ APPLICATION_PV = CheckRule(
     unit="MPa·m/s",
     advice=Text("Lengthen the bearing."),
     demand=True,
-    value_id=dotted("bearings", "B", BearingResult.pressure_velocity),
+    value_id=dotted("bearings", "B", PlainResult.pressure_velocity),
     moved_by=(LENGTH,),
 )
 APPLICATION_DUTY = CheckRule(
     "bearings.B.application_duty",
     "advice",
     "What bearings of this application usually have.",
-    value_id=dotted("bearings", "B", BearingResult.duty_number),
+    value_id=dotted("bearings", "B", PlainResult.duty_number),
     moved_by=(OIL, SUPPLY_TEMPERATURE, LENGTH),
 )
 LENGTH_RATIO_APPLICATION = CheckRule(
@@ -173,7 +173,7 @@ LENGTH_RATIO_APPLICATION = CheckRule(
     "What bearings of this application usually have.",
     sense="in",
     advice=Text("A longer bearing on a smaller diameter, or the other way round."),
-    value_id=dotted("bearings", "B", BearingResult.length_ratio),
+    value_id=dotted("bearings", "B", PlainResult.length_ratio),
     moved_by=(LENGTH, DIAMETER),
 )
 CLEARANCE_USUAL = CheckRule(

@@ -41,6 +41,9 @@ class Law(Protocol):
 
     def hold(self, e: Metre) -> Hold: ...
 
+    def hold_many(self, e: Array) -> Hold[Array]:
+        """The same at many distances, nan where there is no answer."""
+
     def begin(self, F: Newton) -> Metre:
         """Where a journal that it may have to hold with F is looked for first."""
 
@@ -62,6 +65,10 @@ class Spring:
 
     def hold(self, e: Metre) -> Hold:
         return Hold(self.k * e, self.k, self.k)
+
+    def hold_many(self, e: Array) -> Hold[Array]:
+        k = np.full(e.shape, self.k)
+        return Hold(self.k * e, k, k, np.zeros(e.shape), np.zeros(e.shape))
 
     def begin(self, F: Newton) -> Metre:
         return F / self.k

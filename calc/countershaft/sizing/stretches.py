@@ -108,7 +108,10 @@ def inner_gaps(shaft: ShaftInputs) -> Gaps:
     gaps = []
     for row in shaft.bearings[1:-1]:
         with about(Text("{row} bearing", row=row.in_words)):
-            gaps.append((row.position, shaft.gap if shaft.gap is not None else gap_of(l=row.length, r=fillet)))
+            if shaft.gap is not None:
+                gaps.append((row.position, shaft.gap))
+            elif row.on_shaft is not None:
+                gaps.append((row.position, gap_of(l=row.on_shaft[1], r=fillet)))
     return tuple(gaps)
 
 

@@ -96,7 +96,7 @@ def _one(
     lubricant = Lubricant(oils[name], law) if s.oil else d.lubricant
     shared = (s.oil_temperature is not None and f.oil_temperature is None, s.oil is not None and f.oil is None)
     for shaft in on if any(shared) else ():
-        supply = T if shared[0] else next(iter(on[shaft].bearings.bearings.values())).duty.supply_temperature
+        supply = T if shared[0] else next(iter(on[shaft].bearings.bearings.values())).supply_temperature
         ends[shaft] = replace(
             ends[shaft], journals=journals_at(on[shaft], 1.0, supply, lubricant if shared[1] else None)
         )

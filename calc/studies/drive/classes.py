@@ -217,7 +217,7 @@ def _beside(problem: Problem, place: str, design: Design, results: Results) -> B
     given = design.bearings is not None and design.bearings.speed_range is not None
     over = bench if bench or given or problem.binds(FILM_EDGE_SPEEDS.of(place)) else None
     bearings, shaft = results.result(BearingsResult), results.result(CountershaftResult)
-    part = bearings.bearings[place].standing if bearings is not None else None
+    part = bearings.plain[place].standing if bearings is not None else None
     if bearings is None or part is None or shaft is None or not problem.binds(FILM_EDGE_STANDING.of(place)):
         return Beside(over)
     weight = shaft.standing.weights.get(place, 0.0) if shaft.standing is not None else 0.0

@@ -155,7 +155,7 @@ class Space:
         for place in keys.places:
             d, l = rows[place].diameter * 1e3, rows[place].length * 1e3
             given, (low, high) = sizes[keys.of_bearing(place, BearingRow.length)], self._lengths(d)
-            psi = NARROWEST if seen is None else seen.bearings[place].clearance / rows[place].diameter
+            psi = NARROWEST if seen is None else seen.plain[place].clearance / rows[place].diameter
             point += [
                 _share(given, l) if given else (l - low) / (high - low),
                 (psi - NARROWEST) / (WIDEST - NARROWEST),

@@ -748,8 +748,8 @@ def _clearances(design: Design, keys: DriveKeys) -> tuple[Changes, Text]:
     start: Changes = {dotted(Design.bearings, BearingsInputs.select): None}
     grades = []
     for row in design.rows:
-        r = found.bearings[row.name]
-        if (stack := r.seat.stack) is None:
+        r = found.plain.get(row.name)
+        if r is None or (stack := r.seat.stack) is None:
             continue
         out = {BearingRow.journal: row.journal, BearingRow.finished: row.finished, BearingRow.bore: row.bore}
         start |= {keys.of_bearing(row.name, key): None for key, there in out.items() if there is not None}

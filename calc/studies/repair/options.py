@@ -28,8 +28,8 @@ from ...bearings.plain.checks import (
     TEMPERATURE_CORNER,
     TRANSITION,
 )
+from ...bearings.plain.result import PlainResult
 from ...bearings.plain.selection.variants import closer_fits, variants
-from ...bearings.result import BearingResult
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
 from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.result import CountershaftResult
@@ -145,7 +145,7 @@ def repair_option(
     limits = any(c.verdict == "fail" for c in left) or (bool(left) and left[0].id == group[0].id)
     quality = NEAR if limits else BREAKS if breaks else AS_GIVEN if left else ALL_CORNERS
     before, then = state.results, after.results
-    gaps = {v.id.rpartition(".")[0]: v.shown for v in then.values_of(BearingResult.clearance_cold)}
+    gaps = {v.id.rpartition(".")[0]: v.shown for v in then.values_of(PlainResult.clearance_cold)}
     return RepairOption(
         kind,
         tuple(changes),

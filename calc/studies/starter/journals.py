@@ -310,7 +310,7 @@ def share_said(results: Results) -> Text:
     why = Text(
         "That is more than 1 %, for {load} at {speed}: rolling bearings would lose less.",
         load=Amount(most.load, "N", digits=3),
-        speed=Amount(most.duty.speed * 60, "rpm", digits=4),
+        speed=Amount(most.speed * 60, "rpm", digits=4),
     )
     return Text("{said} {why}", said=said, why=why)
 

@@ -12,7 +12,8 @@ from typing import get_args, get_origin
 
 import pytest
 
-from calc.bearings.result import BearingResult, BearingsResult
+from calc.bearings.plain.result import PlainResult
+from calc.bearings.result import BearingsResult
 from calc.countershaft.result import CountershaftResult
 from calc.countershaft.rows import BearingRow
 from calc.design.model import STEP_KEYS, STEPS, Design
@@ -53,7 +54,7 @@ def test_a_value_is_found_by_its_declaration() -> None:
     results = solve(design(read(EXAMPLE)))
     stroke = results.value(EngineResult.stroke)
     assert stroke is not None and stroke.id == "engine.stroke"
-    films = results.values_of(BearingResult.film_edge)
+    films = results.values_of(PlainResult.film_edge)
     assert [v.id for v in films] == ["bearings.front.film_edge", "bearings.rear.film_edge"]
 
 

@@ -14,6 +14,7 @@ from ....sheet.quantity import result, value
 from ....sheet.record import record
 from ....sheet.value import based_on
 from ...inputs import BearingsInputs
+from ...support import OperatingPoint as OperatingPoint
 from .. import formulas as f
 from ..film.grooved import Feed, Feeds
 from ..seats import formulas as seats
@@ -96,19 +97,6 @@ class BearingCase(Generic[Value]):
 def resized(seat: BearingCase[Any], **sizes: Any) -> BearingCase[Any]:
     """The case of a bearing of another `diameter` or `length`, a number or an array of them."""
     return replace(seat, bearing=replace(seat.bearing, **sizes))
-
-
-@record
-class OperatingPoint(Generic[Value]):
-    """What a bearing has to do at one moment: load, journal speed, hydrodynamic speed and sliding speed over it, oil
-    supply."""
-
-    load: Value
-    speed: Value
-    effective_speed: Value
-    sliding_ratio: Value
-    supply_temperature: Value
-    supply_pressure: Value
 
 
 @result

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ....countershaft.rows import RELIEF, RELIEF_LENGTH
 from ....sheet.arrays import Array
 from ....sheet.units import Celsius, Metre, Newton, Number
 from ....sheet.value import based_on, untraced
@@ -16,6 +15,7 @@ from ..film import split_line
 from ..film.reynolds import ECCENTRICITY_RANGE
 from ..routes.states import BearingCase, Film, OperatingPoint
 from ..routes.thermal_balance import settled
+from ..row import RELIEF, RELIEF_LENGTH
 from ..speeds import TURNING
 from . import formulas as f
 from .result import PairResult, SeatResult, SelectResult, SplitResult

@@ -5,11 +5,11 @@ The section stands as the engine does, up is up.  Journal and housing are to sca
 relief and wall are drawn larger."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ....countershaft.rows import RELIEF, RELIEF_LENGTH, BearingRow, called, row_key
+from ....countershaft.rows import BearingRow, called, row_key
 from ....draw.drawing import (
     AXIS,
     CONTEXT,
@@ -34,13 +34,14 @@ from ....sheet.quantity import dotted
 from ....sheet.text import Amount, Text
 from ....sheet.units import Metre, Number, Radian
 from ...inputs import BearingsInputs
+from ..row import RELIEF, RELIEF_LENGTH
 from .checks import BUSH_STRESS, SEAT_FRETTING, SEAT_PRESS, SEAT_STRESS, SEAT_TURN
 from .classes import Range
 from .result import SeatResult
 from .tables import ends_of, stack_parts
 
 if TYPE_CHECKING:
-    from ...result import BearingResult
+    from ..result import PlainResult
 
 EXAGGERATED: Number = 200.0  # gap and relief, at most
 GAP: Number = 0.6  # of the journal's radius: the gap is drawn no larger
@@ -57,7 +58,7 @@ SEATS = {"bush": Text("bush"), "shells": Text("shells")}
 PRESS = {SEAT_PRESS: Text("press"), SEAT_FRETTING: Text("press"), SEAT_TURN: Text("hold")}
 
 
-def seat_sketches(results: "dict[str, BearingResult]", checks: dict[str, Check]) -> Iterator[list[Sketch]]:
+def seat_sketches(results: "Mapping[str, PlainResult]", checks: dict[str, Check]) -> Iterator[list[Sketch]]:
     """Those of each bearing of whose seat something is known, all at one scale."""
     ringed = {place: r for place, r in results.items() if r.seat_ is not None}
     gap = min((rounded(GAP * r.seat.bearing.diameter / r.clearance) for r in ringed.values()), default=1.0)
@@ -74,7 +75,7 @@ def seat_sketches(results: "dict[str, BearingResult]", checks: dict[str, Check])
             yield [replace(picture, caption=caption) for picture in found]
 
 
-def _thicker(r: "BearingResult") -> Number:
+def _thicker(r: "PlainResult") -> Number:
     """How many times its thickness a wall is drawn."""
     assert r.seat.rings is not None
     return max(1.0, rounded(WALL * r.seat.bearing.diameter / 2 / r.seat.rings.wall))
@@ -90,7 +91,7 @@ def _at(radius: Metre, angle: Radian) -> Point:
 
 
 def _section(
-    place: str, r: "BearingResult", seat: SeatResult, checks: dict[str, Check], factor: Number, thicker: Number
+    place: str, r: "PlainResult", seat: SeatResult, checks: dict[str, Check], factor: Number, thicker: Number
 ) -> Sketch:
     """`factor`: how many times the gap and the relief are drawn, `thicker`: the wall."""
     row, wall = r.seat.bearing, seat.rings.wall
@@ -189,7 +190,7 @@ LONG, HIGH, LEVEL = 10.0, 1.2, 1.2  # of the row of parts, and of one dimension 
 WALL_WIDE, OPEN = 2.0, 2.5  # of a wall, of the clearance; the rest is the journal's
 
 
-def _chain(place: str, r: "BearingResult") -> Sketch:
+def _chain(place: str, r: "PlainResult") -> Sketch:
     """Bore above; walls, clearance and journal below."""
     parts, (least, most) = stack_parts(r.seat), ends_of(r.seat)
     bore, wall = parts[0], next((part for part in parts if part.times == -2), None)

@@ -18,7 +18,7 @@ from .rings import Rings
 from .tables import LEAST, MIDDLE, MOST, ends_of, size
 
 if TYPE_CHECKING:
-    from ...result import BearingResult
+    from ..result import PlainResult
     from ..routes.states import BearingCase
 
 OVER = np.linspace(-40.0, 160.0, 101)  # °C, of the curves
@@ -54,7 +54,7 @@ def tells(seat: "BearingCase[Any]") -> bool:
     return seat.stack is not None or seat.rings is not None
 
 
-def warm_table(place: str, r: "BearingResult", told: tuple[Celsius, ...]) -> Iterator[Table]:
+def warm_table(place: str, r: "PlainResult", told: tuple[Celsius, ...]) -> Iterator[Table]:
     """At temperatures that all parts have (`told`), as supplied, at the film's mean and at the limit of the outlet."""
     if not tells(r.seat):
         return
@@ -95,7 +95,7 @@ def warm_table(place: str, r: "BearingResult", told: tuple[Celsius, ...]) -> Ite
 # --- curves
 
 
-def seat_curves(place: str, r: "BearingResult") -> Iterator[Curve]:
+def seat_curves(place: str, r: "PlainResult") -> Iterator[Curve]:
     """The clearance over temperature, all parts alike, and below it the pressure of the fit; where that comes loose is
     marked."""
     if not tells(r.seat):

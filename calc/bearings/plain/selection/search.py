@@ -20,8 +20,8 @@ from ....sheet.progress import Progress, part, rising, tell
 from ....sheet.record import record
 from ....sheet.text import COMMA, EMPTY, SEMICOLON, Text
 from ....sheet.units import Metre, Number, Radian
-from ...inputs import SLOPE_TAKEN
 from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER
+from ..inputs import SLOPE_TAKEN
 from . import ranking
 from .grid import CandidateField, fields, same_films
 from .ranking import (

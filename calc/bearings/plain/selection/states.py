@@ -17,7 +17,7 @@ import numpy as np
 
 from ....countershaft.inputs import ShaftInputs
 from ....countershaft.result import CountershaftResult
-from ....countershaft.rows import RELIEF, RELIEF_LENGTH, BearingRow, called
+from ....countershaft.rows import BearingRow, called
 from ....countershaft.sizing.stretches import gap_of
 from ....library.journal_rules import specific_load
 from ....library.lubricant import Lubricant
@@ -31,7 +31,6 @@ from ....sheet.search import Judged, judged
 from ....sheet.text import EMPTY, Amount, Name, Small, Text
 from ....sheet.units import UNITS, Kelvin, Metre, Number, Radian
 from ...inputs import BearingsInputs
-from ...solve import HTHS_TEMPERATURE
 from .. import formulas as f
 from ..checks import (
     CLEARANCE_COLD,
@@ -52,7 +51,9 @@ from ..film.reynolds import ECCENTRICITY_RANGE
 from ..routes import supply
 from ..routes.states import BearingCase, OperatingPoint, resized
 from ..routes.thermal_balance import HOTTEST, settled
+from ..row import RELIEF, RELIEF_LENGTH
 from ..seats import formulas as seats
+from ..solve import HTHS_TEMPERATURE
 from ..suitability import MATERIAL_LOAD, film_asked
 
 # --- words that the search uses over and over

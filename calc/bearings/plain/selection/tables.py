@@ -144,7 +144,7 @@ def _press_hot(choices: BearingsFound, number: str) -> float | None:
     """The least pressure of what is pressed in where the film is hottest, in MPa, of a row that was solved whole."""
     results = choices.case.seen(choices.case.results) if not number.isdigit() else choices.solved.get(int(number))
     found = None if results is None else results.result(BearingsResult)
-    seats = [] if found is None else [b.seat_ for b in found.bearings.values() if b.seat_ is not None]
+    seats = [] if found is None else [b.seat_ for b in found.plain.values() if b.seat_ is not None]
     return min((seat.press_hot / 1e6 for seat in seats), default=None)
 
 

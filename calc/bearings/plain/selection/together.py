@@ -23,11 +23,13 @@ from ....sheet.search import first, least
 from ....sheet.step import Table
 from ....sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ....sheet.units import Metre, Number, Radian, Watt
-from ...as_supports import shared
 from ...result import BearingsResult
+from ...sharing import shared
 from ...solve import condensed
+from ...support import Support
 from ..film.table import FilmRangeError
 from ..routes.states import resized
+from ..solve import PlainSupport
 from . import tables
 from .grid import FEW, KEPT, OF_FILM, CandidateField, clearances, lengths
 from .ranking import ORDERS, CandidateRow, Order, Pick, Slopes, Wanted, picks
@@ -332,25 +334,29 @@ def _loads(
     """What each bearing carries over clearances down and lengths across; nan where the films find no common place."""
     found, shaft = there.result(BearingsResult), there.result(CountershaftResult)
     assert found is not None
-    rows = tuple(r.seat.bearing for r in found.bearings.values())
+    rows = tuple(r.row for r in found.bearings.values())
     turning = condensed(case.bearings, rows, shaft)
     if turning is None or case.shaft is None:
         return {place: np.full((g.size, l.size), task.duty.load) for place, task in tasks.items()}
     sense = -1 if (case.shaft.speed_ratio or 1.0) < 0 else 1
+    duty = next(iter(found.plain.values())).duty
     at_l, at_g = (np.linspace(x[0], x[-1], min(NODES, x.size)) for x in (l, g))
     at_nodes = np.full((len(found.bearings), at_g.size, at_l.size), np.nan)
     for i, j in np.ndindex(at_g.size, at_l.size):
-        seats = [
-            replace(resized(r.seat, length=float(at_l[j])), clearance=float(at_g[i]), centred=False)
+        seats = {
+            name: replace(resized(r.seat, length=float(at_l[j])), clearance=float(at_g[i]), centred=False)
             if name in moved
             else replace(resized(r.seat, length=tasks[name].length), clearance=tasks[name].clearance)
             if name in tasks
             else r.seat
+            for name, r in found.plain.items()
+        }
+        supports: list[Support] = [
+            PlainSupport(seats[name], found.plain[name].metal) if name in seats else r.support
             for name, r in found.bearings.items()
         ]
-        duty = next(iter(found.bearings.values())).duty
         try:
-            at_nodes[:, i, j] = np.abs(shared(turning, seats, duty, sense).carried.load)
+            at_nodes[:, i, j] = np.abs(shared(turning, supports, duty, sense).carried.load)
         except (NoSolution, FilmRangeError):
             continue
     across = np.array([[np.interp(l, at_l, row) for row in of_bearing] for of_bearing in at_nodes])

@@ -25,10 +25,11 @@ from ....sheet.step import Outcome
 from ....sheet.text import EMPTY, Text
 from ....sheet.units import Metre
 from ...inputs import BearingsInputs
-from ...result import BearingResult, BearingsResult
-from ...solve import clearance_of
+from ...result import BearingsResult
 from ..checks import SPECIFIC_LOAD
+from ..result import PlainResult
 from ..seats.rings import Rings
+from ..solve import clearance_of
 from ..suitability import MATERIAL_LOAD
 from .states import ALWAYS_TIGHT, RATIO, BearingTask, passes_split, room, rules
 
@@ -178,7 +179,8 @@ def tasks_of(
     design; `at_own`: the tasks of the design, whose sizes a change counts from."""
     there = solved.result(BearingsResult)
     assert there is not None
-    loaded = [row for row in rows or case.rows if not there.bearings[row.name].seat.centred]
+    films = there.plain
+    loaded = [row for row in rows or case.rows if row.name in films and not films[row.name].seat.centred]
     return {row.name: _task(case, row, solved, (at_own or {}).get(row.name)) for row in loaded}
 
 
@@ -241,7 +243,7 @@ def _task(case: SelectionCase, bearing: BearingRow, solved: Solution, at_own: Be
     there = solved.result(BearingsResult)
     assert there is not None  # what `solved_or_probed` gave
     place, bearings = bearing.name, case.bearings
-    result = there.bearings[place]
+    result = there.plain[place]
     space = room(case.shaft, case.seen(drawn(case)).result(CountershaftResult), place, bearing.diameter)
     # a clearance that is searched for is not that of the fits: they are taken as widths about it
     widths = placed(bearings)
@@ -272,7 +274,7 @@ def _free(rings: Rings | None) -> Rings | None:
     return replace(rings, bore=None, journal=None, interference=kept)
 
 
-def _clearance(inputs: BearingsInputs, bearing: BearingRow, result: BearingResult) -> float:
+def _clearance(inputs: BearingsInputs, bearing: BearingRow, result: PlainResult) -> float:
     """The design's own, whatever clearance the bearing was solved with."""
     if bearing.clearance is not None:
         return bearing.clearance

@@ -4,14 +4,14 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from ..countershaft.rows import ROW, BearingRow, called, titled
-from ..library.makers import PrintedJournal, journals, span
-from ..sheet.check import Check, CheckRule
-from ..sheet.quantity import dotted
-from ..sheet.step import Table
-from ..sheet.text import SPACE, Amount, Name, Text, plural
-from ..sheet.units import UNITS, Metre, MetrePerSecond, NewtonPerMetreSecond, Number, Pascal
-from .result import BearingResult
+from ...countershaft.rows import ROW, BearingRow, called, titled
+from ...library.makers import PrintedJournal, journals, span
+from ...sheet.check import Check, CheckRule
+from ...sheet.quantity import dotted
+from ...sheet.step import Table
+from ...sheet.text import SPACE, Amount, Name, Text, plural
+from ...sheet.units import UNITS, Metre, MetrePerSecond, NewtonPerMetreSecond, Number, Pascal
+from .result import PlainResult
 
 MAKER_RANGE = CheckRule(
     "bearings.B.maker_range",
@@ -40,12 +40,12 @@ class OwnJournal(NamedTuple):
     W: NewtonPerMetreSecond
 
 
-def own_journal(place: str, r: BearingResult) -> OwnJournal:
+def own_journal(place: str, r: PlainResult) -> OwnJournal:
     d = r.seat.bearing.diameter
     return OwnJournal(place, float(d), float(r.clearance) / float(d), r.specific_load, r.surface_speed, r.heat_index)
 
 
-def maker_checks(results: Mapping[str, BearingResult], assembly: str | None, ratio: Number | None) -> Iterator[Check]:
+def maker_checks(results: Mapping[str, PlainResult], assembly: str | None, ratio: Number | None) -> Iterator[Check]:
     """Of each bearing the one that can be made."""
     for place, r in results.items():
         if (check := maker_check(own_journal(place, r), assembly, ratio)) is not None:

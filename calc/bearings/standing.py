@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The bearings of a shaft with what stands still while it turns: weight, gear force, pull of chains."""
+
+from dataclasses import replace
+
+from ..countershaft.result import Standing
+from ..sheet.step import Outcome
+from ..sheet.text import Text
+from ..sheet.value import trace
+from .result import BearingsResult, TwinBearings
+from .support import StandingLoads
+
+ALIKE = 1e-3  # of a standing load: so much more of it makes no other film
+
+
+def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> Outcome[BearingsResult]:
+    """The same outcome with the standing part of each bearing's load."""
+    if stands is None or outcome.result is None or not stands.stationary:
+        return outcome
+    bearings, checks, notes = {}, list(outcome.checks), list[Text]()
+    axial = stands.gear_force_axial or 0.0
+    with trace() as lines:
+        for place, load in stands.stationary.items():
+            loads = StandingLoads(load, stands.weights.get(place, 0.0), axial)
+            bearings[place], checks = outcome.result.bearings[place].under(loads, checks, notes)
+    return replace(
+        outcome,
+        result=replace(outcome.result, bearings=bearings),
+        checks=tuple(checks),
+        lines=(*outcome.lines, *lines),
+        notes=outcome.notes + tuple(notes),
+    )
+
+
+def of_twin(
+    original: Outcome[BearingsResult], stands: Standing | None, theirs: Standing | None
+) -> Outcome[BearingsResult] | None:
+    """The bearings of a twin with the standing part of their loads, and what is judged of that; None where nowhere more
+    stands than on its original's (`theirs`), by which they are judged."""
+    if stands is None or theirs is None or original.result is None:
+        return None
+    more = (load > theirs.stationary[place] * (1 + ALIKE) for place, load in stands.stationary.items())
+    return with_standing(Outcome("bearings", result=original.result), stands) if any(more) else None
+
+
+def told(twin: BearingsResult) -> TwinBearings:
+    """What is not its original's."""
+    parts = {place: bearing.beside_original() for place, bearing in twin.bearings.items()}
+    return TwinBearings(bearings={place: part for place, part in parts.items() if part is not None})
