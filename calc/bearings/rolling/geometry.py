@@ -134,12 +134,12 @@ def mean_diameter(d: Metre, D: Metre) -> Metre:
     return (d + D) / 2
 
 
-@formula("F", "geometry: diameter of the inner raceway", unit="mm", names={"D_pw": "D_pw"})
+@formula("F_w", "geometry: diameter of the inner raceway", unit="mm")
 def inner_raceway(D_pw: Metre, D_w: Metre) -> Metre:
     return D_pw - D_w
 
 
-@formula("E", "geometry: diameter of the outer raceway", unit="mm")
+@formula("E_w", "geometry: diameter of the outer raceway", unit="mm")
 def outer_raceway(D_pw: Metre, D_w: Metre) -> Metre:
     return D_pw + D_w
 

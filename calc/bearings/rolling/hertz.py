@@ -163,8 +163,8 @@ class BallContact:
     unit="mm",
     names={"E_r": "E'"},
 )
-def line_width(Q: Newton, L_we: Metre, E_r: Pascal, D_w: Metre, F: Metre) -> Metre:
-    return sqrt(8 * Q / (pi * L_we * E_r * (2 / D_w + 2 / F)))
+def line_width(Q: Newton, L_we: Metre, E_r: Pascal, D_w: Metre, F_w: Metre) -> Metre:
+    return sqrt(8 * Q / (pi * L_we * E_r * (2 / D_w + 2 / F_w)))
 
 
 @formula("p_H", Text("{hertz}: largest pressure of a line", hertz=HERTZ), unit="MPa")
