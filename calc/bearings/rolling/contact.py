@@ -3,17 +3,18 @@
 """How a rolling bearing gives way to a load, and how hard its most loaded element presses.
 
 F = Z·K_1·(δ − s/2)^n·J_r(ε), ε = (1 − s/(2δ))/2: δ is how far the inner ring lies off the middle, s the clearance
-(diametral, below 0 where the elements are preloaded), K_1 the load that brings both races of an element nearer by 1 mm.
+(diametral, below 0 where the elements are preloaded), K_1 the load that brings both races of an element nearer by 1
+mm.
 
-**Few elements.**  Where clearance leaves a zone so narrow that the sum would be less than one element carries alone, one
-carries all: F = K_1·(δ − s/2)^n.  Elements that are preloaded always share."""
+Few elements: where clearance leaves a zone so narrow that the sum would be less than one element carries alone, one
+carries all, F = K_1·(δ − s/2)^n.  Elements that are preloaded always share."""
 
-from typing import Any, Generic
+import math
+from typing import Any
 
 import numpy as np
 
 from ...countershaft.bending.carried import Hold
-from ...sheet.arrays import Value
 from ...sheet.formula import formula
 from ...sheet.functions import acos, largest, modulus, power, single_or_many
 from ...sheet.record import record
@@ -59,7 +60,7 @@ def ball_contacts(inside: Inside[Any]) -> tuple[BallContact, BallContact]:
 def contact_constant(inside: Inside[Any]) -> Any:
     """K_1 of a bearing."""
     if inside.elements == "roller":
-        return contact_of_rollers(L_we=inside.length)
+        return contact_of_rollers(L_we=inside.roller_length)
     inner, outer = ball_contacts(inside)
     return contact_of_balls(delta_i=inner.approach(ONE_NEWTON), delta_e=outer.approach(ONE_NEWTON))
 
@@ -72,10 +73,8 @@ def pressure_of(inside: Inside[Any], Q: Any) -> tuple[Any, Any]:
         inner, outer = (contact.pressure(Q) for contact in ball_contacts(inside))
         return largest(inner, outer), None
     F_w = inner_raceway(D_pw=inside.pitch, D_w=inside.diameter)
-    b = line_width(Q=Q, L_we=inside.length, E_r=PLANE, D_w=inside.diameter, F_w=F_w)
-    return line_pressure(Q=Q, L_we=inside.length, b=b), shear_depth(b=b)
-
-
+    b = line_width(Q=Q, L_we=inside.roller_length, E_r=PLANE, D_w=inside.diameter, F_w=F_w)
+    return line_pressure(Q=Q, L_we=inside.roller_length, b=b), shear_depth(b=b)
 
 
 # --- all elements
@@ -110,7 +109,7 @@ def largest_load(K_1: Newton, delta: Metre, s: Metre, n_c: Number) -> Newton:
     "k_r",
     Text("{law}: dF/dδ", law=LAW),
     shows="dF/dδ = F/(δ − s/2)·(n + s/(2δ)·d ln J_r/d ln ε)",
-    unit="N/mm",
+    unit="kN/mm",
 )
 def stiffness(delta: Metre, Z: Number, K_1: Newton, s: Metre, elements: Elements) -> NewtonPerMetre:
     return single_or_many(np.asarray(Springs(elements, Z, K_1, s).force(delta)[1]))
@@ -122,16 +121,17 @@ def pass_frequency(Z: Number, n: RevPerSecond, gamma: Number) -> Hertz:
 
 
 @record
-class Springs(Generic[Value]):
-    """The elements of a bearing as what holds its inner ring, of one bearing or of many alike: Z and K_1 as above, s the
-    clearance (`gap`), m.  As a support of a shaft (`countershaft.bending.carried.Law`) it has no say in the direction.
+class Springs:
+    """The elements of a bearing as what holds its inner ring, of one bearing or of many alike: Z and K_1 (`contact`, N)
+    as above, s the clearance (`gap`), m.  Of one bearing it is a support of a shaft
+    (`countershaft.bending.carried.Law`), whose load has the direction of the displacement.
 
     `stiff`: the share of K_1 that counts, below 1 only where a solution is looked for."""
 
     elements: Elements
-    count: Value
-    contact: Value
-    gap: Value
+    count: Any  # a number, or an array of many
+    contact: Any
+    gap: Any
     stiff: Number = 1.0
 
     def force(self, e: Any) -> tuple[Any, Any, Any]:
@@ -149,9 +149,9 @@ class Springs(Generic[Value]):
     def displacement(self, F: Any) -> Any:
         """Where the bearing carries F: by halving, all at once.  A load of nothing is taken as the least there is."""
         F, x = np.maximum(F, NOTHING), EXPONENTS[self.elements]
-        # no load displaces farther than five times itself on one element, or than the zone that is just loaded all round
+        # one element under five times the load, or the zone just loaded all round, is farther than any answer
         high = np.maximum(np.maximum(-self.gap, 0.0), MILLIMETRE * (5 * F / (self.stiff * self.contact)) ** (1 / x.n))
-        low = np.maximum(-self.gap / 2, 0.0) + 0.0 * high  # of what the elements are pressed
+        low = np.maximum(-self.gap / 2, 0.0) + 0.0 * high
         for _ in range(HALVINGS):
             middle = (low + high) / 2
             short = self.force(middle + self.gap / 2)[0] < F
@@ -166,22 +166,22 @@ class Springs(Generic[Value]):
     # --- as a support
 
     def hold(self, e: Metre) -> Hold:
-        F, slope, secant = self.force(e)
+        _, slope, secant = self.force(e)
         return Hold(secant * e, slope, secant) if np.ndim(e) else Hold(float(secant) * e, float(slope), float(secant))
 
     def begin(self, F: Newton) -> Metre:
         """Where it carries about F."""
         s, n = self.gap, EXPONENTS[self.elements].n
-        if s < 0 and F < (k := self.force(0.0)[2]) * -s / 2:
-            return float(F / k)
-        pressed = s + 1.0  # as without clearance
+        if s < 0 and F < (k := float(self.force(0.0)[2])) * -s / 2:
+            return F / k
+        pressed = 1.0  # as without clearance
         for _ in range(GUESSES):
-            J_r, _ = zone_of(self.elements).radial(pressed / (2 * pressed + max(s, 0.0)))
-            pressed = MILLIMETRE * (F / (self.stiff * self.contact * max(self.count * J_r, 1.0))) ** (1 / n)
-        return float(max(pressed + s / 2, NOWHERE))
+            J_r, _ = zone_of(self.elements).radial(pressed / (2 * pressed + np.maximum(s, 0.0)))
+            pressed = MILLIMETRE * (F / (self.stiff * self.contact * np.maximum(self.count * J_r, 1.0))) ** (1 / n)
+        return max(float(pressed + s / 2), NOWHERE)
 
     def farthest(self, e: Metre) -> Metre:
-        return np.inf
+        return math.inf
 
     def softer(self, share: Number) -> "Springs":
         return Springs(self.elements, self.count, self.contact, self.gap, share)

@@ -4,15 +4,15 @@
 
 All of one bearing, or of many of one type as arrays."""
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Sequence
+from dataclasses import fields, replace
 from typing import Any, Generic
 
 import numpy as np
 
 from ...sheet.arrays import Array, BoolArray, Value
 from ...sheet.formula import formula
-from ...sheet.functions import asin, cos, floor, pi
+from ...sheet.functions import asin, cos, floor, pi, smallest
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian
@@ -36,6 +36,12 @@ class Inside(Generic[Value]):
     contact_angle: float = 0.0  # rad
     groove_inner: float = EVERYWHERE  # radius over D_w, of balls
     groove_outer: float = EVERYWHERE
+
+    @property
+    def roller_length(self) -> Value:
+        """L_we, which rollers have."""
+        assert self.length is not None
+        return self.length
 
 
 # --- what is usual
@@ -91,7 +97,7 @@ def inside_of(
     """The elements as they are given, in m and rad, the rest as is usual of such a size and of what is given.
 
     None of a bearing of one's own that does not say its elements: their number, diameter and, of rollers, length."""
-    usual: Usual[Any] = size.usual
+    usual = size.usual
     inner = size.bore if size.raceway is None else size.raceway
     if size.own and (count is None or diameter is None or (length is None and size.elements == "roller")):
         return None
@@ -118,7 +124,7 @@ def inside_of(
 
 def overlap(inside: Inside[Any]) -> bool | BoolArray:
     """Whether so many elements have no place beside one another."""
-    return inside.count * asin(inside.diameter / inside.pitch) > pi
+    return inside.count * asin(smallest(inside.diameter / inside.pitch, 1.0)) > pi
 
 
 # --- what follows
@@ -161,11 +167,23 @@ def gamma_of(inside: Inside[Any]) -> Any:
 # --- many at once
 
 
+def alike(sizes: Iterable[BearingSize]) -> list[list[BearingSize]]:
+    """The sizes by what may be stacked."""
+    groups: dict[tuple[object, ...], list[BearingSize]] = {}
+    for size in sizes:
+        groups.setdefault(_kind(size), []).append(size)
+    return list(groups.values())
+
+
+def _kind(size: BearingSize) -> tuple[object, ...]:
+    return size.type, size.own, size.inner_ring, size.flanged
+
+
 def stacked(sizes: Sequence[BearingSize]) -> BearingSize[Array]:
     """Many bearings of one type, with or without inner ring, as columns: one bearing a row, so that duty rows lie along
     the last axis.  Its designation and series are those of the first."""
     first = sizes[0]
-    if any((size.type, size.inner_ring, size.flanged) != (first.type, first.inner_ring, first.flanged) for size in sizes):
+    if len(alike(sizes)) != 1:
         raise ValueError("bearings of several types do not stack")
 
     def column(of: Sequence[Any], name: str) -> Array | None:
@@ -173,6 +191,9 @@ def stacked(sizes: Sequence[BearingSize]) -> BearingSize[Array]:
         return None if None in numbers else np.array(numbers)[:, None]
 
     usual = [size.usual for size in sizes]
-    factors = {name: column(usual, name) for name in ("rating", "mass", "diameter", "pitch", "filling", "length")}
-    outline = {name: column(sizes, name) for name in ("bore", "outside", "width", "raceway")}
-    return replace(first, usual=replace(first.usual, **factors), **outline)  # type: ignore[return-value]
+    keys = [one.name for one in fields(Usual)]
+    factors: dict[str, Any] = {name: column(usual, name) for name in keys if name != "spread"}
+    outline: dict[str, Any] = {name: column(sizes, name) for name in ("bore", "outside", "width", "raceway")}
+    columns: Any = replace(first, usual=replace(first.usual, **factors), **outline)
+    many: BearingSize[Array] = columns
+    return many

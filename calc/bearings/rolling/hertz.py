@@ -2,7 +2,7 @@
 # mypy: disable-error-code="no-any-return"
 """Hertz's contact of one element with its raceways: of a ball an ellipse, of a roller a line.
 
-Elliptic integrals by the arithmetic-geometric mean, of modulus² 1 − 1/x², where x is the ratio of the ellipse's axes."""
+Elliptic integrals by the arithmetic-geometric mean, of parameter 1 − 1/x², x the ratio of the ellipse's axes."""
 
 from functools import cache
 from typing import Any

@@ -81,9 +81,7 @@ def rating_of_balls(b_m: Number, f_c: Number, alpha: Radian, Z: Number, D_w: Met
 
 @formula("C", Text("{iso}: one row of rollers", iso=ISO), unit="kN")
 def rating_of_rollers(b_m: Number, f_c: Number, L_we: Metre, Z: Number, D_w: Metre) -> Newton:
-    return (
-        b_m * f_c * (L_we / MILLIMETRE) ** (7 / 9) * Z**0.75 * (D_w / MILLIMETRE) ** (29 / 27) * ONE_NEWTON
-    )
+    return b_m * f_c * (L_we / MILLIMETRE) ** (7 / 9) * Z**0.75 * (D_w / MILLIMETRE) ** (29 / 27) * ONE_NEWTON
 
 
 # --- static
@@ -147,7 +145,7 @@ def computed(inside: Inside[Any], b_m: Any, HV: Any = None) -> Ratings:
     gamma, f_0 = gamma_of(inside), None
     Z, D_w, alpha = inside.count, inside.diameter, inside.contact_angle
     if inside.elements == "ball":
-        f_i, f_e = largest(inside.groove_inner, INNER), largest(inside.groove_outer, OUTER)
+        f_i, f_e = counted_grooves(inside)
         f_c = factor_of_balls(f_i=f_i, gamma=gamma, X=race_ratio_of_balls(k_X=1.04, gamma=gamma, f_i=f_i, f_e=f_e))
         C = rating_of_balls(b_m=b_m, f_c=f_c, alpha=alpha, Z=Z, D_w=D_w)
         Q_i = BallContact(D_w, gamma, f_i, inner=True).load(OF_BALLS)
@@ -156,12 +154,17 @@ def computed(inside: Inside[Any], b_m: Any, HV: Any = None) -> Ratings:
         C_0 = static_of_balls(f_0=f_0, Z=Z, D_w=D_w, alpha=alpha)
     else:
         f_c = factor_of_rollers(gamma=gamma, X=race_ratio_of_rollers(k_X=1.04, gamma=gamma))
-        C = rating_of_rollers(b_m=b_m, f_c=f_c, L_we=inside.length, Z=Z, D_w=D_w)
-        C_0 = static_of_rollers(gamma=gamma, Z=Z, L_we=inside.length, D_w=D_w)
+        C = rating_of_rollers(b_m=b_m, f_c=f_c, L_we=inside.roller_length, Z=Z, D_w=D_w)
+        C_0 = static_of_rollers(gamma=gamma, Z=Z, L_we=inside.roller_length, D_w=D_w)
     if HV is not None:
         f_H = hardness_factor(HV=HV)
         C, C_0 = dynamic_on_shaft(f_H=f_H, C=C), static_on_shaft(f_H=f_H, C_0=C_0)
     return Ratings(C, C_0, fatigue_limit(inside, C_0), f_0)
+
+
+def counted_grooves(inside: Inside[Any]) -> tuple[Any, Any]:
+    """Radius over D_w of both grooves, as ratings count it: closer ones do not raise them."""
+    return largest(inside.groove_inner, INNER), largest(inside.groove_outer, OUTER)
 
 
 def fatigue_limit(inside: Inside[Any], C_0: Any) -> Any:

@@ -6,6 +6,7 @@ needs numpy: designs are read with it."""
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 from functools import cache
 from itertools import product
@@ -37,18 +38,20 @@ class UnknownSize(ValueError):
 
 
 @record
-class Usual(Generic[Value]):
+class Usual:
     """What is usual inside bearings of one kind, as numbers without a unit (see the table), and the rating factor b_m.
 
-    None where nothing is usual: of a bearing of one's own, of the length of balls.  `spread`: of the ratings that are
-    computed from it, over catalogues'."""
+    None where nothing is usual: of a bearing of one's own, of the length of balls.  `thrust_factor`, `thrust_from`: Y
+    and e of flanged rollers.  `spread`: of the ratings that are computed from it, over catalogues'."""
 
-    rating: Value
-    mass: Value
-    diameter: Value | None = None
-    pitch: Value | None = None
-    filling: Value | None = None
-    length: Value | None = None
+    rating: Any  # a number, or an array of many
+    mass: Any
+    diameter: Any = None
+    pitch: Any = None
+    filling: Any = None
+    length: Any = None
+    thrust_factor: Any = None
+    thrust_from: Any = None
     spread: str = ""
 
 
@@ -56,8 +59,8 @@ class Usual(Generic[Value]):
 class BearingSize(Generic[Value]):
     """The outline of a bearing, in m: of one, or of many of one type (`geometry.stacked`).
 
-    `series`: 60 62 63; 10 2 3 22 23 of cylindrical rollers; NA49, RNA49, HK, K; or own.  `bore`: of the inner ring, else
-    the raceway on the shaft, F_w; `outside`: of the outer ring or cup, else that over the elements, E_w."""
+    `series`: 60 62 63; 10 2 3 22 23 of cylindrical rollers; NA49, RNA49, HK, K; or own.  `bore`: of the inner ring,
+    else the raceway on the shaft, F_w; `outside`: of the outer ring or cup, else that over the elements, E_w."""
 
     designation: str
     type: Type
@@ -65,7 +68,7 @@ class BearingSize(Generic[Value]):
     bore: Value
     outside: Value
     width: Value
-    usual: Usual[Value]
+    usual: Usual
     raceway: Value | None = None  # F_w of needles
     inner_ring: bool = True
     flanged: bool = False  # carries thrust: NJ
@@ -84,7 +87,8 @@ def size_of(designation: str) -> BearingSize:
     word = "".join(designation.split()).upper().replace("×", "X")
     for pattern, made in _KINDS.items():
         if match := re.fullmatch(pattern, word):
-            return made(*match.groups())
+            size: BearingSize = made(*match.groups())
+            return size
     raise UnknownSize(_unknown(designation, word))
 
 
@@ -112,6 +116,9 @@ def _roller(form: str, series: str, code: str) -> BearingSize:
     row, at = _outline(OUTLINE[series]), _code(form + series, code)
     outline = (_bore(at), _mm(row["outside_mm"][at]), _mm(row["width_mm"][at]))
     usual = _usual("roller_10" if series == "10" else "roller")
+    if form == "NJ":
+        thrust = _table()["thrust"]["roller_wide" if series in ("22", "23") else "roller"]
+        usual = replace(usual, thrust_factor=thrust["Y"], thrust_from=thrust["e"])
     return BearingSize(form + series + code, "roller", series, *outline, usual, flanged=form == "NJ")
 
 
@@ -129,8 +136,8 @@ def _cup(raceway: str, width: str) -> BearingSize:
     if raceway not in known or int(width) not in CUP_WIDTHS:
         raise UnknownSize(
             Text(
-                "HK{raceway}{width}: drawn cups are HK, F_w and the width, two digits each; F_w is one of {known} mm, the "
-                "width {least} to {most} mm",
+                "HK{raceway}{width}: drawn cups are HK, F_w and the width, two digits each; F_w is one of {known} mm, "
+                "the width {least} to {most} mm",
                 raceway=raceway,
                 width=width,
                 known=", ".join(known),
@@ -169,8 +176,8 @@ def _code(series: str, code: str) -> int:
         bores = ", ".join(f"{word} {bore:.0f}" for word, bore in zip(codes, _table()["bores_mm"]))
         raise UnknownSize(
             Text(
-                "{series}{code}: {code} is no bore code that is known here; codes and bores in mm: {bores} (the nearest is "
-                "{near})",
+                "{series}{code}: {code} is no bore code that is known here; codes and bores in mm: {bores} (the "
+                "nearest is {near})",
                 series=series,
                 code=code,
                 near=series + (codes[0] if code < codes[0] else codes[-1]),

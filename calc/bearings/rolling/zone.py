@@ -11,7 +11,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...sheet.arrays import Array
+from ...sheet.formula import formula
+from ...sheet.functions import single_or_many
+from ...sheet.text import Text
+from ...sheet.units import Number
 from .sizes import Elements
+
+INTEGRALS = Text("Harris 2001, load distribution, with the powers of ISO/TS 16281: zone integral")
 
 
 class Exponents(NamedTuple):
@@ -34,6 +40,26 @@ LEAST, MOST = 0.002, 1000.0  # ε of the table; beyond it J grows and falls as i
 POINTS = (1200, 800)  # to ε = 1, where the slopes bend, and from there on
 ANGLES = 32
 BEYOND = 60.0  # of ln ε, farther than any ε
+
+
+@formula("J_r", INTEGRALS, shows="mean of q·cos φ over the turn at ε, by table")
+def radial_integral(eps: Number, elements: Elements) -> Number:
+    """>>> radial_integral(eps=0.5, elements="ball")
+    0.22882...
+    """
+    return single_or_many(np.asarray(zone_of(elements).radial(eps)[0]))
+
+
+@formula("J_t", INTEGRALS, shows="(mean of q^w over the turn)^(1/w) at ε, w = 3 of balls, 4 of rollers, by table")
+def turning_integral(eps: Number, elements: Elements) -> Number:
+    """Of a race that turns under the load."""
+    return single_or_many(np.asarray(zone_of(elements).races(eps)[0]))
+
+
+@formula("J_s", INTEGRALS, shows="(mean of q^w over the turn)^(1/w) at ε, w = 10/3 of balls, 4.5 of rollers, by table")
+def standing_integral(eps: Number, elements: Elements) -> Number:
+    """Of a race on which the load stands."""
+    return single_or_many(np.asarray(zone_of(elements).races(eps)[1]))
 
 
 class Zone(NamedTuple):
@@ -61,7 +87,9 @@ def zone_of(elements: Elements) -> Zone:
     """The integrals of balls, or of rollers."""
     x = EXPONENTS[elements]
     ends = np.log((LEAST, MOST))
-    ln_eps = np.concatenate([np.linspace(ends[0], 0.0, POINTS[0], endpoint=False), np.linspace(0.0, ends[1], POINTS[1])])
+    ln_eps = np.concatenate(
+        [np.linspace(ends[0], 0.0, POINTS[0], endpoint=False), np.linspace(0.0, ends[1], POINTS[1])]
+    )
     J = np.log(integrals(np.exp(ln_eps), x.n, (x.turns, x.stands)))
     slope = np.gradient(J[0], ln_eps)  # by central differences
     # towards 0 the zone narrows by √ε; far beyond 1 the load fades by 1/ε while all elements carry the same
