@@ -81,16 +81,16 @@ def pressure_of(inside: Inside[Any], Q: Any) -> tuple[Any, Any]:
 
 
 @formula(
-    "δ",
+    "δ_r",
     Text("{law}; the loads of the elements hold F", law=LAW),
-    shows="δ with F = Z·K_1·(δ − s/2)^n·J_r(ε), no less than one element carries alone; by halving",
+    shows="δ_r with F = Z·K_1·(δ_r − G_r/2)^n_Q·J_r(ε), no less than one element carries alone; by halving",
     unit="µm",
 )
 def displacement(F: Newton, Z: Number, K_1: Newton, s: Metre, elements: Elements) -> Metre:
     return Springs(elements, Z, K_1, s).displacement(F)
 
 
-@formula("ε", "geometry: reach of the loaded zone over the diameter", names={"delta": "δ"})
+@formula("ε", "geometry: reach of the loaded zone over the diameter", names={"s": "G_r", "delta": "δ_r"})
 def reach(s: Metre, delta: Metre) -> Number:
     return (1 - s / (2 * delta)) / 2
 
@@ -100,15 +100,19 @@ def load_zone(eps: Number) -> Radian:
     return 2 * acos(largest(1 - 2 * eps, -1.0))
 
 
-@formula("Q_max", Text("{law}: load of the element in the middle of the zone", law=LAW))
+@formula(
+    "Q_max",
+    Text("{law}: load of the element in the middle of the zone", law=LAW),
+    names={"s": "G_r", "n_c": "n_Q", "delta": "δ_r"},
+)
 def largest_load(K_1: Newton, delta: Metre, s: Metre, n_c: Number) -> Newton:
     return K_1 * power((delta - s / 2) / MILLIMETRE, n_c)
 
 
 @formula(
     "k_r",
-    Text("{law}: dF/dδ", law=LAW),
-    shows="dF/dδ = F/(δ − s/2)·(n + s/(2δ)·d ln J_r/d ln ε)",
+    Text("{law}: slope of the load over the displacement", law=LAW),
+    shows="dF/dδ_r = F/(δ_r − G_r/2)·(n_Q + G_r/(2·δ_r)·d ln J_r/d ln ε)",
     unit="kN/mm",
 )
 def stiffness(delta: Metre, Z: Number, K_1: Newton, s: Metre, elements: Elements) -> NewtonPerMetre:

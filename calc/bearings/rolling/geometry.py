@@ -130,7 +130,9 @@ def overlap(inside: Inside[Any]) -> bool | BoolArray:
 # --- what follows
 
 
-@formula("γ", "ISO 281: diameter of the elements over the pitch diameter, seen along the contact")
+@formula(
+    "γ", "ISO 281: diameter of the elements over the pitch diameter, seen along the contact", names={"alpha": "α_0"}
+)
 def gamma(D_w: Metre, alpha: Radian, D_pw: Metre) -> Number:
     return D_w * cos(alpha) / D_pw
 

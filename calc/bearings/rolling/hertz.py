@@ -50,9 +50,9 @@ def _axes_by_curvature() -> tuple[Array, Array]:
 
 
 @formula(
-    "x",
+    "χ",
     Text("{hertz}: ratio of the axes of the ellipse", hertz=HERTZ),
-    shows="x > 1 with ((x² + 1)·ℰ − 2·𝒦)/((x² − 1)·ℰ) = t, by table",
+    shows="χ > 1 with ((χ² + 1)·ℰ − 2·𝒦)/((χ² − 1)·ℰ) = F_ρ, by table",
 )
 def axis_ratio(t: Number) -> Number:
     """>>> axis_ratio(t=0.0)
@@ -61,12 +61,12 @@ def axis_ratio(t: Number) -> Number:
     return single_or_many(np.exp(np.interp(np.arctanh(np.asarray(t, dtype=float)), *_axes_by_curvature())))
 
 
-@formula("𝒦", "mathematics: complete elliptic integral of the first kind, parameter 1 − 1/x²", shows="𝒦(1 − 1/x²)")
+@formula("𝒦", "mathematics: complete elliptic integral of the first kind, parameter 1 − 1/χ²", shows="𝒦(1 − 1/χ²)")
 def elliptic_first(x: Number) -> Number:
     return single_or_many(elliptic(x)[0])
 
 
-@formula("ℰ", "mathematics: complete elliptic integral of the second kind, parameter 1 − 1/x²", shows="ℰ(1 − 1/x²)")
+@formula("ℰ", "mathematics: complete elliptic integral of the second kind, parameter 1 − 1/χ²", shows="ℰ(1 − 1/χ²)")
 def elliptic_second(x: Number) -> Number:
     return single_or_many(elliptic(x)[1])
 
@@ -94,7 +94,7 @@ def curvature(rho_1: PerMetre, rho_2: PerMetre) -> PerMetre:
     return rho_1 + rho_2
 
 
-@formula("t", Text("{hertz}: difference of the curvatures over their sum", hertz=HERTZ), names={"S": "Σρ"})
+@formula("F_ρ", Text("{hertz}: difference of the curvatures over their sum", hertz=HERTZ), names={"S": "Σρ"})
 def curvature_difference(rho_1: PerMetre, rho_2: PerMetre, S: PerMetre) -> Number:
     return modulus(rho_1 - rho_2) / S
 
@@ -103,13 +103,13 @@ def curvature_difference(rho_1: PerMetre, rho_2: PerMetre, S: PerMetre) -> Numbe
     "b",
     Text("{hertz}: shorter half axis", hertz=HERTZ),
     unit="mm",
-    names={"E_2": "ℰ", "E_r": "E'", "S": "Σρ"},
+    names={"E_2": "ℰ", "Q": "Q_w", "x": "χ", "E_r": "E'", "S": "Σρ"},
 )
 def half_axis(E_2: Number, Q: Newton, x: Number, E_r: Pascal, S: PerMetre) -> Metre:
     return (6 * E_2 * Q / (pi * x * E_r * S)) ** (1 / 3)
 
 
-@formula("p_H", Text("{hertz}: largest pressure of an ellipse", hertz=HERTZ), unit="MPa")
+@formula("p_H", Text("{hertz}: largest pressure of an ellipse", hertz=HERTZ), unit="MPa", names={"Q": "Q_w", "x": "χ"})
 def ellipse_pressure(Q: Newton, x: Number, b: Metre) -> Pascal:
     return 1.5 * Q / (pi * x * b**2)
 
@@ -118,7 +118,7 @@ def ellipse_pressure(Q: Newton, x: Number, b: Metre) -> Pascal:
     "δ_1",
     Text("{hertz}: approach of ball and raceway", hertz=HERTZ),
     unit="µm",
-    names={"E_1": "𝒦", "E_2": "ℰ", "E_r": "E'", "S": "Σρ"},
+    names={"E_1": "𝒦", "E_2": "ℰ", "Q": "Q_w", "x": "χ", "E_r": "E'", "S": "Σρ"},
 )
 def approach(E_1: Number, S: PerMetre, E_2: Number, Q: Newton, x: Number, E_r: Pascal) -> Metre:
     return E_1 * (9 * S / (2 * E_2) * (Q / (pi * x * E_r)) ** 2) ** (1 / 3)
@@ -127,7 +127,7 @@ def approach(E_1: Number, S: PerMetre, E_2: Number, Q: Newton, x: Number, E_r: P
 @formula(
     "Q_p",
     Text("{hertz}: load of the ball that makes this pressure", hertz=HERTZ),
-    names={"p": "p_H", "E_2": "ℰ", "E_r": "E'", "S": "Σρ"},
+    names={"p": "p_H", "E_2": "ℰ", "x": "χ", "E_r": "E'", "S": "Σρ"},
 )
 def load_at_pressure(x: Number, E_2: Number, p: Pascal, E_r: Pascal, S: PerMetre) -> Newton:
     return 32 / 3 * pi * x * E_2**2 * p**3 / (E_r * S) ** 2
@@ -161,13 +161,13 @@ class BallContact:
     "b",
     Text("{hertz}: half the width of the line", hertz=HERTZ),
     unit="mm",
-    names={"E_r": "E'"},
+    names={"Q": "Q_w", "E_r": "E'"},
 )
 def line_width(Q: Newton, L_we: Metre, E_r: Pascal, D_w: Metre, F_w: Metre) -> Metre:
     return sqrt(8 * Q / (pi * L_we * E_r * (2 / D_w + 2 / F_w)))
 
 
-@formula("p_H", Text("{hertz}: largest pressure of a line", hertz=HERTZ), unit="MPa")
+@formula("p_H", Text("{hertz}: largest pressure of a line", hertz=HERTZ), unit="MPa", names={"Q": "Q_w"})
 def line_pressure(Q: Newton, L_we: Metre, b: Metre) -> Pascal:
     return 2 * Q / (pi * L_we * b)
 

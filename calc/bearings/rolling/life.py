@@ -35,7 +35,7 @@ HALVINGS = 60
 # --- one row
 
 
-@formula("L_10", Text("{iso}: life by the load alone", iso=ISO), unit="h", names={"p": "p_L"})
+@formula("L_10", Text("{iso}: life by the load alone", iso=ISO), unit="h", names={"C": "C_r", "p": "p_L"})
 def life_by_load(n: RevPerSecond, C: Newton, P: Newton, p: Number) -> Second:
     return 1e6 / n * power(C / largest(P, NOTHING), p)
 

@@ -114,7 +114,11 @@ def reference_share(Z_J: Number, J_i: Number, q_i: Number, J_e: Number, q_e: Num
     return power(power(J_i / (Z_J * q_i), u) + power(J_e / (Z_J * q_e), u), 1 / u)
 
 
-@formula("V", Text("{iso}: the load stands on the inner ring, over it turns there; no clearance", iso=ISO_RACES))
+@formula(
+    "V",
+    Text("{iso}: the load stands on the inner ring, over it turns there; no clearance", iso=ISO_RACES),
+    names={"P_s": "P_ref,s/F", "P_t": "P_ref,t/F"},
+)
 def ring_factor(P_s: Number, P_t: Number) -> Number:
     return P_s / P_t
 

@@ -67,7 +67,9 @@ def factor_of_rollers(gamma: Number, X: Number) -> Number:
     )
 
 
-@formula("C", Text("{iso}: one row of balls; beyond 25.4 mm 3.647·D_w^1.4", iso=ISO), unit="kN")
+@formula(
+    "C_r", Text("{iso}: one row of balls; beyond 25.4 mm 3.647·D_w^1.4", iso=ISO), unit="kN", names={"alpha": "α_0"}
+)
 def rating_of_balls(b_m: Number, f_c: Number, alpha: Radian, Z: Number, D_w: Metre) -> Newton:
     return (
         b_m
@@ -79,7 +81,7 @@ def rating_of_balls(b_m: Number, f_c: Number, alpha: Radian, Z: Number, D_w: Met
     )
 
 
-@formula("C", Text("{iso}: one row of rollers", iso=ISO), unit="kN")
+@formula("C_r", Text("{iso}: one row of rollers", iso=ISO), unit="kN")
 def rating_of_rollers(b_m: Number, f_c: Number, L_we: Metre, Z: Number, D_w: Metre) -> Newton:
     return b_m * f_c * (L_we / MILLIMETRE) ** (7 / 9) * Z**0.75 * (D_w / MILLIMETRE) ** (29 / 27) * ONE_NEWTON
 
@@ -92,7 +94,7 @@ def static_factor(Q_i: Newton, Q_e: Newton, D_w: Metre) -> Number:
     return smallest(Q_i, Q_e) / (5 * D_w**2 * NEWTON_PER_SQUARE_MILLIMETRE)
 
 
-@formula("C_0", Text("{iso}: one row of balls", iso=ISO_STATIC), unit="kN")
+@formula("C_0", Text("{iso}: one row of balls", iso=ISO_STATIC), unit="kN", names={"alpha": "α_0"})
 def static_of_balls(f_0: Number, Z: Number, D_w: Metre, alpha: Radian) -> Newton:
     return f_0 * NEWTON_PER_SQUARE_MILLIMETRE * Z * D_w**2 * cos(alpha)
 
@@ -120,7 +122,7 @@ def hardness_factor(HV: Number) -> Number:
     return smallest((HV / 670) ** 2, 1.0)
 
 
-@formula("C", "definition: the raceway on the shaft is softer", unit="kN", names={"C": "C_hard"})
+@formula("C_r", "definition: the raceway on the shaft is softer", unit="kN", names={"C": "C_r,hard"})
 def dynamic_on_shaft(f_H: Number, C: Newton) -> Newton:
     return f_H * C
 
