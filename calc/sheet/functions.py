@@ -53,6 +53,13 @@ degrees = _both(math.degrees, np.degrees)
 asinh = _both(math.asinh, np.arcsinh)
 
 
+def _floor(x: float) -> float:
+    return float(math.floor(x))
+
+
+floor = _both(_floor, np.floor)
+
+
 def inv(angle: float) -> float:
     """The involute function inv α = tan α − α."""
     return tan(angle) - angle

@@ -156,6 +156,7 @@ _ROWS = (  # symbol, suffix of keys, factor
     ("N·m", "_Nm", 1.0),
     ("N·mm", "_Nmm", 1e-3),
     ("N/mm", "_N_mm", 1e3),
+    ("kN/mm", "_kN_mm", 1e6),
     ("N/m", "_N_m", 1.0),
     ("kN/mm", "_kN_mm", 1e6),
     ("N·s/m", "_Ns_m", 1.0),

@@ -35,6 +35,7 @@ PURE = {
     "acos",
     "atan",
     "asinh",
+    "floor",
     "inv",
     "cis",
     "erf",
