@@ -25,7 +25,14 @@ SOURCE = Text(
 SHAFTS = ("c", "d", "e", "f", "g", "h", "js")
 HOLES = ("C", "D", "E", "F", "G", "H", "JS")
 # with the grades that ISO 286 gives them
-TIGHT_SHAFTS = {"j": (5, 6), "k": range(3, 14), "m": range(3, 10), "n": range(3, 10), "p": range(3, 11), "r": range(3, 11)}
+TIGHT_SHAFTS = {
+    "j": range(5, 7),
+    "k": range(3, 14),
+    "m": range(3, 10),
+    "n": range(3, 10),
+    "p": range(3, 11),
+    "r": range(3, 11),
+}
 TIGHT_HOLES = {"K": range(3, 9), "M": range(3, 9), "N": range(3, 9), "P": range(3, 8), "R": range(3, 8)}
 OFTEN_USED = range(4, 8)  # grades of a shaft k that begins above its nominal size
 SMALL = 3.0  # mm: up to here tight holes mirror tight shafts; M6 from 250 to 315 mm is the one exception, 2 µm
