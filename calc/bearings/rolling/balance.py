@@ -33,25 +33,16 @@ from ...sheet.units import (
     Watt,
 )
 from ...sheet.value import converged, unlinked, untraced
-from .torque import (
-    CENTISTOKE,
-    INA,
-    MILLIMETRE,
-    ONE_NEWTON,
-    ONE_RPM,
-    SKF,
-    Friction,
-    Series,
-    constants,
-    load_factor,
-    of_series,
-    two_part_torque,
-)
+from .torque import INA, SKF, Friction, Series, constants, load_factor, of_series, two_part_torque
 
 WattPerKelvin = Annotated[float, "W/K"]
 WattPerSquareMetre = Annotated[float, "W/m²"]
 
 ISO_15312 = Text("ISO 15312, from memory")
+MILLIMETRE: Metre = 1e-3
+CENTISTOKE: SquareMetrePerSecond = 1e-6
+ONE_RPM: RevPerSecond = 1 / 60
+ONE_NEWTON: Newton = 1.0
 REFERENCE_FLUX: WattPerSquareMetre = 0.016e6
 REFERENCE_RISE: Kelvin = 50.0
 REFERENCE_AREA: SquareMetre = 0.05
@@ -232,7 +223,7 @@ def minimum_load_of_rollers(k_r: Number, n: RevPerSecond, n_r: RevPerSecond, d_m
     return 1000 * k_r * (6 + 4 * n / n_r) * (d_m / MILLIMETRE / 100) ** 2 * ONE_NEWTON
 
 
-@formula("F_min", Text("{skf}: minimum load as a share of the dynamic rating", skf=SKF), names={"x": "x_C"})
+@formula("F_min", Text("{skf}: minimum load as a share of the dynamic rating", skf=SKF), names={"x": "x_C", "C": "C_r"})
 def minimum_load_by_rating(x: Number, C: Newton) -> Newton:
     return x * C
 
@@ -273,7 +264,12 @@ def minimum_load_speed(n: Array, F: Array, F_min: Array) -> Any:
 # --- oil
 
 
-@formula("Q_jet", "rule of this program: oil that carries the loss off, 15 K warmer than it came", unit="L/min")
+@formula(
+    "Q_jet",
+    "rule of this program: oil that carries the loss off, 15 K warmer than it came",
+    unit="L/min",
+    names={"P": "P_f"},
+)
 def jet_flow(P: Watt, rho: KilogramPerMetre3, c_p: JoulePerKilogramKelvin) -> CubicMetrePerSecond:
     """>>> jet_flow(P=40, rho=810, c_p=2250)
     1.463...e-06
