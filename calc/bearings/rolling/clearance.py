@@ -185,7 +185,8 @@ def ring_limits(part: Literal["bore", "outside"], d: Value) -> Span[Value]:
 def free_clearance(elements: str, clearance_class: str, d: Value) -> Span[Value] | None:
     """Least and most clearance [m] before mounting, by the bore; None (of many: not a number) outside the table."""
     row = _table()["clearance"][elements]
-    ends, spans = row["up_to_mm"], row[clearance_class]
+    ends: list[float] = row["up_to_mm"]
+    spans: list[list[float]] = row[clearance_class]
     low = [np.nan, *(span[0] / 1e6 for span in spans)]
     high = [np.nan, *(span[1] / 1e6 for span in spans)]
     ranges = [row["above_mm"], *ends]

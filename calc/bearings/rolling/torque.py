@@ -164,7 +164,7 @@ def two_part_torque(
     f_0: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d_m: Metre, f_1: Number, F: Newton
 ) -> NewtonMetre:
     """>>> two_part_torque(f_0=12.41, nu=12e-6, n=43.33, d_m=28.5e-3, f_1=5e-4, F=1700)
-    0.05268...
+    0.052694...
     """
     return (
         1e-7
