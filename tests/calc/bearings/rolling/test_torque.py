@@ -130,7 +130,7 @@ def test_many_bearings_are_the_single_ones():
 def test_torques_are_finite_and_grow_with_the_load(size, lubrication, F, n, nu):
     friction = BEARINGS[size].friction(lubrication=lubrication)
     M = friction.torque(F, n, nu)
-    assert math.isfinite(M) and M > 0 or F == 0
+    assert (math.isfinite(M) and M > 0) or F == 0
     assert friction.torque(1.1 * F + 1, n, nu) > M
 
 
