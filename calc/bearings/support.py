@@ -267,7 +267,7 @@ class Kind(ABC, Generic[R]):
 
     @abstractmethod
     def support(self, row: BearingRow, inputs: BearingsInputs, solids: Solids, load: Newton, task: Task) -> Support:
-        """Of one row, `inputs` as they hold for it.  `load`: as given or of rigid supports, by which things are chosen."""
+        """Of one row, `inputs` as they hold for it.  `load`: as given or of rigid supports; things are chosen by it."""
 
     def checks(self, results: Mapping[str, R], shaft: "ShaftInView") -> Iterator[Check]:
         """What is judged of all of one shaft together."""

@@ -22,7 +22,7 @@ CARRIED = Text("Left out: the wheel that the name begins with (crank-seal), else
 # Series of rolling bearings for which SKF's constants could be read.
 SKF_SERIES = {
     "deep-groove-ball": ("2", "3", "42", "43", "60", "630", "62", "622", "63", "623", "64", "160", "161", "618", "619"),
-    "cylindrical-roller": ("4", "22"),
+    "cylindrical-roller": ("4", "22", "10", "2", "3", "23"),
 }
 
 # the folds of the form

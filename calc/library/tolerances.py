@@ -4,8 +4,9 @@
 ISO 286 as far as journals and their seats use it.
 
 A field with a place ("H7", "e8") lies where its letter says; "IT7" is a width alone and lies half above and half below
-the given size. Range: up to 500 mm, IT1 to IT16, holes C to H and JS, shafts c to h and js.  The numbers are the
-published ones (`tables/iso_286.toml`)."""
+the given size. Range: up to 500 mm, IT1 to IT16, holes C to H and JS, shafts c to h and js; for the rings of rolling
+bearings also holes K M N P R and shafts j k m n p r, which are tight.  The numbers are the published ones
+(`tables/iso_286.toml`)."""
 
 import re
 from bisect import bisect_left
@@ -23,6 +24,18 @@ SOURCE = Text(
 )
 SHAFTS = ("c", "d", "e", "f", "g", "h", "js")
 HOLES = ("C", "D", "E", "F", "G", "H", "JS")
+# with the grades that ISO 286 gives them
+TIGHT_SHAFTS = {
+    "j": range(5, 7),
+    "k": range(3, 14),
+    "m": range(3, 10),
+    "n": range(3, 10),
+    "p": range(3, 11),
+    "r": range(3, 11),
+}
+TIGHT_HOLES = {"K": range(3, 9), "M": range(3, 9), "N": range(3, 9), "P": range(3, 8), "R": range(3, 8)}
+OFTEN_USED = range(4, 8)  # grades of a shaft k that begins above its nominal size
+SMALL = 3.0  # mm: up to here tight holes mirror tight shafts; M6 from 250 to 315 mm is the one exception, 2 µm
 GRADES = range(1, 17)
 LARGEST = 500.0  # mm
 COARSE_ABOVE = 1.0  # mm: up to here ISO 286 gives no IT14 and coarser
@@ -32,7 +45,10 @@ ALLOWED = {
     ),
     "shaft": Text('a shaft\'s class like "f7" (c to h, js), or a width alone like "IT7"; IT1 to IT16'),
     "hole": Text('a hole\'s class like "H7" (C to H, JS), or a width alone like "IT7"; IT1 to IT16'),
+    "shaft in a ring": Text('a shaft\'s class like "js6" (c to h, js, j5, j6, k, m, n, p, r)'),
+    "hole for a ring": Text('a hole\'s class like "N7" (C to H, JS; K, M, N up to IT8; P, R up to IT7)'),
 }
+TIGHT = {"shaft in a ring": (SHAFTS, TIGHT_SHAFTS), "hole for a ring": (HOLES, TIGHT_HOLES)}
 _WORD = re.compile(r"([A-Za-z]{1,2})([1-9]\d?)")
 _UM = 1e6
 
@@ -50,12 +66,18 @@ class ToleranceField:
 
 def parse(text: str, of: str = "") -> ToleranceField:
     """The field that a word means.  `of`: "shaft" or "hole" where only one of them may stand; a width alone always may.
+    "shaft in a ring", "hole for a ring": of a rolling bearing, whose fit may be tight and has a place.
 
     Raises ValueError with what was given and what is allowed.
     """
     match = _WORD.fullmatch(text.strip())
-    letters = {"shaft": SHAFTS, "hole": HOLES}.get(of, SHAFTS + HOLES)
-    if match is None or match[1] not in ("IT", *letters) or int(match[2]) not in GRADES:
+    if of in TIGHT:
+        letters, tight = TIGHT[of]
+        known = match is not None and int(match[2]) in tight.get(match[1], GRADES if match[1] in letters else ())
+    else:
+        letters = ("IT", *{"shaft": SHAFTS, "hole": HOLES}.get(of, SHAFTS + HOLES))
+        known = match is not None and match[1] in letters and int(match[2]) in GRADES
+    if match is None or not known:
         raise ValueError(f'"{text}" is no tolerance class that is known here; allowed: {ALLOWED[of]}')
     return ToleranceField(None if match[1] == "IT" else match[1], int(match[2]))
 
@@ -81,11 +103,29 @@ def deviations(field: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:
     letter = (field.letter or "js").lower()
     if letter == "js":
         return -width / 2 / _UM, width / 2 / _UM
+    if letter == "j":
+        below = _row("below_um", str(field))[_range(_row("", "up_to_mm"), diameter)]
+        return -below / _UM, (width - below) / _UM
+    if letter in TIGHT_SHAFTS:
+        near = _above_um(letter, diameter)
+        if field.letter == letter:
+            near = near if letter != "k" or field.grade in OFTEN_USED else 0.0
+            return near / _UM, (near + width) / _UM
+        if UNITS["mm"].shown(diameter) > SMALL:  # so that N7 with h6 grips like H7 with n6
+            near -= width - _tolerance_um(field.grade - 1, diameter)
+        return -(near + width) / _UM, -near / _UM
     fine = ("fine", letter) in _lines()
     near = _row("fine" if fine else "distance_um", letter)[_range(_row("fine" if fine else "", "up_to_mm"), diameter)]
     if field.letter == letter:
         return -(near + width) / _UM, (-near if near else 0.0) / _UM
     return near / _UM, (near + width) / _UM
+
+
+def _above_um(letter: str, diameter: Metre) -> float:
+    """From the nominal size up to a tight shaft, of k one of the grades that are often used."""
+    fine = ("fine_above_um", letter) in _lines()
+    ends = _row("fine" if fine else "", "up_to_mm")
+    return _row("fine_above_um" if fine else "above_um", letter)[_range(ends, diameter)]
 
 
 def clearance_limits(journal: ToleranceField, seat: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:

@@ -158,7 +158,6 @@ _ROWS = (  # symbol, suffix of keys, factor
     ("N/mm", "_N_mm", 1e3),
     ("kN/mm", "_kN_mm", 1e6),
     ("N/m", "_N_m", 1.0),
-    ("kN/mm", "_kN_mm", 1e6),
     ("N·s/m", "_Ns_m", 1.0),
     ("N·s/mm", "_Ns_mm", 1e3),
     ("MPa", "_MPa", 1e6),

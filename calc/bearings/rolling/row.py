@@ -10,7 +10,8 @@ from ...sheet.text import Amount, Text
 from ..row import SupportRow
 
 if TYPE_CHECKING:
-    from .geometry import BearingSize, Inside  # with numpy, which a form does not need
+    from .sizes import BearingSize
+    from .geometry import Inside  # with numpy, which a form does not need
 
 KIND = SupportRow.kind
 OWN = "own"
@@ -328,14 +329,15 @@ class RollingRow(SupportRow):
     @cached_property
     def outline(self) -> "BearingSize[float] | None":
         """Its boundary dimensions; None where they are not known."""
-        from .sizes import UnknownSize, own_size, size_of
+        from .sizes import Elements, UnknownSize, own_size, size_of
 
         if self.size is None:
             return None
         if self.size.strip().casefold() == OWN:
             if self.elements is None or self.bore is None or self.outside_diameter is None or self.width is None:
                 return None
-            return own_size(self.elements, self.bore[0], self.outside_diameter, self.width)
+            elements: Elements = "ball" if self.elements == "ball" else "roller"
+            return own_size(elements, self.bore[0], self.outside_diameter, self.width)
         try:
             return size_of(self.size)
         except UnknownSize:
@@ -451,13 +453,13 @@ class RollingRow(SupportRow):
 
     def _elements(self) -> Iterable[tuple[str, Text]]:
         """Whether the elements find room beside each other and between the rings."""
-        from .geometry import elements_overlap
+        from .geometry import overlap
 
         size = self.outline
         assert size is not None
         if self.element_diameter is not None and self.element_diameter >= (size.outside - size.bore) / 2:
             least = Amount((size.outside - size.bore) / 2 * 1e3, "mm")
             yield dotted(RollingRow.element_diameter), Text("must be below {least}, the room of the rings", least=least)
-        elif (inside := self.inside) is not None and elements_overlap(inside):
+        elif (inside := self.inside) is not None and overlap(inside):
             given = RollingRow.element_count if self.element_count is not None else RollingRow.element_diameter
             yield dotted(given), Text("the elements overlap: Z·asin(D_w/D_pw) must stay below π")

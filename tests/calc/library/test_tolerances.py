@@ -71,9 +71,48 @@ FAR = {
 }
 
 
+# Tight fields of rolling bearings as makers' catalogues print them for seats (ISO 286-2), µm, from memory.
+TIGHT_FIELDS = [
+    ("j5", 25, -4, 5), ("j6", 25, -4, 9), ("j6", 60, -7, 12), ("j5", 100, -9, 6), ("k5", 25, 2, 11), ("k6", 15, 1, 12),
+    ("k6", 60, 2, 21), ("k8", 25, 0, 33), ("m5", 25, 8, 17), ("m6", 40, 9, 25), ("n6", 25, 15, 28), ("n6", 60, 20, 39),
+    ("p6", 40, 26, 42), ("p6", 100, 37, 59), ("r6", 60, 41, 60), ("r6", 70, 43, 62), ("r6", 110, 54, 76),
+    ("K7", 25, -15, 6), ("K6", 52, -15, 4), ("K8", 25, -23, 10), ("M7", 25, -21, 0), ("M7", 52, -30, 0),
+    ("N7", 25, -28, -7), ("N7", 52, -39, -9), ("N6", 32, -28, -12), ("P7", 25, -35, -14), ("P7", 52, -51, -21),
+    ("R7", 42, -50, -25), ("R7", 52, -60, -30), ("R7", 72, -62, -32), ("N7", 3, -14, -4), ("G6", 30, 7, 20),
+    ("F6", 25, 20, 33), ("F7", 25, 20, 41),
+]  # fmt: skip
+
+
 @pytest.mark.parametrize("word, diameter, lower, upper", PUBLISHED)
 def test_published_limit_deviations(word, diameter, lower, upper):
     assert deviations(parse(word), diameter / 1e3) == pytest.approx((lower * 1e-6, upper * 1e-6), abs=1e-12)
+
+
+@pytest.mark.parametrize("word, diameter, lower, upper", TIGHT_FIELDS)
+def test_tight_fields_of_rings(word, diameter, lower, upper):
+    field = parse(word, "hole for a ring" if word[0].isupper() else "shaft in a ring")
+    assert deviations(field, diameter / 1e3) == pytest.approx((lower * 1e-6, upper * 1e-6), abs=1e-12)
+
+
+@given(st.sampled_from(["k", "m", "n", "p", "r"]), st.sampled_from([5, 6, 7]), st.floats(0.0031, 0.249))
+def test_a_tight_hole_grips_a_shaft_as_a_tight_shaft_is_gripped(letter, grade, diameter):
+    """ISO 286-1: a hole of grade n with h of the next finer grade is the fit of H of grade n with the tight shaft."""
+    hole = deviations(parse(f"{letter.upper()}{grade}", "hole for a ring"), diameter)
+    shaft = deviations(parse(f"{letter}{grade - 1}", "shaft in a ring"), diameter)
+    plain = tolerance(grade - 1, diameter), tolerance(grade, diameter)
+    assert (-plain[0] - hole[1], -hole[0]) == pytest.approx((shaft[0] - plain[1], shaft[1]), abs=1e-12)
+    assert hole[1] - hole[0] == pytest.approx(plain[1])
+
+
+@pytest.mark.parametrize("word, of", [("K9", "hole for a ring"), ("P8", "hole for a ring"), ("j7", "shaft in a ring")])
+def test_tight_fields_that_iso_286_does_not_have(word, of):
+    assert problem(word, of) == f"must be {ALLOWED[of]}"
+
+
+@pytest.mark.parametrize("of", ["shaft in a ring", "hole for a ring"])
+def test_a_ring_asks_for_a_place(of):
+    assert problem("IT7", of) and problem("N7", "shaft in a ring") and problem("k6", "hole for a ring")
+    assert problem("js6", "shaft in a ring") is problem("G6", "hole for a ring") is None
 
 
 @pytest.mark.parametrize("diameter, published", FAR.items())

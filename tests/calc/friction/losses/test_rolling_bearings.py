@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.friction.inputs import RollingBearing
+from calc.bearings.rolling.torque import constants
+from calc.friction.inputs import SKF_SERIES, RollingBearing
 from calc.friction.losses import bearings as b
 from calc.sheet.errors import NoSolution
 
@@ -135,12 +136,17 @@ def test_every_series_of_balls_has_its_constants():
     """10⁷·R_1 and 10³·S_1 of SKF's catalogue, copied a second time from another public program that quotes it; at two
     loads, so that neither part hides the other."""
     for (R_1, S_1), series in CATALOGUE.items():
-        constants = balls(R_1 * 1e-7, S_1 * 1e-3)
+        parts = balls(R_1 * 1e-7, S_1 * 1e-3)
         for F in (50.0, 5000.0):
             found = [power(bearing(method="skf", series=x, count=1, lubrication="bath"), F) for x in series]
-            expected = by_skf(F, 3000.0, 15.0, *constants, 3.1, 0.05)
+            expected = by_skf(F, 3000.0, 15.0, *parts, 3.1, 0.05)
             assert found == pytest.approx([expected] * len(series), rel=1e-9)
-    assert {x for series in CATALOGUE.values() for x in series} == set(b.BALLS)
+    assert {x for series in CATALOGUE.values() for x in series} == set(SKF_SERIES["deep-groove-ball"])
+
+
+def test_a_design_may_give_the_series_whose_constants_are_known():
+    for kind, series in SKF_SERIES.items():
+        assert series == tuple(constants("skf")[b.ELEMENTS[kind]]["series"])
 
 
 def test_mist_starves_twice_as_much_and_a_jet_as_a_bath():
@@ -170,9 +176,12 @@ def test_a_6205_lies_between_the_rules_of_thumb():
         assert 0.5 < power(one, 1400.0) / simple < 2
 
 
-@pytest.mark.parametrize("series, R_1", [("22", 1.40e-6), ("4", 1.00e-6)])
+@pytest.mark.parametrize(
+    "series, R_1",
+    [("22", 1.40e-6), ("4", 1.00e-6), ("10", 1.12e-6), ("2", 1.09e-6), ("3", 1.09e-6), ("23", 1.48e-6)],
+)
 def test_cylindrical_rollers_by_skf(series, R_1):
-    """NU 2205, NU 405."""
+    """NU 2205, NU 405; the last four from memory."""
     one = bearing(kind="cylindrical-roller", method="skf", series=series, count=1, lubrication="bath")
     assert power(one, 2000.0) == pytest.approx(by_skf(2000.0, 3000.0, 15.0, *rollers(R_1, 0.0015), 5.1, 0.02), rel=1e-9)
 
