@@ -6,6 +6,7 @@ from typing import Any
 from .plain.kind import Plain
 
 # from .rolling.kind import Rolling
+from .rolling.kind import Rolling
 from .support import Kind
 
-KINDS: dict[str, Kind[Any]] = {"plain": Plain()}
+KINDS: dict[str, Kind[Any]] = {"plain": Plain(), "rolling": Rolling()}

@@ -22,7 +22,7 @@ from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome
 from ..sheet.text import EMPTY, Text
-from ..sheet.units import Number, Radian, Second
+from ..sheet.units import Metre, Number, Radian, Second
 from ..sheet.value import about, based_on, trace, untraced
 from .inputs import BearingsInputs, ruled_by
 from .kinds import KINDS
@@ -55,6 +55,7 @@ class BearingMaterials(NamedTuple):
     journal: Material
     housings: tuple[Material, ...]
     backings: tuple[Material, ...]
+    shaft_bore: Metre = 0.0
 
 
 def solve(
@@ -93,7 +94,7 @@ def solve(
         with untraced():
             duty = operating_point(bearings, 0.0, speed)
         for row, housing, backing in zip(rows, solids.housings, solids.backings):
-            made_of = Solids(lubricant, solids.journal, housing, backing)
+            made_of = Solids(lubricant, solids.journal, housing, backing, solids.shaft_bore)
             supports.append(KINDS[row.kind].support(row, bearings.of(row), made_of, _load(row, shaft), task))
         turning, films = condensed(bearings, rows, shaft), None
         sense = -1 if speed_ratio is not None and speed_ratio < 0 else 1

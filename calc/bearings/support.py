@@ -8,7 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
 
-from ..countershaft.bending.carried import Carried, Law
+from ..countershaft.bending.carried import AnyLaw, Carried
 from ..countershaft.bending.condensed import Condensed
 from ..countershaft.rows import BearingRow
 from ..draw.drawing import Sketch
@@ -119,14 +119,14 @@ class Support(Protocol):
     @property
     def row(self) -> BearingRow: ...
 
-    def law(self, duty: OperatingPoint[Any], sense: int) -> Law:
+    def law(self, duty: OperatingPoint[Any], sense: int) -> AnyLaw:
         """With the oil as it is supplied."""
 
-    def warm_law(self, duty: OperatingPoint[Any], supplied: Law, before: Law, sense: int) -> Law:
+    def warm_law(self, duty: OperatingPoint[Any], supplied: AnyLaw, before: AnyLaw, sense: int) -> AnyLaw:
         """In the heat that it makes under the load of `duty`, from the law as `supplied`; that `before`, where it finds
         no balance.  Raises NoSolution where it would not even run without a load."""
 
-    def told_law(self, law: Law, duty: OperatingPoint[Any]) -> Law:
+    def told_law(self, law: AnyLaw, duty: OperatingPoint[Any]) -> AnyLaw:
         """The same with what its numbers were found from."""
 
     def centred_under(self, duty: OperatingPoint[Any]) -> bool:
@@ -144,7 +144,7 @@ class Shared:
 
     `moved`: by how much the loads moved in the last pass, over the largest."""
 
-    laws: tuple[Law, ...]
+    laws: tuple[AnyLaw, ...]
     carried: Carried
     moved: Number
 
@@ -257,6 +257,7 @@ class Solids:
     journal: Material
     housing: Material
     backing: Material
+    shaft_bore: Metre = 0.0
 
 
 R = TypeVar("R", bound=Carrying)

@@ -520,6 +520,15 @@ class ShaftInputs:
 
     paired: bool = False  # whether another shaft of the design mirrors it, and turns the other way: the design says so
 
+    @staticmethod
+    def as_read(shaft: dict[str, object]) -> dict[str, object]:
+        """A shaft of which nothing is said but its bearings, with their loads, is there for these alone."""
+        rows, mode = shaft.get(dotted(ShaftInputs.bearings)), dotted(ShaftInputs.mode)
+        if not isinstance(rows, list) or not rows or not shaft.keys() <= {*map(dotted, OF_BEARINGS)}:
+            return shaft
+        loaded = all(isinstance(row, dict) and dotted(BearingRow.load) in row for row in rows)
+        return {**shaft, mode: "bearings"} if loaded else shaft
+
     @property
     def is_twin(self) -> bool:
         """Whether it is the mirror image of another, or that once more."""
@@ -739,3 +748,5 @@ def _mm(length: float) -> Amount:
 # what a twin has of its own; of its bearings what their rows say, by the names of its original's
 OWN = ShaftInputs.name, ShaftInputs.mirrors, ShaftInputs.repeats, ShaftInputs.axis, ShaftInputs.loads
 TWIN = tuple(map(dotted, (*OWN, ShaftInputs.bearings)))
+# what a shaft may say that is there for its bearings alone
+OF_BEARINGS = ShaftInputs.name, ShaftInputs.bearings, ShaftInputs.assembly

@@ -4,7 +4,6 @@ all of it where [bearings] judges the bearing, else its name, its place and its 
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import ClassVar
 
 from ..bearings.plain.row import PlainRow
 from ..bearings.rolling.row import RollingRow
@@ -36,8 +35,13 @@ def sign(row: str) -> str:
 class BearingRow(RollingRow, PlainRow, SupportRow):
     """One bearing in its place, of any kind."""
 
-    # a list under the key of a number
-    AS_LISTS: ClassVar[dict[str, str]] = {dotted(PlainRow.clearance): dotted(RollingRow.clearance_limits)}
+    @staticmethod
+    def as_read(row: dict[str, object]) -> dict[str, object]:
+        """A list under the key of the clearance is that before mounting."""
+        one, limits = dotted(PlainRow.clearance), dotted(RollingRow.clearance_limits)
+        if not isinstance(row.get(one), list) or limits in row:
+            return row
+        return {limits if key == one else key: content for key, content in row.items()}
 
     def with_own(self, twin: "BearingRow") -> "BearingRow":
         """The bearing of a twin: this one of its original, with what the twin's row says."""

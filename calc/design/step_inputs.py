@@ -325,6 +325,7 @@ def bearing_materials(design: Design, bearings: BearingsInputs, shaft: ShaftInpu
         journal=solids[bearings.journal_material or shaft.material],
         housings=tuple(solids[bearings.of(row).housing_material] for row in shaft.bearings),
         backings=tuple(solids[row.backing] for row in shaft.bearings),
+        shaft_bore=shaft.bore_diameter,
     )
 
 

@@ -303,9 +303,7 @@ class _Reader:
         very same, is taken over."""
         kind: type = cls
         known, values = keys(kind), Table()
-        for key, other in getattr(cls, "AS_LISTS", {}).items():
-            if isinstance(data.get(key), list) and other not in data:
-                data = {other if name == key else name: content for name, content in data.items()}
+        data = getattr(cls, "as_read", dict)(data)  # what else the words of this table may mean
         for key in data:
             if key not in known:
                 counted = len(self.errors) >= SHOWN_ERRORS  # nobody would read the nearest name

@@ -531,6 +531,8 @@ def _bearings(design: Design) -> Iterator[Check]:
     bearings, shaft = design.bearings, design.countershaft
     assert bearings is not None
     for bearing in design.rows:
+        if bearing.plain_place is None:
+            continue
         yield from _journal(bearing.name, bearing, shaft.core_radius if shaft is not None else None)
     p, mu = bearings.supply_pressure, bearings.viscosity
     if p:

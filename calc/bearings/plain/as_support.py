@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ...countershaft.bending.carried import Hold, Law, carried, carried_near
+from ...countershaft.bending.carried import AnyLaw, Hold, Law, Rigid, carried, carried_near
 from ...countershaft.bending.condensed import Condensed
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
@@ -139,7 +139,7 @@ def runs_centred(seat: BearingCase, duty: OperatingPoint, supplied: Film | None 
         return duty.load < film_law(seat, film.clearance, film.oil.mu, n, 1).centred.force
 
 
-def warm_law(seat: BearingCase, duty: OperatingPoint[Any], supplied: Film, before: Law, sense: int) -> Law:
+def warm_law(seat: BearingCase, duty: OperatingPoint[Any], supplied: Film, before: AnyLaw, sense: int) -> AnyLaw:
     """In the heat that it makes under the load of `duty`; where it finds no balance, the law `before`, at first that of
     the oil as it is supplied."""
     least = replace(seat, centred=True)
@@ -174,7 +174,12 @@ def at_corners(
     if not rows:
         return {}
     laws = {i: law for i, law in enumerate(films.laws) if isinstance(law, Film)}
-    others = {i: law for i, law in enumerate(films.laws) if i not in laws}
+    others: dict[int, Law] = {}
+    for i, other in enumerate(films.laws):
+        if isinstance(other, Rigid):
+            return {}  # it holds its place, whatever the others do
+        if i not in laws:
+            others[i] = other
     asked = [(corner_points(known[i], duty)[0], replace(duty, load=loads[i])) for i in rows]
     with untraced():
         alike = all(_alike(known[i], known[rows[0]]) for i in rows)

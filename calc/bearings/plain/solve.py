@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...countershaft.bending.carried import Law
+from ...countershaft.bending.carried import AnyLaw
 from ...countershaft.rows import BearingRow, called
 from ...library.catalogue import Material, Oil, materials, oils
 from ...library.journal_rules import heat_index, specific_load, speed_factor
@@ -81,14 +81,14 @@ class PlainSupport:
     def row(self) -> BearingRow:
         return self.case.bearing
 
-    def law(self, duty: OperatingPoint[Any], sense: int) -> Law:
+    def law(self, duty: OperatingPoint[Any], sense: int) -> AnyLaw:
         return as_supplied(self.case, duty, sense)
 
-    def warm_law(self, duty: OperatingPoint[Any], supplied: Law, before: Law, sense: int) -> Law:
+    def warm_law(self, duty: OperatingPoint[Any], supplied: AnyLaw, before: AnyLaw, sense: int) -> AnyLaw:
         assert isinstance(supplied, FilmLaw)
         return warm_law(self.case, duty, supplied, before, sense)
 
-    def told_law(self, law: Law, duty: OperatingPoint[Any]) -> Law:
+    def told_law(self, law: AnyLaw, duty: OperatingPoint[Any]) -> AnyLaw:
         assert isinstance(law, FilmLaw)
         return told_law(law, self.case, duty)
 

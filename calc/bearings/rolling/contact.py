@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from ...countershaft.bending.carried import Hold
+from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.functions import acos, largest, modulus, power, single_or_many
 from ...sheet.record import record
@@ -168,6 +169,10 @@ class Springs:
         return (self.count * J_r < 1) & (self.gap >= 0)
 
     # --- as a support
+
+    def hold_many(self, e: Array) -> Hold[Array]:
+        _, slope, secant = self.force(e)
+        return Hold(secant * e, slope, secant, np.zeros(e.shape), np.zeros(e.shape))
 
     def hold(self, e: Metre) -> Hold:
         _, slope, secant = self.force(e)

@@ -36,8 +36,17 @@ class DutyRowResult:
 class RollingResult:
     """One rolling bearing at rated speed, its life over the whole duty."""
 
-    life: Second | None = value("Life, ISO 281 with a_ISO", "h", "L_nmh", short=True, page_one=1, worst="least", each=True,
-                                default=None, headline=1)  # fmt: skip
+    life: Second | None = value(
+        "Life, ISO 281 with a_ISO",
+        "h",
+        "L_nmh",
+        short=True,
+        page_one=1,
+        worst="least",
+        each=True,
+        headline=1,
+        default=None,
+    )
     life_basic: Second | None = value("Life by the load alone", "h", "L_10h", short=True, default=None)
     life_reference: Second | None = value(
         "Life with the zone that the clearance leaves, a lower bound", "h", "L_nmrh", default=None

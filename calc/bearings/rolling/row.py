@@ -10,8 +10,8 @@ from ...sheet.text import Amount, Text
 from ..row import SupportRow
 
 if TYPE_CHECKING:
-    from .sizes import BearingSize
     from .geometry import Inside  # with numpy, which a form does not need
+    from .sizes import BearingSize
 
 KIND = SupportRow.kind
 OWN = "own"

@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import Any, Generic, NamedTuple, Protocol
+from typing import Any, Generic, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
@@ -88,6 +88,9 @@ class Rigid:
     """A support that does not give way."""
 
 
+AnyLaw: TypeAlias = Law | Rigid
+
+
 # --- the shaft on them
 
 LEAST = 0.01  # of the largest f_c: where there is less, the journal begins in the middle of its support
@@ -113,7 +116,7 @@ class Carried:
 
 def carried(
     shaft: Condensed,
-    laws: Sequence[Law | Rigid],
+    laws: Sequence[AnyLaw],
     names: Sequence[str] = (),
     name: str = "the shaft",
     near: ComplexArray | None = None,

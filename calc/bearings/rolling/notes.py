@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Notes beside the numbers of rolling bearings: what stands where, what is an estimate, what is not computed."""
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from ...countershaft.rows import titled
+from ...sheet.text import Amount, Text
+
+if TYPE_CHECKING:
+    from ..inputs import BearingsInputs
+    from .bearing import RollingBearing
+
+
+def notes(inputs: "BearingsInputs", results: "Mapping[str, RollingBearing]") -> Iterator[Text]:
+    yield Text(
+        "The load turns with the shaft: it stands on the inner ring and sweeps the outer one. So the outer ring needs "
+        "the tight fit, and the inner one may be loose."
+    )
+    for place, r in results.items():
+        if r.load < r.standing_load:
+            yield Text("{place} bearing: more stands than turns: V is 1.", place=titled(place))
+        if r.clearance_running is None:
+            why = Text("nothing is known of its inside")
+            if r.case.inside is not None:
+                why = Text("no table has the clearance of such a bore")
+            yield Text(
+                "{place} bearing: no clearance, no stiffness and no life with the clearance: {why}.",
+                place=titled(place),
+                why=why,
+            )
+        if r.case.size.type == "cup" and r.grip_hot is not None and r.grip_hot < 0:
+            yield Text(
+                "{place} bearing: the cup is loose as it runs and turns with the load; its clearance is an upper "
+                "estimate.",
+                place=titled(place),
+            )
+        if r.axial > 0:
+            yield Text("{place} bearing: its loss with thrust is a lower estimate.", place=titled(place))
+        if r.pass_frequency is not None:
+            yield Text(
+                "{place} bearing: rolling bearings hum at {f} and its multiples, plain ones do not.",
+                place=titled(place),
+                f=Amount(r.pass_frequency, "Hz", digits=4),
+            )
+    yield Text(
+        "The temperature of the bearings is an upper estimate, since oil that flows through carries more off: so life "
+        "and viscosity ratio are lower ones. See that oil reaches each bearing: no supply is computed."
+    )
+    yield Text(
+        "Two formulas of the friction are in the program: INA's factors for needles, and Palmgren's of 1957 for the "
+        "bearings of wheels, four times as large; they stand side by side as an upper bound."
+    )
+    if inputs.rolling_lubrication == "bath":
+        yield Text(
+            "In a bath the larger torque of both formulas is judged: drag in deep oil is a diagram of the catalogue, "
+            "without numbers."
+        )
+    yield Text("The growth of shaft and rings in their own turning is below 0.3 µm and left out.")

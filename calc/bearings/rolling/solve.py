@@ -1,0 +1,444 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One rolling bearing: what it is made of; its load, life, friction and clearance at rated speed and over its duty."""
+
+import math
+from typing import Any, cast
+
+import numpy as np
+
+from ...countershaft.rows import BearingRow, called
+from ...engine.inputs import Operation
+from ...library.lubricant import Lubricant
+from ...sheet.arrays import Array
+from ...sheet.functions import largest
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.units import Celsius, Metre, Newton, Number, RevPerSecond, Second
+from ...sheet.value import about, based_on, untraced
+from ..formulas import load_at_speed, load_peak
+from ..inputs import BearingsInputs
+from ..support import Solids, StandingLoads, Task
+from . import ratings as r
+from .balance import (
+    HeatBalance,
+    heat_balance,
+    heat_conductance,
+    heat_surface,
+    jet_flow,
+    largest_speed_factor,
+    limiting_speed,
+    minimum_load,
+    minimum_load_speed,
+    reference_speed,
+    speed_factor,
+)
+from .clearance import Clearances, Mounting, clearances, fits_of, metal_of_seat
+from .contact import Springs, contact_constant, largest_load, load_zone, pass_frequency, pressure_of, reach, stiffness
+from .geometry import Inside, gamma_of, inner_raceway, mass_of, mean_diameter, outer_raceway
+from .inputs import Duty
+from .life import Lives, life_of_duty, lives, reliability_factor, with_clearance
+from .load import (
+    Races,
+    equivalent,
+    friction_mean_of,
+    mean_of,
+    races_of,
+    radial_of,
+    ring_factor_of,
+    static_load,
+    static_safety,
+)
+from .result import DutyRowResult
+from .sizes import BearingSize
+from .torque import Friction, friction_of
+from .zone import EXPONENTS
+
+NOTHING: Newton = 1e-9  # a load that no element feels
+SLOWEST, FASTEST, SPEEDS = 0.1, 1.1, 21  # of the rated speed: where the least load is looked for
+
+
+@record
+class RollingCase:
+    """One rolling bearing with all that does not depend on its load, its speed and its oil.
+
+    `inside`: None of one of its own of which only the ratings are known; what follows from it is None then too.
+    `computed`: the ratings of the standards with it.  `outline_speed`: reference speed, 1/s."""
+
+    row: BearingRow
+    inputs: BearingsInputs
+    lubricant: Lubricant
+    solids: Solids
+    size: BearingSize[float]
+    inside: Inside[float] | None
+    ratings: r.Ratings
+    computed: r.Ratings | None
+    friction: Friction[float]
+    heat: float  # W/K
+    reference: RevPerSecond
+    mean_diameter: Metre
+    mounting: Mounting[float] | None
+    contact: Newton | None
+    races: Races | None
+
+    @property
+    def pitch(self) -> Metre:
+        return self.mean_diameter if self.inside is None else self.inside.pitch
+
+    def nu(self, T: Any) -> Any:
+        return self.lubricant.nu(T)
+
+    def springs(self, gap: Any) -> Springs | None:
+        """Its elements with a clearance, m; None where they are not known."""
+        if self.inside is None or gap is None:
+            return None
+        return Springs(self.inside.elements, self.inside.count, self.contact, gap)
+
+    def warm(self, F: Any, n: Any, T_oil: Any) -> HeatBalance[Any]:
+        """Where it carries off what it makes under the mean load F."""
+        return heat_balance(self.friction, F, n, T_oil, self.heat, self.nu)
+
+    def clearances(self, T_b: Celsius) -> Clearances | None:
+        if self.mounting is None or self.mounting.fits.free is None:
+            return None
+        return clearances(self.mounting, T_b, self.inputs.lowest_temperature, self.inputs.ring_temperature)
+
+    def grip(self, T_b: Celsius) -> Metre | None:
+        """The loosest fit of its outer ring or cup; None of a cage."""
+        return None if self.mounting is None else self.mounting.grip(T_b)
+
+
+def case_of(row: BearingRow, inputs: BearingsInputs, solids: Solids) -> RollingCase:
+    size, inside = row.outline, row.inside
+    assert size is not None  # asked of the file
+    place = called(row.name)
+    d, D, B = (based_on(x, row.size) for x in (size.bore, size.outside, size.width))
+    with about(Text("{place} bearing, ratings", place=place)):
+        HV = None if size.inner_ring else row.raceway_hardness
+        computed = None if inside is None else r.computed(inside, size.usual.rating, HV)
+        d_m = mean_diameter(d=d, D=D)
+        C, C_0 = row.dynamic_rating, row.static_rating
+        if computed is not None:
+            C, C_0 = (known if known is not None else x for known, x in ((C, computed.dynamic), (C_0, computed.static)))
+        assert C is not None and C_0 is not None  # asked of the file
+        C_u = row.fatigue_limit
+        if C_u is None:
+            limit = r.limit_of_balls if size.elements == "ball" else r.limit_of_rollers
+            C_u = limit(C_0=C_0, D_pw=d_m if inside is None else inside.pitch)
+        ratings = r.Ratings(C, C_0, C_u, None if computed is None else computed.f_0)
+    with about(Text("{place} bearing, friction", place=place)):
+        what: dict[str, Any] = dict(
+            static_rating=C_0, base=solids.lubricant.oil.base, f_0=row.palmgren_f0, f_1=row.palmgren_f1
+        )
+        friction: Friction[float] = friction_of(
+            size.type, size.series, d, D, B, lubrication=inputs.rolling_lubrication, **what
+        )
+        heat = row.heat
+        if heat is None:
+            heat = heat_conductance(A=heat_surface(B=B, d=d, D=D))
+    with about(Text("{place} bearing, speed", place=place)):
+        in_bath: Friction[float] = friction_of(size.type, size.series, d, D, B, lubrication="bath", **what)
+        reference = reference_speed(in_bath, B)
+    mounting = contact = races = None
+    if inside is not None:
+        with about(Text("{place} bearing, fits", place=place)):
+            metal = metal_of_seat(solids.housing, row.outer_ring_held)
+            fits = fits_of(
+                size.type,
+                d,
+                D,
+                inner_ring=size.inner_ring,
+                shaft_fit=row.shaft_fit,
+                seat_fit=row.seat_fit,
+                clearance_class=row.clearance_class,
+                clearance=None if row.clearance_limits is None else (row.clearance_limits[0], row.clearance_limits[1]),
+            )
+            mounting = Mounting(
+                type=size.type,
+                bore=d,
+                outside=D,
+                inner_raceway=inner_raceway(D_pw=inside.pitch, D_w=inside.diameter),
+                outer_raceway=outer_raceway(D_pw=inside.pitch, D_w=inside.diameter),
+                fits=fits,
+                housing_expansion=metal.expansion,
+                housing_modulus=metal.E,
+                housing_poisson=metal.poisson,
+                restraint=inputs.expansion_restraint,
+                housing_outer=row.housing_outer,
+                journal_expansion=solids.journal.expansion,
+                shaft_bore=solids.shaft_bore,
+            )
+        with about(Text("{place} bearing, stiffness", place=place)):
+            contact = contact_constant(inside)
+        with about(Text("{place} bearing, load on its races", place=place)):
+            races = races_of(inside)
+    return RollingCase(
+        row=row,
+        inputs=inputs,
+        lubricant=solids.lubricant,
+        solids=solids,
+        size=size,
+        inside=inside,
+        ratings=ratings,
+        computed=computed,
+        friction=friction,
+        heat=heat,
+        reference=reference,
+        mean_diameter=d_m,
+        mounting=mounting,
+        contact=contact,
+        races=races,
+    )
+
+
+# --- the duty
+
+
+@record
+class Rows:
+    """What a bearing has to do, a number a row: speed of the shaft 1/s, share of the hours, oil °C, load that stands
+    besides N, factor on the load that turns."""
+
+    names: tuple[str, ...]
+    n: Array
+    share: Array
+    T_oil: Array
+    extra: Array
+    factor: Array
+    road: tuple[float | None, ...]  # m/s
+
+
+def rows_of(inputs: BearingsInputs, task: Task) -> Rows | None:
+    """The duty as it is given, else by the operation of the engine; None where neither is: rated speed alone."""
+    given: list[Duty | Operation] = [*inputs.duty] or [row for row in task.operation if row.hours]
+    if not given:
+        return None
+    ratio = abs(task.ratio) if task.ratio is not None else 1.0
+    hours = np.array([row.hours or 0.0 for row in given])
+    T_in = inputs.supply_temperature
+    duties = [row if isinstance(row, Duty) else None for row in given]
+    return Rows(
+        names=tuple(row.name for row in given),
+        n=np.array([row.speed * ratio for row in given]),
+        share=hours / hours.sum(),
+        T_oil=np.array([T_in if row.oil_temperature is None else row.oil_temperature for row in given]),
+        extra=np.array([0.0 if row is None else row.extra_load for row in duties]),
+        factor=np.array([1.0 if row is None else row.load_factor for row in duties]),
+        road=tuple(None if row is None else row.road_speed for row in duties),
+    )
+
+
+# --- one state, or a row of them
+
+
+@record
+class State:
+    """What a bearing does at one point, or at a row of them."""
+
+    F_1: Any
+    F_2: Any
+    F_m: Any
+    F_f: Any
+    P: Any
+    heat: HeatBalance[Any]
+    lives: Lives
+
+
+def state(case: RollingCase, n: Any, F_1: Any, F_2: Any, F_a: Any, T_oil: Any, a_1: Number) -> State:
+    """Under F_1 that turns and F_2 that stands, N, at n, 1/s, with oil of T_oil, °C."""
+    elements, p = case.size.elements, EXPONENTS[case.size.elements].p
+    F_m, F_f = mean_of(F_1, F_2, p), friction_mean_of(F_1, F_2)
+    P = radial_of(case.races, F_1, F_2, p)
+    if np.any(np.asarray(F_a) > 0):
+        P = equivalent(case.size, case.ratings, P, F_a)
+    heat = case.warm(F_f, n, T_oil)
+    some = largest(P, NOTHING) if np.ndim(P) or P <= 0 else P
+    return State(
+        F_1, F_2, F_m, F_f, P, heat, lives(
+            elements, case.pitch, case.ratings, some, n, heat.viscosity, case.inputs.cleanliness, a_1
+        ),
+    )  # fmt: skip
+
+
+def with_gap(case: RollingCase, at: State, n: Any, gap: Metre | None, a_1: Number) -> Lives | None:
+    """The life with the zone that the clearance leaves."""
+    springs = case.springs(gap)
+    if springs is None or case.races is None:
+        return None
+    P = with_clearance(case.races, springs, largest(at.P, NOTHING), largest(at.F_m, NOTHING), at.F_1 >= at.F_2)
+    return lives(case.size.elements, case.pitch, case.ratings, P, n, at.heat.viscosity, case.inputs.cleanliness, a_1)
+
+
+@record
+class Solved:
+    """What `solve` finds, by the names of the results."""
+
+    values: dict[str, Any]
+    rated: State
+    rows: Rows | None
+    gap: Clearances | None
+
+
+def solve(case: RollingCase, F: Newton, stands: StandingLoads, task: Task) -> Solved:
+    """The bearing under F that turns with the shaft and what stands, over its duty."""
+    row, inputs, n, place = case.row, case.inputs, task.speed, called(case.row.name)
+    rows, T_oil = rows_of(inputs, task), inputs.supply_temperature
+    F_a = stands.axial if row.locates and row.axial_load is None else (row.axial_load or 0.0)
+    with about(Text("{place} bearing, duty", place=place)):
+        a_1 = reliability_factor(R=inputs.reliability)
+    with about(Text("{place} bearing, at rated speed", place=place)):
+        rated = state(case, n, F, stands.all, F_a, T_oil, a_1)
+        S_0 = None
+        P_0 = static_load(k_s=inputs.shock_factor, F_1=F, o=inputs.overspeed, F_2=stands.all)
+        if P_0 > 0:
+            S_0 = static_safety(C_0=case.ratings.static, P_0=P_0)
+        T_b, nu = rated.heat.temperature, rated.heat.viscosity
+        least = row.minimum_load
+        if least is None:
+            least = minimum_load(
+                case.size.type, case.size.series, case.mean_diameter, n, nu, case.reference, case.ratings.dynamic
+            )
+        oil = case.lubricant.at(T_oil)
+        jet = jet_flow(P=rated.heat.loss, rho=oil.rho, c_p=oil.cp)
+        factor = speed_factor(n=n, d_m=case.mean_diameter)
+    with about(Text("{place} bearing, clearance", place=place)):
+        gap = case.clearances(T_b)
+        grip = case.grip(T_b)
+    running = None if gap is None else gap.running
+    with about(Text("{place} bearing, duty", place=place)):
+        if rows is None:
+            done, every = rated, rated
+            n_rows: Any = n
+            share: Any = None
+        else:
+            F_rows = rows.factor * load_at_speed(F=F, n=rows.n, n_0=n)
+            done = every = state(case, rows.n, F_rows, stands.all + rows.extra, F_a, rows.T_oil, a_1)
+            n_rows, share = rows.n, rows.share
+        basic = _miner(share, every.lives.basic, every.P)
+        life = _miner(share, every.lives.modified, every.P)
+        at_gap = with_gap(case, every, n_rows, running, a_1)
+        reference = None if at_gap is None else _miner(share, at_gap.modified, every.P)
+        loss = rated.heat.loss if rows is None else float(np.sum(rows.share * done.heat.loss))
+    by_name = {} if rows is None else {name: _row(done, i) for i, name in enumerate(rows.names)}
+    elastic: dict[str, Any] = {}
+    springs = case.springs(running)
+    if springs is not None and case.inside is not None and rated.F_m > 0:
+        with about(Text("{place} bearing, stiffness", place=place)):
+            elastic = _elastic(case, case.inside, springs, rated.F_m)
+            elastic["pass_frequency"] = pass_frequency(Z=case.inside.count, n=n, gamma=gamma_of(case.inside))
+    with untraced():
+        slow = _least_speed(case, F, stands, n, T_oil)
+        torques = case.friction.by_two_parts(rated.F_f, n, nu), case.friction.by_palmgren(rated.F_f, n, nu)
+        mass = mass_of(case.size)
+    computed = case.computed
+    values = dict(
+        life=life,
+        life_basic=basic,
+        life_reference=reference,
+        friction_power=rated.heat.loss,
+        duty_loss=loss,
+        running_temperature=T_b,
+        load=F,
+        standing_load=stands.all,
+        load_peak=load_peak(F=F, R_0=stands.all),
+        mean_load=rated.F_m,
+        friction_load=rated.F_f,
+        ring_factor=ring_factor_of(case.races) if F >= stands.all else 1.0,
+        equivalent_load=rated.P,
+        dynamic_rating=case.ratings.dynamic,
+        static_rating=case.ratings.static,
+        fatigue_limit=case.ratings.fatigue,
+        dynamic_rating_computed=None if computed is None else computed.dynamic,
+        static_rating_computed=None if computed is None else computed.static,
+        viscosity_ratio=rated.lives.kappa,
+        contamination_factor=rated.lives.contamination,
+        life_factor=rated.lives.factor if rated.P > 0 else None,
+        static_safety=S_0,
+        torque=rated.heat.torque,
+        torque_two_part=torques[0],
+        torque_palmgren=torques[1],
+        speed_factor=factor,
+        reference_speed=case.reference,
+        minimum_load=least,
+        minimum_load_speed=slow,
+        clearance_running=running,
+        clearance_least=None if gap is None else gap.least,
+        clearance_most=None if gap is None else gap.most,
+        clearance_cold=None if gap is None else gap.frozen,
+        clearance_start=None if gap is None else gap.start,
+        clearance_mounted=None if gap is None else gap.mounted,
+        grip_hot=grip,
+        seat_diameter=case.size.outside,
+        bearing_mass=mass,
+        oil_flow=0.0,
+        jet_flow=jet,
+        duty=by_name,
+        **elastic,
+    )
+    return Solved(values, rated, rows, gap)
+
+
+def _miner(share: Array | None, L: Any, P: Any) -> Second | None:
+    """The life over the duty; None where nothing loads the bearing."""
+    if not np.any(np.asarray(P) > 0):
+        return None
+    life: Any = L if share is None else life_of_duty(w=share, L_i=L)
+    return cast(Second, life)
+
+
+def _row(every: State, i: int) -> DutyRowResult:
+    def at(x: Any) -> float:
+        return float(np.broadcast_to(np.asarray(x), every.heat.loss.shape)[i])
+
+    loaded = at(every.P) > 0
+    return DutyRowResult(
+        loss=at(every.heat.loss),
+        life_basic=at(every.lives.basic) if loaded else None,
+        viscosity_ratio=at(every.lives.kappa),
+        life_factor=at(every.lives.factor) if loaded else None,
+        equivalent_load=at(every.P),
+    )
+
+
+def _elastic(case: RollingCase, inside: Inside[float], springs: Springs, F_m: Newton) -> dict[str, Any]:
+    """How the elements share the load, and what that does to them."""
+    delta = springs.displacement(F_m)
+    sizes: dict[str, Any] = dict(Z=inside.count, K_1=springs.contact, s=springs.gap, elements=inside.elements)
+    Q = F_m if springs.alone(delta) else largest_load(
+        K_1=springs.contact, delta=delta, s=springs.gap, n_c=EXPONENTS[inside.elements].n
+    )  # fmt: skip
+    pressure, depth = pressure_of(inside, Q)
+    return dict(
+        stiffness=stiffness(delta=delta, **sizes),
+        load_zone=load_zone(eps=reach(s=springs.gap, delta=delta)),
+        contact_pressure=pressure,
+        shear_depth=depth,
+    )
+
+
+def _least_speed(
+    case: RollingCase, F: Newton, stands: StandingLoads, n: RevPerSecond, T_oil: Celsius
+) -> RevPerSecond | None:
+    """The lowest speed from which the load is large enough; None: not at the fastest."""
+    speeds = np.linspace(SLOWEST, FASTEST, SPEEDS) * n
+    loads, least = least_loads(case, F * (speeds / n) ** 2, stands.weight, speeds, T_oil)
+    found = float(minimum_load_speed(speeds, loads, least))
+    return found if math.isfinite(found) else None
+
+
+def least_loads(case: RollingCase, F_1: Any, weight: Newton, n: Any, T_oil: Any) -> tuple[Any, Any]:
+    """The mean load of what turns and the weight, and what it has to be at least."""
+    F_f = friction_mean_of(F_1, weight + 0.0 * F_1)
+    if case.row.minimum_load is not None:
+        return F_f, case.row.minimum_load + 0.0 * F_f
+    nu = case.warm(F_f, n, T_oil).viscosity if case.size.type == "ball" else 0.0
+    least = minimum_load(
+        case.size.type, case.size.series, case.mean_diameter, n, nu, case.reference, case.ratings.dynamic
+    )
+    return F_f, least + 0.0 * F_f
+
+
+def largest_speed(case: RollingCase) -> RevPerSecond:
+    """The speed up to which the bearing may turn: the maker's, else by n·d_m of its type."""
+    if case.row.limiting_speed is not None:
+        return case.row.limiting_speed
+    return limiting_speed(X=largest_speed_factor(case.size.type, case.size.series), d_m=case.mean_diameter)
