@@ -5,7 +5,7 @@ from ..countershaft.bending.condensed import OnSupports
 from ..countershaft.rows import IN_WORDS
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.quantity import group, result, value
-from ..sheet.units import Radian
+from ..sheet.units import Radian, Second
 from .plain.bearing import PlainBearing
 from .support import Carrying
 
@@ -15,6 +15,9 @@ class BearingsResult:
     """The bearings of a shaft, front to rear."""
 
     bearings: dict[str, Carrying] = group(spread=True, key_words=IN_WORDS)
+    system_life: Second | None = value(
+        "Life of all rolling bearings of the shaft together", "h", "L_s", short=True, default=None
+    )
     cone: Radian | None = value("Half-angle of the cone on which the shaft goes round", "mrad", "γ_c", default=None)
     stands: OnSupports | None = None  # what stands on more than two bearings
     line: tuple[Array, ComplexArray] | None = None  # places along the shaft, and the way of its axis in the films
@@ -37,3 +40,4 @@ class BearingsOfShafts:
     """Those of several shafts."""
 
     shafts: dict[str, BearingsResult | TwinBearings] = group(spread=True)
+    system_life: Second | None = value("Life of all rolling bearings together", "h", "L_s", short=True, default=None)

@@ -26,6 +26,7 @@ from ..sheet.units import Metre, Number, Radian, Second
 from ..sheet.value import about, based_on, trace, untraced
 from .inputs import BearingsInputs, ruled_by
 from .kinds import KINDS
+from .lives import life_together
 from .plain.checks import SLOPE, oil_check
 from .plain.curves import in_films
 from .plain.inputs import SLOPE_TAKEN
@@ -84,7 +85,8 @@ def solve(
         speed = rated if speed is None else speed
     assert speed is not None
     task = Task(speed, speed_ratio, bench, engine.operation if engine is not None else (), life, compared)
-    view, zone = ShaftInView(assembly, speed_ratio, speed), bearings.coaxiality
+    outline = None if shaft is None else shaft.outline
+    view, zone = ShaftInView(assembly, speed_ratio, speed, len(rows), outline), bearings.coaxiality
     results: dict[str, Carrying] = {}
     all_checks: list[Check] = []  # of each bearing at once: they have lines of their own
     with trace() as lines:
@@ -119,12 +121,14 @@ def solve(
         if shaft is not None:
             result = on_shaft(result, shaft, turning, films, sense, zone)
             result = turned_over(result) if how == "mirrors" else result
+        result = replace(result, system_life=life_together(result.bearings.values()))
     all_checks += _slope_checks(shaft, results)
     all_checks += support_checks(result, films, shaft, zone)
     results = result.bearings
     by_kind = {kind: {place: r for place, r in results.items() if r.row.kind == kind} for kind in _kinds(rows)}
     for kind, those in by_kind.items():
         all_checks += KINDS[kind].checks(those, view)
+        all_checks += KINDS[kind].renewed(those, result.system_life)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
         all_checks.append(pumping_check)
     return Outcome(

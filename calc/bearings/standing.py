@@ -7,6 +7,8 @@ from ..countershaft.result import Standing
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import trace
+from .kinds import KINDS
+from .lives import life_together
 from .result import BearingsResult, TwinBearings
 from .support import StandingLoads
 
@@ -23,9 +25,17 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
         for place, load in stands.stationary.items():
             loads = StandingLoads(load, stands.weights.get(place, 0.0), axial)
             bearings[place], checks = outcome.result.bearings[place].under(loads, checks, notes)
+        every = {**outcome.result.bearings, **bearings}
+        life = life_together(every.values())
+    for kind in dict.fromkeys(r.row.kind for r in every.values()):
+        new = {
+            check.id: check
+            for check in KINDS[kind].renewed({p: r for p, r in every.items() if r.row.kind == kind}, life)
+        }
+        checks = [*(check for check in checks if check.id not in new), *new.values()]
     return replace(
         outcome,
-        result=replace(outcome.result, bearings=bearings),
+        result=replace(outcome.result, bearings=every, system_life=life),
         checks=tuple(checks),
         lines=(*outcome.lines, *lines),
         notes=outcome.notes + tuple(notes),

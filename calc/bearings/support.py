@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
 
 from ..countershaft.bending.carried import AnyLaw, Carried
 from ..countershaft.bending.condensed import Condensed
+from ..countershaft.outline import Outline
 from ..countershaft.rows import BearingRow
 from ..draw.drawing import Sketch
 from ..engine.inputs import BenchPoint, Operation
@@ -223,6 +224,10 @@ class Carrying(ABC):
         """What is judged of bores out of line."""
         return iter(())
 
+    def survival(self) -> tuple[Second, Number] | None:
+        """Its life, and the exponent by which it adds to those of others; None of a kind that does not fatigue."""
+        return None
+
     @abstractmethod
     def spring(self) -> NewtonPerMetre:
         """Its stiffness at rated speed, for the critical speed."""
@@ -274,6 +279,10 @@ class Kind(ABC, Generic[R]):
         """What is judged of all of one shaft together."""
         return iter(())
 
+    def renewed(self, results: Mapping[str, R], system_life: Second | None) -> Iterator[Check]:
+        """Of those checks, and of such on all lives together, what hangs on loads that stand."""
+        return iter(())
+
     def shares(
         self, shaft: Condensed, shared: Shared, supports: Sequence[Support], duty: OperatingPoint[Any]
     ) -> dict[str, Array]:
@@ -314,11 +323,14 @@ class Kind(ABC, Generic[R]):
 
 @record
 class ShaftInView:
-    """What the bearings of a shaft are told of it: how it comes into its seats, and its ratio to the crank."""
+    """What the bearings of a shaft are told of it: how it comes into its seats, its ratio to the crank, how many
+    bearings it has; its outline, None where that is not known."""
 
     assembly: str | None
     ratio: Number | None
     speed: RevPerSecond
+    bearings: int
+    outline: Outline | None
 
 
 def on_bearing(

@@ -15,7 +15,7 @@ from ...sheet.check import Check
 from ...sheet.quantity import result
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond
+from ...sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
 from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Support, Task
 from .checks import rolling_checks
@@ -26,6 +26,7 @@ from .raceway import largest_slope
 from .result import RollingResult
 from .solve import RollingCase, Rows, solve
 
+SPREADS = {"ball": 10 / 9, "roller": 9 / 8}  # of the lives, Weibull
 UNKNOWN: NewtonPerMetre = 1e9  # of a bearing whose inside is not known: stiffer than any
 
 
@@ -161,6 +162,9 @@ class RollingBearing(RollingResult, Carrying):
 
     def out_of_line(self, R_c: Newton) -> None:
         return None
+
+    def survival(self) -> tuple[Second, Number] | None:
+        return None if self.life is None else (self.life, SPREADS[self.case.size.elements])
 
     def spring(self) -> NewtonPerMetre:
         return UNKNOWN if self.stiffness is None else self.stiffness
