@@ -103,7 +103,7 @@ def needed_viscosity_of(D_pw: Any, n: Any) -> Any:
 
 
 def contamination(cleanliness: str, D_pw: Any, k: Any) -> Any:
-    """e_C by the word or by the class of the oil's filter; k: the viscosity ratio that counts.  KeyError of others."""
+    """e_C by the word or by the class of the oil's filter; k: the viscosity ratio that counts."""
     table = house_table(FILE)
     if cleanliness in WORDS:
         small, large = table["contamination"][cleanliness]

@@ -20,7 +20,7 @@ from ...sheet.units import Newton, Number
 from .geometry import Inside, gamma_of
 from .ratings import ISO_RACES, Ratings, counted_grooves, race_ratio_of_balls, race_ratio_of_rollers
 from .sizes import FILE, BearingSize
-from .zone import EXPONENTS, radial_integral, standing_integral, turning_integral
+from .zone import EXPONENTS, narrowest, radial_integral, standing_integral, turning_integral
 
 NOTHING: Newton = 1e-9  # a load that no bearing feels, in place of none
 TERMS = 2000
@@ -133,6 +133,7 @@ class Races(NamedTuple):
     def share(self, eps: Any, stands: bool, preloaded: Any = False) -> Any:
         """P_ref over F where the zone reaches to ε; `stands`: the load on the inner ring."""
         kind = self.inside.elements
+        eps = largest(eps, narrowest(Z=self.inside.count, elements=kind))
         Z_J = carrying(Z=self.inside.count, J_r=radial_integral(eps=eps, elements=kind), preloaded=preloaded)
         still, turns = standing_integral(eps=eps, elements=kind), turning_integral(eps=eps, elements=kind)
         J_i, J_e = (still, turns) if stands else (turns, still)
