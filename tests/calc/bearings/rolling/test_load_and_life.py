@@ -361,6 +361,13 @@ def test_clearance_shortens_the_life_and_light_preload_hardly_lengthens_it():
     assert rows == pytest.approx([P[2], standing])
 
 
+def test_light_preload_spreads_the_load_best():
+    eps = np.geomspace(0.5, 3.0, 500)
+    for name, least in (("6305", 0.9623), ("NU205", 0.9678)):
+        shares = load.races_of(inside_of(size_of(name))).over_reference(eps, True, True)
+        assert shares.min() == pytest.approx(least, abs=1e-3) and 0.65 < eps[shares.argmin()] < 0.8
+
+
 # --- as a support of a shaft, as arrays, in a report
 
 
