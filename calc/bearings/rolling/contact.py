@@ -79,6 +79,11 @@ def pressure_of(inside: Inside[Any], Q: Any) -> tuple[Any, Any]:
 # --- all elements
 
 
+def support_of(inside: Inside[Any], gap: Any) -> "RollingSupport":
+    """The bearing at the clearance `gap`, m, as what holds its shaft."""
+    return RollingSupport(inside.elements, inside.count, contact_constant(inside), gap)
+
+
 @formula(
     "δ_r",
     Text("{law}; the loads of the elements hold F", law=LAW),
@@ -86,7 +91,7 @@ def pressure_of(inside: Inside[Any], Q: Any) -> tuple[Any, Any]:
     unit="µm",
 )
 def displacement(F: Newton, Z: Number, K_1: Newton, s: Metre, elements: Elements) -> Metre:
-    return Springs(elements, Z, K_1, s).displacement(F)
+    return RollingSupport(elements, Z, K_1, s).displacement(F)
 
 
 @formula("ε", "geometry: reach of the loaded zone over the diameter", names={"s": "G_r", "delta": "δ_r"})
@@ -115,7 +120,7 @@ def largest_load(K_1: Newton, delta: Metre, s: Metre, n_c: Number) -> Newton:
     unit="kN/mm",
 )
 def stiffness(delta: Metre, Z: Number, K_1: Newton, s: Metre, elements: Elements) -> NewtonPerMetre:
-    return single_or_many(np.asarray(Springs(elements, Z, K_1, s).force(delta)[1]))
+    return single_or_many(np.asarray(RollingSupport(elements, Z, K_1, s).force(delta)[1]))
 
 
 @formula("f_pass", "kinematics: elements pass a load that turns with the inner ring", unit="Hz")
@@ -124,7 +129,7 @@ def pass_frequency(Z: Number, n: RevPerSecond, gamma: Number) -> Hertz:
 
 
 @record
-class Springs:
+class RollingSupport:
     """The elements of a bearing as what holds its inner ring, of one bearing or of many alike: Z and K_1 (`contact`, N)
     as above, s the clearance (`gap`), m.  Of one bearing it is a support of a shaft
     (`countershaft.bending.carried.Law`), whose load has the direction of the displacement.
@@ -178,8 +183,8 @@ class Springs:
     def farthest(self, e: Metre) -> Metre:
         return math.inf
 
-    def softer(self, share: Number) -> "Springs":
-        return Springs(self.elements, self.count, self.contact, self.gap, share)
+    def softer(self, share: Number) -> "RollingSupport":
+        return RollingSupport(self.elements, self.count, self.contact, self.gap, share)
 
     def said(self, name: str, e: Metre) -> Text:
         return Text("bearing {name}: play {s}", name=name, s=Amount(self.gap * 1e6, "µm"))

@@ -123,6 +123,15 @@ def ring_factor(P_s: Number, P_t: Number) -> Number:
     return P_s / P_t
 
 
+@formula(
+    "P_ref/P_ref,0",
+    Text("{iso}: of the zone over that without clearance", iso=ISO_RACES),
+    names={"P_1": "P_ref(ε)/F", "P_2": "P_ref(½)/F"},
+)
+def zone_ratio(P_1: Number, P_2: Number) -> Number:
+    return P_1 / P_2
+
+
 class Races(NamedTuple):
     """What one element's races bear in a bearing: Q_c over C of both."""
 
@@ -141,8 +150,9 @@ class Races(NamedTuple):
 
     def over_reference(self, eps: Any, stands: Any, preloaded: Any = False) -> Any:
         """P_ref over that without clearance; `stands`: of each row, whether the larger load is on the inner ring."""
-        standing, turning = (self.share(eps, way, preloaded) / self.share(HALF, way) for way in (True, False))
-        return single_or_many(np.asarray(np.where(stands, standing, turning)))
+        ways = (True, False) if np.ndim(stands) else (bool(stands),)
+        ratios = [zone_ratio(P_1=self.share(eps, way, preloaded), P_2=self.share(HALF, way)) for way in ways]
+        return np.where(stands, *ratios) if np.ndim(stands) else ratios[0]
 
 
 def races_of(inside: Inside[Any]) -> Races:

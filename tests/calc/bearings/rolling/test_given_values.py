@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from calc.bearings.rolling.contact import (
-    Springs,
+    RollingSupport,
     contact_constant,
     displacement,
     largest_load,
@@ -107,7 +107,7 @@ def test_a_whole_bearing_at_given_oil_and_clearance():
     life = lives("roller", inside.pitch, ratings, P, n, nu, "typical")
     assert life.kappa == is_("viscosity_ratio") and life.factor == pytest.approx(0.417, abs=5e-4)
     assert life.basic / HOUR == is_("life_basic") and life.modified / HOUR == is_("life")
-    springs = Springs("roller", inside.count, contact_constant(inside), 40.86915e-6)
+    springs = RollingSupport("roller", inside.count, contact_constant(inside), 40.86915e-6)
     loaded = with_clearance(races, springs, P, F_m, True)
     reference = lives("roller", inside.pitch, ratings, loaded, n, nu, "typical")
     assert reference.modified / HOUR == is_("life_reference")
@@ -129,7 +129,7 @@ def test_a_duty_by_rows(place, size, p, loads):
     assert life_of_duty(w=np.array([0.2, 0.6, 0.2]), L_i=L.basic) / HOUR == is_("life_basic")
     assert S_0(C_0=ratings.static, P_0=P_0(k_s=1.5, F_1=loads[0], o=0.1, F_2=loads[1])) == is_("static_safety")
     clearance = {"front": 13.53502e-6, "rear": 63.76568e-6}[place]
-    springs = Springs(size.elements, inside.count, contact_constant(inside), clearance)
+    springs = RollingSupport(size.elements, inside.count, contact_constant(inside), clearance)
     F_m = mean_of(loads[0], loads[1], p)
     assert springs.force(springs.displacement(F_m))[1] / 1e6 == is_("stiffness")
 

@@ -12,7 +12,7 @@ from scipy.special import ellipe, ellipk
 
 from calc.bearings.rolling import hertz, load, zone
 from calc.bearings.rolling.contact import (
-    Springs,
+    RollingSupport,
     contact_constant,
     displacement,
     largest_load,
@@ -205,7 +205,7 @@ def test_the_elements_one_by_one_hold_the_load(name, clearance):
     """Elements at all their places, from one to the next: the mean of what they push back."""
     inside = inside_of(size_of(name))
     F, n, K = 3000.0, zone.EXPONENTS[inside.elements].n, contact_constant(inside)
-    springs = Springs(inside.elements, inside.count, K, clearance)
+    springs = RollingSupport(inside.elements, inside.count, K, clearance)
     delta = springs.displacement(F)
     phi = 2 * np.pi * (np.arange(int(inside.count)) + np.linspace(0, 1, 200, endpoint=False)[:, None]) / inside.count
     pushed = np.maximum(delta * np.cos(phi) - clearance / 2, 0.0) / 1e-3
@@ -218,7 +218,7 @@ def test_where_the_zone_is_narrow_one_element_carries_all():
     """NU205 under 50 N with 41 µm: by the integral alone one element would carry about 1.44 F."""
     inside = inside_of(size_of("NU205"))
     Z, K, s, n = inside.count, contact_constant(inside), 41e-6, 10 / 9
-    springs = Springs("roller", Z, K, s)
+    springs = RollingSupport("roller", Z, K, s)
     delta = springs.displacement(50.0)
     assert springs.alone(delta) and not springs.alone(springs.displacement(1700.0))
     assert largest_load(K_1=K, delta=delta, s=s, n_c=n) == pytest.approx(50.0, rel=1e-9)
@@ -340,7 +340,7 @@ def test_a_bearing_without_load_divides_by_nothing():
     life = lives("ball", inside.pitch, ratings, 0.0, 40.0, 1e-5, "typical")
     assert life.factor == pytest.approx(50) and life.basic > 1e20
     assert fatigue_share(e_C=0.2, C_u=100.0, P=0.0) > 1 and load.static_safety(C_0=1e4, P_0=0.0) > 1e9
-    assert load.mean_of(0.0, 0.0, 3.0) == 0.0 and Springs("ball", 9.0, 6e6, 0.0).displacement(0.0) > 0
+    assert load.mean_of(0.0, 0.0, 3.0) == 0.0 and RollingSupport("ball", 9.0, 6e6, 0.0).displacement(0.0) > 0
     P = np.array([0.0, 1500.0])
     rows = lives("ball", inside.pitch, ratings, P, 40.0, 1e-5, "typical")
     half = life_of_duty(w=np.array([0.5, 0.5]), L_i=rows.basic)
@@ -351,13 +351,15 @@ def test_clearance_shortens_the_life_and_light_preload_hardly_lengthens_it():
     _, inside, _ = rated("NU205")
     races, K = load.races_of(inside), contact_constant(inside)
     P = [
-        with_clearance(races, Springs("roller", inside.count, K, s * 1e-6), 1000.0, 1700.0, True)
+        with_clearance(races, RollingSupport("roller", inside.count, K, s * 1e-6), 1000.0, 1700.0, True)
         for s in (-3, 0, 20, 60)
     ]
     assert P[1] == pytest.approx(1000.0, rel=1e-6) and P[0] < P[1] < P[2] < P[3]
-    standing = with_clearance(races, Springs("roller", inside.count, K, 20e-6), 1000.0, 1700.0, False)
+    standing = with_clearance(races, RollingSupport("roller", inside.count, K, 20e-6), 1000.0, 1700.0, False)
     assert standing != P[2] and standing == pytest.approx(P[2], rel=0.05)
-    rows = with_clearance(races, Springs("roller", inside.count, K, 20e-6), 1000.0, 1700.0, np.array([True, False]))
+    rows = with_clearance(
+        races, RollingSupport("roller", inside.count, K, 20e-6), 1000.0, 1700.0, np.array([True, False])
+    )
     assert rows == pytest.approx([P[2], standing])
 
 
@@ -380,7 +382,7 @@ def test_a_shaft_finds_its_place_on_rolling_bearings():
     laws = []
     for name, s in (("6205", 12e-6), ("NU205", 30e-6), ("6205", -4e-6)):
         inside = inside_of(size_of(name))
-        laws.append(Springs(inside.elements, inside.count, contact_constant(inside), s))
+        laws.append(RollingSupport(inside.elements, inside.count, contact_constant(inside), s))
     on = carried(shaft, laws, ["a", "b", "c"])
     assert abs(f_c - K_c @ on.x - on.load).max() < 1e-6
     assert sum(on.load) == pytest.approx(sum(f_c), rel=1e-9)
@@ -408,7 +410,7 @@ def outcome(size, n, F_1, F_2):
     inside = inside_of(size)
     ratings, races, p = computed(inside, size.usual.rating), load.races_of(inside), zone.EXPONENTS[size.elements].p
     P = load.equivalent(size, ratings, load.radial_of(races, F_1, F_2, p), 0.0)
-    springs = Springs(size.elements, inside.count, contact_constant(inside), 20e-6)
+    springs = RollingSupport(size.elements, inside.count, contact_constant(inside), 20e-6)
     P_s = with_clearance(races, springs, P, load.mean_of(F_1, F_2, p), F_1 >= F_2)
     life, reference = (lives(size.elements, inside.pitch, ratings, x, n, 1e-5, "-/17/14") for x in (P, P_s))
     return life.modified, reference.modified, life_of_duty(w=np.full(np.shape(n), 0.25), L_i=life.modified)
