@@ -207,6 +207,16 @@ def test_zone_integrals_are_those_of_harris():
         assert [f(eps=0.5, elements=kind) for f in integrals] == pytest.approx(J, rel=3e-3)
 
 
+def test_a_tiny_zone_narrows_by_the_root_of_its_reach():
+    for kind in ("ball", "roller"):
+        assert zone.radial_integral(eps=4e-6, elements=kind) == pytest.approx(
+            2 * zone.radial_integral(eps=1e-6, elements=kind)
+        )
+        assert zone.radial_integral(eps=1e5, elements=kind) == pytest.approx(
+            10 * zone.radial_integral(eps=1e6, elements=kind)
+        )
+
+
 def test_the_zone_in_degrees():
     assert [math.degrees(load_zone(eps=eps)) for eps in (0.25, 0.5, 1.0, 7.0)] == pytest.approx([120, 180, 360, 360])
 
