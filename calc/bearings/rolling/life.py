@@ -16,7 +16,7 @@ from ...sheet.functions import along, largest, power, single_or_many, smallest
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Number, RevPerSecond, Second, SquareMetrePerSecond
-from .contact import Springs, reach
+from .contact import Springs, displacement, reach
 from .load import Races
 from .ratings import Ratings
 from .sizes import FILE, Elements
@@ -103,7 +103,7 @@ def needed_viscosity_of(D_pw: Any, n: Any) -> Any:
 
 
 def contamination(cleanliness: str, D_pw: Any, k: Any) -> Any:
-    """e_C by the word or by the class of the oil's filter; k: the viscosity ratio that counts.  KeyError of others."""
+    """e_C by the word or by the class of the oil's filter; k: the viscosity ratio that counts."""
     table = house_table(FILE)
     if cleanliness in WORDS:
         small, large = table["contamination"][cleanliness]
@@ -188,9 +188,11 @@ def load_with_clearance(P: Newton, r: Number) -> Newton:
     return r * P
 
 
-def with_clearance(races: Races, springs: Springs, P: Any, F_m: Any, stands: Any) -> Any:
-    """P as the zone at the clearance of the springs makes it; `stands`: where the larger load stands on the inner ring.
+def with_clearance(races: Races, support: Springs, P: Any, F_m: Any, stands: Any) -> Any:
+    """P as the zone at the clearance of the support makes it; `stands`: where the larger load stands on the inner ring.
 
-    The rings are taken as rigid: a life with it is a lower bound, for clearances of 0 and above."""
-    eps = reach(s=springs.gap, delta=springs.displacement(F_m))
-    return load_with_clearance(P=P, r=races.over_reference(eps, stands, springs.gap < 0))
+    The rings are taken as rigid: a life with it is a lower bound for clearances of 0 and above.  Light preload spreads
+    the load better than no clearance does: P is up to 3.8 % less then."""
+    known = dict(Z=support.count, K_1=support.contact, elements=support.elements)
+    eps = reach(s=support.gap, delta=displacement(F=F_m, s=support.gap, **known))
+    return load_with_clearance(P=P, r=races.over_reference(eps, stands, support.gap < 0))
