@@ -33,7 +33,7 @@ from ...sheet.units import (
     Watt,
 )
 from ...sheet.value import converged, unlinked, untraced
-from .torque import INA, SKF, Friction, Series, constants, load_factor, of_series, two_part_torque
+from .torque import SKF, Friction, Series, constants, load_factor, of_series, two_part_torque
 
 WattPerKelvin = Annotated[float, "W/K"]
 WattPerSquareMetre = Annotated[float, "W/m²"]
@@ -164,7 +164,7 @@ def reference_heat(A: SquareMetre) -> Watt:
 
 @formula(
     "n_θr",
-    Text("{iso}: thermal speed rating, the torque by {ina}", iso=ISO_15312, ina=INA),
+    Text("{iso}: thermal speed rating, the torque by INA", iso=ISO_15312),
     shows="n at which 2·π·n·M(F_r, 12 mm²/s) = Φ_r, both parts in a bath, halved fifty times",
     unit="rpm",
 )

@@ -40,6 +40,8 @@ CLASSES = ("CN", "C3", "C4", "C5")
 Place = Literal["least", "middle", "most"]  # of the clearance, between the ends of all tolerance fields
 Span = tuple[Value, Value]  # lower and upper end
 
+CLOSED = {"dd_F": "Δd_F", "dd_E": "Δd_E"}
+
 
 # --- formulas
 
@@ -109,12 +111,12 @@ def widening_of_cup(alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, d_F: Me
     return ((alpha_H - RING_EXPANSION) * (1 - chi) - (alpha_J - RING_EXPANSION)) * d_F * (T - ROOM)
 
 
-@formula("G_r", "geometry: what fits and warmth leave of the clearance of two rings", unit="µm")
+@formula("G_r", "geometry: what fits and warmth leave of the clearance of two rings", unit="µm", names=CLOSED)
 def clearance_of_rings(G_0: Metre, dd_F: Metre, dd_E: Metre, Delta_T: Kelvin, d_E: Metre) -> Metre:
     return G_0 - dd_F - dd_E - RING_EXPANSION * Delta_T * d_E
 
 
-@formula("G_r", "geometry: what fits and warmth leave of the clearance on the shaft itself", unit="µm")
+@formula("G_r", "geometry: what fits and warmth leave of the clearance on the shaft itself", unit="µm", names=CLOSED)
 def clearance_on_shaft(G_0: Metre, g: Metre, dd_E: Metre, Delta_T: Kelvin, d_E: Metre) -> Metre:
     return G_0 + g - dd_E - RING_EXPANSION * Delta_T * d_E
 
