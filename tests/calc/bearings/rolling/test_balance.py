@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from calc.bearings.rolling import balance as b
 from calc.bearings.rolling.torque import friction_of
+from calc.library.catalogue import Oil, ViscosityRow
+from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
 from calc.sheet.value import link_of, linked, trace
 from tests.calc.bearings.rolling.typical import BEARINGS, OIL, given
@@ -134,6 +136,22 @@ def test_the_temperature_knows_what_it_follows_from():
     assert line.formula is b.running_temperature and line in lines
     assert {"bearings.load_N", "bearings.supply_temperature_C"} <= set(line.arguments["from"].link)
     assert found.loss == balance("NU205", 1700.0).loss
+
+
+def test_oils_by_rows_and_of_one_viscosity():
+    rows = tuple(ViscosityRow(temperature=T, viscosity=mu) for T, mu in ((40.0, 0.08), (100.0, 0.012), (140.0, 0.005)))
+    friction, hA = BEARINGS["NU205"].friction(), conductance("NU205")
+    for said in (dict(viscosities=rows), dict(viscosity=0.01)):
+        oil = Lubricant(Oil(name="own", rho15=860.0, base="mineral", **said))
+        T_oil = np.array([60.0, 120.0])
+        many = b.heat_balance(friction, 1700.0, RATED, T_oil, hA, oil.nu)
+        with trace():
+            traced = b.heat_balance(friction, 1700.0, RATED, linked(T_oil, "bearings.oil"), hA, oil.nu)
+        assert traced.loss == pytest.approx(many.loss, rel=1e-12) and link_of(traced.temperature) is not None
+        for k in (0, 1):
+            alone = b.heat_balance(friction, 1700.0, RATED, T_oil[k].item(), hA, oil.nu)
+            assert many.temperature[k] == pytest.approx(alone.temperature, abs=1e-9)
+            assert alone.loss == pytest.approx(alone.torque * 2 * math.pi * RATED, rel=1e-9)
 
 
 # --- speeds
