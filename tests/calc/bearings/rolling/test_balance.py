@@ -220,6 +220,10 @@ def test_the_lowest_speed_from_which_the_load_is_enough():
     speeds = b.minimum_load_speed(n, F, np.full(n.shape, 400.0))
     assert speeds[:2] == pytest.approx([20.0, 10.0], abs=1e-6) and np.isnan(speeds[2]) and speeds[3] == 0.0
     assert b.minimum_load_speed(n, F[0], np.full(n.shape, 400.0)) == pytest.approx(20.0, abs=1e-6)
+    coarse, few = np.array([0.0, 10.0, 20.0, 30.0]), np.array([0.0, 100.0, 500.0, 5000.0])
+    assert b.minimum_load_speed(coarse, few, np.full(4, 400.0)) == pytest.approx(17.5)  # −300 N, 100 N
+    few[3] = 399.0
+    assert np.isnan(b.minimum_load_speed(coarse, few, np.full(4, 400.0)))
     dips = np.where((n > 25) & (n < 30), 0.0, F[1])  # once more too small: from there on
     assert 29.9 < b.minimum_load_speed(n, dips, np.full(n.shape, 400.0)) <= 30.0
 
