@@ -188,11 +188,11 @@ def load_with_clearance(P: Newton, r: Number) -> Newton:
     return r * P
 
 
-def with_clearance(races: Races, support: Springs, P: Any, F_m: Any, stands: Any) -> Any:
-    """P as the zone at the clearance of the support makes it; `stands`: where the larger load stands on the inner ring.
+def with_clearance(races: Races, springs: Springs, P: Any, F_m: Any, stands: Any) -> Any:
+    """P as the zone at the clearance of the springs makes it; `stands`: where the larger load stands on the inner ring.
 
     The rings are taken as rigid: a life with it is a lower bound for clearances of 0 and above.  Light preload spreads
     the load better than no clearance does: P is up to 3.8 % less then."""
-    known = dict(Z=support.count, K_1=support.contact, elements=support.elements)
-    eps = reach(s=support.gap, delta=displacement(F=F_m, s=support.gap, **known))
-    return load_with_clearance(P=P, r=races.over_reference(eps, stands, support.gap < 0))
+    known = dict(Z=springs.count, K_1=springs.contact, elements=springs.elements)
+    eps = reach(s=springs.gap, delta=displacement(F=F_m, s=springs.gap, **known))
+    return load_with_clearance(P=P, r=races.over_reference(eps, stands, springs.gap < 0))

@@ -24,7 +24,7 @@ clearances = st.floats(-20e-6, 80e-6)
 quick = settings(max_examples=40, deadline=None)
 
 
-def springs_of(size, s=0.0):
+def springs_at(size, s=0.0):
     return springs_of(inside_of(size), s)
 
 
@@ -63,7 +63,7 @@ def test_a_load_k_times_as_large_divides_the_life_by_its_power(size, F, k):
 @quick
 @given(size=sizes, F=loads, s=clearances)
 def test_a_bearing_carries_what_it_was_displaced_for(size, F, s):
-    springs = springs_of(size, s)
+    springs = springs_at(size, s)
     delta = springs.displacement(F)
     held, h = springs.hold(delta), 1e-4 * (delta - max(s, 0.0) / 2)
     assert held.force == pytest.approx(F, rel=1e-8) and held.secant == pytest.approx(F / delta, rel=1e-8)
@@ -77,17 +77,17 @@ def test_a_bearing_carries_what_it_was_displaced_for(size, F, s):
 @quick
 @given(size=sizes, s=clearances, F=loads, more=st.floats(1.01, 3.0))
 def test_a_bearing_gives_way_more_under_more_load_and_stiffens(size, s, F, more):
-    springs = springs_of(size, s)
+    springs = springs_at(size, s)
     one, two = springs.displacement(F), springs.displacement(more * F)
     assert two > one and springs.hold(two).force > springs.hold(one).force
-    wider = springs_of(size, s + 5e-6)
+    wider = springs_at(size, s + 5e-6)
     assert wider.displacement(F) > one
 
 
 @quick
 @given(size=sizes, F=loads)
 def test_without_clearance_the_most_loaded_element_carries_as_stribeck_says(size, F):
-    springs, n = springs_of(size), EXPONENTS[size.elements].n
+    springs, n = springs_at(size), EXPONENTS[size.elements].n
     delta = springs.displacement(F)
     share = largest_load(K_1=springs.contact, delta=delta, s=0.0, n_c=n) * springs.count / F
     assert share == pytest.approx(4.37 if size.elements == "ball" else 4.08, rel=2e-3)
@@ -98,9 +98,9 @@ def test_without_clearance_the_most_loaded_element_carries_as_stribeck_says(size
 @quick
 @given(size=sizes, s=st.floats(1e-6, 80e-6), F=loads)
 def test_clearance_loads_one_element_more_but_never_with_more_than_all(size, s, F):
-    springs, n = springs_of(size, s), EXPONENTS[size.elements].n
+    springs, n = springs_at(size, s), EXPONENTS[size.elements].n
     Q = largest_load(K_1=springs.contact, delta=springs.displacement(F), s=s, n_c=n)
-    without = springs_of(size)
+    without = springs_at(size)
     assert F * (1 + 1e-8) >= Q > largest_load(K_1=springs.contact, delta=without.displacement(F), s=0.0, n_c=n)
     assert 0 < reach(s=s, delta=springs.displacement(F)) < 0.5
 
@@ -109,7 +109,7 @@ def test_clearance_loads_one_element_more_but_never_with_more_than_all(size, s, 
 @given(size=sizes, s=st.floats(-20e-6, -1e-6))
 def test_a_preloaded_bearing_is_a_spring_about_its_middle(size, s):
     """Σ cos² over the elements is Z/2, each with the stiffness of its preload."""
-    springs, n = springs_of(size, s), EXPONENTS[size.elements].n
+    springs, n = springs_at(size, s), EXPONENTS[size.elements].n
     k = springs.count / 2 * n * springs.contact / 1e-3 * (-s / 2e-3) ** (n - 1)
     held = springs.hold(0.0)
     assert held.force == 0.0 and held.slope == pytest.approx(k, rel=5e-4) == held.secant
