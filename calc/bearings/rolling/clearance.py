@@ -17,7 +17,7 @@ import numpy as np
 
 from ...library.catalogue import Material, shipped_materials
 from ...library.table_file import TableRow, house_table
-from ...library.tolerances import ToleranceField, deviations, parse
+from ...library.tolerances import ToleranceField, deviations, ends_of_ranges, parse
 from ...sheet.arrays import Value
 from ...sheet.formula import formula
 from ...sheet.functions import largest
@@ -139,32 +139,7 @@ def _stepped(ends: Sequence[float], numbers: Sequence[float], d: Value) -> Value
 @cache
 def _by_range(field: ToleranceField) -> tuple[list[float], list[float], list[float]]:
     """Ends of the ranges [mm] and both deviations in them [m]."""
-    ends = [
-        3.0,
-        6,
-        10,
-        18,
-        24,
-        30,
-        40,
-        50,
-        65,
-        80,
-        100,
-        120,
-        140,
-        160,
-        180,
-        200,
-        225,
-        250,
-        280,
-        315,
-        355,
-        400,
-        450,
-        500,
-    ]
+    ends = ends_of_ranges()
     low, high = zip(*(deviations(field, end / 1e3) for end in ends))
     return ends, list(low), list(high)
 

@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 import pytest
 from hypothesis import given as drawn
+from hypothesis import settings
 from hypothesis import strategies as st
 
 from calc.bearings.rolling import balance as b
@@ -58,6 +59,7 @@ def test_given_losses_over_a_profile(size, turning, standing, loss):
     assert found.loss @ hours == pytest.approx(loss, rel=1e-5)
 
 
+@settings(max_examples=40)
 @drawn(
     st.sampled_from(sorted(BEARINGS)), st.sampled_from(["splash", "mist", "bath"]), st.floats(50, 5e3),
     st.floats(5, 100), st.floats(-20, 140),
