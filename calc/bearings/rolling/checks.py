@@ -4,21 +4,20 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import ROW, SHAFT, BearingRow
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Number, Second
+from ...sheet.units import Celsius, Metre, Newton, Number, RevPerSecond, Second
 from ...sheet.value import untraced
 from ..inputs import BearingsInputs
 from ..plain.inputs import SLOPE_TAKEN
-from ..support import on_bearing
+from ..plain.speeds import SLOWEST
+from ..support import Task, on_bearing
 from .raceway import HARDNESS, ROUGHNESS, case_depth_needed, largest_slope
 from .result import RollingResult
-from .solve import largest_speed, least_loads
+from .solve import RollingCase, largest_speed, least_loads
 
 if TYPE_CHECKING:
     from .bearing import RollingBearing
@@ -388,6 +387,13 @@ LOCATING = CheckRule(
 )
 
 
+def slowest_speed(inputs: BearingsInputs, task: Task) -> RevPerSecond:
+    """The slowest at which the shaft runs: of the range that is given, of the bench run, else as it is assumed."""
+    if inputs.speed_range is not None:
+        return inputs.speed_range[0]
+    return min([point.speed for point in task.bench], default=SLOWEST * task.speed)
+
+
 def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
     if inputs.life is not None:
         return inputs.life
@@ -456,24 +462,34 @@ def _slope_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
 
 def _load_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
     """Whether the elements roll: over the duty, and at the slowest speeds."""
-    case, n = r.case, r.task.speed
+    case, n, T_in = r.case, r.task.speed, r.case.inputs.supply_temperature
     with untraced():
         if r.rows is None:
-            loads, least = least_loads(case, r.load, r.stands.weight, n, case.inputs.supply_temperature)
-            worst = [(float(loads), float(least), 1.0)]
+            slowest = slowest_speed(case.inputs, r.task)
+            often = [_held(case, r.load, r, n, T_in)]
+            rare = [_held(case, r.load * (slowest / n) ** 2, r, slowest, T_in)]  # nobody says how often it turns so
         else:
             turning = r.rows.factor * r.load * (r.rows.n / n) ** 2
-            loads, least = least_loads(case, turning, r.stands.weight, r.rows.n, r.rows.T_oil)
-            worst = list(zip(loads.tolist(), np.broadcast_to(least, loads.shape).tolist(), r.rows.share.tolist()))
-    often = [row for row in worst if row[2] > RARE]
-    rare = [row for row in worst if row[2] <= RARE]
+            every = [
+                (share, _held(case, F_1, r, n_i, T))
+                for share, F_1, n_i, T in zip(*(x.tolist() for x in (r.rows.share, turning, r.rows.n, r.rows.T_oil)))
+            ]
+            often, rare = ([held for share, held in every if (share > RARE) is asked] for asked in (True, False))
     for rule, rows in ((MINIMUM_LOAD, often), (MINIMUM_LOAD_RARE, rare)):
         if rows:
-            load, needed, _ = min(rows, key=lambda row: row[0] / row[1])
+            load, needed = min(rows, key=lambda row: row[0] / row[1])
             yield on_bearing(rule, place, load, needed)
     F_a = r.axial
     if case.size.flanged and F_a > 0:
         yield on_bearing(THRUST, place, F_a / r.equivalent_load if r.equivalent_load > 0 else None, 0.5)
+
+
+def _held(
+    case: RollingCase, F_1: Newton, r: "RollingBearing", n: RevPerSecond, T_oil: Celsius
+) -> tuple[Newton, Newton]:
+    """The mean load, and what it has to be at least."""
+    load, least = least_loads(case, F_1, r.stands.weight, n, T_oil)
+    return float(load), float(least)
 
 
 def _raceway_checks(place: str, r: "RollingBearing") -> Iterator[Check]:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 KIND = SupportRow.kind
 OWN = "own"
+OWN_BORE = (5e-3, 0.2)  # m
 INSIDE, RATINGS, FITS, RACEWAY = Text("Inside"), Text("Ratings"), Text("Rings and fits"), Text("Raceway on the shaft")
 AXIAL = Text("a ball bearing (60, 62, 63) or NJ carries thrust")
 
@@ -421,8 +422,8 @@ class RollingRow(SupportRow):
         ):
             if there is None:
                 yield dotted(key), Text('needed with size = "own"; needs {allowed}', allowed=described(key).allowed())
-        if self.bore is not None and len(self.bore) != 1:
-            yield dotted(RollingRow.bore), Text("must be one number: the bore of the bearing")
+        if self.bore is not None and (len(self.bore) != 1 or not OWN_BORE[0] <= self.bore[0] <= OWN_BORE[1]):
+            yield dotted(RollingRow.bore), Text("must be one number from 5 to 200 mm: the bore of the bearing")
         inside = [self.element_count, self.element_diameter, self.pitch_diameter]
         if self.elements == "roller":
             inside.append(self.element_length)

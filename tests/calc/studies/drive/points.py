@@ -4,9 +4,9 @@
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from calc.bearings.routes.thermal_balance import settled
 
 from calc.bearings.result import BearingsResult
-from calc.bearings.routes.thermal_balance import settled
 from calc.countershaft.result import CountershaftResult
 from calc.sheet.value import untraced
 from calc.studies.drive.classes import tables_of
