@@ -9,7 +9,7 @@ from ...countershaft.rows import ROW, SHAFT, BearingRow
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Newton, Number, RevPerSecond, Second
+from ...sheet.units import Celsius, Metre, Number, RevPerSecond, Second
 from ...sheet.value import untraced
 from ..inputs import BearingsInputs
 from ..plain.inputs import SLOPE_TAKEN
@@ -17,7 +17,7 @@ from ..plain.speeds import SLOWEST
 from ..support import Task, on_bearing
 from .raceway import HARDNESS, ROUGHNESS, case_depth_needed, largest_slope
 from .result import RollingResult
-from .solve import RollingCase, largest_speed, least_loads
+from .solve import largest_speed, least_loads
 
 if TYPE_CHECKING:
     from .bearing import RollingBearing
@@ -464,32 +464,22 @@ def _load_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
     """Whether the elements roll: over the duty, and at the slowest speeds."""
     case, n, T_in = r.case, r.task.speed, r.case.inputs.supply_temperature
     with untraced():
-        if r.rows is None:
-            slowest = slowest_speed(case.inputs, r.task)
-            often = [_held(case, r.load, r, n, T_in)]
-            rare = [_held(case, r.load * (slowest / n) ** 2, r, slowest, T_in)]  # nobody says how often it turns so
+        if r.rows is None:  # nobody says how often it turns slowly
+            n_i, T, share = np.array([n, slowest_speed(case.inputs, r.task)]), np.array([T_in, T_in]), [1.0, 0.0]
+            turning = r.load * (n_i / n) ** 2
         else:
-            turning = r.rows.factor * r.load * (r.rows.n / n) ** 2
-            every = [
-                (share, _held(case, F_1, r, n_i, T))
-                for share, F_1, n_i, T in zip(*(x.tolist() for x in (r.rows.share, turning, r.rows.n, r.rows.T_oil)))
-            ]
-            often, rare = ([held for share, held in every if (share > RARE) is asked] for asked in (True, False))
+            n_i, T, share = r.rows.n, r.rows.T_oil, r.rows.share.tolist()
+            turning = r.rows.factor * r.load * (n_i / n) ** 2
+        loads, least = least_loads(case, turning, r.stands.weight, n_i, T)
+    held = list(zip(loads.tolist(), np.broadcast_to(least, n_i.shape).tolist(), share))
+    often, rare = ([row for row in held if (row[2] > RARE) is asked] for asked in (True, False))
     for rule, rows in ((MINIMUM_LOAD, often), (MINIMUM_LOAD_RARE, rare)):
         if rows:
-            load, needed = min(rows, key=lambda row: row[0] / row[1])
+            load, needed, _ = min(rows, key=lambda row: row[0] / row[1])
             yield on_bearing(rule, place, load, needed)
     F_a = r.axial
     if case.size.flanged and F_a > 0:
         yield on_bearing(THRUST, place, F_a / r.equivalent_load if r.equivalent_load > 0 else None, 0.5)
-
-
-def _held(
-    case: RollingCase, F_1: Newton, r: "RollingBearing", n: RevPerSecond, T_oil: Celsius
-) -> tuple[Newton, Newton]:
-    """The mean load, and what it has to be at least."""
-    load, least = least_loads(case, F_1, r.stands.weight, n, T_oil)
-    return float(load), float(least)
 
 
 def _raceway_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
