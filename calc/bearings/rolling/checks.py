@@ -4,6 +4,8 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import ROW, SHAFT, BearingRow
 from ...sheet.check import Check, CheckRule, Missing
