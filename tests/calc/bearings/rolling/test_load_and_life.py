@@ -357,9 +357,7 @@ def test_clearance_shortens_the_life_and_light_preload_hardly_lengthens_it():
     assert P[1] == pytest.approx(1000.0, rel=1e-6) and P[0] < P[1] < P[2] < P[3]
     standing = with_clearance(races, Springs("roller", inside.count, K, 20e-6), 1000.0, 1700.0, False)
     assert standing != P[2] and standing == pytest.approx(P[2], rel=0.05)
-    rows = with_clearance(
-        races, Springs("roller", inside.count, K, 20e-6), 1000.0, 1700.0, np.array([True, False])
-    )
+    rows = with_clearance(races, Springs("roller", inside.count, K, 20e-6), 1000.0, 1700.0, np.array([True, False]))
     assert rows == pytest.approx([P[2], standing])
 
 
