@@ -2,7 +2,6 @@
 """What a rolling bearing is judged by."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,10 +17,7 @@ from ..plain.inputs import SLOPE_TAKEN
 from ..support import on_bearing
 from .raceway import HARDNESS, ROUGHNESS, case_depth_needed, largest_slope
 from .result import RollingResult
-from .solve import largest_speed, least_loads
-
-if TYPE_CHECKING:
-    from .bearing import RollingBearing
+from .solve import LoadedBearing, largest_speed, least_loads
 
 RULE = Text("rule of this program")
 SIZE, SHAFT_FIT, SEAT_FIT = (dotted(ROW, key) for key in (BearingRow.size, BearingRow.shaft_fit, BearingRow.seat_fit))
@@ -394,7 +390,7 @@ def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
     return ASSUMED_LIFE if gears is None else gears
 
 
-def rolling_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What is asked of one bearing."""
     case, row, inputs, size = r.case, r.row, r.case.inputs, r.case.size
     asked = life_asked(inputs, r.task.life)
@@ -426,7 +422,7 @@ def rolling_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(REFERENCE_SPEED, place, r.task.speed, r.reference_speed)
 
 
-def _clearance_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _clearance_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     if (gap := r.gap) is not None:
         for rule, value in (
             (CLEARANCE_LEAST, gap.least),
@@ -443,7 +439,7 @@ def _clearance_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(rule, place, r.grip_hot, 0.0, scale=scale)
 
 
-def _slope_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _slope_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     most, missing, slope = largest_slope(r.case.size.type, r.case.size.series), None, r.slope
     if slope is None:
         slope = SLOPE_TAKEN
@@ -454,7 +450,7 @@ def _slope_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(SLOPE_NEAR, place, slope, most / 2)
 
 
-def _load_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """Whether the elements roll: over the duty, and at the slowest speeds."""
     case, n = r.case, r.task.speed
     with untraced():
@@ -476,7 +472,7 @@ def _load_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(THRUST, place, F_a / r.equivalent_load if r.equivalent_load > 0 else None, 0.5)
 
 
-def _raceway_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _raceway_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What the shaft, and of a cage the housing, have to be as raceways."""
     row, inside = r.row, r.case.inside
     yield on_bearing(RACEWAY_HARDNESS, place, row.raceway_hardness, HARDNESS)
