@@ -77,7 +77,7 @@ def envelope(room, clearance=0.2 * mm, **outline):
 
 
 def gear_seat(room):
-    gear = GEAR._replace(tip_diameter=59 * mm - 2 * room)
+    gear = GEAR._replace(tip_diameter=ASKED.countershaft.openings[0] - 2 * room)
     return step("gear_seat", gear=gear)
 
 
