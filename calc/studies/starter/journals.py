@@ -289,39 +289,3 @@ def _threaded(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Se
         (BEARING_ROW, {BearingRow.name: ("front", "")} | in_front | alike),
         (BEARING_ROW, {BearingRow.name: ("rear", "")} | behind | alike),
     ]
-
-
-# --- one per cent
-
-SHARE: Number = 0.01  # of the rated power
-MEAN_PRESSURE = {4: 10e5, 2: 6e5}  # Pa, of an engine whose power is not given; by its strokes, rule of this program
-
-
-def share_said(results: Results) -> Text:
-    """What the bearings of all shafts lose, of the rated power; above 1 % why, and what would lose less."""
-    made, engine = results.design, results.result(EngineResult)
-    found = [solved.result(BearingsResult) for solved in results.views.values()]
-    every = [b for one in found if one is not None for b in one.bearings.values()]
-    if made.engine is None or engine is None or not every:
-        return Text("")
-    P, rated = sum(b.friction_power for b in every), made.engine.rated_power
-    of = Text("of the rated power")
-    if rated is None:
-        rated = _estimated_power(made.engine, engine.displacement)
-        p = Amount(MEAN_PRESSURE[made.engine.strokes] / 1e5, "bar")
-        of = Text("of {power} (mean pressure {p}, assumed)", power=Amount(rated / 1e3, "kW", digits=3), p=p)
-    lost = {"P": Amount(P, "W", digits=3), "share": Amount(100 * P / rated, digits=2)}
-    said = Text("All bearings of the shafts lose {P}, {share} % {of}.", of=of, **lost)
-    if P <= SHARE * rated:
-        return said
-    most = max(every, key=lambda b: b.load)
-    why = Text(
-        "That is more than 1 %, for {load} at {speed}: rolling bearings would lose less.",
-        load=Amount(most.load, "N", digits=3),
-        speed=Amount(most.speed * 60, "rpm", digits=4),
-    )
-    return Text("{said} {why}", said=said, why=why)
-
-
-def _estimated_power(engine: EngineInputs, displacement: float) -> float:
-    return MEAN_PRESSURE[engine.strokes] * displacement * engine.rated_speed / (engine.strokes / 2)

@@ -82,6 +82,13 @@ def bearings(
 
     `kinds`: of each shaft's bearings, front to rear: ball, roller, needle or plain; left out, by the rule above.
     `plain`: the tables of plain bearings, of which those places keep theirs.  Raises NoSolution."""
+    return best(document, results, kinds, plain)[1]
+
+
+def best(
+    document: Document, results: Results, kinds: Sequence[str] = (), plain: Sequence[Section] = ()
+) -> tuple[int, list[Section]]:
+    """The same, and how many cautions are open with them."""
     made = results.design
     if made.engine is None or any(view.result(CountershaftResult) is None for view in results.views.values()):
         raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [[shafts]] first"))
@@ -91,7 +98,7 @@ def bearings(
     known = {check.id for check in results.outcomes["countershaft"].checks if check.open}
     rows = {seat: as_begun(seat) for seat in seats if seat.kinds != (PLAIN,)}
     failed: set[tuple[Seat, str]] = set()
-    best: tuple[int, list[Section]] | None = None
+    found: tuple[int, list[Section]] | None = None
     open_: list[Check] = []
     for n in range(PASSES):
         sections = [*shared, *_rows(seats, rows, plain_rows)]
@@ -99,18 +106,18 @@ def bearings(
         if n:
             open_ = [check for check in _open(solved) if check.id not in known]
             if not open_:
-                return sections
-            if not any(check.kind == "limit" for check in open_) and (best is None or len(open_) < best[0]):
-                best = len(open_), sections
+                return 0, sections
+            if not any(check.kind == "limit" for check in open_) and (found is None or len(open_) < found[0]):
+                found = len(open_), sections
             failed |= {(seat, rows[seat].size or "") for seat in _to_change(open_, rows, solved)}
         try:
             rows = {seat: _chosen(seat, solved, len(rows), failed) for seat in rows}
         except NoSolution:
-            if best is None:
+            if found is None:
                 raise
             break
-    if best is not None:
-        return best[1]
+    if found is not None:
+        return found
     raise NoSolution(BEARINGS, COMMA.join(check.name for check in open_[:2]), GIVE)
 
 
