@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from ...countershaft.outline import Outline
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, row_key
+from ...draw.drawing import Sketch
 from ...sheet.check import Check
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Second
@@ -14,6 +15,7 @@ from ..support import Kind, ShaftInView, Solids, Task, on_bearing
 from .bearing import RollingBearing, RollingSupport
 from .checks import ASSEMBLY, LOCATING, SYSTEM_LIFE, life_asked
 from .notes import notes
+from .sketch import pictures
 from .solve import case_of
 
 
@@ -37,6 +39,9 @@ class Rolling(Kind[RollingBearing]):
         if system_life is not None and len(results) > 1:
             one = next(iter(results.values()))
             yield SYSTEM_LIFE(system_life, life_asked(one.case.inputs, one.task.life))
+
+    def pictures(self, results: Mapping[str, RollingBearing], checks: dict[str, Check]) -> dict[str, Sketch]:
+        return pictures(results, checks)
 
     def notes(
         self, inputs: BearingsInputs, solved: CountershaftResult | None, results: Mapping[str, RollingBearing]
