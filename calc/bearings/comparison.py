@@ -17,7 +17,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Curve, Further, Series, Table, axis_label
 from ..sheet.text import COMMA, EMPTY, SPACE, Amount, Name, Text
-from ..sheet.units import Celsius, KilogramPerJoule, Number, RevPerSecond, Watt
+from ..sheet.units import Celsius, Number, RevPerSecond, Watt
 from ..sheet.value import untraced
 from .inputs import BearingsInputs
 from .kinds import KINDS
@@ -46,7 +46,7 @@ class Costs:
     """What fuel makes of watts, as the friction step has it; None where it is not given."""
 
     rated_power: Watt | None = None
-    specific_fuel: KilogramPerJoule | None = None
+    specific_fuel: float | None = None  # kg/J
     co2_per_fuel: Number = 0.0
 
 
