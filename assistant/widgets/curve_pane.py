@@ -153,7 +153,9 @@ class Legend:
             name = f"{self._mark(read.number)} {read.label}".rstrip()
             chosen = read.number == self.reading.chosen
             text = self.app.say(COMMA.join((read.brief if brief else read.value, *read.distances[:distances])))
-            yield Content.assemble((name, signs.look(read.number, self.sight.series).colour), " ", (text, "bold" if chosen else ""))
+            yield Content.assemble(
+                (name, signs.look(read.number, self.sight.series).colour), " ", (text, "bold" if chosen else "")
+            )
 
 
 def _cut(axes: str, width: int) -> str:

@@ -11,12 +11,12 @@ import numpy as np
 
 from ..countershaft.rows import BearingRow
 from ..friction.result import carbon_dioxide, fuel
-from ..sheet.arrays import Array
 from ..sheet.check import Check
+from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Curve, Further, Series, Table, axis_label
-from ..sheet.text import COMMA, EMPTY, SPACE, Amount, Name, Text
+from ..sheet.text import COMMA, EMPTY, SEMICOLON, SPACE, Amount, Name, Text
 from ..sheet.units import Celsius, Number, RevPerSecond, Watt
 from ..sheet.value import untraced
 from .inputs import BearingsInputs
@@ -104,12 +104,25 @@ class Set:
             answers = {place: r.answer_at(ratio, T, None) for place, r in self.bearings.items()}
             return sum(answer.under(case.places[place].stands.all) for place, answer in answers.items())
 
-    def mean_loss(self, case: Case) -> Watt:
-        """Over the duty, else at rated speed."""
+    def losses(self, case: Case) -> "Losses":
+        n, T = np.array([case.rated, case.rated, case.idle, case.idle]), np.array([case.hot, case.cold] * 2)
         rows = case.rows
         if rows is None:
-            return float(self.loss(case, case.rated, case.hot))
-        return float(np.sum(rows.share * self.loss(case, rows.n, rows.T_oil)))
+            P = self.loss(case, n, T)
+            return Losses(tuple(P.tolist()), float(P[0]))
+        P = self.loss(case, np.append(n, rows.n), np.append(T, rows.T_oil))
+        return Losses(tuple(P[: len(n)].tolist()), float(np.sum(rows.share * P[len(n) :])))
+
+
+@record
+class Losses:
+    """Of a set, W.  `at`: rated speed hot and cold, idle hot and cold; `mean`: over the duty, else at rated speed."""
+
+    at: tuple[Watt, ...]
+    mean: Watt
+
+
+Compared = list[tuple[Set, Losses]]
 
 
 def further(case: Case, plain: "Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]") -> Further:
@@ -117,9 +130,10 @@ def further(case: Case, plain: "Iterable[tuple[BearingsInputs, Mapping[str, Bear
     sets = [Set(Text("as designed"), case.now, case.checks), *_plain(case, plain)]
     rolling, none = _rolling(case)
     sets += rolling
-    if len(sets) == 1:
-        return Further()
-    return Further(curves=tuple(_curve(case, sets)), tables=(_table(case, sets, none), _costs(case, sets)))
+    compared = [(one, one.losses(case)) for one in sets]
+    return Further(
+        curves=Later(lambda: [_curve(case, compared)]), tables=(_table(case, compared, none), _costs(case, compared))
+    )
 
 
 # --- the sets
@@ -183,7 +197,7 @@ def _first(place: Place, those: list[Candidate]) -> BearingRow | None:
 # --- shown
 
 
-def _table(case: Case, sets: list[Set], none: list[Text]) -> Table:
+def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
     columns = [
         (Text("bearings"), ""),
         (Text("sizes"), ""),
@@ -197,17 +211,15 @@ def _table(case: Case, sets: list[Set], none: list[Text]) -> Table:
         (Text("mass"), "kg"),
         (Text("pressure oil"), "L/min"),
     ]
-    hot, cold = case.hot, case.cold
-    n, T = np.array([case.rated, case.rated, case.idle, case.idle]), np.array([hot, cold, hot, cold])
     rows = []
-    for one in sets:
+    for one, losses in sets:
         life = life_together(one.bearings.values())
         rows.append(
             (
                 one.name,
                 _sizes(one),
-                *(_watts(P) for P in one.loss(case, n, T).tolist()),
-                _watts(one.mean_loss(case)),
+                *map(_watts, losses.at),
+                _watts(losses.mean),
                 Text("by film") if life is None else float(f"{life / 3600:.3g}"),
                 max(r.seat_size() for r in one.bearings.values()) * 1e3,
                 float(f"{sum(r.mass() for r in one.bearings.values()):.3g}"),
@@ -221,26 +233,25 @@ def _table(case: Case, sets: list[Set], none: list[Text]) -> Table:
         rated=speeds[0],
         idle=speeds[1],
         assumed=Text(", assumed") if case.assumed else EMPTY,
-        hot=Amount(hot, "°C"),
-        cold=Amount(cold, "°C"),
+        hot=Amount(case.hot, "°C"),
+        cold=Amount(case.cold, "°C"),
     )
     if none:
         note = SPACE.join([note, Text("None passes and sits of: {types}.", types=COMMA.join(none))])
     return Table("plain_and_rolling", TITLE, tuple(columns), tuple(rows), note, short=True)
 
 
-def _costs(case: Case, sets: list[Set]) -> Table:
+def _costs(case: Case, sets: Compared) -> Table:
     """Fuel and what it burns to, at the mean loss of the duty; and the checks that are open."""
     costs, rows = case.costs, []
     km = _metres_per_second(case.rows)
-    for one in sets:
+    for one, losses in sets:
         cells: list[Any] = [one.name]
         if costs.specific_fuel is not None:
             with untraced():
-                P = one.mean_loss(case)
-                m_B = fuel(b_e=costs.specific_fuel, P=P)
+                m_B = fuel(b_e=costs.specific_fuel, P=losses.mean)
                 m_CO2 = carbon_dioxide(e_CO2=costs.co2_per_fuel, m_B=m_B)
-                rated = fuel(b_e=costs.specific_fuel, P=float(one.loss(case, case.rated, case.hot)))
+                rated = fuel(b_e=costs.specific_fuel, P=losses.at[0])
             cells += [_three(m_B / GRAM_PER_HOUR), _three(m_CO2 / GRAM_PER_HOUR)]
             if costs.rated_power is not None:
                 cells.append(_three(rated / costs.rated_power * 3.6e9))
@@ -277,10 +288,10 @@ def _size(r: Carrying) -> str:
 def _risks(one: Set) -> Text:
     """What does not hold, each rule once, those that fail first."""
     open_ = [check for verdict in ("fail", "warn", "not_verified") for check in one.checks if check.verdict == verdict]
-    rules = list(dict.fromkeys(check.rule.name for check in open_ if check.rule is not None))
+    rules = list(dict.fromkeys(check.rule.name or check.name for check in open_))
     if not rules:
         return Text("none")
-    words = COMMA.join(rules[:RISKS])
+    words = SEMICOLON.join(rules[:RISKS])
     return words if len(rules) <= RISKS else Text("{words}; {n} more", words=words, n=len(rules) - RISKS)
 
 
@@ -292,29 +303,28 @@ def _three(x: float) -> float:
     return float(f"{x:.3g}")
 
 
-def _curve(case: Case, sets: list[Set]) -> Iterator[Curve]:
+def _curve(case: Case, sets: Compared) -> Curve:
     """The least loss of plain ones and of rolling ones over the speed, each at three temperatures of the oil."""
-    films = [one for one in sets if one.film]
-    others = [one for one in sets if not one.film]
-    shown = [(some[0] if some[0].bearings is case.now else min(some, key=lambda s: s.mean_loss(case)), dashed)
-             for some, dashed in ((films, False), (others, True)) if some]  # fmt: skip
+    shown = []
+    for film in (True, False):
+        alike = [(one, losses.mean) for one, losses in sets if one.film == film]
+        designed = [one for one, _ in alike if one.bearings is case.now]
+        shown += designed or [one for one, _ in sorted(alike, key=lambda pair: pair[1])[:1]]
     n = np.linspace(min(case.idle, case.rated), FASTEST * case.rated, POINTS)
-    middle = 10 * round((case.hot + case.cold) / 20)
-    temperatures = dict.fromkeys((case.cold, float(middle), case.hot))
+    middle = 10.0 * round((case.hot + case.cold) / 20)
+    temperatures = list(dict.fromkeys((case.cold, middle, case.hot)))
     series = []
-    for one, dashed in shown:
-        word = Text("rolling") if dashed else Text("plain")
-        for T in temperatures:
-            P: Array = np.asarray(one.loss(case, n, T), dtype=float)
-            P = np.where(P > 0, P, np.nan)
+    for one in shown:
+        word = Text("plain") if one.film else Text("rolling")
+        losses = one.loss(case, np.tile(n, len(temperatures)), np.repeat(temperatures, POINTS))
+        for T, P in zip(temperatures, np.split(losses, len(temperatures))):
             label = Text("{kind} {sizes}, {T}", kind=word, sizes=_sizes(one), T=Amount(T, "°C"))
-            series.append(Series(label, n * 60, np.log10(P), dashed=dashed))
-    yield Curve(
+            series.append(Series(label, n * 60, np.log10(np.where(P > 0, P, np.nan)), dashed=not one.film))
+    return Curve(
         "plain_and_rolling",
         Text("Loss of plain and of rolling bearings over speed and oil temperature"),
         axis_label("speed of the shaft", "rpm"),
         Text("lg P_f, W"),
         tuple(series),
-        limits=(),
-        short=1,
+        short=5,
     )

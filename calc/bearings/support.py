@@ -23,7 +23,19 @@ from ..sheet.quantity import result, value
 from ..sheet.record import record
 from ..sheet.step import Curve, Erratum, Table
 from ..sheet.text import Text
-from ..sheet.units import Celsius, CubicMetrePerSecond, Kilogram, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second, Watt
+from ..sheet.units import (
+    Celsius,
+    CubicMetrePerSecond,
+    Kilogram,
+    Metre,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Radian,
+    RevPerSecond,
+    Second,
+    Watt,
+)
 from .inputs import BearingsInputs
 
 if TYPE_CHECKING:

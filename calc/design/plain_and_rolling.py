@@ -3,7 +3,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 from ..bearings import comparison
@@ -12,15 +12,18 @@ from ..bearings.plain.selection.search import best_as_supplied
 from ..bearings.plain.selection.writing import with_row
 from ..bearings.result import BearingsResult
 from ..countershaft.rows import BearingRow
-from ..sheet.errors import NoSolution, text_of
+from ..sheet.deferred import Later
+from ..sheet.errors import NoSolution
 from ..sheet.step import Further, Outcome
-from ..sheet.text import Name, Text
 from ..sheet.units import Number
 from ..sheet.value import recorded
 from .model import Design
 from .step_inputs import bearings_case, rated_power, rolling_places
 
 IDLE: Number = 0.35  # of the rated speed, where nobody gives one
+# journals that a search begins from, and their supply, where there are none; rule of this program
+LARGE, LENGTH, CLEARANCE = 0.03, 0.6, 2.0
+HOLE, PRESSURE = 0.004, 3e5
 
 Steps = Mapping[str, Outcome[object]]
 Solve = Callable[..., Any]
@@ -33,25 +36,28 @@ def with_comparison(design: Design, steps: Steps, results: Callable[[], Any], so
     outcome = steps.get("bearings")
     if outcome is None or outcome.state != "solved":
         return {}
-    return {"bearings": replace(outcome, further=partial(_further, design, outcome.further, results, solve))}
+    beside = cache(partial(_beside, design, results, solve))
+    return {
+        "bearings": replace(
+            outcome,
+            curves=outcome.curves + Later(lambda: beside().curves),
+            tables=outcome.tables + Later(lambda: beside().tables),
+        )
+    }
 
 
-def _further(
-    design: Design, before: Callable[[], Further] | None, results: Callable[[], Any], solve: Solve
-) -> Further:
-    more = before() if before is not None else Further()
-    solved = results()
+def _beside(design: Design, results: Callable[[], Any], solve: Solve) -> Further:
+    more, solved = Further(), results()
     several = len(design.shafts) > 1
     for name in design.originals:
         try:
             with recorded(False):
                 here = comparison.further(_case(design, solved, name), _plain(design, solved, solve, name))
-        except (NoSolution, ArithmeticError, ValueError) as error:
-            lost = Text("Plain and rolling are not compared for {name}: {error}.", name=Name(name), error=text_of(error))
-            here = Further(notes=(lost,))
+        except (NoSolution, ArithmeticError, ValueError):
+            continue  # a shaft whose loads are not known
         tables = tuple(table.of_one("bearings", name) if several else table for table in here.tables)
         curves = tuple(curve.of_one(name) if several else curve for curve in here.curves)
-        more = Further(more.curves + curves, more.tables + tables, more.notes + here.notes)
+        more = Further((*more.curves, *curves), more.tables + tables)
     return more
 
 
@@ -63,7 +69,8 @@ def _case(design: Design, solved: Any, name: str) -> comparison.Case:
     places = rolling_places(design, solved, name)
     task = next(iter(places.values())).task
     ratio = abs(task.ratio) if task.ratio is not None else 1.0
-    slowest = min((row.speed for row in (*task.operation, *_inputs(design).duty)), default=None)
+    speeds = [row.speed for row in task.operation] + [row.speed for row in _inputs(design).duty]
+    slowest = min(speeds, default=None)
     if slowest is None and design.mounting is not None:
         slowest = design.mounting.idle_speed
     costs = comparison.Costs()
@@ -81,8 +88,11 @@ def _inputs(design: Design) -> BearingsInputs:
 def _plain(
     design: Design, solved: Any, solve: Solve, name: str
 ) -> Iterator[tuple[BearingsInputs, Mapping[str, BearingRow]]]:
-    """The best journals with the oil and the supply of the design."""
+    """The best journals with the oil and the supply of the design; where it has no journals, with what is usual."""
     try:
+        if any(row.kind != "plain" for row in design.views[name].rows):
+            design = _with_journals(design, name)
+            solved = solve(design, solved)
         case = bearings_case(design, solve, solved, name)
         row = best_as_supplied(case)
     except NoSolution:
@@ -90,3 +100,22 @@ def _plain(
     if row is not None:
         bearings, rows = with_row(case, row)
         yield bearings, {one.name: one for one in rows}
+
+
+def _with_journals(design: Design, name: str) -> Design:
+    """The shaft on plain bearings, with the journals that a search begins from, and oil under pressure."""
+    own, inputs = design.views[name].own, _inputs(design)
+    assert own is not None
+    rows = []
+    for row in own.bearings:
+        if row.kind != "plain":
+            d = row.on_shaft[0] if row.on_shaft is not None else LARGE
+            as_given = dict(name=row.name, position=row.position, load=row.load, slope=row.slope)
+            row = BearingRow(**as_given, diameter=d, length=LENGTH * d, clearance_factor=CLEARANCE)
+        rows.append(row)
+    supply: dict[str, Any] = {}
+    if inputs.supply is None:
+        supply = dict(supply="hole", hole_diameter=HOLE)
+    if inputs.supply_pressure is None:
+        supply["supply_pressure"] = PRESSURE
+    return replace(design, bearings=replace(inputs, **supply)).with_shaft(replace(own, bearings=tuple(rows)))

@@ -190,19 +190,12 @@ def _said(place: str, r: "RollingBearing", checks: dict[str, Check], room: Metre
     """To the right: diameters with their fits, and the clearance."""
     size, x = r.case.size, 1.12 * room
     shaft_fit, seat_fit = usual_fits(size.type, size.inner_ring)
-    fits = (
-        (size.bore, r.row.shaft_fit or shaft_fit, _keys(place, BearingRow.shaft_fit), 0.0, ""),
-        (
-            size.outside,
-            r.row.seat_fit or seat_fit,
-            _keys(place, BearingRow.seat_fit, BearingRow.outer_ring_held),
-            0.0,
-            judged(checks.values(), GRIP_HOT.of(place)),
-        ),
-    )
-    for diameter, fit, key, up, state in fits:
-        words = Text("Ø{d} {fit}", d=Amount(diameter * 1e3, form="g"), fit=fit)
-        yield Words(WORDS, (x, diameter / 2 + up), words, key=key, state=state)
+    grip = judged(checks.values(), GRIP_HOT.of(place))
+    on_shaft = Text("Ø{d} {fit}", d=Amount(size.bore * 1e3, form="g"), fit=r.row.shaft_fit or shaft_fit)
+    in_seat = Text("Ø{d} {fit}", d=Amount(size.outside * 1e3, form="g"), fit=r.row.seat_fit or seat_fit)
+    held = _keys(place, BearingRow.seat_fit, BearingRow.outer_ring_held)
+    yield Words(WORDS, (x, size.bore / 2), on_shaft, key=_keys(place, BearingRow.shaft_fit))
+    yield Words(WORDS, (x, size.outside / 2), in_seat, key=held, state=grip)
     if r.clearance_running is not None:
         key = _keys(place, BearingRow.clearance_class, BearingRow.clearance_limits)
         state = judged(checks.values(), CLEARANCE_LEAST.of(place), CLEARANCE_START.of(place))
