@@ -22,7 +22,7 @@ from .step_inputs import bearings_case, rated_power, rolling_places
 
 IDLE: Number = 0.35  # of the rated speed, where nobody gives one
 # journals that a search begins from, and their supply, where there are none; rule of this program
-LARGE, LENGTH, CLEARANCE = 0.03, 0.6, 2.0
+LARGE, LENGTH, CLEARANCE, SMOOTH = 0.03, 0.6, 0.6, 0.4e-6
 HOLE, PRESSURE = 0.004, 3e5
 
 Steps = Mapping[str, Outcome[object]]
@@ -110,8 +110,9 @@ def _with_journals(design: Design, name: str) -> Design:
     for row in own.bearings:
         if row.kind != "plain":
             d = row.on_shaft[0] if row.on_shaft is not None else LARGE
+            surfaces = dict(journal_roughness=SMOOTH, housing_roughness=SMOOTH)
             as_given = dict(name=row.name, position=row.position, load=row.load, slope=row.slope)
-            row = BearingRow(**as_given, diameter=d, length=LENGTH * d, clearance_factor=CLEARANCE)
+            row = BearingRow(**as_given, diameter=d, length=LENGTH * d, clearance_factor=CLEARANCE, **surfaces)
         rows.append(row)
     supply: dict[str, Any] = {}
     if inputs.supply is None:
