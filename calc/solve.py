@@ -30,6 +30,7 @@ from .countershaft.supports import with_standing
 from .countershaft.twins import Resolved
 from .design import step_inputs as h
 from .design.model import IN_SENTENCES, STEPS, TITLES, Design
+from .design.plain_and_rolling import with_comparison
 from .design.predicted import Predicted, with_measured
 from .design.unusual import doubts, with_doubts
 from .engine import solve as engine
@@ -209,8 +210,9 @@ def solve(
         solved = Solved(part.outcomes, part.of_shafts)
     outcomes = solved.steps
     results = Results(design, outcomes, solved.of_shafts, part.kept, recording.get())
+    bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
+    outcomes |= with_comparison(design, outcomes, lambda: bare, solve)
     if design.measured:
-        bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
         outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
     return results
 

@@ -23,7 +23,19 @@ from ..sheet.quantity import result, value
 from ..sheet.record import record
 from ..sheet.step import Curve, Erratum, Table
 from ..sheet.text import Text
-from ..sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second, Watt
+from ..sheet.units import (
+    Celsius,
+    CubicMetrePerSecond,
+    Kilogram,
+    Metre,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Radian,
+    RevPerSecond,
+    Second,
+    Watt,
+)
 from .inputs import BearingsInputs
 
 if TYPE_CHECKING:
@@ -155,6 +167,7 @@ class Carrying(ABC):
 
     load: Newton
     friction_power: Watt
+    oil_flow: CubicMetrePerSecond  # under pressure
     on_shaft: OnShaftResult | None
     slope: Radian | None  # of the journal; None: not known, and taken
 
@@ -222,6 +235,14 @@ class Carrying(ABC):
     def survival(self) -> tuple[Second, Number] | None:
         """Its life, and the exponent by which it adds to those of others; None of a kind that does not fatigue."""
         return None
+
+    def seat_size(self) -> Metre:
+        """Diameter of the housing's bore in which it sits."""
+        return self.row.on_shaft[0] if self.row.on_shaft is not None else 0.0
+
+    def mass(self) -> Kilogram:
+        """Of what is put between shaft and housing."""
+        return 0.0
 
     @abstractmethod
     def spring(self) -> NewtonPerMetre:

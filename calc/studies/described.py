@@ -90,8 +90,12 @@ def _load_case(design: Design) -> Iterator[Text]:
     if design.gears is not None and design.gears.power is not None:
         yield Text("power {power}", power=Amount(design.gears.power / 1e3, "kW"))
     if (bearings := design.bearings) is not None:
-        supply = Amount(bearings.supply_temperature, "°C"), Amount(bearings.supply_pressure / 1e5, "bar")
-        yield Text("oil supplied at {temperature} and {pressure}", temperature=supply[0], pressure=supply[1])
+        T, p = Amount(bearings.supply_temperature, "°C"), bearings.supply_pressure
+        if p is None:
+            yield Text("oil at {temperature}", temperature=T)
+        else:
+            pressure = Amount(p / 1e5, "bar")
+            yield Text("oil supplied at {temperature} and {pressure}", temperature=T, pressure=pressure)
         yield Text("cold at {lowest}", lowest=Amount(bearings.lowest_temperature, "°C"))
 
 

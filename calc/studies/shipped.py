@@ -129,7 +129,7 @@ def engine_design(
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"], engine=name, keys=", ".join(own))
-    kinds: "Sequence[str]" = ()
+    kinds: Sequence[str] = ()
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
     if own:
         note = Text(

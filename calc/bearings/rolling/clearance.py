@@ -171,6 +171,13 @@ def free_clearance(elements: str, clearance_class: str, d: Value) -> Span[Value]
     return None if isinstance(d, float) and np.isnan(found[0]) else found
 
 
+def usual_fits(type: str, inner_ring: bool) -> tuple[str, str]:
+    """Of shaft and seat, where nothing is said: the hole around a cage is its raceway."""
+    usual, rings = _table()["default"], inner_ring and type in ("ball", "roller", "needle")
+    seat: str = _table()["bore_without_ring"]["cage"] if type == "cage" else usual["seat"]
+    return usual["shaft" if rings else "raceway"], seat
+
+
 # --- how one bearing sits, or many of a type
 
 

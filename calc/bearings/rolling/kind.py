@@ -6,14 +6,18 @@ from collections.abc import Iterable, Iterator, Mapping
 from ...countershaft.outline import Outline
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, row_key
+from ...draw.drawing import Sketch
 from ...sheet.check import Check
+from ...sheet.step import Curve, Table
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Second
 from ..inputs import BearingsInputs
 from ..support import Kind, ShaftInView, Solids, Task, on_bearing
 from .bearing import RollingBearing, RollingSupport
 from .checks import ASSEMBLY, LOCATING, SYSTEM_LIFE, life_asked
+from .curves import curves, tables
 from .notes import notes
+from .sketch import pictures
 from .solve import case_of
 
 
@@ -37,6 +41,15 @@ class Rolling(Kind[RollingBearing]):
         if system_life is not None and len(results) > 1:
             one = next(iter(results.values()))
             yield SYSTEM_LIFE(system_life, life_asked(one.case.inputs, one.task.life))
+
+    def curves(self, results: Mapping[str, RollingBearing]) -> Iterator[Curve]:
+        return curves(results)
+
+    def tables(self, results: Mapping[str, RollingBearing], shaft: ShaftInView) -> Iterator[Table]:
+        return tables(results)
+
+    def pictures(self, results: Mapping[str, RollingBearing], checks: dict[str, Check]) -> dict[str, Sketch]:
+        return pictures(results, checks)
 
     def notes(
         self, inputs: BearingsInputs, solved: CountershaftResult | None, results: Mapping[str, RollingBearing]

@@ -238,7 +238,10 @@ def _shared(made: Design, of_plain: list[Section]) -> list[Section]:
     (header, both), *_ = shared_of_plain(made, oil)
     kept = (BearingsInputs.oil, BearingsInputs.supply_temperature, BearingsInputs.housing_material)
     rows: Rows = {key: both[key] for key in kept}
-    rows[BearingsInputs.supply_temperature] = (rows[BearingsInputs.supply_temperature][0], "assumed: of the oil that is splashed")
+    rows[BearingsInputs.supply_temperature] = (
+        rows[BearingsInputs.supply_temperature][0],
+        "assumed: of the oil that is splashed",
+    )
     return [(header, rows | life)]
 
 

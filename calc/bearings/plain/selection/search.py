@@ -262,6 +262,16 @@ def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = N
     )
 
 
+def best_as_supplied(case: SelectionCase) -> CandidateRow | None:
+    """The least friction with the oil and the supply of the design, in the room on its shaft; not solved as a whole.
+
+    None: nothing keeps all rules.  Raises NoSolution where the search knows no bearings like these."""
+    bearings, (variant, *_), slopes = _possible(tasks(case)), variants(case), slopes_of(case)
+    ((_, every),) = _all_fields(case, [variant], bearings, slopes, ORDERS["loss"], None)
+    picked = best(with_surfaces(in_room(every)), slopes, ORDERS["loss"])
+    return None if picked is None else CandidateRow("offered", variant, picked)
+
+
 def _ways(case: SelectionCase, offered: list[Variant], bearings: Tasks) -> list[tuple[str, list[Variant], Tasks]]:
     """What is looked at, until something fits: the fits as they are, closer ones, then the limits as given where the
     fits are only assumed."""

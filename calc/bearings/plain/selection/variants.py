@@ -163,6 +163,8 @@ def own_tasks(case: SelectionCase) -> dict[str, BearingTask]:
 
 def only_two(case: SelectionCase) -> None:
     """Raises NoSolution where the bearings share their load, so that none can be chosen for itself."""
+    if any(row.kind != "plain" for row in case.rows):
+        raise NoSolution(Text("only plain bearings are searched here"), Text("the shaft has others"), EMPTY)
     if len(case.rows) != 2:
         three = Text("the shaft has {n}, which share its load", n=len(case.rows))
         advice = Text("choose them: `contralbero choose FILE bearings`")
