@@ -101,10 +101,6 @@ class RollingBearing(LoadedBearing, Carrying):
     """One rolling bearing under its load, as its shaft and a report ask it."""
 
     @property
-    def row(self) -> BearingRow:
-        return self.case.row
-
-    @property
     def speed(self) -> RevPerSecond:
         return self.task.speed
 

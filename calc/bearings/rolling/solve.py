@@ -284,6 +284,10 @@ class LoadedBearing(RollingResult):
     axial: Newton
     slope: Radian | None
 
+    @property
+    def row(self) -> BearingRow:
+        return self.case.row
+
 
 def solve(case: RollingCase, F: Newton, stands: StandingLoads, slope: Radian | None, task: Task) -> dict[str, Any]:
     """The bearing under F that turns with the shaft and what stands, over its duty: the fields of a LoadedBearing."""

@@ -300,7 +300,7 @@ def _bearings(document: Document) -> Document:
         found = bearings.carried(alone, _results(alone), []).document
     except NoSolution:
         return _without(document, {"bearings": NO_BEARINGS})
-    train_of = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
+    train_of: dict[str, object] = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
     return _put(found, train_of, (dotted(Design.bearings),))
 
 

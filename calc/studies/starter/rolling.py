@@ -53,8 +53,8 @@ OPERATION = dotted(Design.engine, EngineInputs.operation)
 
 
 def duty(made: Design) -> list[Table]:
-    """How the engine runs, as [[engine.operation]] has it: a fifth of the hours at rated speed, a fifth at about a third
-    of it."""
+    """How the engine runs, as [[engine.operation]] has it: a fifth of the hours at rated speed, a fifth at about a
+    third of it."""
     engine = made.engine
     assert engine is not None
     return [
