@@ -399,21 +399,17 @@ def changes(case: SelectionCase, row: ChoiceRow) -> Changes:
     return written
 
 
-def _differences(place: str, before: Any, after: Any) -> Changes:
+def _differences(place: str, before: object, after: object) -> Changes:
     """The keys of one table that are not the same, as they then stand in the file; None: left out."""
+    kind: type = type(after)
     were = {key: content for key, _, content in given(before, place)}
-    found: Changes = {}
-    for key, about, content in given(after, place):
+    now = {key: (about, content) for key, about, content in given(after, place)}
+    usual = {f"{place}.{key}": entry.field.default for key, entry in keys(kind).items()}
+    found: Changes = {key: None for key in were if key not in now}
+    for key, (about, content) in now.items():
         if were.get(key) != content:
-            found[key] = _written(about, content)
-    now = {key for key, _, _ in given(after, place)}
-    found |= {key: None for key in were if key not in now}
-    defaults = {f"{place}.{key}": entry.field.default for key, entry in keys(type(after)).items()}
-    contents = {key: content for key, _, content in given(after, place)}
-    return {
-        key: None if key in contents and key in defaults and contents[key] == defaults[key] else value
-        for key, value in found.items()
-    }
+            found[key] = None if usual.get(key) == content else _written(about, content)
+    return found
 
 
 def _written(about: Quantity, content: Any) -> object:
