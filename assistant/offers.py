@@ -144,25 +144,20 @@ def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | N
     places = rolling_places(design, case.results, case.name)
     selection, why = None, EMPTY
     try:
-        as_plain = plain_case(case, places)
-        selection = bearing_search.search(as_plain, aim, part(progress, 0.0, 0.7))
+        begun = plain_case(case, places)
+        selection = bearing_search.search(begun, aim, part(progress, 0.0, 0.7))
+        selection = selection if begun is case else replace(selection, now=None)
     except NoSolution as none:
         why = none.text
     choice = kinds.choice(case, places, selection, why, aim, part(progress, 0.7, 1.0))
     plain = None if choice.plain is None else _plain(choice.plain.case, choice.plain)
-
-    def of_plain(number: int) -> int:
-        """The number of a row in the plain search; 0: it has rolling bearings."""
-        if number > len(choice.rows):
-            assert choice.plain is not None
-            return number - len(choice.rows) + len(choice.plain.rows)
-        return choice.rows[number - 1].plain
+    own = choice.plain is not None and choice.plain.case is case  # its rows are changes of the design itself
 
     def taken(number: int) -> Changes:
-        n = of_plain(number)
-        if n and plain is not None and choice.plain is not None and choice.plain.case is case:
+        n = choice.row(number).plain
+        if n and plain is not None and own:
             return plain.keys(n)
-        row = choice.rows[number - 1]
+        row = choice.row(number)
         if number not in choice.verified:
             settled = kinds.confirmed(case, row)
             if settled.why:
@@ -170,8 +165,8 @@ def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | N
         return kinds.changes(case, row)
 
     def said(number: int) -> Text:
-        n = of_plain(number)
-        return plain.said(n) if n and plain is not None else kind_tables.written(choice, number)
+        n = choice.row(number).plain
+        return plain.said(n) if n and plain is not None and own else kind_tables.written(choice, number)
 
     def beside(top: int) -> tuple[Table, ...]:
         fits = kind_tables.fits_table(choice, top)
@@ -179,13 +174,13 @@ def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | N
         return (*((fits,) if fits else ()), *(replace(t, id="plain") if t.id == "bearings" else t for t in of_plain))
 
     return Offer(
-        count=len(choice.rows) + (0 if choice.plain is None else len(choice.plain.all) - len(choice.plain.rows)),
+        count=choice.count,
         table=lambda top: kind_tables.choices_table(choice, top),
         keys=taken,
         said=said,
         hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
         beside=beside,
-        summary=(*kind_tables.summary(choice), *(plain.summary if plain is not None else ())),
+        summary=(*kind_tables.summary(choice), *(plain.summary if plain is not None and own else ())),
         notes=(*kind_tables.notes(choice), *(plain.notes if plain is not None else ())),
         hidden=lambda top: kind_tables.hidden(choice, top),
     )

@@ -114,6 +114,17 @@ class Choice:
     missing: tuple[tuple[str, Text], ...]
     dropped: tuple[Text, ...]
 
+    @property
+    def count(self) -> int:
+        """Of all that may be taken: behind the rows stand plain ones that are too long, and those with more film."""
+        return len(self.rows) + (0 if self.plain is None else len(self.plain.all) - len(self.plain.rows))
+
+    def row(self, number: int) -> ChoiceRow:
+        if number <= len(self.rows):
+            return self.rows[number - 1]
+        assert self.plain is not None
+        return _plain_row(self.plain, number - len(self.rows) + len(self.plain.rows), {})
+
 
 # --- the order
 
@@ -149,7 +160,7 @@ def choice(
 
     Raises NoSolution where there is no row of any kind."""
     shares = {place: _duty_share(case.seen(case.results), at) for place, at in places.items()}
-    plain_rows = _plain_rows(plain, places, shares) if plain is not None else []
+    plain_rows = _plain_rows(plain, shares) if plain is not None else []
     rolling = dict[str, list[Side]]()
     stopped = dict[str, list[tuple[str, Text]]]()  # types without a bearing, by place
     each = EACH.get(len(places), AT_LEAST)
@@ -228,13 +239,15 @@ def _duty_share(results: Solution, at: Place) -> Number:
     return mean if math.isfinite(mean) else 1.0
 
 
-def _plain_rows(found: BearingsFound, places: Mapping[str, Place], shares: Mapping[str, Number]) -> list[ChoiceRow]:
-    rows = []
-    for n, row in enumerate(found.rows, 1):
-        inputs, after = with_row(found.case, row)
-        sides = (_plain_side(pick, own, shares[pick.task.place]) for pick, own in zip(row.picks, after))
-        rows.append(ChoiceRow(tuple(sides), inputs, n))
-    return rows
+def _plain_rows(found: BearingsFound, shares: Mapping[str, Number]) -> list[ChoiceRow]:
+    return [_plain_row(found, n, shares) for n in range(1, len(found.rows) + 1)]
+
+
+def _plain_row(found: BearingsFound, n: int, shares: Mapping[str, Number]) -> ChoiceRow:
+    row = found.all[n - 1]
+    inputs, after = with_row(found.case, row)
+    sides = (_plain_side(pick, own, shares.get(pick.task.place, 1.0)) for pick, own in zip(row.picks, after))
+    return ChoiceRow(tuple(sides), inputs, n)
 
 
 def _plain_side(pick: Pick, row: BearingRow, share: Number) -> Side:
@@ -299,11 +312,10 @@ def _rolling_sides(at: Place, wanted: int) -> tuple[list[Side], list[tuple[str, 
         found += best
         if not best:
             stopped.append((type, _why_not(at, of_type[0], bool(loose))))
-    if len(found) < wanted:
-        more, _ = seated(at, every, wanted)
-        found += [one for one in more if all(one.row.size != other.row.size for other in found)]
-    found.sort(key=lambda one: one.candidate.loss)
-    return [_side(one) for one in found[: max(wanted, len(TYPES))]], stopped
+    more, _ = seated(at, every, wanted)
+    others = [one for one in more if all(one.row.size != other.row.size for other in found)]
+    found += others[: max(wanted - len(found), 0)]
+    return [_side(one) for one in sorted(found, key=lambda one: one.candidate.loss)], stopped
 
 
 def _side(one: Seated) -> Side:

@@ -8,6 +8,7 @@ from ..sheet.step import Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed
 from ..sheet.units import UNITS
 from .choice import Choice, ChoiceRow, Side, words_of
+from .inputs import BearingsInputs
 from .plain.selection.states import against, letter_of
 from .plain.selection.tables import NUMBER, rounded, rows_of
 from .plain.selection.variants import SUPPLY
@@ -106,11 +107,24 @@ def summary(choice: Choice) -> tuple[Text, ...]:
         words.append(Text("Row 1 is the design as it is: {power}.", power=Amount(first.loss, "W", digits=3)))
     elif not first.plain:
         words.append(Text("Row 1: {row}; {power}.", row=words_of(first), power=power))
+    if choice.plain is not None and choice.plain.case is not choice.case:
+        words.append(_begun(choice, choice.plain.case.bearings))
     if choice.why_plain:
         words.append(Text("No plain row: {why}.", why=choice.why_plain))
     for type, why in choice.missing:
         words.append(Text("No row with {type}: {why}.", type=TYPES[type], why=why))
-    return tuple(words)
+    return tuple(filter(None, words))
+
+
+def _begun(choice: Choice, inputs: BearingsInputs) -> Text:
+    """How oil comes to plain bearings of a design that has no such, where the search has proposed it."""
+    if inputs.supply == choice.case.bearings.supply and inputs.supply_pressure == choice.case.bearings.supply_pressure:
+        return EMPTY
+    return Text(
+        "Plain rows are fed as is proposed: by {supply}, at {pressure}.",
+        supply=SUPPLY[inputs.supply],
+        pressure=Amount(inputs.supply_pressure / UNITS["bar"].factor, "bar"),
+    )
 
 
 def notes(choice: Choice) -> Iterator[Text]:
