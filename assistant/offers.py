@@ -132,25 +132,34 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
     fit the shaft and keep every rule at the worst corner."""
     assert design.bearings is not None
     case = bearings_case(design, solve, shaft=name)
-    if len(case.rows) > 2:
-        return _sharing(case, aim, progress)
-    if aim != "film":
-        return _kinds(design, case, aim, progress)
-    return _plain(case, bearing_search.search(case, aim, progress))
+    return _plain(_search_plain(case, aim, progress)) if aim == "film" else _kinds(design, case, aim, progress)
+
+
+def _search_plain(case: SelectionCase, aim: str, progress: Progress | None) -> kinds.PlainFound:
+    """Of more than two bearings, which share their load, sizes and clearances alone."""
+    if len(case.rows) == 2:
+        return bearing_search.search(case, aim, progress)
+    return together.search(case, aim, progress)
+
+
+def _plain(found: kinds.PlainFound) -> Offer:
+    """Plain ones alone, by the numbers that they have among themselves."""
+    return _of_two(found) if isinstance(found, BearingsFound) else _sharing(found)
 
 
 def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | None) -> Offer:
     """Plain and rolling bearings in one table; what is told of the plain ones alone beside it."""
     places = rolling_places(design, case.results, case.name)
-    selection, why = None, EMPTY
+    selection: kinds.PlainFound | None = None
+    why = EMPTY
     try:
         begun = plain_case(case, places)
-        selection = bearing_search.search(begun, aim, part(progress, 0.0, 0.7))
+        selection = _search_plain(begun, aim, part(progress, 0.0, 0.7))
         selection = selection if begun is case else replace(selection, now=None)
     except NoSolution as none:
         why = none.text
     choice = kinds.choice(case, places, selection, why, aim, part(progress, 0.7, 1.0))
-    plain = None if choice.plain is None else _plain(choice.plain.case, choice.plain)
+    plain = None if choice.plain is None else _plain(choice.plain)
     own = choice.plain is not None and choice.plain.case is case  # its rows are changes of the design itself
 
     def taken(number: int) -> Changes:
@@ -186,8 +195,8 @@ def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | N
     )
 
 
-def _plain(case: SelectionCase, selection: BearingsFound) -> Offer:
-    """Plain ones alone, by the numbers that they have among themselves."""
+def _of_two(selection: BearingsFound) -> Offer:
+    case = selection.case
 
     def taken(number: int) -> Changes:
         """Rows that were not solved as whole designs are so now."""
@@ -229,20 +238,19 @@ def _plain(case: SelectionCase, selection: BearingsFound) -> Offer:
     )
 
 
-def _sharing(case: SelectionCase, aim: str, progress: Progress | None) -> Offer:
-    """The same of more than two bearings, which share their load: sizes and clearances alone."""
-    selection = together.search(case, aim, progress)
+def _sharing(selection: together.SharedFound) -> Offer:
+    case = selection.case
 
     def taken(number: int) -> Changes:
         row = selection.rows[number - 1].row
-        _confirm(together.confirmed(case, row, selection.slopes, selection.asked), number)
+        _confirm(together.confirmed(case, row, selection.slopes, selection.asked), selection.no(number))
         return bearing_changes(row, case)
 
     def written(number: int) -> Text:
         chosen = selection.rows[number - 1]
         return Text(
             "now has the bearings of row {row} ({change}): {power}",
-            row=number,
+            row=selection.no(number),
             change=bearing_tables.changed(chosen.row) or Text("lengths and clearances as they were"),
             power=Amount(chosen.power, "W"),
         )

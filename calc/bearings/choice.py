@@ -26,9 +26,10 @@ from ..sheet.units import Kilogram, Metre, Number, Second, Watt
 from ..sheet.value import untraced
 from .inputs import BearingsInputs
 from .plain.bearing import PlainBearing
-from .plain.selection.ranking import ONE_PER_CENT, Pick
+from .plain.selection.ranking import ONE_PER_CENT
 from .plain.selection.search import BearingsFound, Settled, slopes_of
 from .plain.selection.states import against, short_mm
+from .plain.selection.together import SharedFound
 from .plain.selection.variants import SelectionCase, Solution, crossings
 from .plain.selection.writing import with_row
 from .result import BearingsResult
@@ -42,6 +43,7 @@ TRIED = 12  # of which at most so many are looked at
 EACH = {2: 8, 3: 4}  # rolling bearings of a place that are combined with those of the others, by how many places
 AT_LEAST = 2  # of more places
 MOST = 16  # rows with rolling bearings
+PlainFound = BearingsFound | SharedFound  # of two bearings, of more that share their load
 TYPES = ("ball", "roller", "needle", "cup", "cage")
 
 
@@ -105,7 +107,7 @@ class Choice:
 
     case: SelectionCase
     aim: str
-    plain: BearingsFound | None
+    plain: PlainFound | None
     why_plain: Text
     rows: tuple[ChoiceRow, ...]
     now: ChoiceRow | None
@@ -117,13 +119,15 @@ class Choice:
     @property
     def count(self) -> int:
         """Of all that may be taken: behind the rows stand plain ones that are too long, and those with more film."""
-        return len(self.rows) + (0 if self.plain is None else len(self.plain.all) - len(self.plain.rows))
+        found = self.plain
+        return len(self.rows) + (len(found.all) - len(found.rows) if isinstance(found, BearingsFound) else 0)
 
     def row(self, number: int) -> ChoiceRow:
         if number <= len(self.rows):
             return self.rows[number - 1]
-        assert self.plain is not None
-        return _plain_row(self.plain, number - len(self.rows) + len(self.plain.rows), {})
+        found = self.plain
+        assert isinstance(found, BearingsFound)
+        return _plain_row(found, number - len(self.rows) + len(found.rows), {})
 
 
 # --- the order
@@ -150,7 +154,7 @@ def unbeaten(rows: Sequence[ChoiceRow]) -> list[ChoiceRow]:
 def choice(
     case: SelectionCase,
     places: Mapping[str, Place],
-    plain: BearingsFound | None,
+    plain: PlainFound | None,
     why_plain: Text,
     aim: str = "loss",
     progress: Progress | None = None,
@@ -197,7 +201,7 @@ def choice(
     return Choice(
         case,
         aim,
-        None if plain is None else replace(plain, named=tuple(number[id(row)] for row in plain_rows), behind=len(rows)),
+        _named(plain, tuple(number[id(row)] for row in plain_rows), len(rows)),
         why_plain,
         tuple(rows),
         _as_it_is(case, places),
@@ -206,6 +210,12 @@ def choice(
         tuple(_missing(rows, stopped)),
         tuple(dropped),
     )
+
+
+def _named(plain: PlainFound | None, named: tuple[int, ...], behind: int) -> PlainFound | None:
+    if isinstance(plain, BearingsFound):
+        return replace(plain, named=named, behind=behind)
+    return None if plain is None else replace(plain, named=named)
 
 
 def words_of(row: ChoiceRow) -> Text:
@@ -239,19 +249,28 @@ def _duty_share(results: Solution, at: Place) -> Number:
     return mean if math.isfinite(mean) else 1.0
 
 
-def _plain_rows(found: BearingsFound, shares: Mapping[str, Number]) -> list[ChoiceRow]:
+def _plain_rows(found: PlainFound, shares: Mapping[str, Number]) -> list[ChoiceRow]:
     return [_plain_row(found, n, shares) for n in range(1, len(found.rows) + 1)]
 
 
-def _plain_row(found: BearingsFound, n: int, shares: Mapping[str, Number]) -> ChoiceRow:
-    row = found.all[n - 1]
+def _plain_row(found: PlainFound, n: int, shares: Mapping[str, Number]) -> ChoiceRow:
+    if isinstance(found, BearingsFound):
+        row = found.all[n - 1]
+        every = row.picks
+    else:
+        row, every = found.rows[n - 1].row, found.rows[n - 1].every
     inputs, after = with_row(found.case, row)
-    sides = (_plain_side(pick, own, shares.get(pick.task.place, 1.0)) for pick, own in zip(row.picks, after))
-    return ChoiceRow(tuple(sides), inputs, n)
+    powers = {pick.task.place: pick.power for pick in every}
+    there = found.case.seen(found.case.results).result(BearingsResult)
+    for own in after:  # what carries next to nothing is not judged, and turns as it did
+        if own.name not in powers:
+            powers[own.name] = there.bearings[own.name].friction_power if there is not None else 0.0
+    sides = tuple(_plain_side(own, powers[own.name] * shares.get(own.name, 1.0)) for own in after)
+    return ChoiceRow(sides, inputs, n)
 
 
-def _plain_side(pick: Pick, row: BearingRow, share: Number) -> Side:
-    return Side(row, "plain", pick.power * share, bush_mass(row), seat_of(row), None)
+def _plain_side(row: BearingRow, loss: Watt) -> Side:
+    return Side(row, "plain", loss, bush_mass(row), seat_of(row), None)
 
 
 def bush_mass(row: BearingRow) -> Kilogram:
@@ -293,7 +312,7 @@ def _as_it_is(case: SelectionCase, places: Mapping[str, Place]) -> ChoiceRow | N
             sides.append(Side(row, r.case.size.type, r.duty_loss, r.bearing_mass, r.seat_diameter, life))
         else:
             share = _duty_share(case.seen(case.results), places[row.name])
-            sides.append(Side(row, "plain", r.friction_power * share, bush_mass(row), seat_of(row), None))
+            sides.append(_plain_side(row, r.friction_power * share))
     return ChoiceRow(tuple(sides), case.bearings)
 
 
@@ -303,6 +322,16 @@ def _as_it_is(case: SelectionCase, places: Mapping[str, Place]) -> ChoiceRow | N
 def _rolling_sides(at: Place, wanted: int) -> tuple[list[Side], list[tuple[str, Text]]]:
     """The best of each type in a place, then those of least loss, so many in all; and the types without one."""
     every = candidates(at)
+    if not every:
+        low, high = map(short_mm, at.bores)
+        none = Text(
+            "No rolling bearing at the {place} journal: none has a bore of {low} to {high} mm, which the shaft asks for "
+            "there",
+            place=called(at.row.name),
+            low=low,
+            high=high,
+        )
+        return [], [("", none)]
     found, stopped = list[Seated](), list[tuple[str, Text]]()
     for type in TYPES:
         of_type = [one for one in every if one.size.type == type]

@@ -9,6 +9,7 @@ from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed
 from ..sheet.units import UNITS
 from .choice import Choice, ChoiceRow, Side, words_of
 from .inputs import BearingsInputs
+from .plain.selection.search import BearingsFound
 from .plain.selection.states import against, letter_of
 from .plain.selection.tables import NUMBER, rounded, rows_of
 from .plain.selection.variants import SUPPLY
@@ -58,10 +59,13 @@ def choices_table(choice: Choice, top: int) -> Table:
 def _with(choice: Choice, row: ChoiceRow) -> Text:
     """Oil and supply of plain ones where they are others, and the cautions of rolling ones."""
     words: list[str] = []
-    if row.inputs.oil != choice.case.bearings.oil:
+    begun = choice.case.bearings if choice.plain is None else choice.plain.case.bearings
+    if row.inputs.oil != begun.oil:
         words.append(row.inputs.oil)
-    if row.inputs.supply != choice.case.bearings.supply and row.inputs.supply is not None:
+    if "plain" in row.types and row.inputs.supply != begun.supply:
         words.append(SUPPLY[row.inputs.supply])
+    if (row.inputs.journal_fit, row.inputs.seat_fit) != (begun.journal_fit, begun.seat_fit):
+        words.append(f"{row.inputs.journal_fit}/{row.inputs.seat_fit}")
     words += dict.fromkeys(word for side in row.sides for word in side.cautions)
     return COMMA.join(words)
 
@@ -112,7 +116,8 @@ def summary(choice: Choice) -> tuple[Text, ...]:
     if choice.why_plain:
         words.append(Text("No plain row: {why}.", why=choice.why_plain))
     for type, why in choice.missing:
-        words.append(Text("No row with {type}: {why}.", type=TYPES[type], why=why))
+        none = Text("No row with {type}: {why}.", type=TYPES[type], why=why) if type else Text("{why}.", why=why)
+        words.append(none)
     return tuple(filter(None, words))
 
 
@@ -152,10 +157,11 @@ def written(choice: Choice, number: int) -> Text:
 
 def hidden(choice: Choice, top: int) -> Text:
     """Which rows are not shown, and how to see them."""
-    last = len(choice.rows) + (len(choice.plain.beyond) if choice.plain is not None else 0)
+    longer = len(choice.plain.beyond) if isinstance(choice.plain, BearingsFound) else 0
+    last = len(choice.rows) + longer
     if top >= last:
         return EMPTY
-    if choice.plain is not None and choice.plain.beyond:
+    if longer:
         beyond = max(top, len(choice.rows)) + 1
         return Text("Rows {a} to {b}: --top {b} (from {c} on too long for their room).", a=top + 1, b=last, c=beyond)
     return Text("Rows {a} to {b}: --top {b}.", a=top + 1, b=last)
