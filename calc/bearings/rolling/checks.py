@@ -216,6 +216,7 @@ SLOPE_NEAR = CheckRule(
     demand=True,
     cause=SLOPE_MOST.id,
     moved_by=(CORE, SIZE, SLOPE),
+    short=Text("slope over half"),
 )
 MINIMUM_LOAD = CheckRule(
     "bearings.B.minimum_load",

@@ -57,10 +57,10 @@ class Rolling(Kind[RollingBearing]):
         return notes(inputs, results)
 
 
-def on_the_way(outline: Outline, z: Metre) -> Metre | None:
+def on_the_way(outline: Outline, z: Metre, mounted: tuple[str, ...] = ("gear",)) -> Metre | None:
     """The largest diameter that a ring passes from that end of the shaft from which it has more room to its place at z;
-    wheels may be mounted later.  None where nothing lies beyond it at one end."""
-    beyond = [piece for piece in outline.pieces if piece.what != "gear" and not piece.start <= z <= piece.end]
+    None where nothing lies beyond it at one end.  `mounted`: pieces that come later, or have another size then."""
+    beyond = [piece for piece in outline.pieces if piece.what not in mounted and not piece.start <= z <= piece.end]
     front = [2 * piece.outer_radius for piece in beyond if piece.end <= z]
     rear = [2 * piece.outer_radius for piece in beyond if piece.start >= z]
     return None if not front or not rear else min(max(front), max(rear))
