@@ -5,16 +5,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
+from calc.bearings import choice as kinds
+from calc.bearings import choice_tables as kind_tables
+from calc.bearings.choice import plain_case
 from calc.bearings.plain.selection import search as bearing_search
 from calc.bearings.plain.selection import tables as bearing_tables
 from calc.bearings.plain.selection import together
-from calc.bearings.plain.selection.search import Settled
+from calc.bearings.plain.selection.search import BearingsFound, Settled
 from calc.bearings.plain.selection.variants import SUPPLY, SelectionCase
 from calc.bearings.plain.selection.writing import bearing_changes
 from calc.countershaft.sizing import choices as sizing
 from calc.countershaft.sums import SystemShaft
 from calc.design.model import Design
-from calc.design.step_inputs import bearings_case, given_beside, shaft_axes, sized_alike
+from calc.design.step_inputs import bearings_case, given_beside, rolling_places, shaft_axes, sized_alike
 from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.gears.selection import idler
@@ -131,20 +134,78 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
     case = bearings_case(design, solve, shaft=name)
     if len(case.rows) > 2:
         return _sharing(case, aim, progress)
-    selection = bearing_search.search(case, aim, progress)
+    if aim != "film":
+        return _kinds(design, case, aim, progress)
+    return _plain(case, bearing_search.search(case, aim, progress))
+
+
+def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | None) -> Offer:
+    """Plain and rolling bearings in one table; what is told of the plain ones alone beside it."""
+    places = rolling_places(design, case.results, case.name)
+    selection, why = None, EMPTY
+    try:
+        as_plain = plain_case(case, places)
+        selection = bearing_search.search(as_plain, aim, part(progress, 0.0, 0.7))
+    except NoSolution as none:
+        why = none.text
+    choice = kinds.choice(case, places, selection, why, aim, part(progress, 0.7, 1.0))
+    plain = None if choice.plain is None else _plain(choice.plain.case, choice.plain)
+
+    def of_plain(number: int) -> int:
+        """The number of a row in the plain search; 0: it has rolling bearings."""
+        if number > len(choice.rows):
+            assert choice.plain is not None
+            return number - len(choice.rows) + len(choice.plain.rows)
+        return choice.rows[number - 1].plain
+
+    def taken(number: int) -> Changes:
+        n = of_plain(number)
+        if n and plain is not None and choice.plain is not None and choice.plain.case is case:
+            return plain.keys(n)
+        row = choice.rows[number - 1]
+        if number not in choice.verified:
+            settled = kinds.confirmed(case, row)
+            if settled.why:
+                raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
+        return kinds.changes(case, row)
+
+    def said(number: int) -> Text:
+        n = of_plain(number)
+        return plain.said(n) if n and plain is not None else kind_tables.written(choice, number)
+
+    def beside(top: int) -> tuple[Table, ...]:
+        fits = kind_tables.fits_table(choice, top)
+        of_plain = (plain.table(top), *plain.beside(top)) if plain is not None else ()
+        return (*((fits,) if fits else ()), *(replace(t, id="plain") if t.id == "bearings" else t for t in of_plain))
+
+    return Offer(
+        count=len(choice.rows) + (0 if choice.plain is None else len(choice.plain.all) - len(choice.plain.rows)),
+        table=lambda top: kind_tables.choices_table(choice, top),
+        keys=taken,
+        said=said,
+        hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
+        beside=beside,
+        summary=(*kind_tables.summary(choice), *(plain.summary if plain is not None else ())),
+        notes=(*kind_tables.notes(choice), *(plain.notes if plain is not None else ())),
+        hidden=lambda top: kind_tables.hidden(choice, top),
+    )
+
+
+def _plain(case: SelectionCase, selection: BearingsFound) -> Offer:
+    """Plain ones alone, by the numbers that they have among themselves."""
 
     def taken(number: int) -> Changes:
         """Rows that were not solved as whole designs are so now."""
         row = selection.all[number - 1]
         if number not in selection.verified:
-            _confirm(bearing_search.confirmed(case, row, selection.slopes[0]), number)
+            _confirm(bearing_search.confirmed(case, row, selection.slopes[0]), selection.no(number))
         return bearing_changes(row, case)
 
     def written(number: int) -> Text:
         row = selection.all[number - 1]
         words = Text(
             "now has the bearings of row {row} ({change}; {oil}, {supply}): {power}",
-            row=number,
+            row=selection.no(number),
             oil=row.variant.oil,
             change=bearing_tables.changed(row) or Text("lengths and clearances as they were"),
             supply=SUPPLY[row.variant.supply],

@@ -12,7 +12,9 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.plain.selection.variants import SelectionCase
 from ..bearings.plain.speeds import highest_speed, of_journals
 from ..bearings.result import BearingsResult
+from ..bearings.rolling.search import Place
 from ..bearings.solve import BearingMaterials
+from ..bearings.support import Solids, StandingLoads, Task
 from ..countershaft.checks import InPlace, swept
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.making.bolts import on_bearings
@@ -625,3 +627,63 @@ def _gear_bore(design: Design, name: str) -> float | None:
     """Of the wheel on a shaft, where it has one."""
     wheels = design.gears.wheels if design.gears is not None else ()
     return next((wheel.bore_diameter for wheel in wheels if wheel.shaft == name), None)
+
+
+def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
+    """The places of a shaft's bearings, front to rear, as rolling ones are sought for them; of a shaft that is no twin.
+
+    `results`: of the design, with an outline of the shaft where it has one.  A rolling bearing takes no less of the
+    shaft than its core, nor than the bore of the wheel beside the first, and no more than its envelope.  The one
+    nearest to the gear locates the shaft, else the first.  Raises NoSolution where the loads are not known."""
+    view = design.views[name]
+    own, inputs, shaft = view.own, design.bearings, view.countershaft
+    assert own is not None and inputs is not None
+    solved = results.views[name].result(CountershaftResult)
+    ratio = shaft.speed_ratio if shaft is not None else None
+    speed, engine = inputs.speed, design.engine
+    if speed is None:
+        assert engine is not None  # asked of the design
+        speed, _ = of_journals(engine, ratio)
+    operation = engine.operation if engine is not None else ()
+    task = Task(speed, ratio, operation=operation, life=gears_life(design))
+    solids = bearing_materials(design, inputs, own)
+    lubricant = Lubricant(solids.oil, inputs.viscosity_law)
+    least, most, first = 0.0, float("inf"), own.bearings[0]
+    if shaft is not None:
+        least = max(2 * (shaft.core_radius or 0.0), shaft.bore_diameter)
+        most = 2 * shaft.outer_radius if shaft.outer_radius is not None else most
+    end = gear_end(own, solved) if shaft is not None else None
+    locating = own.bearings[-1] if end == "rear" else first
+    places = {}
+    for row, housing, backing in zip(own.bearings, solids.housings, solids.backings):
+        load, slope = row.load, row.slope
+        if load is None:
+            load = solved.loads.get(row.name) if solved is not None else None
+        if load is None:
+            reason = results.views[name].outcomes["countershaft"].reason
+            raise NoSolution(Text("the loads of the bearings are not known"), reason, Text("solve the shaft first"))
+        if slope is None and solved is not None:
+            slope = solved.slopes.get(row.name)
+        places[row.name] = Place(
+            row=row,
+            inputs=inputs.of(row),
+            solids=Solids(lubricant, solids.journal, housing, backing, solids.shaft_bore),
+            load=load,
+            stands=_standing_on(row, solved),
+            slope=slope,
+            task=task,
+            bores=(max(least, (_gear_bore(design, own.name) or 0.0) if row is first else 0.0), most),
+            locates=row is locating,
+        )
+    return places
+
+
+def _standing_on(row: BearingRow, shaft: CountershaftResult | None) -> StandingLoads:
+    if row.standing_load is not None:
+        return StandingLoads(row.standing_load, row.standing_load, row.axial_load or 0.0)
+    stands = shaft.standing if shaft is not None else None
+    if stands is None:
+        return StandingLoads(0.0, 0.0, 0.0)
+    all_of_it, weight = stands.stationary.get(row.name, 0.0), stands.weights.get(row.name, 0.0)
+    axial = row.axial_load if row.axial_load is not None else stands.gear_force_axial
+    return StandingLoads(all_of_it, weight, axial or 0.0)

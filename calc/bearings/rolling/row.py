@@ -430,8 +430,8 @@ class RollingRow(SupportRow):
         if self.split_cage and size.type != "cage":
             yield dotted(RollingRow.split_cage), Text("belongs to a needle cage, K…")
         for key, fit, of in (
-            (RollingRow.shaft_fit, self.shaft_fit, "shaft"),
-            (RollingRow.seat_fit, self.seat_fit, "hole"),
+            (RollingRow.shaft_fit, self.shaft_fit, "shaft in a ring"),
+            (RollingRow.seat_fit, self.seat_fit, "hole for a ring"),
         ):
             if fit is not None and (wrong_fit := tolerances.problem(fit, of)) is not None:
                 yield dotted(key), wrong_fit
