@@ -16,7 +16,6 @@ from ...bearings.plain.selection.ranking import CandidateRow, Fields, best, by_p
 from ...bearings.plain.selection.search import settle, slopes_of
 from ...bearings.plain.selection.variants import STANDARD, SelectionCase, Variant, tasks
 from ...bearings.plain.selection.writing import bearing_changes
-from ...bearings.result import BearingsResult
 from ...bearings.row import SupportRow
 from ...countershaft.inputs import LAID_IN, ShaftInputs
 from ...countershaft.result import CountershaftResult
@@ -25,12 +24,10 @@ from ...design.addresses import as_list, as_table, own_shafts
 from ...design.model import Design
 from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document, design
-from ...engine.inputs import EngineInputs
-from ...engine.result import EngineResult
 from ...library.lubricant import Lubricant
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, keys
-from ...sheet.text import SEMICOLON, Amount, Text
+from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Number
 from ...solve import Results, solve
 from .train import HOUSING, passing_seat, tip

@@ -15,7 +15,7 @@ from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingsResult
 from ...bearings.rolling.bearing import judged
 from ...bearings.rolling.checks import SYSTEM_LIFE
-from ...bearings.rolling.search import Place, as_rolling, candidates, fitted
+from ...bearings.rolling.search import SMALL, Place, as_rolling, candidates, fitted
 from ...bearings.rolling.sizes import BearingSize, every_size
 from ...bearings.rolling.solve import case_of
 from ...countershaft.result import CountershaftResult
@@ -30,7 +30,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, keys
 from ...sheet.record import record
 from ...sheet.text import COMMA, Text
-from ...sheet.units import Second
+from ...sheet.units import Metre, Second
 from ...sheet.value import recorded
 from ...solve import Results, solve
 from .journals import OILS, oil_of, with_bearings
@@ -44,17 +44,17 @@ LIFE: Second = 5000 * 3600.0
 SPREAD = 0.9  # of the lives of rollers: so many together live as much shorter
 # share of the rated speed, and of the hours
 DUTY = {"rated": (1.0, 20.0), "middle": (0.7, 60.0), "low": (0.35, 20.0)}
-BALL, ROLLER, NEEDLE, PLAIN = "ball", "roller", "needle", "plain"
+BALL, ROLLER, NEEDLE, PLAIN, ROLLING = "ball", "roller", "needle", "plain", "rolling"
 AT_GEAR, ELSEWHERE = (BALL, ROLLER), (ROLLER,)  # the kinds that are looked at, one after the other
 BEGUN = {BALL: "6002", ROLLER: "NU1002", NEEDLE: "NA4902"}  # what stands there while the loads are found
+BORES = tuple(sorted({size.bore for size in every_size() if size.type == "ball" and size.bore >= 0.02}))  # of cores
 PASSES = 4  # the loads follow the size of the bearings a little
 OPEN = ("limit", "caution")
 OPERATION = dotted(Design.engine, EngineInputs.operation)
 
 
 def duty(made: Design) -> list[Table]:
-    """How the engine runs, as [[engine.operation]] has it: a fifth of the hours at rated speed, a fifth at about a third
-    of it."""
+    """How the engine runs, as [[engine.operation]] has it: a fifth of the hours at rated speed, a fifth at a third."""
     engine = made.engine
     assert engine is not None
     return [
@@ -74,24 +74,19 @@ def with_duty(document: Document, made: Design) -> Document:
     return document.with_value(OPERATION, duty(made))
 
 
-def bearings(
-    document: Document, results: Results, kinds: Sequence[str] = (), plain: Sequence[Section] = ()
-) -> list[Section]:
-    """The tables of rolling bearings for the shafts of a design, and what their rows have then, as `with_bearings`
-    takes them; the document has a duty.
-
-    `kinds`: of each shaft's bearings, front to rear: ball, roller, needle or plain; left out, by the rule above.
-    `plain`: the tables of plain bearings, of which those places keep theirs.  Raises NoSolution."""
-    return best(document, results, kinds, plain)[1]
-
-
 def best(
-    document: Document, results: Results, kinds: Sequence[str] = (), plain: Sequence[Section] = ()
+    document: Document, results: Results, kinds: tuple[str, ...], plain: Sequence[Section] = ()
 ) -> tuple[int, list[Section]]:
-    """The same, and how many cautions are open with them."""
+    """The tables of rolling bearings for the shafts of a design, and what their rows have then, as `with_bearings`
+    takes them, and how many cautions are open with them; the document has a duty.
+
+    `kinds`: of each shaft's bearings, front to rear: ball, roller, needle, plain, or rolling, by the rule above.
+    `plain`: the tables of plain bearings, of which those places keep theirs.  Raises NoSolution."""
     made = results.design
     if made.engine is None or any(view.result(CountershaftResult) is None for view in results.views.values()):
         raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [[shafts]] first"))
+    if any(len(view.rows) > 2 for view in made.views.values()):
+        raise NoSolution(BEARINGS, Text("no ring passes the sectors to an inner bearing"), GIVE)
     seats = _seats(made, kinds)
     plain_rows, of_plain = parted(list(plain))
     shared = _shared(made, of_plain if any(seat.kinds == (PLAIN,) for seat in seats) else [])
@@ -128,19 +123,20 @@ class Seat:
     shaft: str
     place: str
     kinds: tuple[str, ...]
+    first: bool  # of its shaft, beside the wheel
     locates: bool
 
 
-def _seats(made: Design, kinds: Sequence[str]) -> list[Seat]:
+def _seats(made: Design, kinds: tuple[str, ...]) -> list[Seat]:
     """Those of all shafts that are no twins, front to rear."""
     seats = []
     for name, view in made.views.items():
-        first = True
+        located = False
         for n, row in enumerate(view.rows):
-            some = (kinds[n],) if n < len(kinds) else AT_GEAR if first else ELSEWHERE
-            located = first and some[0] in AT_GEAR
-            seats.append(Seat(name, row.name, some, located))
-            first = first and not located
+            some = (kinds[n],) if kinds[n] != ROLLING else ELSEWHERE if located else AT_GEAR
+            locates = not located and some[0] in AT_GEAR
+            seats.append(Seat(name, row.name, some, n == 0, locates))
+            located = located or locates
     return seats
 
 
@@ -155,10 +151,8 @@ def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, 
 
     `together`: so many live as long as is asked; `failed`: what the whole design did not pass with."""
     there = rolling_places(solved.design, solved, seat.shaft)[seat.place]
-    own = solved.design.views[seat.shaft].own
-    core = own.core_radius if own is not None else None
     bare = replace(there.row, kind=PLAIN)  # of which nothing stays that belongs to another size
-    place = replace(there, row=bare, locates=seat.locates, bores=(0.0, math.inf if core is None else 2 * core))
+    place = replace(there, row=bare, locates=seat.locates, bores=_bores(solved.design, seat))
     found: tuple[int, BearingRow] | None = None
     why: dict[Text, int] = {}
     passing = []
@@ -187,10 +181,20 @@ def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, 
     return found[1]
 
 
+def _bores(made: Design, seat: Seat) -> tuple[Metre, Metre]:
+    """Least and largest: the core is the shoulder of a ring; where a wheel sits before the bearing, as thick as the
+    core, the ring has to pass there."""
+    own = made.views[seat.shaft].own
+    if own is None or own.core_radius is None:
+        return 0.0, math.inf
+    passed = own.gear_z is not None and seat.first
+    return (2 * own.core_radius if passed else 0.0), 2 * own.core_radius
+
+
 def _sizes(place: Place, kind: str) -> Iterator[BearingSize[float]]:
     for size in every_size():
-        if size.bore <= place.bores[1] and size.type == kind and size.inner_ring:
-            if kind != ROLLER or size.flanged == place.locates:
+        if place.bores[0] <= size.bore + SMALL and size.bore <= place.bores[1] + SMALL and size.type == kind:
+            if size.inner_ring and (kind != ROLLER or size.flanged == place.locates):
                 yield size
 
 
@@ -238,7 +242,10 @@ def _shared(made: Design, of_plain: list[Section]) -> list[Section]:
     (header, both), *_ = shared_of_plain(made, oil)
     kept = (BearingsInputs.oil, BearingsInputs.supply_temperature, BearingsInputs.housing_material)
     rows: Rows = {key: both[key] for key in kept}
-    rows[BearingsInputs.supply_temperature] = (rows[BearingsInputs.supply_temperature][0], "assumed: of the oil that is splashed")
+    rows[BearingsInputs.supply_temperature] = (
+        rows[BearingsInputs.supply_temperature][0],
+        "assumed: of the oil that is splashed",
+    )
     return [(header, rows | life)]
 
 
