@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from ...bearings.result import BearingsResult
 from ...bearings.support import Carrying
 from ...design.model import Design
-from ...design.step_inputs import twins_of
+from ...design.step_inputs import on_rolling_instead, twins_of
 from ...design.toml_file import Document, design
 from ...engine.inputs import EngineInputs
 from ...engine.result import EngineResult
@@ -152,12 +152,13 @@ def share_said(results: Results) -> Text:
     if known.power <= SHARE * known.rated:
         return said
     most = max(_every(results), key=lambda b: b.load)
-    why = Text(
-        "That is more than 1 %, for {load} at {speed}.",
-        load=Amount(most.load, "N", digits=3),
-        speed=Amount(most.speed * 60, "rpm", digits=4),
-    )
-    return Text("{said} {why}", said=said, why=why)
+    amounts = {"load": Amount(most.load, "N", digits=3), "speed": Amount(most.speed * 60, "rpm", digits=4)}
+    why = Text("That is more than 1 %, for {load} at {speed}.", **amounts)
+    would = on_rolling_instead(made, {name: view.outcomes["countershaft"] for name, view in results.views.items()})
+    if would is None or would >= known.power:
+        return Text("{said} {why}", said=said, why=why)
+    less = Text("Balls and rollers would lose about {P}.", P=Amount(would, "W", digits=2))
+    return Text("{said} {why} {less}", said=said, why=why, less=less)
 
 
 def _lose_much(plain: Carried, before: Results) -> bool:
