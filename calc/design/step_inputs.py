@@ -682,16 +682,15 @@ def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text
     return places
 
 
-def on_rolling_instead(design: Design, solved: Mapping[str, Outcome[CountershaftResult]]) -> Watt | None:
+def on_rolling_instead(design: Design, solved: Mapping[str, CountershaftResult | None]) -> Watt | None:
     """What balls and rollers of least loss would lose in the places of all bearings, at rated speed, an estimate; None
     where in one of them none would do, or no load is known."""
     if design.bearings is None or design.engine is None:
         return None
     found = 0.0
     for name in design.originals:
-        outcome = solved.get(name)
         try:
-            places = _rolling_places(design, outcome.result if outcome is not None else None, EMPTY, name)
+            places = _rolling_places(design, solved.get(name), EMPTY, name)
         except NoSolution:
             return None
         for place in places.values():

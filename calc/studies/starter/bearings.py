@@ -154,7 +154,7 @@ def share_said(results: Results) -> Text:
     most = max(_every(results), key=lambda b: b.load)
     amounts = {"load": Amount(most.load, "N", digits=3), "speed": Amount(most.speed * 60, "rpm", digits=4)}
     why = Text("That is more than 1 %, for {load} at {speed}.", **amounts)
-    would = on_rolling_instead(made, {name: view.outcomes["countershaft"] for name, view in results.views.items()})
+    would = on_rolling_instead(made, {name: view.shaft for name, view in results.views.items()})
     if would is None or would >= known.power:
         return Text("{said} {why}", said=said, why=why)
     less = Text("Balls and rollers would lose about {P}.", P=Amount(would, "W", digits=2))

@@ -307,7 +307,7 @@ def _bearings(document: Document) -> Document:
         found = bearings.carried(lambda _: bearings.Unborne(alone, _results(alone), [])).document
     except bearings.NoBearings:
         return _without(document, {"bearings": NO_BEARINGS})
-    train_of = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
+    train_of: Table = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
     return _put(found, train_of, (dotted(Design.bearings),))
 
 

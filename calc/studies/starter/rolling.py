@@ -7,6 +7,7 @@ flanges; elsewhere roller bearings, which leave the shaft its length.  Their bor
 is their shoulder."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import repeat
@@ -15,7 +16,7 @@ from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingsResult
 from ...bearings.rolling.bearing import judged
 from ...bearings.rolling.checks import SYSTEM_LIFE
-from ...bearings.rolling.search import SMALL, Place, as_rolling, candidates, fitted
+from ...bearings.rolling.search import SMALL, Candidate, Place, as_rolling, candidates, fitted
 from ...bearings.rolling.sizes import BearingSize, every_size
 from ...bearings.rolling.solve import case_of
 from ...countershaft.result import CountershaftResult
@@ -94,7 +95,7 @@ def best(
     rows = {seat: as_begun(seat) for seat in seats if seat.kinds != (PLAIN,)}
     failed: set[tuple[Seat, str]] = set()
     found: tuple[int, list[Section]] | None = None
-    open_: list[Check] = []
+    open_, expected = list[Check](), 0
     for n in range(PASSES):
         sections = [*shared, *_rows(seats, rows, plain_rows)]
         solved = solve(design(with_bearings(document, sections)), results, compared=False)
@@ -104,13 +105,17 @@ def best(
                 return 0, sections
             if not any(check.kind == "limit" for check in open_) and (found is None or len(open_) < found[0]):
                 found = len(open_), sections
+                if len(open_) <= expected:  # what is to be said of each alone
+                    return found
             failed |= {(seat, rows[seat].size or "") for seat in _to_change(open_, rows, solved)}
         try:
-            rows = {seat: _chosen(seat, solved, len(rows), failed) for seat in rows}
+            chosen = {seat: _chosen(seat, solved, len(rows), failed) for seat in rows}
         except NoSolution:
             if found is None:
                 raise
             break
+        rows = {seat: row for seat, (_, row) in chosen.items()}
+        expected = sum(count for count, _ in chosen.values())
     if found is not None:
         return found
     raise NoSolution(BEARINGS, COMMA.join(check.name for check in open_[:2]), GIVE)
@@ -145,40 +150,38 @@ def as_begun(seat: Seat) -> BearingRow:
     return BearingRow(name=seat.place, kind="rolling", size=BEGUN[seat.kinds[0]])
 
 
-def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, str]]) -> BearingRow:
-    """The one of least loss of which nothing is to be said; else of those that pass the one of which least is.  Raises
-    NoSolution where none passes.
+def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, str]]) -> tuple[int, BearingRow]:
+    """The one of least loss of which nothing is to be said; else of those that pass the one of which least is, and how
+    much.  Raises NoSolution where none passes.
 
     `together`: so many live as long as is asked; `failed`: what the whole design did not pass with."""
     there = rolling_places(solved.design, solved, seat.shaft)[seat.place]
     bare = replace(there.row, kind=PLAIN)  # of which nothing stays that belongs to another size
     place = replace(there, row=bare, locates=seat.locates, bores=_bores(solved.design, seat))
     found: tuple[int, BearingRow] | None = None
-    why: dict[Text, int] = {}
-    passing = []
+    why, passing = Counter[Text](), list[Candidate]()
     for kind in seat.kinds:
         for one in candidates(place, _sizes(place, kind)):
             if one.fails:
-                why[one.fails[0].short or one.fails[0].name] = why.get(one.fails[0].short or one.fails[0].name, 0) + 1
+                why[one.fails[0].short or one.fails[0].name] += 1
             elif (seat, one.size.designation) not in failed:
                 passing.append(one)
     for one in sorted(passing, key=lambda one: bool(one.risks)):
         row = fitted(place, as_rolling(place, one.size.designation), one.temperature)
         if row is None:
-            why[SITS] = why.get(SITS, 0) + 1
+            why[SITS] += 1
             continue
         if found is not None and one.risks:
             break
         open_ = _findings(place, row, together)
         if not open_:
-            return row
+            return 0, row
         if not any(check.kind == "limit" for check in open_) and (found is None or len(open_) < found[0]):
             found = len(open_), row
     if found is None:
-        most = sorted(why, key=lambda text: -why[text])[:2]
-        tried = Text("{place}: {why}", place=called(seat.place), why=COMMA.join(most))
-        raise NoSolution(BEARINGS, tried, GIVE)
-    return found[1]
+        most = COMMA.join(text for text, _ in why.most_common(2))
+        raise NoSolution(BEARINGS, Text("{place}: {why}", place=called(seat.place), why=most), GIVE)
+    return found
 
 
 def _bores(made: Design, seat: Seat) -> tuple[Metre, Metre]:
