@@ -62,6 +62,11 @@ class Case:
     costs: Costs
 
     @property
+    def mixed(self) -> bool:
+        """Whether the design has bearings of another kind than plain ones: then a short report shows all of this."""
+        return any(place.row.kind != "plain" for place in self.places.values())
+
+    @property
     def first(self) -> Place:
         return next(iter(self.places.values()))
 
@@ -205,7 +210,7 @@ def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
         (Text("rated, cold"), "W"),
         (Text("idle, hot"), "W"),
         (Text("idle, cold"), "W"),
-        (Text("duty"), "W"),
+        *([(Text("duty"), "W")] if case.rows is not None else []),
         (Text("life"), "h"),
         (Text("seat"), "mm"),
         (Text("mass"), "kg"),
@@ -219,7 +224,7 @@ def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
                 one.name,
                 _sizes(one),
                 *map(_watts, losses.at),
-                _watts(losses.mean),
+                *([_watts(losses.mean)] if case.rows is not None else []),
                 Text("by film") if life is None else float(f"{life / 3600:.3g}"),
                 max(r.seat_size() for r in one.bearings.values()) * 1e3,
                 float(f"{sum(r.mass() for r in one.bearings.values()):.3g}"),
@@ -264,8 +269,12 @@ def _costs(case: Case, sets: Compared) -> Table:
         columns += [(Text("fuel over rated power"), "g/kWh")] if costs.rated_power is not None else []
         columns += [(Text("CO₂ of the road"), "g/km")] if km is not None else []
     title = Text("What plain and rolling cost, and risk")
-    note = Text("Fuel and CO₂ of the mean loss over the duty, else at rated speed.") if len(columns) > 1 else EMPTY
-    return Table("plain_and_rolling_costs", title, (*columns, (Text("open checks"), "")), tuple(rows), note, short=True)
+    note = EMPTY
+    if costs.specific_fuel is not None:
+        note = Text("Fuel and CO₂ of the mean loss over the duty.")
+        note = note if case.rows is not None else Text("Fuel and CO₂ of the loss at rated speed, hot.")
+    columns.append((Text("open checks"), ""))
+    return Table("plain_and_rolling_costs", title, tuple(columns), tuple(rows), note, short=case.mixed)
 
 
 def _metres_per_second(rows: Rows | None) -> float | None:
@@ -326,5 +335,5 @@ def _curve(case: Case, sets: Compared) -> Curve:
         axis_label("speed of the shaft", "rpm"),
         Text("lg P_f, W"),
         tuple(series),
-        short=5,
+        short=5 if case.mixed else 0,
     )

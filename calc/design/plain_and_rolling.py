@@ -110,8 +110,8 @@ def _with_journals(design: Design, name: str) -> Design:
     for row in own.bearings:
         if row.kind != "plain":
             d = row.on_shaft[0] if row.on_shaft is not None else LARGE
-            surfaces = dict(journal_roughness=SMOOTH, housing_roughness=SMOOTH)
-            as_given = dict(name=row.name, position=row.position, load=row.load, slope=row.slope)
+            surfaces: dict[str, Any] = dict(journal_roughness=SMOOTH, housing_roughness=SMOOTH)
+            as_given: dict[str, Any] = dict(name=row.name, position=row.position, load=row.load, slope=row.slope)
             row = BearingRow(**as_given, diameter=d, length=LENGTH * d, clearance_factor=CLEARANCE, **surfaces)
         rows.append(row)
     supply: dict[str, Any] = {}
