@@ -4,13 +4,12 @@
 Made when somebody looks.  The loads are those of the design as it is; each set is solved as it would stand there, with
 all its checks."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from ..countershaft.rows import BearingRow
-from ..friction.result import carbon_dioxide, fuel
 from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
@@ -43,11 +42,12 @@ GRAM_PER_HOUR = 1e-3 / 3600
 
 @record
 class Costs:
-    """What fuel makes of watts, as the friction step has it; None where it is not given."""
+    """What watts cost, as the friction step has it: `fuel` of them, kg/s, and `co2` of that; None where it is not
+    given."""
 
     rated_power: Watt | None = None
-    specific_fuel: float | None = None  # kg/J
-    co2_per_fuel: Number = 0.0
+    fuel: Callable[[Watt], float] | None = None
+    co2: Callable[[float], float] = float
 
 
 @record
@@ -252,11 +252,10 @@ def _costs(case: Case, sets: Compared) -> Table:
     km = _metres_per_second(case.rows)
     for one, losses in sets:
         cells: list[Any] = [one.name]
-        if costs.specific_fuel is not None:
+        if costs.fuel is not None:
             with untraced():
-                m_B = fuel(b_e=costs.specific_fuel, P=losses.mean)
-                m_CO2 = carbon_dioxide(e_CO2=costs.co2_per_fuel, m_B=m_B)
-                rated = fuel(b_e=costs.specific_fuel, P=losses.at[0])
+                m_B, rated = costs.fuel(losses.mean), costs.fuel(losses.at[0])
+                m_CO2 = costs.co2(m_B)
             cells += [_three(m_B / GRAM_PER_HOUR), _three(m_CO2 / GRAM_PER_HOUR)]
             if costs.rated_power is not None:
                 cells.append(_three(rated / costs.rated_power * 3.6e9))
@@ -264,13 +263,13 @@ def _costs(case: Case, sets: Compared) -> Table:
                 cells.append(_three(m_CO2 / km * 1e6))
         rows.append((*cells, _risks(one)))
     columns = [(Text("bearings"), "")]
-    if costs.specific_fuel is not None:
+    if costs.fuel is not None:
         columns += [(Text("fuel"), "g/h"), (Text("CO₂"), "g/h")]
         columns += [(Text("fuel over rated power"), "g/kWh")] if costs.rated_power is not None else []
         columns += [(Text("CO₂ of the road"), "g/km")] if km is not None else []
     title = Text("What plain and rolling cost, and risk")
     note = EMPTY
-    if costs.specific_fuel is not None:
+    if costs.fuel is not None:
         note = Text("Fuel and CO₂ of the mean loss over the duty.")
         note = note if case.rows is not None else Text("Fuel and CO₂ of the loss at rated speed, hot.")
     columns.append((Text("open checks"), ""))
