@@ -14,6 +14,7 @@ from functools import cache, partial
 from typing import TypeVar, cast
 
 from .bearings import solve as bearings
+from .bearings.lives import lives_of_all
 from .bearings.result import BearingsOfShafts, BearingsResult
 from .bearings.standing import of_twin as bearings_of_twin
 from .bearings.standing import told as bearings_told
@@ -444,7 +445,7 @@ def _told(
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     mine_b = {name: mine["bearings"] for name, mine in of_shafts.items() if "bearings" in mine}
     others_b = {name: twin for name, twin in twins_b.items() if name not in mine_b}
-    carried = no_bearings or _joined(design, mine_b, others_b)
+    carried = no_bearings or _joined(design, mine_b, others_b, b)
     accepted = design.accepted
     if accepted:
         of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
@@ -463,14 +464,22 @@ def _of_twin(design: Design, twin: Resolved, found: Outcome[BearingsResult]) -> 
 
 
 def _joined(
-    design: Design, bearings: dict[str, Outcome[object]], twins: dict[str, Outcome[BearingsResult]]
+    design: Design,
+    bearings: dict[str, Outcome[object]],
+    twins: dict[str, Outcome[BearingsResult]],
+    every_shaft: dict[str, Outcome[BearingsResult]],
 ) -> Outcome[object]:
     """The bearings of the one shaft, or of all of them by their names; `twins` that are not as their originals."""
     named = len(design.shafts) > 1
     solved = {name: each.result for name, each in bearings.items() if isinstance(each.result, BearingsResult)}
     told = {name: bearings_told(each.solution) for name, each in twins.items()}
-    every = BearingsOfShafts(shafts={**solved, **told}) if named and len(solved) == len(bearings) else None
-    return joined("bearings", {**bearings, **twins}, every, named=named)
+    every, all_lives = None, tuple[Check, ...]()
+    if named and len(solved) == len(bearings):
+        there = [each.result for each in every_shaft.values() if each.result is not None]
+        life, all_lives = lives_of_all(there)
+        every = BearingsOfShafts(shafts={**solved, **told}, system_life=life)
+    outcome = joined("bearings", {**bearings, **twins}, every, named=named)
+    return replace(outcome, checks=(*outcome.checks, *all_lives)) if all_lives else outcome
 
 
 def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcome[R]]:

@@ -4,6 +4,7 @@ all of it where [bearings] judges the bearing, else its name, its place and its 
 
 from collections.abc import Iterable
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from ..bearings.plain.row import PlainRow
 from ..bearings.rolling.row import RollingRow
@@ -15,6 +16,9 @@ from ..library.journal_rules import titled as titled
 from ..sheet.quantity import Key, Where, dotted, inputs, keys
 from ..sheet.text import Text
 from ..sheet.units import Metre
+
+if TYPE_CHECKING:
+    from ..bearings.inputs import BearingsInputs
 
 # keys of a shaft's inputs, of those of one of its bearings and of all of them, the names left open
 SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
@@ -29,6 +33,9 @@ def row_key(row: str, field: object = "") -> str:
 def sign(row: str) -> str:
     """What stands for it in a symbol: f and r for front and rear."""
     return {"front": "f", "middle": "m", "rear": "r"}.get(row, row)
+
+
+ROWS: dict[str, type[SupportRow]] = {"plain": PlainRow, "rolling": RollingRow}  # by the word of its kind
 
 
 @inputs
@@ -63,7 +70,7 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
     @property
     def on_shaft(self) -> tuple[Metre, Metre] | None:
         """The diameter that it takes of the shaft, and its width along it; None where they are not known."""
-        return self.rolling_place if self.kind == "rolling" else self.plain_place
+        return self.place()
 
     @property
     def sized(self) -> bool:
@@ -74,7 +81,7 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
         if self.name.isascii() and self.name.isdigit():
             yield dotted(BearingRow.name), Text("must not be figures alone, by which elements are counted")
         yield from self.of_others()
-        yield from self.rolling_problems() if self.kind == "rolling" else self.plain_problems()
+        yield from self.kind_problems()
 
     def of_others(self) -> Iterable[tuple[str, Text]]:
         """What it says that only bearings of other kinds have."""
@@ -83,6 +90,36 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
             if self.kind and kinds and self.kind not in kinds:
                 if getattr(self, entry.attribute) != entry.field.default:
                     yield key, Text('belongs to kind = "{kind}"', kind='" or "'.join(kinds))
+
+    # what its kind answers
+
+    @property
+    def _row(self) -> type[SupportRow]:
+        return ROWS.get(self.kind, SupportRow)  # of a word that is none nothing is known
+
+    def place(self) -> tuple[Metre, Metre] | None:
+        return self._row.place(self)
+
+    def opening(self) -> Metre:
+        return self._row.opening(self)
+
+    def least_opening(self) -> Metre:
+        return self._row.least_opening(self)
+
+    def size_keys(self) -> tuple[str, ...]:
+        return self._row.size_keys(self)
+
+    def size_words(self) -> Text:
+        return self._row.size_words(self)
+
+    def fed(self) -> bool:
+        return self._row.fed(self)
+
+    def kind_problems(self) -> Iterable[tuple[str, Text]]:
+        return self._row.kind_problems(self)
+
+    def lacking(self, inputs: "BearingsInputs") -> Iterable[tuple[str, Text]]:
+        return self._row.lacking(self, inputs)
 
 
 def _kinds(where: Where | None) -> tuple[str, ...]:

@@ -32,8 +32,8 @@ from ...sheet.units import (
     SquareMetrePerSecond,
     Watt,
 )
-from ...sheet.value import converged, unlinked, untraced
-from .torque import INA, SKF, Friction, Series, constants, load_factor, of_series, two_part_torque
+from ...sheet.value import converged, recorded, unlinked, untraced
+from .torque import SKF, Friction, Series, constants, load_factor, of_series, two_part_torque
 
 WattPerKelvin = Annotated[float, "W/K"]
 WattPerSquareMetre = Annotated[float, "W/m²"]
@@ -113,7 +113,7 @@ def heat_balance(
     def excess(T: Any) -> Any:
         return 2 * pi * plain_n * made.torque(plain_F, plain_n, viscosity(T)) - plain_hA * (T - cold)
 
-    with untraced(), np.errstate(invalid="ignore", over="ignore"):
+    with untraced(), recorded(False), np.errstate(invalid="ignore", over="ignore"):
         low: Any = cold + 0.0 * (plain_F + plain_n + plain_hA + made.mean_diameter)  # of the shape of all together
         high = low + HOTTEST
         none = ~np.asarray(excess(high) <= 0)
@@ -164,7 +164,7 @@ def reference_heat(A: SquareMetre) -> Watt:
 
 @formula(
     "n_θr",
-    Text("{iso}: thermal speed rating, the torque by {ina}", iso=ISO_15312, ina=INA),
+    Text("{iso}: thermal speed rating, the torque by INA", iso=ISO_15312),
     shows="n at which 2·π·n·M(F_r, 12 mm²/s) = Φ_r, both parts in a bath, halved fifty times",
     unit="rpm",
 )

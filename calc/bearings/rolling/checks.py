@@ -2,7 +2,6 @@
 """What a rolling bearing is judged by."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,17 +10,15 @@ from ...countershaft.rows import ROW, SHAFT, BearingRow
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Number, Second
+from ...sheet.units import Celsius, Metre, Number, RevPerSecond, Second
 from ...sheet.value import untraced
 from ..inputs import BearingsInputs
 from ..plain.inputs import SLOPE_TAKEN
-from ..support import on_bearing
+from ..plain.speeds import SLOWEST
+from ..support import Task, on_bearing
 from .raceway import HARDNESS, ROUGHNESS, case_depth_needed, largest_slope
 from .result import RollingResult
-from .solve import largest_speed, least_loads
-
-if TYPE_CHECKING:
-    from .bearing import RollingBearing
+from .solve import LoadedBearing, largest_speed, least_loads
 
 RULE = Text("rule of this program")
 SIZE, SHAFT_FIT, SEAT_FIT = (dotted(ROW, key) for key in (BearingRow.size, BearingRow.shaft_fit, BearingRow.seat_fit))
@@ -388,13 +385,20 @@ LOCATING = CheckRule(
 )
 
 
+def slowest_speed(inputs: BearingsInputs, task: Task) -> RevPerSecond:
+    """The slowest at which the shaft runs: of the range that is given, of the bench run, else as it is assumed."""
+    if inputs.speed_range is not None:
+        return inputs.speed_range[0]
+    return min([point.speed for point in task.bench], default=SLOWEST * task.speed)
+
+
 def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
     if inputs.life is not None:
         return inputs.life
     return ASSUMED_LIFE if gears is None else gears
 
 
-def rolling_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What is asked of one bearing."""
     case, row, inputs, size = r.case, r.row, r.case.inputs, r.case.size
     asked = life_asked(inputs, r.task.life)
@@ -426,7 +430,7 @@ def rolling_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(REFERENCE_SPEED, place, r.task.speed, r.reference_speed)
 
 
-def _clearance_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _clearance_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     if (gap := r.gap) is not None:
         for rule, value in (
             (CLEARANCE_LEAST, gap.least),
@@ -443,7 +447,7 @@ def _clearance_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(rule, place, r.grip_hot, 0.0, scale=scale)
 
 
-def _slope_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _slope_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     most, missing, slope = largest_slope(r.case.size.type, r.case.size.series), None, r.slope
     if slope is None:
         slope = SLOPE_TAKEN
@@ -454,19 +458,19 @@ def _slope_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(SLOPE_NEAR, place, slope, most / 2)
 
 
-def _load_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """Whether the elements roll: over the duty, and at the slowest speeds."""
-    case, n = r.case, r.task.speed
+    case, n, T_in = r.case, r.task.speed, r.case.inputs.supply_temperature
     with untraced():
-        if r.rows is None:
-            loads, least = least_loads(case, r.load, r.stands.weight, n, case.inputs.supply_temperature)
-            worst = [(float(loads), float(least), 1.0)]
+        if r.rows is None:  # nobody says how often it turns slowly
+            n_i, T, share = np.array([n, slowest_speed(case.inputs, r.task)]), np.array([T_in, T_in]), [1.0, 0.0]
+            turning = r.load * (n_i / n) ** 2
         else:
-            turning = r.rows.factor * r.load * (r.rows.n / n) ** 2
-            loads, least = least_loads(case, turning, r.stands.weight, r.rows.n, r.rows.T_oil)
-            worst = list(zip(loads.tolist(), np.broadcast_to(least, loads.shape).tolist(), r.rows.share.tolist()))
-    often = [row for row in worst if row[2] > RARE]
-    rare = [row for row in worst if row[2] <= RARE]
+            n_i, T, share = r.rows.n, r.rows.T_oil, r.rows.share.tolist()
+            turning = r.rows.factor * r.load * (n_i / n) ** 2
+        loads, least = least_loads(case, turning, r.stands.weight, n_i, T)
+    held = list(zip(loads.tolist(), np.broadcast_to(least, n_i.shape).tolist(), share))
+    often, rare = ([row for row in held if (row[2] > RARE) is asked] for asked in (True, False))
     for rule, rows in ((MINIMUM_LOAD, often), (MINIMUM_LOAD_RARE, rare)):
         if rows:
             load, needed, _ = min(rows, key=lambda row: row[0] / row[1])
@@ -476,7 +480,7 @@ def _load_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(THRUST, place, F_a / r.equivalent_load if r.equivalent_load > 0 else None, 0.5)
 
 
-def _raceway_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _raceway_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What the shaft, and of a cage the housing, have to be as raceways."""
     row, inside = r.row, r.case.inside
     yield on_bearing(RACEWAY_HARDNESS, place, row.raceway_hardness, HARDNESS)

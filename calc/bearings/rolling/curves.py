@@ -11,7 +11,7 @@ from ...countershaft.rows import called
 from ...sheet.arrays import Array
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Name, Text
-from .clearance import Place
+from .clearance import FieldPoint
 from .solve import FASTEST, least_loads
 
 if TYPE_CHECKING:
@@ -148,7 +148,7 @@ def _over_temperature(place: str, r: "RollingBearing") -> Iterator[Series]:
         return
     inputs = r.case.inputs
     T = np.linspace(inputs.lowest_temperature, r.running_temperature + WARMER, POINTS)
-    ends: tuple[tuple[Place, Text, bool], ...] = (
+    ends: tuple[tuple[FieldPoint, Text, bool], ...] = (
         ("middle", Text("{place}", place=called(place)), False),
         ("least", Text("least, {place}", place=called(place)), True),
     )

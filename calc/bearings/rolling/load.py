@@ -20,7 +20,7 @@ from ...sheet.units import Newton, Number
 from .geometry import Inside, gamma_of
 from .ratings import ISO_RACES, Ratings, counted_grooves, race_ratio_of_balls, race_ratio_of_rollers
 from .sizes import FILE, BearingSize
-from .zone import EXPONENTS, radial_integral, standing_integral, turning_integral
+from .zone import EXPONENTS, narrowest, radial_integral, standing_integral, turning_integral
 
 NOTHING: Newton = 1e-9  # a load that no bearing feels, in place of none
 TERMS = 2000
@@ -123,6 +123,15 @@ def ring_factor(P_s: Number, P_t: Number) -> Number:
     return P_s / P_t
 
 
+@formula(
+    "P_ref/P_ref,0",
+    Text("{iso}: of the zone over that without clearance", iso=ISO_RACES),
+    names={"P_1": "P_ref(ε)/F", "P_2": "P_ref(½)/F"},
+)
+def zone_ratio(P_1: Number, P_2: Number) -> Number:
+    return P_1 / P_2
+
+
 class Races(NamedTuple):
     """What one element's races bear in a bearing: Q_c over C of both."""
 
@@ -133,6 +142,7 @@ class Races(NamedTuple):
     def share(self, eps: Any, stands: bool, preloaded: Any = False) -> Any:
         """P_ref over F where the zone reaches to ε; `stands`: the load on the inner ring."""
         kind = self.inside.elements
+        eps = largest(eps, narrowest(Z=self.inside.count, elements=kind))
         Z_J = carrying(Z=self.inside.count, J_r=radial_integral(eps=eps, elements=kind), preloaded=preloaded)
         still, turns = standing_integral(eps=eps, elements=kind), turning_integral(eps=eps, elements=kind)
         J_i, J_e = (still, turns) if stands else (turns, still)
@@ -140,8 +150,9 @@ class Races(NamedTuple):
 
     def over_reference(self, eps: Any, stands: Any, preloaded: Any = False) -> Any:
         """P_ref over that without clearance; `stands`: of each row, whether the larger load is on the inner ring."""
-        standing, turning = (self.share(eps, way, preloaded) / self.share(HALF, way) for way in (True, False))
-        return single_or_many(np.asarray(np.where(stands, standing, turning)))
+        ways = (True, False) if np.ndim(stands) else (bool(stands),)
+        ratios = [zone_ratio(P_1=self.share(eps, way, preloaded), P_2=self.share(HALF, way)) for way in ways]
+        return np.where(stands, *ratios) if np.ndim(stands) else ratios[0]
 
 
 def races_of(inside: Inside[Any]) -> Races:

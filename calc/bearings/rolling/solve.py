@@ -11,9 +11,10 @@ from ...engine.inputs import Operation
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.functions import largest
+from ...sheet.quantity import result
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Celsius, Metre, Newton, Number, RevPerSecond, Second
+from ...sheet.units import Celsius, Metre, Newton, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
 from ..formulas import load_at_speed, load_peak
 from ..inputs import BearingsInputs
@@ -48,7 +49,7 @@ from .load import (
     static_load,
     static_safety,
 )
-from .result import DutyRowResult
+from .result import DutyRowResult, RollingResult
 from .sizes import BearingSize
 from .torque import Friction, friction_of
 from .zone import EXPONENTS
@@ -268,21 +269,31 @@ def with_gap(case: RollingCase, at: State, n: Any, gap: Metre | None, a_1: Numbe
     return lives(case.size.elements, case.pitch, case.ratings, P, n, at.heat.viscosity, case.inputs.cleanliness, a_1)
 
 
-@record
-class Solved:
-    """What `solve` finds, by the names of the results."""
+@result
+class LoadedBearing(RollingResult):
+    """A rolling bearing under its load, and what its numbers were found from.
 
-    values: dict[str, Any]
-    rated: State
+    `stands`: what does not turn with the shaft; `axial`: along the shaft, on this bearing; `gap`: its clearances;
+    `slope`: of the journal, None where nobody knows it."""
+
+    case: RollingCase
+    task: Task
+    stands: StandingLoads
     rows: Rows | None
     gap: Clearances | None
+    axial: Newton
+    slope: Radian | None
+
+    @property
+    def row(self) -> BearingRow:
+        return self.case.row
 
 
-def solve(case: RollingCase, F: Newton, stands: StandingLoads, task: Task) -> Solved:
-    """The bearing under F that turns with the shaft and what stands, over its duty."""
+def solve(case: RollingCase, F: Newton, stands: StandingLoads, slope: Radian | None, task: Task) -> dict[str, Any]:
+    """The bearing under F that turns with the shaft and what stands, over its duty: the fields of a LoadedBearing."""
     row, inputs, n, place = case.row, case.inputs, task.speed, called(case.row.name)
     rows, T_oil = rows_of(inputs, task), inputs.supply_temperature
-    F_a = stands.axial if row.locates and row.axial_load is None else (row.axial_load or 0.0)
+    F_a = row.axial_load if row.axial_load is not None else stands.axial if row.locates else 0.0
     with about(Text("{place} bearing, duty", place=place)):
         a_1 = reliability_factor(R=inputs.reliability)
     with about(Text("{place} bearing, at rated speed", place=place)):
@@ -330,7 +341,14 @@ def solve(case: RollingCase, F: Newton, stands: StandingLoads, task: Task) -> So
         torques = case.friction.by_two_parts(rated.F_f, n, nu), case.friction.by_palmgren(rated.F_f, n, nu)
         mass = mass_of(case.size)
     computed = case.computed
-    values = dict(
+    return dict(
+        case=case,
+        task=task,
+        stands=stands,
+        rows=rows,
+        gap=gap,
+        axial=F_a,
+        slope=slope,
         life=life,
         life_basic=basic,
         life_reference=reference,
@@ -374,7 +392,6 @@ def solve(case: RollingCase, F: Newton, stands: StandingLoads, task: Task) -> So
         duty=by_name,
         **elastic,
     )
-    return Solved(values, rated, rows, gap)
 
 
 def _miner(share: Array | None, L: Any, P: Any) -> Second | None:
