@@ -51,7 +51,7 @@ class Costs:
 
 
 @record
-class Case:
+class ComparisonCase:
     """One shaft as its bearings are compared.  `idle`: the speed of the shaft, 1/s, `assumed`: nobody gives it."""
 
     places: Mapping[str, Place]
@@ -89,7 +89,7 @@ class Case:
 
 
 @record
-class Set:
+class BearingSet:
     """Bearings for all places of the shaft, as they are called together."""
 
     name: Text
@@ -101,7 +101,7 @@ class Set:
         """Whether none of them fatigues."""
         return all(r.survival() is None for r in self.bearings.values())
 
-    def loss(self, case: Case, n: Any, T: Any) -> Any:
+    def loss(self, case: ComparisonCase, n: Any, T: Any) -> Any:
         """Of all of them at n, 1/s, with oil of T, °C; nan where there is no film."""
         ratio = np.asarray(n, dtype=float) / case.rated
         T = np.broadcast_to(np.asarray(T, dtype=float), ratio.shape)
@@ -109,30 +109,30 @@ class Set:
             answers = {place: r.answer_at(ratio, T, None) for place, r in self.bearings.items()}
             return sum(answer.under(case.places[place].stands.all) for place, answer in answers.items())
 
-    def losses(self, case: Case) -> "Losses":
+    def losses(self, case: ComparisonCase) -> "SetLosses":
         n, T = np.array([case.rated, case.rated, case.idle, case.idle]), np.array([case.hot, case.cold] * 2)
         rows = case.rows
         if rows is None:
             P = self.loss(case, n, T)
-            return Losses(tuple(P.tolist()), float(P[0]))
+            return SetLosses(tuple(P.tolist()), float(P[0]))
         P = self.loss(case, np.append(n, rows.n), np.append(T, rows.T_oil))
-        return Losses(tuple(P[: len(n)].tolist()), float(np.sum(rows.share * P[len(n) :])))
+        return SetLosses(tuple(P[: len(n)].tolist()), float(np.sum(rows.share * P[len(n) :])))
 
 
 @record
-class Losses:
+class SetLosses:
     """Of a set, W.  `at`: rated speed hot and cold, idle hot and cold; `mean`: over the duty, else at rated speed."""
 
     at: tuple[Watt, ...]
     mean: Watt
 
 
-Compared = list[tuple[Set, Losses]]
+Compared = list[tuple[BearingSet, SetLosses]]
 
 
-def further(case: Case, plain: "Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]") -> Further:
+def further(case: ComparisonCase, plain: "Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]") -> Further:
     """The table, its costs and its figure.  `plain`: the best journals of the search, where there are any."""
-    sets = [Set(Text("as designed"), case.now, case.checks), *_plain(case, plain)]
+    sets = [BearingSet(Text("as designed"), case.now, case.checks), *_plain(case, plain)]
     rolling, none = _rolling(case)
     sets += rolling
     compared = [(one, one.losses(case)) for one in sets]
@@ -152,16 +152,20 @@ def carried(place: Place, row: BearingRow, inputs: BearingsInputs) -> tuple[Carr
         return solved.under(place.stands, [*solved.checks()], [])
 
 
-def _set(name: Text, case: Case, rows: Mapping[str, BearingRow], inputs: BearingsInputs | None = None) -> Set:
+def _set(
+    name: Text, case: ComparisonCase, rows: Mapping[str, BearingRow], inputs: BearingsInputs | None = None
+) -> BearingSet:
     bearings, checks = {}, list[Check]()
     for place, row in rows.items():
         of_row = case.places[place].inputs if inputs is None else inputs.of(row)
         bearings[place], mine = carried(case.places[place], row, of_row)
         checks += mine
-    return Set(name, bearings, tuple(checks))
+    return BearingSet(name, bearings, tuple(checks))
 
 
-def _plain(case: Case, plain: Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]) -> Iterator[Set]:
+def _plain(
+    case: ComparisonCase, plain: Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]
+) -> Iterator[BearingSet]:
     for inputs, rows in plain:
         try:
             yield _set(Text("plain, the least loss"), case, rows, inputs)
@@ -169,11 +173,11 @@ def _plain(case: Case, plain: Iterable[tuple[BearingsInputs, Mapping[str, Bearin
             continue
 
 
-def _rolling(case: Case) -> tuple[list[Set], list[Text]]:
+def _rolling(case: ComparisonCase) -> tuple[list[BearingSet], list[Text]]:
     """Of each type the set with the least loss that passes and sits, where the one that locates the shaft can not be of
     it that of another; and of which types there is none."""
     every = {place: candidates(it) for place, it in case.places.items()}
-    sets, none = list[Set](), list[Text]()
+    sets, none = list[BearingSet](), list[Text]()
     for type, word in TYPES.items():
         rows, of_type = dict[str, BearingRow](), False
         for place, those in every.items():
@@ -202,7 +206,7 @@ def _first(place: Place, those: list[Candidate]) -> BearingRow | None:
 # --- shown
 
 
-def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
+def _table(case: ComparisonCase, sets: Compared, none: list[Text]) -> Table:
     columns = [
         (Text("bearings"), ""),
         (Text("sizes"), ""),
@@ -246,7 +250,7 @@ def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
     return Table("plain_and_rolling", TITLE, tuple(columns), tuple(rows), note, short=True)
 
 
-def _costs(case: Case, sets: Compared) -> Table:
+def _costs(case: ComparisonCase, sets: Compared) -> Table:
     """Fuel and what it burns to, at the mean loss of the duty; and the checks that are open."""
     costs, rows = case.costs, []
     km = _metres_per_second(case.rows)
@@ -284,7 +288,7 @@ def _metres_per_second(rows: Rows | None) -> float | None:
     return mean or None
 
 
-def _sizes(one: Set) -> Text:
+def _sizes(one: BearingSet) -> Text:
     return Name(", ".join(dict.fromkeys(_size(r) for r in one.bearings.values())))
 
 
@@ -293,7 +297,7 @@ def _size(r: Carrying) -> str:
     return r.row.size or f"⌀{d * 1e3:g}×{length * 1e3:g}"
 
 
-def _risks(one: Set) -> Text:
+def _risks(one: BearingSet) -> Text:
     """What does not hold, each rule once, those that fail first."""
     open_ = [check for verdict in ("fail", "warn", "not_verified") for check in one.checks if check.verdict == verdict]
     rules = list(dict.fromkeys(check.rule.name or check.name for check in open_))
@@ -311,7 +315,7 @@ def _three(x: float) -> float:
     return float(f"{x:.3g}")
 
 
-def _curve(case: Case, sets: Compared) -> Curve:
+def _curve(case: ComparisonCase, sets: Compared) -> Curve:
     """The least loss of plain ones and of rolling ones over the speed, each at three temperatures of the oil."""
     shown = []
     for film in (True, False):

@@ -62,7 +62,7 @@ def _beside(design: Design, results: Callable[[], Any], solve: Solve) -> Further
     return more
 
 
-def _case(design: Design, solved: Any, name: str) -> comparison.Case:
+def _case(design: Design, solved: Any, name: str) -> comparison.ComparisonCase:
     view = solved.view(name)
     outcome, friction = view.outcomes["bearings"], design.friction
     result = outcome.result
@@ -81,7 +81,7 @@ def _case(design: Design, solved: Any, name: str) -> comparison.Case:
             rated_power(design), lambda P: fuel(b_e=b_e, P=P), lambda m_B: carbon_dioxide(e_CO2=e_CO2, m_B=m_B)
         )
     idle = IDLE * task.speed if slowest is None else ratio * slowest
-    return comparison.Case(places, result.bearings, outcome.checks, idle, slowest is None, costs)
+    return comparison.ComparisonCase(places, result.bearings, outcome.checks, idle, slowest is None, costs)
 
 
 def _inputs(design: Design) -> BearingsInputs:
