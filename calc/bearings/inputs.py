@@ -26,7 +26,9 @@ class BearingsInputs(RollingInputs, PlainInputs):
 
     def asked_of(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
         """What a bearing that these inputs judge still lacks, by the keys of its row."""
-        yield from row.lacking(self)
+        if row.fed():
+            yield from row.idle()
+            yield from self.asked_of_plain(row)
 
     def asked_by(self, rows: Iterable[BearingRow]) -> Iterable[tuple[str, Text]]:
         """What these bearings ask of these inputs, by their own keys: of those that are fed, how the oil comes."""

@@ -2,14 +2,11 @@
 """What a row of [[shafts.bearings]] says of a bearing of any kind."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..library import journal_rules as rules
 from ..sheet.quantity import choice, inputs, quantity, series, text
 from ..sheet.text import Text
-
-if TYPE_CHECKING:
-    from .inputs import BearingsInputs
 
 ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is needed, the whole design says so
 OF_ITS_OWN = Text("Supply and seat of its own")  # folds of the form
@@ -158,13 +155,9 @@ class SupportRow:
         return Text("")
 
     def fed(self) -> bool:
-        """Whether oil is brought to it under pressure, by what [bearings] says of supply and seat."""
+        """Whether it runs on a film of oil that is brought to it, as [bearings] says of supply and seat."""
         return False
 
     def kind_problems(self) -> Iterable[tuple[str, Text]]:
         """What is wrong with it by itself, by the keys of its row."""
-        return ()
-
-    def lacking(self, inputs: "BearingsInputs") -> Iterable[tuple[str, Text]]:
-        """What it still lacks where [bearings] judges it, by the keys of its row."""
         return ()

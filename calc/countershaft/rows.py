@@ -4,7 +4,6 @@ all of it where [bearings] judges the bearing, else its name, its place and its 
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from ..bearings.plain.row import PlainRow
 from ..bearings.rolling.row import RollingRow
@@ -16,9 +15,6 @@ from ..library.journal_rules import titled as titled
 from ..sheet.quantity import Key, Where, dotted, inputs, keys
 from ..sheet.text import Text
 from ..sheet.units import Metre
-
-if TYPE_CHECKING:
-    from ..bearings.inputs import BearingsInputs
 
 # keys of a shaft's inputs, of those of one of its bearings and of all of them, the names left open
 SHAFT, ROW, EACH_ROW = "shafts.S", "shafts.S.bearings.B", "shafts.S.bearings.*"
@@ -117,9 +113,6 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
 
     def kind_problems(self) -> Iterable[tuple[str, Text]]:
         return self._row.kind_problems(self)
-
-    def lacking(self, inputs: "BearingsInputs") -> Iterable[tuple[str, Text]]:
-        return self._row.lacking(self, inputs)
 
 
 def _kinds(where: Where | None) -> tuple[str, ...]:

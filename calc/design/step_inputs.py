@@ -12,6 +12,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.plain.selection.variants import SelectionCase
 from ..bearings.plain.speeds import highest_speed, of_journals
 from ..bearings.result import BearingsResult
+from ..bearings.rolling.kind import on_the_way
 from ..bearings.rolling.search import Place
 from ..bearings.solve import BearingMaterials
 from ..bearings.support import Solids, StandingLoads, Task
@@ -633,7 +634,8 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
     """The places of a shaft's bearings, front to rear, as rolling ones are sought for them; of a shaft that is no twin.
 
     `results`: of the design, with an outline of the shaft where it has one.  A rolling bearing takes no less of the
-    shaft than its core, nor than the bore of the wheel beside the first, and no more than its envelope.  The one
+    shaft than its core, the bore of the wheel beside the first, and what its ring passes on the way there, and no more
+    than the envelope; of a shaft that is given as sections just that of its section there.  The one
     nearest to the gear locates the shaft, else the first.  Raises NoSolution where the loads are not known."""
     view = design.views[name]
     own, inputs, shaft = view.own, design.bearings, view.countershaft
@@ -653,6 +655,7 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
         least = max(2 * (shaft.core_radius or 0.0), shaft.bore_diameter)
         most = 2 * shaft.outer_radius if shaft.outer_radius is not None else most
     end = gear_end(own, solved) if shaft is not None else None
+    outline = solved.outline if solved is not None else None
     locating = own.bearings[-1] if end == "rear" else first
     places = {}
     for row, housing, backing in zip(own.bearings, solids.housings, solids.backings):
@@ -664,6 +667,11 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
             raise NoSolution(Text("the loads of the bearings are not known"), reason, Text("solve the shaft first"))
         if slope is None and solved is not None:
             slope = solved.slopes.get(row.name)
+        way = on_the_way(outline, row.position, ("gear", "journal")) if outline is not None else None
+        bores = max(least, (_gear_bore(design, own.name) or 0.0) if row is first else 0.0, way or 0.0), most
+        here = [x for x in (shaft.sections if shaft is not None else ()) if x.from_ <= row.position <= x.to]
+        if here:  # the given shape has it
+            bores = 2 * here[0].outer_radius, 2 * here[0].outer_radius
         places[row.name] = Place(
             row=row,
             inputs=inputs.of(row),
@@ -672,7 +680,7 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
             stands=_standing_on(row, solved),
             slope=slope,
             task=task,
-            bores=(max(least, (_gear_bore(design, own.name) or 0.0) if row is first else 0.0), most),
+            bores=bores,
             locates=row is locating,
         )
     return places

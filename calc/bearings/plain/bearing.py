@@ -16,7 +16,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, group, result
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond
-from ...sheet.value import about, untraced
+from ...sheet.value import about, based_on, untraced
 from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, on_bearing
 from . import formulas as f
 from .as_support import runs_centred
@@ -124,7 +124,8 @@ class PlainBearing(PlainResult, Carrying):
     def out_of_line(self, R_c: Newton) -> Metre | None:
         duty, seat = replace(self.duty, load=f.load_peak(F=self.load, R_0=R_c)), self.seat
         with untraced(), suppress(NoSolution):  # its check fails
-            return balanced(own_warm, replace(seat, centred=seat.centred and runs_centred(seat, duty)), duty).film
+            film = balanced(own_warm, replace(seat, centred=seat.centred and runs_centred(seat, duty)), duty).film
+            return based_on(film, R_c, self.film)
         return None
 
     def tilt_checks(self, place: str) -> Iterator[Check]:

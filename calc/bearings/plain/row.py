@@ -2,15 +2,11 @@
 """What a row of [[shafts.bearings]] says of a plain bearing: its size, its clearance, how the journal sits, its oil."""
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from ...library import journal_rules as rules
 from ...sheet.quantity import choice, dotted, inputs, keys, quantity, series, text
 from ...sheet.text import Amount, Text
 from ..row import ASKED_ELSEWHERE, OF_ITS_OWN, SEAT, SupportRow
-
-if TYPE_CHECKING:
-    from ..inputs import BearingsInputs
 
 # of what brings the oil, over the length, for guide texts
 USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
@@ -413,10 +409,6 @@ class PlainRow(SupportRow):
 
     def fed(self) -> bool:
         return True
-
-    def lacking(self, inputs: "BearingsInputs") -> Iterable[tuple[str, Text]]:
-        yield from self.idle()
-        yield from inputs.asked_of_plain(self)
 
     @property
     def limited(self) -> bool:
