@@ -4,13 +4,12 @@
 Made when somebody looks.  The loads are those of the design as it is; each set is solved as it would stand there, with
 all its checks."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from ..countershaft.rows import BearingRow
-from ..friction.result import carbon_dioxide, fuel
 from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
@@ -43,15 +42,16 @@ GRAM_PER_HOUR = 1e-3 / 3600
 
 @record
 class Costs:
-    """What fuel makes of watts, as the friction step has it; None where it is not given."""
+    """What watts cost, as the friction step has it: `fuel` of them, kg/s, and `co2` of that; None where it is not
+    given."""
 
     rated_power: Watt | None = None
-    specific_fuel: float | None = None  # kg/J
-    co2_per_fuel: Number = 0.0
+    fuel: Callable[[Watt], float] | None = None
+    co2: Callable[[float], float] = float
 
 
 @record
-class Case:
+class ComparisonCase:
     """One shaft as its bearings are compared.  `idle`: the speed of the shaft, 1/s, `assumed`: nobody gives it."""
 
     places: Mapping[str, Place]
@@ -60,6 +60,11 @@ class Case:
     idle: RevPerSecond
     assumed: bool
     costs: Costs
+
+    @property
+    def mixed(self) -> bool:
+        """Whether the design has bearings of another kind than plain ones: then a short report shows all of this."""
+        return any(place.row.kind != "plain" for place in self.places.values())
 
     @property
     def first(self) -> Place:
@@ -84,7 +89,7 @@ class Case:
 
 
 @record
-class Set:
+class BearingSet:
     """Bearings for all places of the shaft, as they are called together."""
 
     name: Text
@@ -96,7 +101,7 @@ class Set:
         """Whether none of them fatigues."""
         return all(r.survival() is None for r in self.bearings.values())
 
-    def loss(self, case: Case, n: Any, T: Any) -> Any:
+    def loss(self, case: ComparisonCase, n: Any, T: Any) -> Any:
         """Of all of them at n, 1/s, with oil of T, °C; nan where there is no film."""
         ratio = np.asarray(n, dtype=float) / case.rated
         T = np.broadcast_to(np.asarray(T, dtype=float), ratio.shape)
@@ -104,30 +109,30 @@ class Set:
             answers = {place: r.answer_at(ratio, T, None) for place, r in self.bearings.items()}
             return sum(answer.under(case.places[place].stands.all) for place, answer in answers.items())
 
-    def losses(self, case: Case) -> "Losses":
+    def losses(self, case: ComparisonCase) -> "SetLosses":
         n, T = np.array([case.rated, case.rated, case.idle, case.idle]), np.array([case.hot, case.cold] * 2)
         rows = case.rows
         if rows is None:
             P = self.loss(case, n, T)
-            return Losses(tuple(P.tolist()), float(P[0]))
+            return SetLosses(tuple(P.tolist()), float(P[0]))
         P = self.loss(case, np.append(n, rows.n), np.append(T, rows.T_oil))
-        return Losses(tuple(P[: len(n)].tolist()), float(np.sum(rows.share * P[len(n) :])))
+        return SetLosses(tuple(P[: len(n)].tolist()), float(np.sum(rows.share * P[len(n) :])))
 
 
 @record
-class Losses:
+class SetLosses:
     """Of a set, W.  `at`: rated speed hot and cold, idle hot and cold; `mean`: over the duty, else at rated speed."""
 
     at: tuple[Watt, ...]
     mean: Watt
 
 
-Compared = list[tuple[Set, Losses]]
+Compared = list[tuple[BearingSet, SetLosses]]
 
 
-def further(case: Case, plain: "Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]") -> Further:
+def further(case: ComparisonCase, plain: "Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]") -> Further:
     """The table, its costs and its figure.  `plain`: the best journals of the search, where there are any."""
-    sets = [Set(Text("as designed"), case.now, case.checks), *_plain(case, plain)]
+    sets = [BearingSet(Text("as designed"), case.now, case.checks), *_plain(case, plain)]
     rolling, none = _rolling(case)
     sets += rolling
     compared = [(one, one.losses(case)) for one in sets]
@@ -147,16 +152,20 @@ def carried(place: Place, row: BearingRow, inputs: BearingsInputs) -> tuple[Carr
         return solved.under(place.stands, [*solved.checks()], [])
 
 
-def _set(name: Text, case: Case, rows: Mapping[str, BearingRow], inputs: BearingsInputs | None = None) -> Set:
+def _set(
+    name: Text, case: ComparisonCase, rows: Mapping[str, BearingRow], inputs: BearingsInputs | None = None
+) -> BearingSet:
     bearings, checks = {}, list[Check]()
     for place, row in rows.items():
         of_row = case.places[place].inputs if inputs is None else inputs.of(row)
         bearings[place], mine = carried(case.places[place], row, of_row)
         checks += mine
-    return Set(name, bearings, tuple(checks))
+    return BearingSet(name, bearings, tuple(checks))
 
 
-def _plain(case: Case, plain: Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]) -> Iterator[Set]:
+def _plain(
+    case: ComparisonCase, plain: Iterable[tuple[BearingsInputs, Mapping[str, BearingRow]]]
+) -> Iterator[BearingSet]:
     for inputs, rows in plain:
         try:
             yield _set(Text("plain, the least loss"), case, rows, inputs)
@@ -164,11 +173,11 @@ def _plain(case: Case, plain: Iterable[tuple[BearingsInputs, Mapping[str, Bearin
             continue
 
 
-def _rolling(case: Case) -> tuple[list[Set], list[Text]]:
+def _rolling(case: ComparisonCase) -> tuple[list[BearingSet], list[Text]]:
     """Of each type the set with the least loss that passes and sits, where the one that locates the shaft can not be of
     it that of another; and of which types there is none."""
     every = {place: candidates(it) for place, it in case.places.items()}
-    sets, none = list[Set](), list[Text]()
+    sets, none = list[BearingSet](), list[Text]()
     for type, word in TYPES.items():
         rows, of_type = dict[str, BearingRow](), False
         for place, those in every.items():
@@ -197,7 +206,7 @@ def _first(place: Place, those: list[Candidate]) -> BearingRow | None:
 # --- shown
 
 
-def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
+def _table(case: ComparisonCase, sets: Compared, none: list[Text]) -> Table:
     columns = [
         (Text("bearings"), ""),
         (Text("sizes"), ""),
@@ -205,7 +214,7 @@ def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
         (Text("rated, cold"), "W"),
         (Text("idle, hot"), "W"),
         (Text("idle, cold"), "W"),
-        (Text("duty"), "W"),
+        *([(Text("duty"), "W")] if case.rows is not None else []),
         (Text("life"), "h"),
         (Text("seat"), "mm"),
         (Text("mass"), "kg"),
@@ -219,7 +228,7 @@ def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
                 one.name,
                 _sizes(one),
                 *map(_watts, losses.at),
-                _watts(losses.mean),
+                *([_watts(losses.mean)] if case.rows is not None else []),
                 Text("by film") if life is None else float(f"{life / 3600:.3g}"),
                 max(r.seat_size() for r in one.bearings.values()) * 1e3,
                 float(f"{sum(r.mass() for r in one.bearings.values()):.3g}"),
@@ -241,17 +250,16 @@ def _table(case: Case, sets: Compared, none: list[Text]) -> Table:
     return Table("plain_and_rolling", TITLE, tuple(columns), tuple(rows), note, short=True)
 
 
-def _costs(case: Case, sets: Compared) -> Table:
+def _costs(case: ComparisonCase, sets: Compared) -> Table:
     """Fuel and what it burns to, at the mean loss of the duty; and the checks that are open."""
     costs, rows = case.costs, []
     km = _metres_per_second(case.rows)
     for one, losses in sets:
         cells: list[Any] = [one.name]
-        if costs.specific_fuel is not None:
+        if costs.fuel is not None:
             with untraced():
-                m_B = fuel(b_e=costs.specific_fuel, P=losses.mean)
-                m_CO2 = carbon_dioxide(e_CO2=costs.co2_per_fuel, m_B=m_B)
-                rated = fuel(b_e=costs.specific_fuel, P=losses.at[0])
+                m_B, rated = costs.fuel(losses.mean), costs.fuel(losses.at[0])
+                m_CO2 = costs.co2(m_B)
             cells += [_three(m_B / GRAM_PER_HOUR), _three(m_CO2 / GRAM_PER_HOUR)]
             if costs.rated_power is not None:
                 cells.append(_three(rated / costs.rated_power * 3.6e9))
@@ -259,13 +267,17 @@ def _costs(case: Case, sets: Compared) -> Table:
                 cells.append(_three(m_CO2 / km * 1e6))
         rows.append((*cells, _risks(one)))
     columns = [(Text("bearings"), "")]
-    if costs.specific_fuel is not None:
+    if costs.fuel is not None:
         columns += [(Text("fuel"), "g/h"), (Text("CO₂"), "g/h")]
         columns += [(Text("fuel over rated power"), "g/kWh")] if costs.rated_power is not None else []
         columns += [(Text("CO₂ of the road"), "g/km")] if km is not None else []
     title = Text("What plain and rolling cost, and risk")
-    note = Text("Fuel and CO₂ of the mean loss over the duty, else at rated speed.") if len(columns) > 1 else EMPTY
-    return Table("plain_and_rolling_costs", title, (*columns, (Text("open checks"), "")), tuple(rows), note, short=True)
+    note = EMPTY
+    if costs.fuel is not None:
+        note = Text("Fuel and CO₂ of the mean loss over the duty.")
+        note = note if case.rows is not None else Text("Fuel and CO₂ of the loss at rated speed, hot.")
+    columns.append((Text("open checks"), ""))
+    return Table("plain_and_rolling_costs", title, tuple(columns), tuple(rows), note, short=case.mixed)
 
 
 def _metres_per_second(rows: Rows | None) -> float | None:
@@ -276,7 +288,7 @@ def _metres_per_second(rows: Rows | None) -> float | None:
     return mean or None
 
 
-def _sizes(one: Set) -> Text:
+def _sizes(one: BearingSet) -> Text:
     return Name(", ".join(dict.fromkeys(_size(r) for r in one.bearings.values())))
 
 
@@ -285,7 +297,7 @@ def _size(r: Carrying) -> str:
     return r.row.size or f"⌀{d * 1e3:g}×{length * 1e3:g}"
 
 
-def _risks(one: Set) -> Text:
+def _risks(one: BearingSet) -> Text:
     """What does not hold, each rule once, those that fail first."""
     open_ = [check for verdict in ("fail", "warn", "not_verified") for check in one.checks if check.verdict == verdict]
     rules = list(dict.fromkeys(check.rule.name or check.name for check in open_))
@@ -303,7 +315,7 @@ def _three(x: float) -> float:
     return float(f"{x:.3g}")
 
 
-def _curve(case: Case, sets: Compared) -> Curve:
+def _curve(case: ComparisonCase, sets: Compared) -> Curve:
     """The least loss of plain ones and of rolling ones over the speed, each at three temperatures of the oil."""
     shown = []
     for film in (True, False):
@@ -326,5 +338,5 @@ def _curve(case: Case, sets: Compared) -> Curve:
         axis_label("speed of the shaft", "rpm"),
         Text("lg P_f, W"),
         tuple(series),
-        short=5,
+        short=5 if case.mixed else 0,
     )

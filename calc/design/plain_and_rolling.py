@@ -12,6 +12,7 @@ from ..bearings.plain.selection.search import best_as_supplied
 from ..bearings.plain.selection.writing import with_row
 from ..bearings.result import BearingsResult
 from ..countershaft.rows import BearingRow
+from ..friction.result import carbon_dioxide, fuel
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.step import Further, Outcome
@@ -61,7 +62,7 @@ def _beside(design: Design, results: Callable[[], Any], solve: Solve) -> Further
     return more
 
 
-def _case(design: Design, solved: Any, name: str) -> comparison.Case:
+def _case(design: Design, solved: Any, name: str) -> comparison.ComparisonCase:
     view = solved.view(name)
     outcome, friction = view.outcomes["bearings"], design.friction
     result = outcome.result
@@ -74,10 +75,13 @@ def _case(design: Design, solved: Any, name: str) -> comparison.Case:
     if slowest is None and design.mounting is not None:
         slowest = design.mounting.idle_speed
     costs = comparison.Costs()
-    if friction is not None:
-        costs = comparison.Costs(rated_power(design), friction.specific_fuel_consumption, friction.co2_per_fuel)
+    if friction is not None and (b_e := friction.specific_fuel_consumption) is not None:
+        e_CO2 = friction.co2_per_fuel
+        costs = comparison.Costs(
+            rated_power(design), lambda P: fuel(b_e=b_e, P=P), lambda m_B: carbon_dioxide(e_CO2=e_CO2, m_B=m_B)
+        )
     idle = IDLE * task.speed if slowest is None else ratio * slowest
-    return comparison.Case(places, result.bearings, outcome.checks, idle, slowest is None, costs)
+    return comparison.ComparisonCase(places, result.bearings, outcome.checks, idle, slowest is None, costs)
 
 
 def _inputs(design: Design) -> BearingsInputs:

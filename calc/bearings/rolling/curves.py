@@ -52,7 +52,7 @@ def duty_table(results: Results) -> Table:
             )
     columns = (
         (Text("bearing"), ""),
-        (Text("part of the duty"), ""),
+        (Text("part"), ""),
         (Text("n"), "rpm"),
         (Text("hours"), "%"),
         (Text("P_f"), "W"),
@@ -130,14 +130,14 @@ def _over_speed(results: Results) -> Curve:
     for place, r in results.items():
         n = np.linspace(SLOWEST, FASTEST, POINTS) * r.speed
         there, asked = least_loads(r.case, r.load * (n / r.speed) ** 2, r.stands.weight, n, r.supply_temperature)
-        loads.append(Series(Text("load, {place}", place=called(place)), n * 60, there))
+        loads.append(Series(Text("load, {place}", place=called(place)), n * 60, np.log10(there)))
         needed = Text("least load, {place}", place=called(place))
-        least.append(Series(needed, n * 60, np.broadcast_to(asked, n.shape), dashed=True))
+        least.append(Series(needed, n * 60, np.log10(asked + 0.0 * n), dashed=True))
     return Curve(
         "rolling_least_load",
         Text("Load of the rolling bearings over speed, and the least with which they roll"),
         axis_label("speed of the shaft", "rpm"),
-        axis_label("F", "N"),
+        Text("lg F, N"),
         (*loads, *least),
         short=6,
     )

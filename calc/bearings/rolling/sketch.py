@@ -41,12 +41,12 @@ if TYPE_CHECKING:
     from .bearing import RollingBearing
 
 METAL: Number = 0.16  # of the seat's diameter: of the housing no more is drawn
-ROOM: Number = 0.75  # of the width of the bearing: how far shaft and housing are drawn on either side
+ROOM: Number = 0.6  # of the width of the bearing: how far shaft and housing are drawn on either side
 SHOULDER: Number = 0.2  # of the diameter of balls: how far from the pitch circle a ring ends
 RIB: Number = 0.3  # of the diameter of rollers: how high a rib stands over its raceway
 LIP: Number = 0.5  # of the wall of a cup: how thick its lips are
 INSERT: Number = 0.06  # of the seat's diameter
-LINES: Number = 0.03  # of the seat's diameter: from one line of a hatching to the next
+LINES: Number = 0.055  # of the seat's diameter: from one line of a hatching to the next
 CORNERS = 12  # of a groove
 
 
