@@ -3,8 +3,6 @@
 
 from collections.abc import Iterator
 
-import numpy as np
-
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import ROW, SHAFT, BearingRow, row_key
 from ...sheet.check import Check, CheckRule, Missing
@@ -13,14 +11,14 @@ from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Number, Second
 from ...sheet.value import untraced
 from ..inputs import BearingsInputs
-from ..result import BearingsResult
 from ..plain.inputs import SLOPE_TAKEN
+from ..result import BearingsResult
 from ..support import on_bearing
 from .clearance import ROOM
 from .geometry import gamma_of
 from .raceway import HARDNESS, ROUGHNESS, case_depth_needed, largest_slope
 from .result import RollingResult
-from .solve import LoadedBearing, largest_speed, least_loads
+from .solve import LoadedBearing, largest_speed
 
 RULE = Text("rule of this program")
 SIZE, SHAFT_FIT, SEAT_FIT = (dotted(ROW, key) for key in (BearingRow.size, BearingRow.shaft_fit, BearingRow.seat_fit))
@@ -484,23 +482,15 @@ def _slope_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
 
 def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """Whether the elements roll: over the duty, and at the slowest speeds."""
-    case, n = r.case, r.task.speed
-    with untraced():
-        if r.rows is None:
-            loads, least = least_loads(case, r.load, r.stands.weight, n, case.inputs.supply_temperature)
-            worst = [(float(loads), float(least), 1.0)]
-        else:
-            turning = r.rows.factor * r.load * (r.rows.n / n) ** 2
-            loads, least = least_loads(case, turning, r.stands.weight, r.rows.n, r.rows.T_oil)
-            worst = list(zip(loads.tolist(), np.broadcast_to(least, loads.shape).tolist(), r.rows.share.tolist()))
-    often = [row for row in worst if row[2] > RARE]
-    rare = [row for row in worst if row[2] <= RARE]
+    shares = [1.0] if r.rows is None else r.rows.share.tolist()
+    often = [row for row, share in zip(r.carries, shares) if share > RARE]
+    rare = [row for row, share in zip(r.carries, shares) if share <= RARE]
     for rule, rows in ((MINIMUM_LOAD, often), (MINIMUM_LOAD_RARE, rare)):
         if rows:
-            load, needed, _ = min(rows, key=lambda row: row[0] / row[1])
+            load, needed = min(rows, key=lambda row: row[0] / row[1])
             yield on_bearing(rule, place, load, needed)
     F_a = r.axial
-    if case.size.flanged and F_a > 0:
+    if r.case.size.flanged and F_a > 0:
         yield on_bearing(THRUST, place, F_a / r.equivalent_load if r.equivalent_load > 0 else None, 0.5)
 
 
