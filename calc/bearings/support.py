@@ -179,11 +179,6 @@ class Carrying(ABC):
 
     @property
     @abstractmethod
-    def support(self) -> Support:
-        """The same before its load was known."""
-
-    @property
-    @abstractmethod
     def running_clearance(self) -> Metre:
         """Diametral, as it runs."""
 

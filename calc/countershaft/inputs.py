@@ -9,7 +9,7 @@ from itertools import pairwise
 from ..library.tolerances import BALANCE_GRADES
 from ..sheet.quantity import choice, described, dotted, inputs, integer, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
-from .making.inputs import Bolts, Cost, FurtherBolts, FurtherDrain, OilDrain, Part, Support
+from .making.inputs import Bolts, Cost, FurtherBolts, FurtherDrain, OilDrain, Part, ShaftSupport
 from .rows import ASKED_ELSEWHERE, OF_ORIGINAL, BearingRow, said_in
 
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
@@ -509,7 +509,7 @@ class ShaftInputs:
     scatter: Scatter | None = table("Production scatter", Scatter, default=None, fold=SUPPORT)
     bolts: Bolts | None = table("Bolts of the support", Bolts, default=None, fold=SUPPORT)
     further_bolts: tuple[FurtherBolts, ...] = tables("Further bolts", FurtherBolts, default=(), fold=SUPPORT)
-    support: Support | None = table("Support", Support, default=None, fold=SUPPORT)
+    support: ShaftSupport | None = table("Support", ShaftSupport, default=None, fold=SUPPORT)
     oil_drain: OilDrain | None = table("Oil drain", OilDrain, default=None, fold=SUPPORT)
     further_drains: tuple[FurtherDrain, ...] = tables("Further oil drains", FurtherDrain, default=(), fold=SUPPORT)
     cost: Cost | None = table("Cost", Cost, default=None, fold=SUPPORT)

@@ -14,7 +14,7 @@ from calc.countershaft.inputs import EccentricMass, Holes
 from calc.countershaft.insertion import rooms
 from calc.countershaft.making import bolts, drain, parts, scatter
 from calc.countershaft.making import unbalance as balance
-from calc.countershaft.making.inputs import Bolts, Clamp, FurtherDrain, OilDrain, Support
+from calc.countershaft.making.inputs import Bolts, Clamp, FurtherDrain, OilDrain, ShaftSupport
 from calc.countershaft.outline import NoOutline, Piece
 from calc.countershaft.result import CountershaftResult, SupportResult
 from calc.countershaft.sizing.sectors import task
@@ -161,7 +161,7 @@ def bolt(id, **values):
 
 
 def casting(id, material=STEEL, **values):
-    return only(parts.support_checks(Support(material="", **values), material), f"support.{id}")
+    return only(parts.support_checks(ShaftSupport(material="", **values), material), f"support.{id}")
 
 
 def hose(id, own=None, name=None, **values):

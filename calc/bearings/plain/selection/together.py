@@ -358,8 +358,8 @@ def _loads(
             for name, r in found.plain.items()
         }
         supports: list[Support] = [
-            PlainSupport(seats[name], found.plain[name].metal) if name in seats else r.support
-            for name, r in found.bearings.items()
+            PlainSupport(seats[name], found.plain[name].metal) if name in seats else before
+            for name, before in zip(found.bearings, found.supports)
         ]
         try:
             at_nodes[:, i, j] = np.abs(shared(turning, supports, duty, sense).carried.load)
