@@ -679,6 +679,7 @@ def _of_seat(bearings: BearingsInputs, row: BearingRow) -> Problems:
 
 def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
     """What is wrong with one bearing, by itself and by what all share."""
+    yield from row.of_others()
     yield from row.problems()
     yield from bearings.asked_of(row)
     if row.fed():
