@@ -517,12 +517,12 @@ def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftRes
     shafts = {}
     for shaft in design.resolved:
         inputs, result = shaft.inputs, solved[shaft.name].result if shaft.name in solved else None
-        turns, sizes = inputs.mode != "bearings", inputs.journals
+        turns, seats = inputs.mode != "bearings", inputs.openings
         end = gear_end(inputs, result) if turns else None
         shafts[shaft.name] = ShaftInTrain(
             axis=axis_of(inputs) if turns else None,
             eccentric=eccentric(inputs, end) if turns else None,
-            journals=(sizes[0][0], sizes[-1][0]) if sizes and inputs.passes_seats else None,
+            journals=(seats[0], seats[-1]) if seats and inputs.passes_seats else None,
             gear_end=end,
             couple=result.couple if result is not None else None,
         )

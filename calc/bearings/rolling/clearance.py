@@ -211,6 +211,19 @@ class Fits(Generic[Value]):
     in_seat: Span[Value] | None
 
 
+def fields_of(
+    type: str, inner_ring: bool, shaft_fit: str | None, seat_fit: str | None
+) -> tuple[ToleranceField, ToleranceField]:
+    """The fields of its place on the shaft and of its seat, as given, else the usual ones.  Raises ValueError where a
+    word is no tolerance class."""
+    usual, rings = _table()["default"], inner_ring and type in ("ball", "roller", "needle")
+    seat = _table()["bore_without_ring"][type] if type == "cage" else usual["seat"]
+    return (
+        parse(shaft_fit or usual["shaft" if rings else "raceway"], "shaft in a ring"),
+        parse(seat_fit or seat, "hole for a ring"),
+    )
+
+
 def fits_of(
     type: str,
     d: Value,
@@ -228,10 +241,9 @@ def fits_of(
     taken as a ring's.  Raises ValueError where a word is no tolerance class."""
     usual = _table()["default"]
     rings = inner_ring and type in ("ball", "roller", "needle")
-    shaft = limits(parse(shaft_fit or usual["shaft" if rings else "raceway"], "shaft in a ring"), d)
-    in_seat = None
+    on_shaft, seat = fields_of(type, inner_ring, shaft_fit, seat_fit)
+    shaft, hole, in_seat = limits(on_shaft, d), limits(seat, D), None
     if type != "cage":
-        hole = limits(parse(seat_fit or usual["seat"], "hole for a ring"), D)
         outside = ring_limits("outside", D)
         in_seat = outside[0] - hole[1], outside[1] - hole[0]
     if rings:
@@ -239,11 +251,9 @@ def fits_of(
         elements = "ball" if type == "ball" else "roller"
         free = clearance or free_clearance(elements, clearance_class or usual["clearance_class"], d)
         return Fits(free, (shaft[0] - bore[1], shaft[1] - bore[0]), in_seat)
-    word = _table()["bore_without_ring"][type]
-    if type == "cage":
-        raceway = limits(parse(seat_fit or word, "hole for a ring"), D)
-    else:
-        raceway = limits(parse(word, "hole for a ring"), d)
+    raceway = hole
+    if type != "cage":
+        raceway = limits(parse(_table()["bore_without_ring"][type], "hole for a ring"), d)
     return Fits(clearance or (raceway[0] - shaft[1], raceway[1] - shaft[0]), None, in_seat)
 
 
