@@ -6,6 +6,7 @@ F_1 turns with the shaft and stands on the inner ring, F_2 stands in space.  ISO
 inner ring: the ring factor V says what it costs that the larger one stands on it.  Bearings as floats or as columns,
 duty rows along the last axis."""
 
+from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -157,18 +158,24 @@ class Races(NamedTuple):
 
     def share(self, eps: Any, stands: bool, preloaded: Any = False) -> Any:
         """P_ref over F where the zone reaches to ε; `stands`: the load on the inner ring."""
+        return self.shares(eps, (stands,), preloaded)[0]
+
+    def shares(self, eps: Any, ways: Sequence[bool], preloaded: Any = False) -> list[Any]:
+        """The same of several ways to stand."""
         kind = self.inside.elements
         eps = largest(eps, narrowest(Z=self.inside.count, elements=kind))
         Z_J = carrying(Z=self.inside.count, J_r=radial_integral(eps=eps, elements=kind), preloaded=preloaded)
         still, turns = standing_integral(eps=eps, elements=kind), turning_integral(eps=eps, elements=kind)
-        J_i, J_e = (still, turns) if stands else (turns, still)
-        return reference_share(Z_J=Z_J, J_i=J_i, q_i=self.inner, J_e=J_e, q_e=self.outer, u=EXPONENTS[kind].races)
+        both = [(still, turns) if stands else (turns, still) for stands in ways]
+        known = dict(Z_J=Z_J, q_i=self.inner, q_e=self.outer, u=EXPONENTS[kind].races)
+        return [reference_share(J_i=J_i, J_e=J_e, **known) for J_i, J_e in both]
 
     def over_reference(self, eps: Any, stands: Any, preloaded: Any = False) -> Any:
         """P_ref over that without clearance; `stands`: of each row, whether the larger load is on the inner ring."""
         ways = [way for way in (True, False) if np.any(np.asarray(stands) == way)]
         ratios = [
-            zone_ratio(P_1=self.share(eps, way, preloaded), P_2=self.still if way else self.turns) for way in ways
+            zone_ratio(P_1=P, P_2=self.still if way else self.turns)
+            for way, P in zip(ways, self.shares(eps, ways, preloaded))
         ]
         return np.where(stands, *ratios) if len(ways) > 1 else ratios[0]
 
@@ -182,7 +189,7 @@ def races_of(inside: Inside[Any]) -> Races:
     else:
         X = race_ratio_of_rollers(k_X=1.038, gamma=gamma)
         races = Races(inside, inner_race_of_rollers(X=X, Z=Z), outer_race_of_rollers(X=X, Z=Z))
-    still, turns = races.share(HALF, True), races.share(HALF, False)
+    still, turns = races.shares(HALF, (True, False))
     return races._replace(still=still, turns=turns, V=ring_factor(P_s=still, P_t=turns))
 
 
