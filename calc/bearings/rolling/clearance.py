@@ -267,14 +267,15 @@ def at_place(span: Span[Value], place: FieldPoint) -> Value:
 class Mounting(Generic[Value]):
     """A bearing in its place: outline and raceways [m], fits, the metal around its seat and its journal.
 
-    `inner_raceway`: d_F, `outer_raceway`: d_E, over and under the elements.  `housing_outer`: outside of a ring as
-    stiff as the metal around the seat, left out twice the seat's bore.  A seat in an insert is that of its steel."""
+    `inner_raceway`: d_F, `outer_raceway`: d_E, over and under the elements; None where these are not known.
+    `housing_outer`: outside of a ring as stiff as the metal around the seat, left out twice the seat's bore.  A seat in
+    an insert is that of its steel."""
 
     type: str
     bore: Value
     outside: Value
-    inner_raceway: Value
-    outer_raceway: Value
+    inner_raceway: Value | None
+    outer_raceway: Value | None
     fits: Fits[Value]
     housing_expansion: Value | float
     housing_modulus: Value | float
@@ -304,9 +305,10 @@ class Mounting(Generic[Value]):
     def clearance(self, T: Value | float, ring_rise: Value | float = RING_RISE, place: FieldPoint = "middle") -> Any:
         """The diametral clearance [m] at T [°C] of housing and outer ring, the inner one `ring_rise` [K] above it; None
         where it is not known before mounting."""
-        if self.fits.free is None:
+        d_F, d_E = self.inner_raceway, self.outer_raceway
+        if self.fits.free is None or d_F is None or d_E is None:
             return None
-        G_0, d_F, d_E = at_place(self.fits.free, place), self.inner_raceway, self.outer_raceway
+        G_0 = at_place(self.fits.free, place)
         closing: Any = 0.0
         if self.type not in ("cup", "cage"):
             D = self.outside

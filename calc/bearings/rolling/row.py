@@ -61,7 +61,7 @@ class RollingRow(SupportRow):
         default=None,
         within=(3, 60),
         symbol="Z",
-        help="Left out: typical of the type, an estimate.",
+        help="Balls, rollers or needles of the bearing. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
     )
@@ -71,7 +71,7 @@ class RollingRow(SupportRow):
         default=None,
         up_to=100,
         symbol="D_w",
-        help="Left out: typical of the type, an estimate.",
+        help="Of a ball, roller or needle. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
     )
@@ -81,7 +81,7 @@ class RollingRow(SupportRow):
         default=None,
         up_to=200,
         symbol="L_we",
-        help="Left out: typical of the type, an estimate.",
+        help="Of the line on which a roller carries. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
     )
@@ -323,7 +323,7 @@ class RollingRow(SupportRow):
         default=None,
         within=(50, 250),
         symbol="T_lim",
-        help="Left out: that of the cage.",
+        help="Up to which rings and cage may be used. Left out: that of the cage.",
         where=(KIND, "rolling"),
         fold=RATINGS,
     )
