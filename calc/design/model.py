@@ -654,9 +654,7 @@ class Design:
             yield dotted(GearsInputs.power), needed
 
 
-PLACES_OF_ROWS = tuple(
-    dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.kind, BearingRow.offset)
-)
+PLACES_OF_ROWS = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.offset))
 SHARED_OF_ROWS = OF_ROWS  # what a row may say for its bearing alone, where else that of all of them holds
 
 
