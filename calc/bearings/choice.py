@@ -176,6 +176,8 @@ def choice(
     inputs = base.inputs if base is not None else case.bearings
     mixed = list(_together(case, rolling, beside, inputs, places, aim))
     kept, elsewhere, dropped = list[ChoiceRow](), dict[int, tuple[Check, ...]](), list[Text]()
+    if not mixed and any(rolling.values()):
+        dropped.append(Text("the sectors pass none of their seats"))
     tried, solved = 0, list[ChoiceRow]()
     for row in mixed:
         if len(solved) == VERIFIED or tried == TRIED:
@@ -207,7 +209,7 @@ def choice(
         _as_it_is(case, places),
         tuple(sorted(number[id(row)] for row in solved)),
         {number[key]: checks for key, checks in elsewhere.items()},
-        tuple(_missing(rows, stopped)),
+        tuple(_missing(rows, stopped, dropped)),
         tuple(dropped),
     )
 
@@ -222,10 +224,14 @@ def words_of(row: ChoiceRow) -> Text:
     return Text(" + ").join(side.words for side in row.sides)
 
 
-def _missing(rows: Iterable[ChoiceRow], stopped: Mapping[str, list[tuple[str, Text]]]) -> Iterator[tuple[str, Text]]:
-    """Types of which no row has one, with what stops them where they come nearest."""
+def _missing(
+    rows: Iterable[ChoiceRow], stopped: Mapping[str, list[tuple[str, Text]]], refused: Sequence[Text]
+) -> Iterator[tuple[str, Text]]:
+    """Types of which no row has one, with what stops them where they come nearest; "": rolling bearings of any."""
     there = {type for row in rows for type in row.types}
     told = dict[str, Text]()
+    if refused and there == {"plain"}:
+        told[""] = Text("No row with rolling bearings: {why}", why=refused[0])
     for some in stopped.values():
         for type, why in some:
             if type not in there:
@@ -325,8 +331,8 @@ def _rolling_sides(at: Place, wanted: int) -> tuple[list[Side], list[tuple[str, 
     if not every:
         low, high = map(short_mm, at.bores)
         none = Text(
-            "No rolling bearing at the {place} journal: none has a bore of {low} to {high} mm, which the shaft asks for "
-            "there",
+            "No rolling bearing at the {place} journal: none has a bore of {low} to {high} mm, which the shaft asks "
+            "for there",
             place=called(at.row.name),
             low=low,
             high=high,

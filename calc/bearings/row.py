@@ -35,6 +35,7 @@ class SupportRow:
         "rolling",
         default="plain",
         help="plain: a journal in its seat, on a film of oil. rolling: balls, rollers or needles.",
+        decides=6,
     )
     load: float | None = quantity(
         "Load",

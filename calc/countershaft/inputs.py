@@ -606,10 +606,15 @@ class ShaftInputs:
             yield dotted(ShaftInputs.shell_gap), Text('needed with covered = "shell"')
         if self.covered != "shell" and self.shell_gap is not None:
             yield dotted(ShaftInputs.shell_gap), Text('leave it out, or say covered = "shell"')
+        for i, row in enumerate(self.bearings):
+            yield from ((dotted(ShaftInputs.bearings, i, key), why) for key, why in row.of_others())
         yield from self._seats()
         if self.mode == "bearings":
             return
         for i, row in enumerate(self.bearings):
+            if row.standing_load is not None:
+                known = Text("leave it out: the shaft knows what stands on its bearings")
+                yield dotted(ShaftInputs.bearings, i, BearingRow.standing_load), known
             if row.position is None:
                 needs = Text("is missing; needs {allowed}", allowed=described(BearingRow.position).allowed())
                 yield dotted(ShaftInputs.bearings, i, BearingRow.position), needs

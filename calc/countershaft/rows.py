@@ -2,7 +2,7 @@
 """One bearing of a shaft: a row of [[shafts.bearings]], front to rear.  What a row needs is asked by the whole design:
 all of it where [bearings] judges the bearing, else its name, its place and its size alone."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from ..bearings.plain.row import PlainRow
@@ -40,8 +40,10 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
 
     @staticmethod
     def as_read(row: dict[str, object]) -> dict[str, object]:
-        """A list under the key of the clearance is that before mounting."""
-        one, limits = dotted(PlainRow.clearance), dotted(RollingRow.clearance_limits)
+        """A list under the key of the clearance is that before mounting; a size may be a number, 6205."""
+        one, limits, size = map(dotted, (PlainRow.clearance, RollingRow.clearance_limits, RollingRow.size))
+        if type(row.get(size)) is int:
+            row = {**row, size: str(row[size])}
         if not isinstance(row.get(one), list) or limits in row:
             return row
         return {limits if key == one else key: content for key, content in row.items()}
@@ -54,6 +56,8 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
             own = dict.fromkeys(CLEARANCES | LIMITS) | own
         elif not {"journal", "finished"}.isdisjoint(own):
             own = dict.fromkeys(CLEARANCES) | own
+        if "clearance_class" in own:
+            own = {"clearance_limits": None} | own
         if not PRESSES.isdisjoint(own):
             own = dict.fromkeys(PRESSES) | own
         return replace(self, **own)
@@ -76,11 +80,10 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.name.isascii() and self.name.isdigit():
             yield dotted(BearingRow.name), Text("must not be figures alone, by which elements are counted")
-        yield from self.of_others()
         yield from self.kind_problems()
 
     def of_others(self) -> Iterable[tuple[str, Text]]:
-        """What it says that only bearings of other kinds have."""
+        """What it says that only bearings of other kinds have; the row of a twin is of the kind of its original."""
         for key, entry in keys(BearingRow).items():
             kinds = _kinds(entry.about.where)
             if self.kind and kinds and self.kind not in kinds:
@@ -124,6 +127,18 @@ def _kinds(where: Where | None) -> tuple[str, ...]:
     return ()
 
 
+def of_new_kind(before: Mapping[str, object], row: Mapping[str, object]) -> dict[str, object]:
+    """A row as a file has it, whose kind is another than before: without what only bearings of the former kind have,
+    and without what a seat of each kind asks in its own way."""
+    kind = row.get(KIND.key, KIND.field.default)
+    if kind == before.get(KIND.key, KIND.field.default):
+        return dict(row)
+    here, known = dict(BearingRow.as_read(dict(row))), keys(BearingRow)
+    others = {key for key in here if key in known and kind not in (_kinds(known[key].about.where) or (kind,))}
+    return {key: content for key, content in here.items() if key not in others | OF_EACH}
+
+
+OF_EACH = set(map(dotted, (BearingRow.bore, BearingRow.seat_fit)))  # of its seat, by which each kind means its own
 PRESSES = {"interference", "crush"}  # what may say how a bush is pressed
 CLEARANCES, LIMITS = {"clearance", "clearance_factor"}, {"journal", "bore", "finished"}  # what may say a clearance
 

@@ -654,9 +654,7 @@ class Design:
             yield dotted(GearsInputs.power), needed
 
 
-PLACES_OF_ROWS = tuple(
-    dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.kind, BearingRow.offset)
-)
+PLACES_OF_ROWS = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.offset))
 SHARED_OF_ROWS = OF_ROWS  # what a row may say for its bearing alone, where else that of all of them holds
 
 
@@ -679,6 +677,7 @@ def _of_seat(bearings: BearingsInputs, row: BearingRow) -> Problems:
 
 def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
     """What is wrong with one bearing, by itself and by what all share."""
+    yield from row.of_others()
     yield from row.problems()
     yield from bearings.asked_of(row)
     if row.fed():

@@ -15,7 +15,7 @@ import numpy as np
 from ...sheet.arrays import Array, Num, Value
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import largest, pi, single_or_many
+from ...sheet.functions import along, largest, pi, single_or_many
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -84,6 +84,12 @@ def running_temperature(T_b: Celsius) -> Celsius:
 @formula("P_f", "conservation of energy: heat that the surface gives off, all of the friction", names={"hA": "(h·A)"})
 def heat_given_off(hA: WattPerKelvin, T_b: Celsius, T_oil: Celsius) -> Watt:
     return hA * (T_b - T_oil)
+
+
+@formula("P_f", "definition: mean of the duty, by the hours of its rows", names={"w": "w_i", "P_i": "P_f,i"})
+def loss_of_duty(w: Number, P_i: Watt) -> Watt:
+    """w: share of each row in the hours."""
+    return along(w * P_i)
 
 
 @record

@@ -3,8 +3,6 @@
 
 from collections.abc import Iterator
 
-import numpy as np
-
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import ROW, SHAFT, BearingRow, row_key
 from ...sheet.check import Check, CheckRule, Missing
@@ -12,6 +10,7 @@ from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Number, RevPerSecond, Second
 from ...sheet.value import untraced
+from ..formulas import load_at_speed
 from ..inputs import BearingsInputs
 from ..plain.inputs import SLOPE_TAKEN
 from ..plain.speeds import SLOWEST
@@ -493,23 +492,21 @@ def _slope_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
 
 def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """Whether the elements roll: over the duty, and at the slowest speeds."""
-    case, n, T_in = r.case, r.task.speed, r.case.inputs.supply_temperature
-    with untraced():
-        if r.rows is None:  # nobody says how often it turns slowly
-            n_i, T, share = np.array([n, slowest_speed(case.inputs, r.task)]), np.array([T_in, T_in]), [1.0, 0.0]
-            turning = r.load * (n_i / n) ** 2
-        else:
-            n_i, T, share = r.rows.n, r.rows.T_oil, r.rows.share.tolist()
-            turning = r.rows.factor * r.load * (n_i / n) ** 2
-        loads, least = least_loads(case, turning, r.stands.weight, n_i, T)
-    held = list(zip(loads.tolist(), np.broadcast_to(least, n_i.shape).tolist(), share))
-    often, rare = ([row for row in held if (row[2] > RARE) is asked] for asked in (True, False))
+    shares = [1.0] if r.rows is None else r.rows.share.tolist()
+    often = [row for row, share in zip(r.carries, shares) if share > RARE]
+    rare = [row for row, share in zip(r.carries, shares) if share <= RARE]
+    if r.rows is None:  # nobody says how often it turns slowly
+        n, case = slowest_speed(r.case.inputs, r.task), r.case
+        with untraced():
+            turning = load_at_speed(F=r.load, n=n, n_0=r.task.speed)
+            load, least = least_loads(case, turning, r.stands.weight, n, case.inputs.supply_temperature)
+        rare = [(float(load), float(least))]
     for rule, rows in ((MINIMUM_LOAD, often), (MINIMUM_LOAD_RARE, rare)):
         if rows:
-            load, needed, _ = min(rows, key=lambda row: row[0] / row[1])
+            load, needed = min(rows, key=lambda row: row[0] / row[1])
             yield on_bearing(rule, place, load, needed)
     F_a = r.axial
-    if case.size.flanged and F_a > 0:
+    if r.case.size.flanged and F_a > 0:
         yield on_bearing(THRUST, place, F_a / r.equivalent_load if r.equivalent_load > 0 else None, 0.5)
 
 

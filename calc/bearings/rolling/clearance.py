@@ -249,8 +249,9 @@ def at_place(span: Span[Value], place: FieldPoint) -> Value:
 class Mounting(Generic[Value]):
     """A bearing in its place: outline and raceways [m], fits, the metal around its seat and its journal.
 
-    `inner_raceway`: d_F, `outer_raceway`: d_E, over and under the elements; None where these are not known.  `housing_outer`: outside of a ring as
-    stiff as the metal around the seat, left out twice the seat's bore.  A seat in an insert is that of its steel."""
+    `inner_raceway`: d_F, `outer_raceway`: d_E, over and under the elements; None where these are not known.
+    `housing_outer`: outside of a ring as stiff as the metal around the seat, left out twice the seat's bore.  A seat in
+    an insert is that of its steel."""
 
     type: str
     bore: Value

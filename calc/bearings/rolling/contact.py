@@ -30,7 +30,7 @@ MILLIMETRE: Metre = 1e-3
 ONE_NEWTON: Newton = 1.0
 NOTHING: Newton = 1e-9  # a load that no bearing feels, in place of none
 NOWHERE: Metre = 1e-25
-STEPS = 8  # of Newton's method: six reach the last digits
+STEPS, NEAR = 8, 1e-9  # of Newton's method: at most, and of the way: the next step would reach the last digits
 
 LAW = Text("ISO/TS 16281, from memory, with {hertz}", hertz=HERTZ)
 
@@ -164,7 +164,10 @@ class Springs:
         way = MILLIMETRE * (F / (self.stiff * self.contact * self.count / 4)) ** (1 / EXPONENTS[self.elements].n)
         for _ in range(STEPS):
             held, slope, _ = self.force(taken_up + way)
-            way = way * (F / held) ** (held / (slope * way))
+            more = (F / held) ** (held / (slope * way))
+            way = way * more
+            if not np.any(np.abs(more - 1) > NEAR):
+                break
         return single_or_many(np.asarray(taken_up + way))
 
     def alone(self, e: Any) -> Any:

@@ -64,7 +64,7 @@ class Rolling(Kind[RollingBearing]):
     def notes(
         self, inputs: BearingsInputs, solved: CountershaftResult | None, results: Mapping[str, RollingBearing]
     ) -> Iterable[Text]:
-        return notes(inputs, results)
+        return notes(inputs, None if solved is None else solved.outline, results)
 
 
 def on_the_way(outline: Outline, z: Metre, mounted: tuple[str, ...] = ("gear",)) -> Metre | None:

@@ -30,7 +30,7 @@ ONE_RPM: RevPerSecond = 1 / 60
 SLOW: RevPerSecond = 1000 / 60  # below it ν_1 follows another power of n
 KAPPA = (0.1, 4.0)
 LARGE: Metre = 0.1  # D_pw from which on e_C is that of large bearings
-HALVINGS = 60
+STEPS = 6  # of Newton's method, on logarithms: four reach the last digits
 
 # --- one row
 
@@ -145,17 +145,20 @@ def modified_life(a_1: Number, a_ISO: Number, L_10: Second) -> Second:
     return a_1 * a_ISO * L_10
 
 
-@formula("L_s", Text("{iso}: all bearings live", iso=ISO), shows="L_s with Σ (L_s/L_i)^{e_i} = 1, by halving", unit="h")
+@formula(
+    "L_s",
+    Text("{iso}: all bearings live", iso=ISO),
+    shows="L_s with Σ (L_s/L_i)^{e_i} = 1, by Newton's method",
+    unit="h",
+)
 def system_life(L: Second, e: Number) -> Second:
     """L and e: the lives of the bearings and the spread of each (10/9 balls, 9/8 rollers), along the last axis."""
     lives, spread = np.asarray(L, dtype=float), np.asarray(e, dtype=float)
-    high = np.log(lives.min(axis=-1))
-    low = high - np.log(lives.shape[-1])  # as if e were 1, and all as short-lived
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        all_live = np.sum((np.exp(middle)[..., None] / lives) ** spread, axis=-1) < 1
-        low, high = np.where(all_live, middle, low), np.where(all_live, high, middle)
-    return single_or_many(np.asarray(np.exp((low + high) / 2)))
+    L_s = lives.min(axis=-1)  # longer than the answer
+    for _ in range(STEPS):
+        failed = (L_s[..., None] / lives) ** spread
+        L_s = L_s * np.sum(failed, axis=-1) ** (-np.sum(failed, axis=-1) / np.sum(failed * spread, axis=-1))
+    return single_or_many(np.asarray(L_s))
 
 
 @record

@@ -48,8 +48,11 @@ def _of_seat(row: BearingRow) -> Iterator[tuple[Text, Text]]:
     assert size is not None
     seat = fields_of(size.type, size.inner_ring, row.shaft_fit, row.seat_fit)[1]
     across = Text("⌀{D} {field}", D=millimetres(size.outside), field=str(seat))
-    yield Text("Seat in the housing, {place}", place=place), deviated(across, *deviations(seat, size.outside))
-    if row.outer_ring_held != "fit":
+    seat_words = Text("Raceway in the housing, {place}", place=place)
+    if size.type != "cage":
+        seat_words = Text("Seat in the housing, {place}", place=place)
+    yield seat_words, deviated(across, *deviations(seat, size.outside))
+    if row.outer_ring_held != "fit" and size.type != "cage":
         yield Text("Outer ring held by, {place}", place=place), Text("{how}", how=row.outer_ring_held)
     if size.inner_ring:
         return
@@ -59,4 +62,4 @@ def _of_seat(row: BearingRow) -> Iterator[tuple[Text, Text]]:
         hard = Text("at least {HV} HV, {deep} mm deep", HV=number(row.raceway_hardness, 0), deep=deep)
     yield Text("Raceway on the shaft, {place}", place=place), hard
     most = number(UNITS["µm"].shown(roundness_needed(F_w=size.bore)), 1)
-    yield Text("Roundness and parallelism, {place}", place=place), Text("IT3, {most} µm", most=most)
+    yield Text("Roundness, {place}", place=place), Text("IT3, {most} µm", most=most)

@@ -6,16 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from calc.bearings.as_supports import at_corners, on_films, shared, support_checks, turned_over
 
+from calc.bearings.plain.as_support import at_corners
 from calc.bearings.plain.corners import corner_points
-from calc.bearings.plain.loads import _checks as standing_checks
 from calc.bearings.plain.loads import _standing as standing_part
+from calc.bearings.plain.loads import standing_checks
 from calc.bearings.plain.routes.states import resized
 from calc.bearings.plain.routes.thermal_balance import settled
 from calc.bearings.plain.selection import together
 from calc.bearings.plain.selection.search import nearest_row
 from calc.bearings.result import BearingsResult
+from calc.bearings.sharing import on_films, shared, support_checks, turned_over
 from calc.bearings.sketch import sketch
 from calc.countershaft.bending.carried import carried
 from calc.countershaft.bending.condensed import of_beam
