@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which bearings a shaft begins with: plain ones, and rolling ones where none are found that keep every limit, or all
-together lose more than a hundredth of the rated power, and rolling ones less; or of the kinds with which the engine is
-built."""
+"""Which bearings a shaft begins with: plain ones; rolling ones where no plain ones are found that keep every limit, or
+where these together lose more than a hundredth of the rated power, and rolling ones less with nothing to be said of
+them; or those of the kinds with which the engine is built."""
 
 from collections.abc import Callable, Sequence
 
@@ -87,6 +87,7 @@ def carried(shafts: Shafts, kinds: tuple[str, ...] = ()) -> Carried:
         if plain is None:
             raise NoBearings(BEARINGS, SEMICOLON.join((why, none.tried or none.what)), GIVE) from None
         return plain
+    # what is too hot at 150 °C, or lives too short with its clearance, takes no place of what is well on films
     return rolled if plain is None or (rolled.open == 0 and _loses_less(rolled, plain, on_films.results)) else plain
 
 
