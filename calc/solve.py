@@ -11,18 +11,21 @@ swaps each pair."""
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from functools import cache, partial
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from .bearings import solve as bearings
+from .bearings.kinds import KINDS
 from .bearings.result import BearingsOfShafts, BearingsResult
 from .bearings.standing import of_twin as bearings_of_twin
 from .bearings.standing import told as bearings_told
 from .bearings.standing import with_standing as bearings_with_standing
+from .bearings.support import Kind
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.checks import shafts_clear
 from .countershaft.making.parts import with_bolts
 from .countershaft.result import CountershaftResult
+from .countershaft.rows import BearingRow
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
 from .countershaft.supports import with_standing
@@ -91,6 +94,10 @@ class Results:
     @property
     def shaft(self) -> CountershaftResult | None:
         return self.result(CountershaftResult)
+
+    def kind_of(self, row: BearingRow) -> Kind[Any]:
+        """What kind of bearing a row is."""
+        return KINDS[row.kind]
 
     @property
     def left(self) -> SystemResult | None:

@@ -18,6 +18,7 @@ from typing import get_args, get_type_hints
 
 import pytest
 
+from calc.bearings.inputs import BearingsInputs
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import BearingRow
 from calc.design.model import Design
@@ -114,6 +115,7 @@ def test_a_formula_of_numbers_is_one_of_arrays_too_and_its_arguments_are_held_to
 # Left out by the file's own rules alone: a sound design has them wherever they are read, as the whole design asks.
 ASKED_ELSEWHERE = {
     ShaftInputs: ("material", "speed_ratio"),
+    BearingsInputs: ("supply", "supply_pressure"),
     BearingRow: ("position", "diameter", "length", "journal_roughness", "housing_roughness"),
 }
 
@@ -139,7 +141,7 @@ def test_an_input_that_may_be_left_out_is_typed_so():
 )
 def test_what_the_whole_design_asks_is_no_sound_design_without(cls, field):
     (key,) = [key.key for key in keys(cls).values() if key.attribute == field]
-    there = "shafts.shaft.bearings.rear" if cls is BearingRow else "shafts.shaft"
+    there = {BearingRow: "shafts.shaft.bearings.rear", BearingsInputs: "bearings"}.get(cls, "shafts.shaft")
     with pytest.raises(BadInput) as bad:
         design(
             read_design(ROOT / "tests" / "data" / "upgraded" / "r753ie4_gamma.toml").with_value(f"{there}.{key}", None)

@@ -7,7 +7,7 @@ from ..sheet.arrays import Array, ComplexArray
 from ..sheet.quantity import group, result, value
 from ..sheet.units import Radian, Second
 from .plain.bearing import PlainBearing
-from .support import Carrying
+from .support import Carrying, Support
 
 
 @result
@@ -21,6 +21,7 @@ class BearingsResult:
     cone: Radian | None = value("Half-angle of the cone on which the shaft goes round", "mrad", "γ_c", default=None)
     stands: OnSupports | None = None  # what stands on more than two bearings
     line: tuple[Array, ComplexArray] | None = None  # places along the shaft, and the way of its axis in the films
+    supports: tuple[Support, ...] = ()  # the bearings before their loads were known
 
     @property
     def plain(self) -> dict[str, PlainBearing]:

@@ -24,6 +24,7 @@ from ..sheet.text import Text
 from ..sheet.units import Metre, Newton
 from ..sheet.value import about, based_on, untraced
 from .formulas import mirrored_phase, share_of
+from .plain.result import PlainResult
 from .result import BearingsResult
 from .support import Carrying, OnShaftResult, OperatingPoint, Shared, Support, on_bearing
 
@@ -208,7 +209,7 @@ UNLOADED = CheckRule(
     unit="N",
     source=Text("rule of this program: 5 % of the largest load of its shaft, and what a journal at ε = 0.02 carries"),
     advice=Text("Leave the bearing out, or place it where the shaft has load for it."),
-    value_id="bearings.B.load",
+    value_id=dotted("bearings", "B", PlainResult.load),
     moved_by=(dotted(ROW, BearingRow.position),),
 )
 

@@ -117,7 +117,7 @@ def solve(
             with about(Text("{place} bearing", place=called(place))):
                 results[place] = support.solved(load, _slope(support.row, shaft), shares.get(place), task)
                 all_checks += _by_row(support.row, [*results[place].checks()])
-        result = BearingsResult(bearings=results)
+        result = BearingsResult(bearings=results, supports=tuple(supports))
         if shaft is not None:
             result = on_shaft(result, shaft, turning, films, sense, zone)
             result = turned_over(result) if how == "mirrors" else result

@@ -12,11 +12,13 @@ from ..countershaft.bending.carried import AnyLaw, Carried
 from ..countershaft.bending.condensed import Condensed
 from ..countershaft.outline import Outline
 from ..countershaft.rows import BearingRow
+from ..draw.annotations import Say, SheetTable
 from ..draw.drawing import Sketch
 from ..engine.inputs import BenchPoint, Operation
 from ..library.catalogue import Material
 from ..library.journal_rules import named_at
 from ..library.lubricant import Lubricant, OilState
+from ..library.tolerances import ToleranceField
 from ..sheet.arrays import Array, BoolArray, Value
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import result, value
@@ -179,11 +181,6 @@ class Carrying(ABC):
 
     @property
     @abstractmethod
-    def support(self) -> Support:
-        """The same before its load was known."""
-
-    @property
-    @abstractmethod
     def running_clearance(self) -> Metre:
         """Diametral, as it runs."""
 
@@ -265,6 +262,16 @@ class Solids:
     shaft_bore: Metre = 0.0
 
 
+@record
+class TurnedJournal:
+    """How the place of a bearing on its shaft is turned: limits of its diameter, m, where these are given, else its
+    field; its roughness Ra, m.  None: not said."""
+
+    limits: tuple[Metre, Metre] | None = None
+    field: ToleranceField | None = None
+    texture: Metre | None = None
+
+
 R = TypeVar("R", bound=Carrying)
 
 
@@ -311,6 +318,14 @@ class Kind(ABC, Generic[R]):
     def sections(self, results: Mapping[str, R], checks: dict[str, Check]) -> list[list[Sketch]]:
         """Further pictures, those of one view together."""
         return []
+
+    def turned(self, row: BearingRow, inputs: BearingsInputs) -> TurnedJournal:
+        """The place of one on the drawing of its shaft."""
+        return TurnedJournal()
+
+    def on_drawing(self, results: Mapping[str, R], inputs: BearingsInputs, say: Say) -> Iterator[SheetTable]:
+        """What stands beside the views there: of seats, and of bearings that are bought."""
+        return iter(())
 
     def notes(
         self, inputs: BearingsInputs, solved: "CountershaftResult | None", results: Mapping[str, R]

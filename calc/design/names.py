@@ -3,7 +3,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields
 from functools import cache
 from types import UnionType
 from typing import TYPE_CHECKING, Any, get_args, get_origin
@@ -12,7 +12,7 @@ from ..countershaft.inputs import ShaftInputs
 from ..countershaft.rows import IN_WORDS
 from ..engine.inputs import EngineInputs
 from ..imbalance.inputs import ImbalanceInputs
-from ..sheet.quantity import Published, dotted
+from ..sheet.quantity import Published, dotted, results_of
 from ..sheet.remedy import Changes
 from ..sheet.step import OF_SHAFTS
 from ..sheet.text import COMMA, Amount, Name, Small, Text
@@ -126,7 +126,8 @@ CHECKED = {  # parts that only checks have, and tables of inputs
 @cache
 def _words() -> Mapping[str, Text]:
     """What the parts of ids are called, by the way to them: `*` stands for a key of a dict, `**` for any way."""
-    from ..bearings.result import BearingsOfShafts, BearingsResult  # with numpy, which a form does not need
+    from ..bearings.kinds import KINDS  # with numpy, which a form does not need
+    from ..bearings.result import BearingsOfShafts, BearingsResult
     from ..countershaft.result import CountershaftResult
     from ..countershaft.shafts import ShaftsResult
     from ..engine.result import EngineResult
@@ -135,6 +136,7 @@ def _words() -> Mapping[str, Text]:
     from ..imbalance.result import ImbalanceResult
     from ..mounting.result import MountingResult
 
+    assert KINDS  # whose results a bearing may have
     words, first = dict(CHECKED), (EngineResult, ImbalanceResult, CountershaftResult, BearingsResult, TrainResult)
     for step, result in zip(STEP_KEYS, (*first, FrictionResult, MountingResult), strict=True):
         words.update(_of_groups(result, step))
@@ -157,9 +159,9 @@ def _of_groups(result: type, way: str) -> Iterator[tuple[str, Text]]:
             keys += [here] * group.several
         of_keys = f"{way.partition('.')[0]}.**" if content is Any else here
         yield from ((f"{of_keys}.{key}", words) for key, words in group.key_words.items())
-        if isinstance(content, type) and is_dataclass(content):  # no name of a class that is loaded later
+        for kind in results_of(content):  # none of the name of a class that is loaded later
             for key in keys:
-                yield from _of_groups(content, key)
+                yield from _of_groups(kind, key)
 
 
 def _first(hint: object) -> object:
@@ -223,6 +225,9 @@ CHOICE_WORDS: dict[str, str] = {
     "direct": Text("in the housing itself"), "bush": Text("pressed bush"), "shells": Text("half shells"),
     "as_pressed": Text("as pressed"), "finished": Text("cut after pressing"), "press": Text("its press"),
     "pin": Text("a pin"),
+    "rolling": Text("rolling"), "ball": Text("ball"), "roller": Text("roller"), "polyamide": Text("polyamide"),
+    "splash": Text("oil splash"), "insert": Text("cast-in insert"), "adhesive": Text("adhesive"),
+    "clamped": Text("clamped"), "true": Text("yes"), "false": Text("no"),
     "mineral": Text("mineral"), "ester": Text("ester"), "forced": Text("forced"),
     "forced_cooled": Text("forced, oil cooled"),
     "grease": Text("grease"), "ring": Text("ring"), "ring_moving_air": Text("ring, in moving air"),

@@ -12,6 +12,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.plain.selection.variants import SelectionCase
 from ..bearings.plain.speeds import highest_speed, of_journals
 from ..bearings.result import BearingsResult
+from ..bearings.rolling.kind import on_the_way
 from ..bearings.rolling.search import Place, candidates, usual_sizes
 from ..bearings.solve import BearingMaterials
 from ..bearings.support import Solids, StandingLoads, Task
@@ -516,12 +517,12 @@ def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftRes
     shafts = {}
     for shaft in design.resolved:
         inputs, result = shaft.inputs, solved[shaft.name].result if shaft.name in solved else None
-        turns, sizes = inputs.mode != "bearings", inputs.journals
+        turns, seats = inputs.mode != "bearings", inputs.openings
         end = gear_end(inputs, result) if turns else None
         shafts[shaft.name] = ShaftInTrain(
             axis=axis_of(inputs) if turns else None,
             eccentric=eccentric(inputs, end) if turns else None,
-            journals=(sizes[0][0], sizes[-1][0]) if sizes and inputs.passes_seats else None,
+            journals=(seats[0], seats[-1]) if seats and inputs.passes_seats else None,
             gear_end=end,
             couple=result.couple if result is not None else None,
         )
@@ -633,7 +634,8 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
     """The places of a shaft's bearings, front to rear, as rolling ones are sought for them; of a shaft that is no twin.
 
     `results`: of the design, with an outline of the shaft where it has one.  A rolling bearing takes no less of the
-    shaft than its core, nor than the bore of the wheel beside the first, and no more than its envelope.  The one
+    shaft than its core, the bore of the wheel beside the first, and what its ring passes on the way there, and no more
+    than the envelope; of a shaft that is given as sections just that of its section there.  The one
     nearest to the gear locates the shaft, else the first.  Raises NoSolution where the loads are not known."""
     view = results.views[name]
     return _rolling_places(design, view.result(CountershaftResult), view.outcomes["countershaft"].reason, name)
@@ -658,6 +660,7 @@ def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text
         least = max(2 * (shaft.core_radius or 0.0), shaft.bore_diameter)
         most = 2 * shaft.outer_radius if shaft.outer_radius is not None else most
     end = gear_end(own, solved) if shaft is not None else None
+    outline = solved.outline if solved is not None else None
     locating = own.bearings[-1] if end == "rear" else first
     places = {}
     for row, housing, backing in zip(own.bearings, solids.housings, solids.backings):
@@ -668,6 +671,11 @@ def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text
             raise NoSolution(Text("the loads of the bearings are not known"), why, Text("solve the shaft first"))
         if slope is None and solved is not None:
             slope = solved.slopes.get(row.name)
+        way = on_the_way(outline, row.position, ("gear", "journal")) if outline is not None else None
+        bores = max(least, (_gear_bore(design, own.name) or 0.0) if row is first else 0.0, way or 0.0), most
+        here = [x for x in (shaft.sections if shaft is not None else ()) if x.from_ <= row.position <= x.to]
+        if here:  # the given shape has it
+            bores = 2 * here[0].outer_radius, 2 * here[0].outer_radius
         places[row.name] = Place(
             row=row,
             inputs=inputs.of(row),
@@ -676,7 +684,7 @@ def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text
             stands=_standing_on(row, solved),
             slope=slope,
             task=task,
-            bores=(max(least, (_gear_bore(design, own.name) or 0.0) if row is first else 0.0), most),
+            bores=bores,
             locates=row is locating,
         )
     return places

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..countershaft.inputs import ShaftInputs
-from ..countershaft.rows import BearingRow
+from ..countershaft.rows import BearingRow, of_new_kind
 from ..gears.inputs import GearsInputs
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from ..sheet.quantity import Quantity, dotted, keys, unknown
@@ -136,10 +136,21 @@ class Document:
             )  # schema 1 says elsewhere what it is and where it stands
             value = {own: row[own] for own in ROW_OWN if own in row} | value
         data = changed(there, where, value)
+        if where[-3:-2] == (dotted(ShaftInputs.bearings),) and where[-1] == dotted(BearingRow.kind):
+            before, row = (at_row(tables, where[:-1]) for tables in (there, data))
+            data = changed(data, where[:-1], of_new_kind(before, row))
         if key == dotted(Design.bearings) and value is None:
             data = unjudged(data)
         former = self.former and self.former.without(".".join(map(str, where)))
         return replace(self, data=data, lines=lines, former=former)
+
+
+def at_row(data: Table, where: tuple[str | int, ...]) -> Table:
+    """The row of a bearing at its place."""
+    here: Any = data
+    for part in where:
+        here = here[part]
+    return as_table(here)
 
 
 def same_content(a: Table, b: Table, key: str) -> bool:

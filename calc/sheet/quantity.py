@@ -7,9 +7,10 @@ out: None (no tables: ()) means "choose for me"; the type checker reads the same
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import MISSING, Field, dataclass, field, fields, replace
+from dataclasses import MISSING, Field, dataclass, field, fields, is_dataclass, replace
 from difflib import get_close_matches
 from functools import cache
+from inspect import isabstract
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
 from .record import frozen, record
@@ -580,6 +581,15 @@ def _shown(cls: type) -> tuple[tuple[str, Described | None, Group, Keyed | None]
     return tuple(
         (f.name, f.metadata.get("value"), f.metadata.get("group", NO_GROUP), f.metadata.get("keyed")) for f in known
     )
+
+
+def results_of(content: object) -> tuple[type, ...]:
+    """The classes of results that the type of a group stands for: itself, or of an abstract one those that are loaded
+    and answer to it."""
+    if not isinstance(content, type):
+        return ()
+    found = content.__subclasses__() if isabstract(content) else [content]
+    return tuple(kind for kind in found if is_dataclass(kind))
 
 
 def insides(result: object) -> list[float]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from calc.countershaft.making.inputs import Support
+from calc.countershaft.making.inputs import ShaftSupport
 from calc.countershaft.making.parts import support_checks
 from calc.design.model import Design
 from calc.design.toml_file import load
@@ -62,7 +62,7 @@ def test_trumpler_as_the_thesis_prints_him(gamma, place):
 
 
 def stress(load: float, limit: float | None = None, material: str = "EN AC-43100") -> Check:
-    support = Support(
+    support = ShaftSupport(
         material=material, load_stress=load * 1e6, load_stress_limit=None if limit is None else limit * 1e6
     )
     (check,) = support_checks(support, materials()[material])

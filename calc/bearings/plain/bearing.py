@@ -16,7 +16,7 @@ from ...sheet.quantity import dotted, group, result
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond
 from ...sheet.value import about, untraced
-from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Support, on_bearing
+from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, on_bearing
 from . import formulas as f
 from .as_support import runs_centred
 from .checks import ASKED, CLEARANCE, CORE, FILM_EDGE, KREISLE, checks
@@ -87,12 +87,6 @@ class PlainBearing(PlainResult, Carrying):
     @property
     def supplied(self) -> OilState:
         return self.seat.lubricant.at(self.supply_temperature)
-
-    @property
-    def support(self) -> Support:
-        from .solve import PlainSupport  # which makes it
-
-        return PlainSupport(self.seat, self.metal)
 
     @property
     def running_clearance(self) -> Metre:

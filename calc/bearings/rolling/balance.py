@@ -15,7 +15,7 @@ import numpy as np
 from ...sheet.arrays import Array, Num, Value
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import largest, pi, single_or_many
+from ...sheet.functions import along, largest, pi, single_or_many
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -32,8 +32,8 @@ from ...sheet.units import (
     SquareMetrePerSecond,
     Watt,
 )
-from ...sheet.value import converged, unlinked, untraced
-from .torque import INA, SKF, Friction, Series, constants, load_factor, of_series, two_part_torque
+from ...sheet.value import converged, recorded, unlinked, untraced
+from .torque import SKF, Friction, Series, constants, load_factor, of_series, torque_of_load, two_part_torque
 
 WattPerKelvin = Annotated[float, "W/K"]
 WattPerSquareMetre = Annotated[float, "W/m²"]
@@ -49,9 +49,10 @@ REFERENCE_AREA: SquareMetre = 0.05
 REFERENCE_VISCOSITY: SquareMetrePerSecond = 12e-6
 JET_RISE: Kelvin = 15.0
 HOTTEST: Kelvin = 400.0  # above the oil: no balance is looked for beyond
-HALVINGS = 50
-SLOWEST: RevPerSecond = 1 / 60
-FASTEST: RevPerSecond = 1e6 / 60
+RISES = np.concatenate([[0.0], HOTTEST / 2.0 ** np.arange(6, -1, -1)])  # where one is looked for first
+PASSES, NEAR = 60, 1e-9  # at most, and K by which the last one may move: the next would move a millionth of that
+STEPS = 8  # of Newton's method
+SLOW: RevPerSecond = 1e-3
 
 
 # --- the heat that the surface gives off
@@ -73,7 +74,7 @@ def heat_conductance(A: SquareMetre) -> WattPerKelvin:
 @formula(
     "T_b",
     "conservation of energy: the surface gives off what the torque makes",
-    shows="T_b at which (h·A)·(T_b − T_oil) = 2·π·n·M(ν(T_b)), halved fifty times",
+    shows="T_b at which (h·A)·(T_b − T_oil) = 2·π·n·M(ν(T_b)), by false position",
 )
 def running_temperature(T_b: Celsius) -> Celsius:
     """The temperature itself, found from all that the torque depends on."""
@@ -83,6 +84,12 @@ def running_temperature(T_b: Celsius) -> Celsius:
 @formula("P_f", "conservation of energy: heat that the surface gives off, all of the friction", names={"hA": "(h·A)"})
 def heat_given_off(hA: WattPerKelvin, T_b: Celsius, T_oil: Celsius) -> Watt:
     return hA * (T_b - T_oil)
+
+
+@formula("P_f", "definition: mean of the duty, by the hours of its rows", names={"w": "w_i", "P_i": "P_f,i"})
+def loss_of_duty(w: Number, P_i: Watt) -> Watt:
+    """w: share of each row in the hours."""
+    return along(w * P_i)
 
 
 @record
@@ -108,30 +115,77 @@ def heat_balance(
 
     `viscosity`: m²/s at °C, of numbers and arrays (`Lubricant.nu`).  Where there is no balance below T_oil + 400 K:
     NoSolution, or with `outside` = "nan" not a number."""
+    T_b: Any = balanced_temperature(friction, F, n, T_oil, hA, viscosity)
+    if outside == "raise":
+        asked(T_b, F, n, T_oil)
+    return carried_off(friction, F, n, T_oil, hA, viscosity, T_b)
+
+
+def balanced_temperature(
+    friction: Friction[Value], F: Value, n: Value, T_oil: Value, hA: Value, viscosity: Callable[[Value], Value]
+) -> Value:
+    """The temperature alone, °C, without a line; not a number where there is no balance.
+
+    The coolest of several, which are found where their rises over the oil lie a factor of two apart: far below 0 °C a
+    starved bearing may run cool or warm.  By false position: the answer stays between two temperatures as in halving,
+    and the one that stays is given less weight the less the last step brought (Anderson and Björck 1973), so that some
+    six passes take the place of fifty."""
     cold, made, plain_F, plain_n, plain_hA = unlinked((T_oil, friction, F, n, hA))
 
     def excess(T: Any) -> Any:
         return 2 * pi * plain_n * made.torque(plain_F, plain_n, viscosity(T)) - plain_hA * (T - cold)
 
-    with untraced(), np.errstate(invalid="ignore", over="ignore"):
-        low: Any = cold + 0.0 * (plain_F + plain_n + plain_hA + made.mean_diameter)  # of the shape of all together
-        high = low + HOTTEST
-        none = ~np.asarray(excess(high) <= 0)
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            warmer = excess(middle) > 0
-            low, high = np.where(warmer, middle, low), np.where(warmer, high, middle)
-        T_b = np.where(none, np.nan, (low + high) / 2)
-    if outside == "raise" and none.any():
-        raise _no_balance(none, F, n, T_oil)
+    with untraced(), recorded(False), np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+        here: Any = cold + 0.0 * (plain_F + plain_n + plain_hA + made.mean_diameter)  # of the shape of all together
+        rises = RISES.reshape(-1, *np.ones(np.ndim(here), dtype=int))
+        first = excess(here + rises)
+        enough = first[1:] <= 0
+        after, none = 1 + np.argmax(enough, axis=0)[None], ~enough.any(axis=0)
+
+        def at(which: Any) -> tuple[Any, Any]:
+            return here + RISES[which[0]], np.take_along_axis(first, which, 0)[0]
+
+        (there, of_there), (here, of_here) = at(after), at(after - 1)
+        for _ in range(PASSES):
+            T = here - of_here * (there - here) / (of_there - of_here)
+            T = np.where(np.isfinite(T), T, here)  # nothing is made, and nothing given off
+            of_T = excess(T)
+            crossed = of_T * of_here < 0
+            weight = 1 - of_T / of_here
+            weight = np.where(weight > 0, weight, 0.5)
+            there = np.where(crossed, here, there)
+            of_there = np.where(crossed, of_here, of_there * weight)
+            moved = np.where(none, 0.0, np.abs(T - here))
+            here, of_here = T, of_T
+            if not np.any(moved > NEAR):
+                break
+    return single_or_many(np.where(none, np.nan, here))
+
+
+def carried_off(
+    friction: Friction[Value],
+    F: Value,
+    n: Value,
+    T_oil: Value,
+    hA: Value,
+    viscosity: Callable[[Value], Value],
+    T_b: Value,
+) -> HeatBalance[Value]:
+    """The state at the temperature that `balanced_temperature` found: all that is made is given off."""
 
     def carried(T: Value) -> HeatBalance[Value]:
         nu = viscosity(T)
         loss = heat_given_off(hA=hA, T_b=T, T_oil=T_oil)
         return HeatBalance(temperature=T, viscosity=nu, torque=friction.torque(F, n, nu), loss=loss)
 
-    found: Any = single_or_many(T_b)
-    return converged(running_temperature, found, carried, lambda state: (state.torque, n, hA, T_oil))
+    return converged(running_temperature, T_b, carried, lambda state: (state.torque, n, hA, T_oil))
+
+
+def asked(T_b: Num, F: Num, n: Num, T_oil: Num) -> None:
+    """Raises NoSolution where one of these temperatures is none."""
+    none = ~np.isfinite(np.asarray(T_b, dtype=float))
+    if none.any():
+        raise _no_balance(none, F, n, T_oil)
 
 
 def _no_balance(none: Any, F: Num, n: Num, T_oil: Num) -> NoSolution:
@@ -164,21 +218,23 @@ def reference_heat(A: SquareMetre) -> Watt:
 
 @formula(
     "n_θr",
-    Text("{iso}: thermal speed rating, the torque by {ina}", iso=ISO_15312, ina=INA),
-    shows="n at which 2·π·n·M(F_r, 12 mm²/s) = Φ_r, both parts in a bath, halved fifty times",
+    Text("{iso}: thermal speed rating, the torque by INA", iso=ISO_15312),
+    shows="n at which 2·π·n·M(F_r, 12 mm²/s) = Φ_r, both parts in a bath, by Newton's method",
     unit="rpm",
 )
 def thermal_speed(f_0: Number, f_1: Number, F: Newton, d_m: Metre, Phi: Watt) -> RevPerSecond:
-    heat = np.asarray(Phi, dtype=float)
-    low, high = np.full(heat.shape, np.log(SLOWEST)), np.full(heat.shape, np.log(FASTEST))
+    """On the logarithms of heat and speed, between which the slope is 1 + ⅔ of the oil's share of the torque."""
+
+    def of_oil(n: Any) -> Any:
+        return two_part_torque(f_0=f_0, nu=REFERENCE_VISCOSITY, n=n, d_m=d_m, f_1=0.0, F=0.0)
+
     with untraced():
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            n: Any = np.exp(middle)
-            M = two_part_torque(f_0=f_0, nu=REFERENCE_VISCOSITY, n=n, d_m=d_m, f_1=f_1, F=F)
-            slower = np.asarray(2 * pi * n * M) < heat
-            low, high = np.where(slower, middle, low), np.where(slower, high, middle)
-    return single_or_many(np.exp((low + high) / 2))
+        of_load = torque_of_load(f_1=f_1, F=F, d_m=d_m)
+        n: Any = Phi / (2 * pi * (of_oil(SLOW) + of_load))  # with the least that oil takes: faster than the answer
+        for _ in range(STEPS):
+            M = of_oil(n) + of_load
+            n = n * (Phi / (2 * pi * n * M)) ** (1 / (1 + 2 / 3 * of_oil(n) / M))
+    return single_or_many(np.asarray(n))
 
 
 def reference_speed(friction: Friction[Value], B: Value) -> Value:

@@ -17,14 +17,13 @@ from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
-from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Support, Task
+from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Task
 from .checks import rolling_checks
-from .clearance import Clearances
 from .contact import Springs
 from .load import friction_mean_of
 from .raceway import largest_slope
 from .result import RollingResult
-from .solve import RollingCase, Rows, solve
+from .solve import LoadedBearing, RollingCase, solve
 
 SPREADS = {"ball": 10 / 9, "roller": 9 / 8}  # of the lives, Weibull
 UNKNOWN: NewtonPerMetre = 1e9  # of a bearing whose inside is not known: stiffer than any
@@ -98,16 +97,8 @@ class RollingAnswer:
 
 
 @result
-class RollingBearing(RollingResult, Carrying):
-    """One rolling bearing under its load.  `gap`: its clearances; `stands`: what does not turn with the shaft."""
-
-    case: RollingCase
-    task: Task
-    stands: StandingLoads
-    rows: Rows | None
-    gap: Clearances | None
-    axial: Newton  # along the shaft, on this bearing
-    slope: Radian | None
+class RollingBearing(LoadedBearing, Carrying):
+    """One rolling bearing under its load, as its shaft and a report ask it."""
 
     @property
     def row(self) -> BearingRow:
@@ -124,10 +115,6 @@ class RollingBearing(RollingResult, Carrying):
     @property
     def supplied(self) -> OilState:
         return self.case.lubricant.at(self.supply_temperature)
-
-    @property
-    def support(self) -> Support:
-        return RollingSupport(self.case)
 
     @property
     def running_clearance(self) -> Metre:
@@ -198,15 +185,4 @@ class RollingBearing(RollingResult, Carrying):
 
 def judged(case: RollingCase, load: Newton, stands: StandingLoads, slope: Radian | None, task: Task) -> RollingBearing:
     """The bearing under its loads."""
-    found = solve(case, load, stands, task)
-    axial = case.row.axial_load if case.row.axial_load is not None else stands.axial if case.row.locates else 0.0
-    return RollingBearing(
-        **found.values,
-        case=case,
-        task=task,
-        stands=stands,
-        rows=found.rows,
-        gap=found.gap,
-        axial=axial,
-        slope=slope,
-    )
+    return RollingBearing(**solve(case, load, stands, slope, task))

@@ -2,12 +2,9 @@
 """What a rolling bearing is judged by."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-import numpy as np
 
 from ...countershaft.inputs import ShaftInputs
-from ...countershaft.rows import ROW, SHAFT, BearingRow
+from ...countershaft.rows import ROW, SHAFT, BearingRow, row_key
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
@@ -15,13 +12,13 @@ from ...sheet.units import Celsius, Metre, Number, Second
 from ...sheet.value import untraced
 from ..inputs import BearingsInputs
 from ..plain.inputs import SLOPE_TAKEN
+from ..result import BearingsResult
 from ..support import on_bearing
+from .clearance import ROOM
+from .geometry import gamma_of
 from .raceway import HARDNESS, ROUGHNESS, case_depth_needed, largest_slope
 from .result import RollingResult
-from .solve import largest_speed, least_loads
-
-if TYPE_CHECKING:
-    from .bearing import RollingBearing
+from .solve import LoadedBearing, largest_speed
 
 RULE = Text("rule of this program")
 SIZE, SHAFT_FIT, SEAT_FIT = (dotted(ROW, key) for key in (BearingRow.size, BearingRow.shaft_fit, BearingRow.seat_fit))
@@ -35,6 +32,8 @@ ASSUMED_LIFE: Second = 5000.0 * 3600
 LEAST_SAFETY = {"ball": 1.0, "roller": 1.5, "needle": 1.5, "cage": 1.5, "cup": 3.0}
 CAGE_LIMIT: dict[str, Celsius] = {"polyamide": 120.0, "steel": 150.0}
 HOTTEST: Celsius = 200.0
+KNOWN_RATIOS: tuple[Number, Number] = (0.1, 4.0)  # κ
+LARGEST_ELEMENTS: Number = 0.4  # γ
 RARE: Number = 0.02  # of the hours: less of them is rare
 WITHIN: Number = 2.0  # both torques agree within this factor
 MICRON: Metre = 1e-6
@@ -52,11 +51,10 @@ LIFE = CheckRule(
     unit="h",
     source=Text("ISO 281:2007, the rows of the duty by Miner"),
     advice=Text("The next size, cleaner or cooler oil."),
-    role="physics",
+    role="chosen",
     decides=True,
     value_id=_of(RollingResult.life),
-    limit_id=LIFE_H,
-    moved_by=(SIZE, CLEAN, T_IN, OIL, RATING),
+    moved_by=(SIZE, LIFE_H, CLEAN, T_IN, OIL, RATING),
     short=Text("life"),
 )
 LIFE_ASSUMED = CheckRule(
@@ -215,6 +213,7 @@ SLOPE_NEAR = CheckRule(
     demand=True,
     cause=SLOPE_MOST.id,
     moved_by=(CORE, SIZE, SLOPE),
+    short=Text("slope over half"),
 )
 MINIMUM_LOAD = CheckRule(
     "bearings.B.minimum_load",
@@ -317,8 +316,9 @@ VISCOSITY_RATIO = CheckRule(
 VISCOSITY_RATIO_OUTSIDE = CheckRule(
     "bearings.B.viscosity_ratio_outside",
     "method",
-    "ISO 281 ends below κ = 0.1: a_ISO is held at 0.1.",
-    Text("Viscosity ratio, against the least of ISO 281"),
+    "ISO 281 knows viscosity ratios of 0.1 to 4: beyond them a_ISO is that of the nearer end.",
+    Text("Viscosity ratio, against the range of ISO 281"),
+    "in",
     source=Text("ISO 281:2007"),
     moved_by=(OIL, T_IN),
 )
@@ -352,6 +352,15 @@ TEMPERATURE_OUTSIDE = CheckRule(
     RULE,
     moved_by=(T_IN,),
 )
+GEOMETRY_OUTSIDE = CheckRule(
+    "bearings.B.geometry_outside",
+    "method",
+    "Elements so large for their pitch circle are beyond the tables of ISO 281 and ISO 76.",
+    Text("Diameter of the elements over the pitch diameter, γ"),
+    "<=",
+    source=Text("ISO 281, ISO 76: their tables end there"),
+    moved_by=(dotted(ROW, BearingRow.element_diameter), dotted(ROW, BearingRow.pitch_diameter)),
+)
 REFERENCE_SPEED = CheckRule(
     "bearings.B.reference_speed",
     "advice",
@@ -373,7 +382,7 @@ SYSTEM_LIFE = CheckRule(
     unit="h",
     source=Text("ISO 281: Σ (L_s/L_i)^e = 1"),
     advice=Text("The next size of the bearing that lives shortest."),
-    value_id="bearings.system_life",
+    value_id=dotted("bearings", BearingsResult.system_life),
     moved_by=(LIFE_H, CLEAN, dotted("bearings", BearingsInputs.supply_temperature)),
 )
 LOCATING = CheckRule(
@@ -394,14 +403,13 @@ def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
     return ASSUMED_LIFE if gears is None else gears
 
 
-def rolling_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What is asked of one bearing."""
     case, row, inputs, size = r.case, r.row, r.case.inputs, r.case.size
     asked = life_asked(inputs, r.task.life)
     if r.life is not None:
         yield on_bearing(LIFE if inputs.life is not None else LIFE_ASSUMED, place, r.life, asked)
-        if r.life_reference is not None:
-            yield on_bearing(LIFE_REFERENCE, place, r.life_reference, asked)
+        yield on_bearing(LIFE_REFERENCE, place, r.life_reference, asked, missing=_inside_missing(place, r))
     if r.static_safety is not None:
         yield on_bearing(STATIC_SAFETY, place, r.static_safety, LEAST_SAFETY[size.type])
     yield on_bearing(SPEED_FACTOR, place, r.task.speed, largest_speed(case))
@@ -415,8 +423,14 @@ def rolling_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
     if not size.inner_ring:
         yield from _raceway_checks(place, r)
     yield on_bearing(VISCOSITY_RATIO, place, r.viscosity_ratio, 1.0)
-    if r.viscosity_ratio < 0.1:
-        yield on_bearing(VISCOSITY_RATIO_OUTSIDE, place, r.viscosity_ratio, 0.1)
+    low, high = KNOWN_RATIOS
+    if not low <= r.viscosity_ratio <= high:
+        yield on_bearing(VISCOSITY_RATIO_OUTSIDE, place, r.viscosity_ratio, KNOWN_RATIOS)
+    if case.inside is not None:
+        with untraced():
+            ratio = gamma_of(case.inside)
+        if ratio > LARGEST_ELEMENTS:
+            yield on_bearing(GEOMETRY_OUTSIDE, place, ratio, LARGEST_ELEMENTS)
     if r.torque > 0 and r.torque_two_part > 0:
         spread = r.torque / r.torque_two_part
         yield on_bearing(FRICTION_SPREAD, place, max(spread, 1 / spread), WITHIN)
@@ -426,57 +440,62 @@ def rolling_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
         yield on_bearing(REFERENCE_SPEED, place, r.task.speed, r.reference_speed)
 
 
-def _clearance_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
-    if (gap := r.gap) is not None:
-        for rule, value in (
-            (CLEARANCE_LEAST, gap.least),
-            (CLEARANCE_START, gap.start),
-            (CLEARANCE_FROZEN, gap.frozen),
-        ):
-            yield on_bearing(rule, place, value, 0.0, scale=float(gap.scale))
+def _inside_missing(place: str, r: LoadedBearing) -> Missing | None:
+    """What is not given of a bearing whose clearance nobody knows: its inside, else the clearance before mounting."""
+    if r.gap is not None:
+        return None
+    row, needed = r.case.row, [(BearingRow.clearance_limits, r.case.row.clearance_limits)]
+    if r.case.inside is None:
+        needed = [
+            (BearingRow.element_count, row.element_count),
+            (BearingRow.element_diameter, row.element_diameter),
+        ]
+        if r.case.size.elements == "roller":
+            needed.append((BearingRow.element_length, row.element_length))
+    return Missing(tuple(row_key(place, key) for key, given in needed if given is None), (), "none", "none")
+
+
+def _clearance_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
+    missing, scale = _inside_missing(place, r), MICRON if r.gap is None else float(r.gap.scale)
+    for rule, value in (
+        (CLEARANCE_LEAST, r.clearance_least),
+        (CLEARANCE_START, r.clearance_start),
+        (CLEARANCE_FROZEN, r.clearance_cold),
+    ):
+        yield on_bearing(rule, place, value, 0.0, scale=scale, missing=missing)
     if r.grip_hot is not None and r.load >= r.standing_load:
-        scale = MICRON
-        if r.case.mounting is not None:
-            with untraced():
-                scale = max(float(r.case.mounting.grip(20.0, "middle")), MICRON)
+        with untraced():
+            scale = max(float(r.case.mounting.grip(ROOM, "middle")), MICRON)
         rule = GRIP_HOT if r.row.outer_ring_held == "fit" else GRIP_HOT_HELD
         yield on_bearing(rule, place, r.grip_hot, 0.0, scale=scale)
 
 
-def _slope_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _slope_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     most, missing, slope = largest_slope(r.case.size.type, r.case.size.series), None, r.slope
     if slope is None:
         slope = SLOPE_TAKEN
         taken = Text("{slope}", slope=Amount(SLOPE_TAKEN * 1e3, "mrad"))
-        missing = Missing((SLOPE.replace(".B.", f".{place}."),), (taken,), 0.0, "none")
+        missing = Missing((row_key(place, BearingRow.slope),), (taken,), 0.0, "none")
     yield on_bearing(SLOPE_MOST, place, slope, most, missing=missing)
     if missing is None:
         yield on_bearing(SLOPE_NEAR, place, slope, most / 2)
 
 
-def _load_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """Whether the elements roll: over the duty, and at the slowest speeds."""
-    case, n = r.case, r.task.speed
-    with untraced():
-        if r.rows is None:
-            loads, least = least_loads(case, r.load, r.stands.weight, n, case.inputs.supply_temperature)
-            worst = [(float(loads), float(least), 1.0)]
-        else:
-            turning = r.rows.factor * r.load * (r.rows.n / n) ** 2
-            loads, least = least_loads(case, turning, r.stands.weight, r.rows.n, r.rows.T_oil)
-            worst = list(zip(loads.tolist(), np.broadcast_to(least, loads.shape).tolist(), r.rows.share.tolist()))
-    often = [row for row in worst if row[2] > RARE]
-    rare = [row for row in worst if row[2] <= RARE]
+    shares = [1.0] if r.rows is None else r.rows.share.tolist()
+    often = [row for row, share in zip(r.carries, shares) if share > RARE]
+    rare = [row for row, share in zip(r.carries, shares) if share <= RARE]
     for rule, rows in ((MINIMUM_LOAD, often), (MINIMUM_LOAD_RARE, rare)):
         if rows:
-            load, needed, _ = min(rows, key=lambda row: row[0] / row[1])
+            load, needed = min(rows, key=lambda row: row[0] / row[1])
             yield on_bearing(rule, place, load, needed)
     F_a = r.axial
-    if case.size.flanged and F_a > 0:
+    if r.case.size.flanged and F_a > 0:
         yield on_bearing(THRUST, place, F_a / r.equivalent_load if r.equivalent_load > 0 else None, 0.5)
 
 
-def _raceway_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
+def _raceway_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What the shaft, and of a cage the housing, have to be as raceways."""
     row, inside = r.row, r.case.inside
     yield on_bearing(RACEWAY_HARDNESS, place, row.raceway_hardness, HARDNESS)
@@ -485,8 +504,7 @@ def _raceway_checks(place: str, r: "RollingBearing") -> Iterator[Check]:
             needed = case_depth_needed(D_w=inside.diameter)
         missing = None
         if row.case_depth is None:
-            key = dotted(ROW, BearingRow.case_depth).replace(".B.", f".{place}.")
-            missing = Missing((key,), (), "none", "none")
+            missing = Missing((row_key(place, BearingRow.case_depth),), (), "none", "none")
         yield on_bearing(RACEWAY_CASE, place, row.case_depth, needed, missing=missing)
     yield on_bearing(RACEWAY_ROUGHNESS, place, row.raceway_roughness, ROUGHNESS)
     if r.case.size.type == "cage":

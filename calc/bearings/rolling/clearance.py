@@ -37,8 +37,10 @@ LEAST_SCALE: Metre = 1e-6
 WALL = 2.0  # outside of the metal around a seat, over its bore, where not given
 
 CLASSES = ("CN", "C3", "C4", "C5")
-Place = Literal["least", "middle", "most"]  # of the clearance, between the ends of all tolerance fields
+FieldPoint = Literal["least", "middle", "most"]  # of the clearance, between the ends of all tolerance fields
 Span = tuple[Value, Value]  # lower and upper end
+
+CLOSED = {"dd_F": "Δd_F", "dd_E": "Δd_E"}
 
 
 # --- formulas
@@ -109,12 +111,12 @@ def widening_of_cup(alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, d_F: Me
     return ((alpha_H - RING_EXPANSION) * (1 - chi) - (alpha_J - RING_EXPANSION)) * d_F * (T - ROOM)
 
 
-@formula("G_r", "geometry: what fits and warmth leave of the clearance of two rings", unit="µm")
+@formula("G_r", "geometry: what fits and warmth leave of the clearance of two rings", unit="µm", names=CLOSED)
 def clearance_of_rings(G_0: Metre, dd_F: Metre, dd_E: Metre, Delta_T: Kelvin, d_E: Metre) -> Metre:
     return G_0 - dd_F - dd_E - RING_EXPANSION * Delta_T * d_E
 
 
-@formula("G_r", "geometry: what fits and warmth leave of the clearance on the shaft itself", unit="µm")
+@formula("G_r", "geometry: what fits and warmth leave of the clearance on the shaft itself", unit="µm", names=CLOSED)
 def clearance_on_shaft(G_0: Metre, g: Metre, dd_E: Metre, Delta_T: Kelvin, d_E: Metre) -> Metre:
     return G_0 + g - dd_E - RING_EXPANSION * Delta_T * d_E
 
@@ -209,6 +211,19 @@ class Fits(Generic[Value]):
     in_seat: Span[Value] | None
 
 
+def fields_of(
+    type: str, inner_ring: bool, shaft_fit: str | None, seat_fit: str | None
+) -> tuple[ToleranceField, ToleranceField]:
+    """The fields of its place on the shaft and of its seat, as given, else the usual ones.  Raises ValueError where a
+    word is no tolerance class."""
+    usual, rings = _table()["default"], inner_ring and type in ("ball", "roller", "needle")
+    seat = _table()["bore_without_ring"][type] if type == "cage" else usual["seat"]
+    return (
+        parse(shaft_fit or usual["shaft" if rings else "raceway"], "shaft in a ring"),
+        parse(seat_fit or seat, "hole for a ring"),
+    )
+
+
 def fits_of(
     type: str,
     d: Value,
@@ -226,10 +241,9 @@ def fits_of(
     taken as a ring's.  Raises ValueError where a word is no tolerance class."""
     usual = _table()["default"]
     rings = inner_ring and type in ("ball", "roller", "needle")
-    shaft = limits(parse(shaft_fit or usual["shaft" if rings else "raceway"], "shaft in a ring"), d)
-    in_seat = None
+    on_shaft, seat = fields_of(type, inner_ring, shaft_fit, seat_fit)
+    shaft, hole, in_seat = limits(on_shaft, d), limits(seat, D), None
     if type != "cage":
-        hole = limits(parse(seat_fit or usual["seat"], "hole for a ring"), D)
         outside = ring_limits("outside", D)
         in_seat = outside[0] - hole[1], outside[1] - hole[0]
     if rings:
@@ -237,15 +251,13 @@ def fits_of(
         elements = "ball" if type == "ball" else "roller"
         free = clearance or free_clearance(elements, clearance_class or usual["clearance_class"], d)
         return Fits(free, (shaft[0] - bore[1], shaft[1] - bore[0]), in_seat)
-    word = _table()["bore_without_ring"][type]
-    if type == "cage":
-        raceway = limits(parse(seat_fit or word, "hole for a ring"), D)
-    else:
-        raceway = limits(parse(word, "hole for a ring"), d)
+    raceway = hole
+    if type != "cage":
+        raceway = limits(parse(_table()["bore_without_ring"][type], "hole for a ring"), d)
     return Fits(clearance or (raceway[0] - shaft[1], raceway[1] - shaft[0]), None, in_seat)
 
 
-def at_place(span: Span[Value], place: Place) -> Value:
+def at_place(span: Span[Value], place: FieldPoint) -> Value:
     """One end of a span, or its middle."""
     low, high = span
     return low if place == "least" else high if place == "most" else (low + high) / 2
@@ -255,14 +267,15 @@ def at_place(span: Span[Value], place: Place) -> Value:
 class Mounting(Generic[Value]):
     """A bearing in its place: outline and raceways [m], fits, the metal around its seat and its journal.
 
-    `inner_raceway`: d_F, `outer_raceway`: d_E, over and under the elements.  `housing_outer`: outside of a ring as
-    stiff as the metal around the seat, left out twice the seat's bore.  A seat in an insert is that of its steel."""
+    `inner_raceway`: d_F, `outer_raceway`: d_E, over and under the elements; None where these are not known.
+    `housing_outer`: outside of a ring as stiff as the metal around the seat, left out twice the seat's bore.  A seat in
+    an insert is that of its steel."""
 
     type: str
     bore: Value
     outside: Value
-    inner_raceway: Value
-    outer_raceway: Value
+    inner_raceway: Value | None
+    outer_raceway: Value | None
     fits: Fits[Value]
     housing_expansion: Value | float
     housing_modulus: Value | float
@@ -272,14 +285,14 @@ class Mounting(Generic[Value]):
     journal_expansion: Value | float = RING_EXPANSION
     shaft_bore: Value | float = 0.0
 
-    def interference_on_shaft(self, T: Value | float, place: Place = "middle") -> Any:
+    def interference_on_shaft(self, T: Value | float, place: FieldPoint = "middle") -> Any:
         """Of the inner ring at T [°C]: where the clearance is least the tightest.  None without an inner ring."""
         if self.fits.on_shaft is None:
             return None
         U = at_place(self.fits.on_shaft, _OTHER[place])
         return interference_on_shaft(U=U, alpha_J=self.journal_expansion, d=self.bore, T=T)
 
-    def grip(self, T: Value | float, place: Place = "most") -> Any:
+    def grip(self, T: Value | float, place: FieldPoint = "most") -> Any:
         """Interference of the outer ring or the cup in its seat at T [°C], by default the loosest; None of a cage.
 
         Below nought the ring creeps under the load that sweeps it.  A cup that is loose turns, and its clearance is an
@@ -289,12 +302,13 @@ class Mounting(Generic[Value]):
         U, D = at_place(self.fits.in_seat, _OTHER[place]), self.outside
         return interference_in_seat(U=U, alpha_H=self.housing_expansion, chi=self.restraint, D=D, T=T)
 
-    def clearance(self, T: Value | float, ring_rise: Value | float = RING_RISE, place: Place = "middle") -> Any:
+    def clearance(self, T: Value | float, ring_rise: Value | float = RING_RISE, place: FieldPoint = "middle") -> Any:
         """The diametral clearance [m] at T [°C] of housing and outer ring, the inner one `ring_rise` [K] above it; None
         where it is not known before mounting."""
-        if self.fits.free is None:
+        d_F, d_E = self.inner_raceway, self.outer_raceway
+        if self.fits.free is None or d_F is None or d_E is None:
             return None
-        G_0, d_F, d_E = at_place(self.fits.free, place), self.inner_raceway, self.outer_raceway
+        G_0 = at_place(self.fits.free, place)
         closing: Any = 0.0
         if self.type not in ("cup", "cage"):
             D = self.outside
@@ -315,7 +329,11 @@ class Mounting(Generic[Value]):
         return clearance_on_shaft(G_0=G_0, g=g, dd_E=closing, Delta_T=ring_rise, d_E=d_E)
 
 
-_OTHER: dict[Place, Place] = {"least": "most", "middle": "middle", "most": "least"}  # an interference takes clearance
+_OTHER: dict[FieldPoint, FieldPoint] = {
+    "least": "most",
+    "middle": "middle",
+    "most": "least",
+}  # an interference takes clearance
 
 
 def metal_of_seat(housing: Material, held: str) -> Material:

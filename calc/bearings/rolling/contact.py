@@ -29,9 +29,8 @@ from .zone import EXPONENTS, zone_of
 MILLIMETRE: Metre = 1e-3
 ONE_NEWTON: Newton = 1.0
 NOTHING: Newton = 1e-9  # a load that no bearing feels, in place of none
-NOWHERE: Metre = 1e-15
-HALVINGS = 50
-GUESSES = 4
+NOWHERE: Metre = 1e-25
+STEPS, NEAR = 8, 1e-9  # of Newton's method: at most, and of the way: the next step would reach the last digits
 
 LAW = Text("ISO/TS 16281, from memory, with {hertz}", hertz=HERTZ)
 
@@ -81,10 +80,15 @@ def pressure_of(inside: Inside[Any], Q: Any) -> tuple[Any, Any]:
 # --- all elements
 
 
+def springs_of(inside: Inside[Any], gap: Any) -> "Springs":
+    """The bearing at the clearance `gap`, m, as what holds its shaft."""
+    return Springs(inside.elements, inside.count, contact_constant(inside), gap)
+
+
 @formula(
     "δ_r",
     Text("{law}; the loads of the elements hold F", law=LAW),
-    shows="δ_r with F = Z·K_1·(δ_r − G_r/2)^n_Q·J_r(ε), no less than one element carries alone; by halving",
+    shows="δ_r with F = Z·K_1·(δ_r − G_r/2)^n_Q·J_r(ε), no less than one element carries alone; by Newton's method",
     unit="µm",
 )
 def displacement(F: Newton, Z: Number, K_1: Newton, s: Metre, elements: Elements) -> Metre:
@@ -152,16 +156,19 @@ class Springs:
         return secant * e, by_slope * (n + bend * s / (2 * e)), secant
 
     def displacement(self, F: Any) -> Any:
-        """Where the bearing carries F: by halving, all at once.  A load of nothing is taken as the least there is."""
-        F, x = np.maximum(F, NOTHING), EXPONENTS[self.elements]
-        # one element under five times the load, or the zone just loaded all round, is farther than any answer
-        high = np.maximum(np.maximum(-self.gap, 0.0), MILLIMETRE * (5 * F / (self.stiff * self.contact)) ** (1 / x.n))
-        low = np.maximum(-self.gap / 2, 0.0) + 0.0 * high
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            short = self.force(middle + self.gap / 2)[0] < F
-            low, high = np.where(short, middle, low), np.where(short, high, middle)
-        return single_or_many(np.asarray((low + high) / 2 + self.gap / 2))
+        """Where the bearing carries F, all at once.  A load of nothing is taken as the least there is.
+
+        By Newton's method on the logarithms of F and of the way beyond half the clearance: the slope between these is
+        nowhere twice as steep as elsewhere, so that each step comes nearer."""
+        F, taken_up = np.maximum(F, NOTHING), np.maximum(self.gap, 0.0) / 2
+        way = MILLIMETRE * (F / (self.stiff * self.contact * self.count / 4)) ** (1 / EXPONENTS[self.elements].n)
+        for _ in range(STEPS):
+            held, slope, _ = self.force(taken_up + way)
+            more = (F / held) ** (held / (slope * way))
+            way = way * more
+            if not np.any(np.abs(more - 1) > NEAR):
+                break
+        return single_or_many(np.asarray(taken_up + way))
 
     def alone(self, e: Any) -> Any:
         """Whether one element carries all."""
@@ -179,15 +186,7 @@ class Springs:
         return Hold(secant * e, slope, secant) if np.ndim(e) else Hold(float(secant) * e, float(slope), float(secant))
 
     def begin(self, F: Newton) -> Metre:
-        """Where it carries about F."""
-        s, n = self.gap, EXPONENTS[self.elements].n
-        if s < 0 and F < (k := float(self.force(0.0)[2])) * -s / 2:
-            return F / k
-        pressed = 1.0  # as without clearance
-        for _ in range(GUESSES):
-            J_r, _ = zone_of(self.elements).radial(pressed / (2 * pressed + np.maximum(s, 0.0)))
-            pressed = MILLIMETRE * (F / (self.stiff * self.contact * np.maximum(self.count * J_r, 1.0))) ** (1 / n)
-        return max(float(pressed + s / 2), NOWHERE)
+        return float(self.displacement(F))
 
     def farthest(self, e: Metre) -> Metre:
         return math.inf

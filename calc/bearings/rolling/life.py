@@ -16,7 +16,7 @@ from ...sheet.functions import along, largest, power, single_or_many, smallest
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Number, RevPerSecond, Second, SquareMetrePerSecond
-from .contact import Springs, reach
+from .contact import Springs, displacement, reach
 from .load import Races
 from .ratings import Ratings
 from .sizes import FILE, Elements
@@ -103,7 +103,7 @@ def needed_viscosity_of(D_pw: Any, n: Any) -> Any:
 
 
 def contamination(cleanliness: str, D_pw: Any, k: Any) -> Any:
-    """e_C by the word or by the class of the oil's filter; k: the viscosity ratio that counts.  KeyError of others."""
+    """e_C by the word or by the class of the oil's filter; k: the viscosity ratio that counts."""
     table = house_table(FILE)
     if cleanliness in WORDS:
         small, large = table["contamination"][cleanliness]
@@ -191,6 +191,8 @@ def load_with_clearance(P: Newton, r: Number) -> Newton:
 def with_clearance(races: Races, springs: Springs, P: Any, F_m: Any, stands: Any) -> Any:
     """P as the zone at the clearance of the springs makes it; `stands`: where the larger load stands on the inner ring.
 
-    The rings are taken as rigid: a life with it is a lower bound, for clearances of 0 and above."""
-    eps = reach(s=springs.gap, delta=springs.displacement(F_m))
+    The rings are taken as rigid: a life with it is a lower bound for clearances of 0 and above.  Light preload spreads
+    the load better than no clearance does: P is up to 3.8 % less then."""
+    known = dict(Z=springs.count, K_1=springs.contact, elements=springs.elements)
+    eps = reach(s=springs.gap, delta=displacement(F=F_m, s=springs.gap, **known))
     return load_with_clearance(P=P, r=races.over_reference(eps, stands, springs.gap < 0))

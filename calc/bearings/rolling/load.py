@@ -20,7 +20,7 @@ from ...sheet.units import Newton, Number
 from .geometry import Inside, gamma_of
 from .ratings import ISO_RACES, Ratings, counted_grooves, race_ratio_of_balls, race_ratio_of_rollers
 from .sizes import FILE, BearingSize
-from .zone import EXPONENTS, radial_integral, standing_integral, turning_integral
+from .zone import EXPONENTS, narrowest, radial_integral, standing_integral, turning_integral
 
 NOTHING: Newton = 1e-9  # a load that no bearing feels, in place of none
 TERMS = 2000
@@ -45,17 +45,20 @@ def mean_power(xi: Number, p: Number) -> Number:
     """>>> mean_power(xi=1.0, p=2.0)
     2.0
     """
-    square, c = np.square(xi), _squares(float(p))
-    needed = np.abs(c) * np.nanmax(square, initial=0.0) ** np.arange(TERMS)
-    terms = 1 + int(np.flatnonzero(needed > SMALLEST).max(initial=0))
-    return single_or_many(np.asarray(np.asarray(square)[..., None] ** np.arange(terms) @ c[:terms]))
+    square = np.asarray(np.square(xi))
+    c, needed_from = _squares(float(p))
+    terms = 2 + int(np.searchsorted(needed_from[:-1], np.nanmax(square, initial=0.0)))
+    return single_or_many(np.asarray(square[..., None] ** np.arange(terms) @ c[:terms]))
 
 
 @cache
-def _squares(p: float) -> Array:
-    """binom(p/2, k)² for every k of the series."""
+def _squares(p: float) -> tuple[Array, Array]:
+    """binom(p/2, k)² for every k of the series; and the ξ² from which the term behind each is still needed."""
     k = np.arange(1, TERMS)
-    return np.concatenate([[1.0], np.cumprod((p / 2 - k + 1) / k) ** 2])
+    c = np.cumprod((p / 2 - k + 1) / k) ** 2
+    with np.errstate(divide="ignore"):
+        needed_from = (SMALLEST / c) ** (1 / k)
+    return np.concatenate([[1.0], c]), np.minimum.accumulate(needed_from[::-1])[::-1]
 
 
 @formula("F_m", PALMGREN, names={"Sigma": "Σ_p", "p": "p_L"})
@@ -68,6 +71,13 @@ def mean_load(F_1: Newton, F_2: Newton, Sigma: Number, p: Number) -> Newton:
 )
 def friction_load(F_1: Newton, F_2: Newton, Sigma: Number) -> Newton:
     return largest(F_1, F_2) * Sigma
+
+
+def means_of(F_1: Any, F_2: Any, p: float) -> tuple[Any, Any]:
+    """F_m of both loads, exponent p, and F̄."""
+    xi = load_ratio(F_1=F_1, F_2=F_2)
+    F_m = mean_load(F_1=F_1, F_2=F_2, Sigma=mean_power(xi=xi, p=p), p=p)
+    return F_m, friction_load(F_1=F_1, F_2=F_2, Sigma=mean_power(xi=xi, p=1.0))
 
 
 def mean_of(F_1: Any, F_2: Any, p: float) -> Any:
@@ -123,16 +133,32 @@ def ring_factor(P_s: Number, P_t: Number) -> Number:
     return P_s / P_t
 
 
+@formula(
+    "P_ref/P_ref,0",
+    Text("{iso}: of the zone over that without clearance", iso=ISO_RACES),
+    names={"P_1": "P_ref(ε)/F", "P_2": "P_ref(½)/F"},
+)
+def zone_ratio(P_1: Number, P_2: Number) -> Number:
+    return P_1 / P_2
+
+
 class Races(NamedTuple):
-    """What one element's races bear in a bearing: Q_c over C of both."""
+    """What one element's races bear in a bearing: Q_c over C of both.
+
+    `V`, `still`, `turns`: its ring factor, and P_ref over F without clearance where the load stands on the inner ring
+    and where it turns over it; None until `races_of` has them."""
 
     inside: Inside[Any]
     inner: Any
     outer: Any
+    still: Any = None
+    turns: Any = None
+    V: Any = None
 
     def share(self, eps: Any, stands: bool, preloaded: Any = False) -> Any:
         """P_ref over F where the zone reaches to ε; `stands`: the load on the inner ring."""
         kind = self.inside.elements
+        eps = largest(eps, narrowest(Z=self.inside.count, elements=kind))
         Z_J = carrying(Z=self.inside.count, J_r=radial_integral(eps=eps, elements=kind), preloaded=preloaded)
         still, turns = standing_integral(eps=eps, elements=kind), turning_integral(eps=eps, elements=kind)
         J_i, J_e = (still, turns) if stands else (turns, still)
@@ -140,8 +166,11 @@ class Races(NamedTuple):
 
     def over_reference(self, eps: Any, stands: Any, preloaded: Any = False) -> Any:
         """P_ref over that without clearance; `stands`: of each row, whether the larger load is on the inner ring."""
-        standing, turning = (self.share(eps, way, preloaded) / self.share(HALF, way) for way in (True, False))
-        return single_or_many(np.asarray(np.where(stands, standing, turning)))
+        ways = [way for way in (True, False) if np.any(np.asarray(stands) == way)]
+        ratios = [
+            zone_ratio(P_1=self.share(eps, way, preloaded), P_2=self.still if way else self.turns) for way in ways
+        ]
+        return np.where(stands, *ratios) if len(ways) > 1 else ratios[0]
 
 
 def races_of(inside: Inside[Any]) -> Races:
@@ -149,14 +178,22 @@ def races_of(inside: Inside[Any]) -> Races:
     if inside.elements == "ball":
         f_i, f_e = counted_grooves(inside)
         X = race_ratio_of_balls(k_X=1.044, gamma=gamma, f_i=f_i, f_e=f_e)
-        return Races(inside, inner_race_of_balls(X=X, Z=Z), outer_race_of_balls(X=X, Z=Z))
-    X = race_ratio_of_rollers(k_X=1.038, gamma=gamma)
-    return Races(inside, inner_race_of_rollers(X=X, Z=Z), outer_race_of_rollers(X=X, Z=Z))
+        races = Races(inside, inner_race_of_balls(X=X, Z=Z), outer_race_of_balls(X=X, Z=Z))
+    else:
+        X = race_ratio_of_rollers(k_X=1.038, gamma=gamma)
+        races = Races(inside, inner_race_of_rollers(X=X, Z=Z), outer_race_of_rollers(X=X, Z=Z))
+    still, turns = races.share(HALF, True), races.share(HALF, False)
+    return races._replace(still=still, turns=turns, V=ring_factor(P_s=still, P_t=turns))
 
 
 def radial_of(races: Races | None, F_1: Any, F_2: Any, p: float) -> Any:
     """V·F_m of each row; V is 1 where the larger load stands in space."""
-    V, F_m, stands = ring_factor_of(races), mean_of(F_1, F_2, p), F_1 >= F_2
+    return on_ring(races, mean_of(F_1, F_2, p), F_1 >= F_2)
+
+
+def on_ring(races: Races | None, F_m: Any, stands: Any) -> Any:
+    """The same of mean loads; `stands`: where the larger load stands on the inner ring."""
+    V = ring_factor_of(races)
     if np.ndim(stands):
         V = np.where(stands, V, 1.0)
     return radial_equivalent(V=V if np.ndim(V) or stands else 1.0, F_m=F_m)
@@ -164,7 +201,7 @@ def radial_of(races: Races | None, F_1: Any, F_2: Any, p: float) -> Any:
 
 def ring_factor_of(races: Races | None) -> Any:
     """V where the load stands on the inner ring; 1 of a bearing whose inside is not known."""
-    return 1.0 if races is None else ring_factor(P_s=races.share(HALF, True), P_t=races.share(HALF, False))
+    return 1.0 if races is None else races.V
 
 
 # --- equivalent loads

@@ -8,16 +8,38 @@ from ...countershaft.rows import titled
 from ...sheet.text import Amount, Text
 
 if TYPE_CHECKING:
+    from ...countershaft.outline import Outline
     from ..inputs import BearingsInputs
     from .bearing import RollingBearing
 
+SAME = 1e-6  # m
 
-def notes(inputs: "BearingsInputs", results: "Mapping[str, RollingBearing]") -> Iterator[Text]:
+
+def notes(
+    inputs: "BearingsInputs", outline: "Outline | None", results: "Mapping[str, RollingBearing]"
+) -> Iterator[Text]:
     yield Text(
         "The load turns with the shaft: it stands on the inner ring and sweeps the outer one. So the outer ring needs "
         "the tight fit, and the inner one may be loose."
     )
     for place, r in results.items():
+        d = r.case.size.bore
+        pieces = outline.pieces if outline is not None else ()
+        there = max((2 * p.outer_radius for p in pieces if p.start <= r.row.position <= p.end), default=d)
+        if there < d - SAME:
+            yield Text(
+                "{place} bearing: the section of the shaft there, {there}, is thinner than what sits on it, {d}: give "
+                "it that diameter.",
+                place=titled(place),
+                there=Amount(there * 1e3, "mm"),
+                d=Amount(d * 1e3, "mm"),
+            )
+        if r.row.outer_ring_held == "clamped":
+            yield Text(
+                "{place} bearing: it is taken to sit in a flange that is mounted after the shaft, and is not designed "
+                "here.",
+                place=titled(place),
+            )
         if r.load < r.standing_load:
             yield Text("{place} bearing: more stands than turns: V is 1.", place=titled(place))
         if r.clearance_running is None:

@@ -3,10 +3,12 @@
 
 from collections.abc import Iterable
 from functools import cached_property
+from math import inf
 from typing import TYPE_CHECKING
 
 from ...sheet.quantity import choice, described, dotted, flag, inputs, integer, keys, quantity, series, text
 from ...sheet.text import Amount, Text
+from ...sheet.value import based_on
 from ..row import SupportRow
 
 if TYPE_CHECKING:
@@ -59,7 +61,7 @@ class RollingRow(SupportRow):
         default=None,
         within=(3, 60),
         symbol="Z",
-        help="Left out: typical of the type, an estimate.",
+        help="Balls, rollers or needles of the bearing. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
     )
@@ -69,7 +71,7 @@ class RollingRow(SupportRow):
         default=None,
         up_to=100,
         symbol="D_w",
-        help="Left out: typical of the type, an estimate.",
+        help="Of a ball, roller or needle. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
     )
@@ -79,7 +81,7 @@ class RollingRow(SupportRow):
         default=None,
         up_to=200,
         symbol="L_we",
-        help="Left out: typical of the type, an estimate.",
+        help="Of the line on which a roller carries. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
     )
@@ -321,7 +323,7 @@ class RollingRow(SupportRow):
         default=None,
         within=(50, 250),
         symbol="T_lim",
-        help="Left out: that of the cage.",
+        help="Up to which rings and cage may be used. Left out: that of the cage.",
         where=(KIND, "rolling"),
         fold=RATINGS,
     )
@@ -361,13 +363,37 @@ class RollingRow(SupportRow):
             groove_outer=self.groove_outer,
         )
 
-    @property
-    def rolling_place(self) -> tuple[float, float] | None:
-        """Bore, or the raceway on the shaft, and width, m; None where they are not known."""
-        size = self.outline
-        return None if size is None else (size.bore, size.width)
+    def place(self) -> tuple[float, float] | None:
+        """Bore, or the raceway on the shaft, and width."""
+        if (size := self.outline) is None:
+            return None
+        if size.own:
+            assert self.bore is not None and self.width is not None
+            return self.bore[0], self.width
+        return based_on(size.bore, self.size), based_on(size.width, self.size)
 
-    def rolling_problems(self) -> Iterable[tuple[str, Text]]:
+    def opening(self) -> float:
+        """That of its seat without the bearing; one that is clamped sits in a flange, mounted after the shaft."""
+        assert self.outline is not None
+        if self.outer_ring_held == "clamped":
+            return inf
+        return based_on(self.outline.outside, self.outside_diameter if self.outline.own else self.size)
+
+    def size_keys(self) -> tuple[str, ...]:
+        return (dotted(RollingRow.size),)
+
+    def size_words(self) -> Text:
+        size = self.outline
+        assert size is not None
+        if not size.own:
+            return Text("{size}", size=size.designation)
+        sizes = {
+            name: Amount(x * 1e3, unit)
+            for name, x, unit in (("d", size.bore, ""), ("D", size.outside, ""), ("B", size.width, "mm"))
+        }
+        return Text("{d}/{D} × {B}", **sizes)
+
+    def kind_problems(self) -> Iterable[tuple[str, Text]]:
         from ...library import tolerances
         from .sizes import UnknownSize, size_of
 

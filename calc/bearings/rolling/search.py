@@ -16,8 +16,9 @@ import numpy as np
 from ...countershaft.rows import BearingRow
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, BoolArray
-from ...sheet.check import CheckRule
+from ...sheet.check import THIN_MARGIN, CheckRule
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, Number, Radian, Second, Watt
 from ...sheet.value import untraced
 from ..formulas import load_at_speed
@@ -50,6 +51,10 @@ SMALL: Metre = 1e-9
 SEATS = ("N6", "P6", "N5", "P7")
 SHAFTS = {True: ("h6", "g6"), False: ("g5", "g6")}  # in an inner ring; as the raceway itself
 HELD = "insert"
+SEATED = Text(
+    "The load turns with the shaft: it sweeps the outer ring, which has to be held, and stands on the inner one, which "
+    "may sit loose. insert: a sleeve of steel cast into the light metal, which keeps the seat tight when hot."
+)
 GRIPPED = ("fit", HELD)  # a ring that nothing else holds
 
 
@@ -284,7 +289,7 @@ class _Way(NamedTuple):
 def fitted(place: Place, row: BearingRow, T_b: Celsius) -> BearingRow | None:
     """The row of a rolling bearing with the least change of its class, its fits and how its outer ring is held with
     which clearances are left, as it runs at T_b and at the start, and the ring keeps its grip; None: there is none.
-    Its cage is of steel where T_b asks for it.
+    Where some keep them with room to spare, of these.  Its cage is of steel where T_b asks for it.
 
     A ring that a pin, an adhesive or a clamp holds is not asked for its grip, nor one on which the load stands.  The
     inner ring, or the journal as a raceway, may sit looser where the load turns with the shaft."""
@@ -315,15 +320,18 @@ def fitted(place: Place, row: BearingRow, T_b: Celsius) -> BearingRow | None:
                 **raceways,
             )
             gap = clearances(mounting, T_b, place.inputs.lowest_temperature, place.inputs.ring_temperature)
-        holds = np.ones(len(ways), dtype=bool)
+        holds, roomy = np.ones(len(ways), dtype=bool), np.ones(len(ways), dtype=bool)
         if gap.running is not None:
-            holds &= (gap.least >= 0) & (gap.start >= 0)
+            least = np.minimum(gap.least, gap.start)
+            holds &= least >= 0
+            roomy &= least >= THIN_MARGIN * gap.scale
         if gap.grip_hot is not None and held in GRIPPED and turns:
             holds &= gap.grip_hot >= 0
+            roomy &= gap.grip_hot >= THIN_MARGIN * gap.grip_scale
         if size.type == "cage":
             holds &= place.solids.housing.kind == "steel" or held == HELD
         if holds.any():
-            way = ways[int(np.argmax(holds))]
+            way = ways[int(np.argmax(holds & roomy if (holds & roomy).any() else holds))]
             return replace(
                 row,
                 clearance_class=way.clearance_class,

@@ -2,6 +2,7 @@
 """One rolling bearing: what it is made of; its load, life, friction and clearance at rated speed and over its duty."""
 
 import math
+from collections.abc import Iterator
 from typing import Any, cast
 
 import numpy as np
@@ -11,9 +12,11 @@ from ...engine.inputs import Operation
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.functions import largest
+from ...sheet.linked_array import elements, gathered
+from ...sheet.quantity import result
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Celsius, Metre, Newton, Number, RevPerSecond, Second
+from ...sheet.units import Celsius, Metre, Newton, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
 from ..formulas import load_at_speed, load_peak
 from ..inputs import BearingsInputs
@@ -21,19 +24,33 @@ from ..support import Solids, StandingLoads, Task
 from . import ratings as r
 from .balance import (
     HeatBalance,
+    asked,
+    balanced_temperature,
+    carried_off,
     heat_balance,
     heat_conductance,
     heat_surface,
     jet_flow,
     largest_speed_factor,
     limiting_speed,
+    loss_of_duty,
     minimum_load,
     minimum_load_speed,
     reference_speed,
     speed_factor,
 )
 from .clearance import Clearances, Mounting, clearances, fits_of, metal_of_seat
-from .contact import Springs, contact_constant, largest_load, load_zone, pass_frequency, pressure_of, reach, stiffness
+from .contact import (
+    Springs,
+    contact_constant,
+    displacement,
+    largest_load,
+    load_zone,
+    pass_frequency,
+    pressure_of,
+    reach,
+    stiffness,
+)
 from .geometry import Inside, gamma_of, inner_raceway, mass_of, mean_diameter, outer_raceway
 from .inputs import Duty
 from .life import Lives, life_of_duty, lives, reliability_factor, with_clearance
@@ -41,14 +58,14 @@ from .load import (
     Races,
     equivalent,
     friction_mean_of,
-    mean_of,
+    means_of,
+    on_ring,
     races_of,
-    radial_of,
     ring_factor_of,
     static_load,
     static_safety,
 )
-from .result import DutyRowResult
+from .result import DutyRowResult, RollingResult
 from .sizes import BearingSize
 from .torque import Friction, friction_of
 from .zone import EXPONENTS
@@ -76,7 +93,7 @@ class RollingCase:
     heat: float  # W/K
     reference: RevPerSecond
     mean_diameter: Metre
-    mounting: Mounting[float] | None
+    mounting: Mounting[float]
     contact: Newton | None
     races: Races | None
 
@@ -97,14 +114,19 @@ class RollingCase:
         """Where it carries off what it makes under the mean load F."""
         return heat_balance(self.friction, F, n, T_oil, self.heat, self.nu)
 
+    def temperatures(self, F: Any, n: Any, T_oil: Any) -> Any:
+        """The temperatures at which it does, without a line; not a number where it does not."""
+        return balanced_temperature(self.friction, F, n, T_oil, self.heat, self.nu)
+
     def clearances(self, T_b: Celsius) -> Clearances | None:
-        if self.mounting is None or self.mounting.fits.free is None:
+        if self.inside is None or self.mounting.fits.free is None:
             return None
         return clearances(self.mounting, T_b, self.inputs.lowest_temperature, self.inputs.ring_temperature)
 
     def grip(self, T_b: Celsius) -> Metre | None:
         """The loosest fit of its outer ring or cup; None of a cage."""
-        return None if self.mounting is None else self.mounting.grip(T_b)
+        grip: Metre | None = self.mounting.grip(T_b)
+        return grip
 
 
 def case_of(row: BearingRow, inputs: BearingsInputs, solids: Solids) -> RollingCase:
@@ -138,35 +160,40 @@ def case_of(row: BearingRow, inputs: BearingsInputs, solids: Solids) -> RollingC
     with about(Text("{place} bearing, speed", place=place)):
         in_bath: Friction[float] = friction_of(size.type, size.series, d, D, B, lubrication="bath", **what)
         reference = reference_speed(in_bath, B)
-    mounting = contact = races = None
-    if inside is not None:
-        with about(Text("{place} bearing, fits", place=place)):
-            metal = metal_of_seat(solids.housing, row.outer_ring_held)
-            fits = fits_of(
-                size.type,
-                d,
-                D,
-                inner_ring=size.inner_ring,
-                shaft_fit=row.shaft_fit,
-                seat_fit=row.seat_fit,
-                clearance_class=row.clearance_class,
-                clearance=None if row.clearance_limits is None else (row.clearance_limits[0], row.clearance_limits[1]),
-            )
-            mounting = Mounting(
-                type=size.type,
-                bore=d,
-                outside=D,
+    with about(Text("{place} bearing, fits", place=place)):
+        metal = metal_of_seat(solids.housing, row.outer_ring_held)
+        fits = fits_of(
+            size.type,
+            d,
+            D,
+            inner_ring=size.inner_ring,
+            shaft_fit=row.shaft_fit,
+            seat_fit=row.seat_fit,
+            clearance_class=row.clearance_class,
+            clearance=None if row.clearance_limits is None else (row.clearance_limits[0], row.clearance_limits[1]),
+        )
+        raceways: dict[str, Any] = dict(inner_raceway=None, outer_raceway=None)
+        if inside is not None:
+            raceways = dict(
                 inner_raceway=inner_raceway(D_pw=inside.pitch, D_w=inside.diameter),
                 outer_raceway=outer_raceway(D_pw=inside.pitch, D_w=inside.diameter),
-                fits=fits,
-                housing_expansion=metal.expansion,
-                housing_modulus=metal.E,
-                housing_poisson=metal.poisson,
-                restraint=inputs.expansion_restraint,
-                housing_outer=row.housing_outer,
-                journal_expansion=solids.journal.expansion,
-                shaft_bore=solids.shaft_bore,
             )
+        mounting = Mounting(
+            type=size.type,
+            bore=d,
+            outside=D,
+            **raceways,
+            fits=fits,
+            housing_expansion=metal.expansion,
+            housing_modulus=metal.E,
+            housing_poisson=metal.poisson,
+            restraint=inputs.expansion_restraint,
+            housing_outer=row.housing_outer,
+            journal_expansion=solids.journal.expansion,
+            shaft_bore=solids.shaft_bore,
+        )
+    contact = races = None
+    if inside is not None:
         with about(Text("{place} bearing, stiffness", place=place)):
             contact = contact_constant(inside)
         with about(Text("{place} bearing, load on its races", place=place)):
@@ -218,11 +245,11 @@ def rows_of(inputs: BearingsInputs, task: Task) -> Rows | None:
     duties = [row if isinstance(row, Duty) else None for row in given]
     return Rows(
         names=tuple(row.name for row in given),
-        n=np.array([row.speed * ratio for row in given]),
-        share=hours / hours.sum(),
-        T_oil=np.array([T_in if row.oil_temperature is None else row.oil_temperature for row in given]),
-        extra=np.array([0.0 if row is None else row.extra_load for row in duties]),
-        factor=np.array([1.0 if row is None else row.load_factor for row in duties]),
+        n=gathered([based_on(row.speed * ratio, row.speed, task.ratio) for row in given]),
+        share=based_on(hours / hours.sum(), *(row.hours for row in given)),
+        T_oil=gathered([T_in if row.oil_temperature is None else row.oil_temperature for row in given]),
+        extra=gathered([0.0 if row is None else row.extra_load for row in duties]),
+        factor=gathered([1.0 if row is None else row.load_factor for row in duties]),
         road=tuple(None if row is None else row.road_speed for row in duties),
     )
 
@@ -243,14 +270,15 @@ class State:
     lives: Lives
 
 
-def state(case: RollingCase, n: Any, F_1: Any, F_2: Any, F_a: Any, T_oil: Any, a_1: Number) -> State:
-    """Under F_1 that turns and F_2 that stands, N, at n, 1/s, with oil of T_oil, °C."""
-    elements, p = case.size.elements, EXPONENTS[case.size.elements].p
-    F_m, F_f = mean_of(F_1, F_2, p), friction_mean_of(F_1, F_2)
-    P = radial_of(case.races, F_1, F_2, p)
-    if np.any(np.asarray(F_a) > 0):
+def state(case: RollingCase, n: Any, F_1: Any, F_2: Any, F_a: Newton, T_oil: Any, a_1: Number, T_b: Any) -> State:
+    """Under F_1 that turns and F_2 that stands, N, at n, 1/s, with oil of T_oil, °C, which warms it to T_b."""
+    elements = case.size.elements
+    F_m, F_f = means_of(F_1, F_2, EXPONENTS[elements].p)
+    P = on_ring(case.races, F_m, F_1 >= F_2)
+    if F_a > 0:
         P = equivalent(case.size, case.ratings, P, F_a)
-    heat = case.warm(F_f, n, T_oil)
+    asked(T_b, F_f, n, T_oil)
+    heat: HeatBalance[Any] = carried_off(case.friction, F_f, n, T_oil, case.heat, case.nu, T_b)
     some = largest(P, NOTHING) if np.ndim(P) or P <= 0 else P
     return State(
         F_1, F_2, F_m, F_f, P, heat, lives(
@@ -268,69 +296,111 @@ def with_gap(case: RollingCase, at: State, n: Any, gap: Metre | None, a_1: Numbe
     return lives(case.size.elements, case.pitch, case.ratings, P, n, at.heat.viscosity, case.inputs.cleanliness, a_1)
 
 
-@record
-class Solved:
-    """What `solve` finds, by the names of the results."""
+@result
+class LoadedBearing(RollingResult):
+    """A rolling bearing under its load, and what its numbers were found from.
 
-    values: dict[str, Any]
-    rated: State
+    `stands`: what does not turn with the shaft; `axial`: along the shaft, on this bearing; `gap`: its clearances;
+    `slope`: of the journal, None where nobody knows it."""
+
+    case: RollingCase
+    task: Task
+    stands: StandingLoads
     rows: Rows | None
     gap: Clearances | None
+    axial: Newton
+    slope: Radian | None
+    carries: tuple[tuple[Newton, Newton], ...]  # in each row of the duty, else at rated speed: the load, and the least
 
 
-def solve(case: RollingCase, F: Newton, stands: StandingLoads, task: Task) -> Solved:
-    """The bearing under F that turns with the shaft and what stands, over its duty."""
+@record
+class Sweep:
+    """What it does at rated speed, in the rows of its duty, and at the speeds of a sweep, one after the other."""
+
+    T_b: Array  # °C; not a number where it does not carry off its heat
+    speeds: Array  # of the sweep alone
+    rows: slice
+    sweep: slice
+
+
+def sweep_of(case: RollingCase, F: Newton, stands: StandingLoads, rows: Rows | None, task: Task) -> Sweep:
+    """All temperatures at once."""
+    n, T_oil = float(task.speed), float(case.inputs.supply_temperature)
+    speeds = np.linspace(SLOWEST, FASTEST, SPEEDS) * n
+    swept = speeds if case.row.minimum_load is None and case.size.type == "ball" else speeds[:0]
+    more: Any = [np.zeros(0)] * 4 if rows is None else [rows.n, rows.T_oil, rows.extra, rows.factor]
+    none = np.zeros(len(swept))
+    points, oil, extra, factor = (
+        np.concatenate([[rated], row, sweep])
+        for rated, row, sweep in zip((n, T_oil, 0.0, 1.0), more, (swept, none + T_oil, none, none + 1))
+    )
+    with untraced():
+        F_f = friction_mean_of(factor * load_at_speed(F=float(F), n=points, n_0=n), float(stands.all) + extra)
+        T_b = np.atleast_1d(case.temperatures(F_f, points, oil))
+    count = len(more[0])
+    return Sweep(T_b, speeds, slice(1, 1 + count), slice(1 + count, None))
+
+
+def solve(case: RollingCase, F: Newton, stands: StandingLoads, slope: Radian | None, task: Task) -> dict[str, Any]:
+    """The bearing under F that turns with the shaft and what stands, over its duty: the fields of a LoadedBearing."""
     row, inputs, n, place = case.row, case.inputs, task.speed, called(case.row.name)
     rows, T_oil = rows_of(inputs, task), inputs.supply_temperature
-    F_a = stands.axial if row.locates and row.axial_load is None else (row.axial_load or 0.0)
+    F_a = row.axial_load if row.axial_load is not None else stands.axial if row.locates else 0.0
+    found = sweep_of(case, F, stands, rows, task)
     with about(Text("{place} bearing, duty", place=place)):
         a_1 = reliability_factor(R=inputs.reliability)
     with about(Text("{place} bearing, at rated speed", place=place)):
-        rated = state(case, n, F, stands.all, F_a, T_oil, a_1)
+        rated = state(case, n, F, stands.all, F_a, T_oil, a_1, found.T_b[0].item())
         S_0 = None
         P_0 = static_load(k_s=inputs.shock_factor, F_1=F, o=inputs.overspeed, F_2=stands.all)
         if P_0 > 0:
             S_0 = static_safety(C_0=case.ratings.static, P_0=P_0)
         T_b, nu = rated.heat.temperature, rated.heat.viscosity
-        least = row.minimum_load
-        if least is None:
-            least = minimum_load(
-                case.size.type, case.size.series, case.mean_diameter, n, nu, case.reference, case.ratings.dynamic
-            )
+        least = least_load(case, n, nu)
         oil = case.lubricant.at(T_oil)
         jet = jet_flow(P=rated.heat.loss, rho=oil.rho, c_p=oil.cp)
         factor = speed_factor(n=n, d_m=case.mean_diameter)
     with about(Text("{place} bearing, clearance", place=place)):
         gap = case.clearances(T_b)
-        grip = case.grip(T_b)
+        grip = case.grip(T_b) if gap is None else gap.grip_hot
     running = None if gap is None else gap.running
+    n_rows: Any = n
+    share, done = None, rated
     with about(Text("{place} bearing, duty", place=place)):
-        if rows is None:
-            done, every = rated, rated
-            n_rows: Any = n
-            share: Any = None
-        else:
-            F_rows = rows.factor * load_at_speed(F=F, n=rows.n, n_0=n)
-            done = every = state(case, rows.n, F_rows, stands.all + rows.extra, F_a, rows.T_oil, a_1)
+        if rows is not None:
             n_rows, share = rows.n, rows.share
-        basic = _miner(share, every.lives.basic, every.P)
-        life = _miner(share, every.lives.modified, every.P)
-        at_gap = with_gap(case, every, n_rows, running, a_1)
-        reference = None if at_gap is None else _miner(share, at_gap.modified, every.P)
-        loss = rated.heat.loss if rows is None else float(np.sum(rows.share * done.heat.loss))
-    by_name = {} if rows is None else {name: _row(done, i) for i, name in enumerate(rows.names)}
+            F_1 = load_at_speed(F=F, n=rows.n, n_0=n)
+            F_1 = based_on(rows.factor * F_1, rows.factor, F_1)
+            F_2 = based_on(stands.all + rows.extra, stands.all, rows.extra)
+            done = state(case, rows.n, F_1, F_2, F_a, rows.T_oil, a_1, found.T_b[found.rows])
+        basic = _miner(share, done.lives.basic, done.P)
+        life = _miner(share, done.lives.modified, done.P)
+        at_gap = with_gap(case, done, n_rows, running, a_1)
+        reference = None if at_gap is None else _miner(share, at_gap.modified, done.P)
+        loss = rated.heat.loss if share is None else loss_of_duty(w=share, P_i=done.heat.loss)
     elastic: dict[str, Any] = {}
     springs = case.springs(running)
-    if springs is not None and case.inside is not None and rated.F_m > 0:
+    if case.inside is not None:
         with about(Text("{place} bearing, stiffness", place=place)):
-            elastic = _elastic(case, case.inside, springs, rated.F_m)
+            if springs is not None and rated.F_m > 0:
+                elastic = _elastic(case.inside, springs, rated.F_m)
             elastic["pass_frequency"] = pass_frequency(Z=case.inside.count, n=n, gamma=gamma_of(case.inside))
     with untraced():
-        slow = _least_speed(case, F, stands, n, T_oil)
+        carries = _carries(case, F, stands, done, n_rows, n)
+        slow = _least_speed(case, F, stands, found, n)
         torques = case.friction.by_two_parts(rated.F_f, n, nu), case.friction.by_palmgren(rated.F_f, n, nu)
         mass = mass_of(case.size)
+    by_name = {} if rows is None else dict(zip(rows.names, _by_row(done)))
     computed = case.computed
-    values = dict(
+    return dict(
+        case=case,
+        task=task,
+        stands=stands,
+        rows=rows,
+        gap=gap,
+        axial=F_a,
+        slope=slope,
+        carries=carries,
         life=life,
         life_basic=basic,
         life_reference=reference,
@@ -374,7 +444,6 @@ def solve(case: RollingCase, F: Newton, stands: StandingLoads, task: Task) -> So
         duty=by_name,
         **elastic,
     )
-    return Solved(values, rated, rows, gap)
 
 
 def _miner(share: Array | None, L: Any, P: Any) -> Second | None:
@@ -385,24 +454,22 @@ def _miner(share: Array | None, L: Any, P: Any) -> Second | None:
     return cast(Second, life)
 
 
-def _row(every: State, i: int) -> DutyRowResult:
-    def at(x: Any) -> float:
-        return float(np.broadcast_to(np.asarray(x), every.heat.loss.shape)[i])
-
-    loaded = at(every.P) > 0
-    return DutyRowResult(
-        loss=at(every.heat.loss),
-        life_basic=at(every.lives.basic) if loaded else None,
-        viscosity_ratio=at(every.lives.kappa),
-        life_factor=at(every.lives.factor) if loaded else None,
-        equivalent_load=at(every.P),
-    )
+def _by_row(done: State) -> Iterator[DutyRowResult]:
+    every = (done.heat.loss, done.P, done.lives.basic, done.lives.kappa, done.lives.factor)
+    for loss, P, basic, kappa, a_ISO in zip(*map(elements, every)):
+        yield DutyRowResult(
+            loss=loss,
+            equivalent_load=P,
+            life_basic=basic if P > 0 else None,
+            viscosity_ratio=kappa,
+            life_factor=a_ISO if P > 0 else None,
+        )
 
 
-def _elastic(case: RollingCase, inside: Inside[float], springs: Springs, F_m: Newton) -> dict[str, Any]:
+def _elastic(inside: Inside[float], springs: Springs, F_m: Newton) -> dict[str, Any]:
     """How the elements share the load, and what that does to them."""
-    delta = springs.displacement(F_m)
     sizes: dict[str, Any] = dict(Z=inside.count, K_1=springs.contact, s=springs.gap, elements=inside.elements)
+    delta = displacement(F=F_m, **sizes)
     Q = F_m if springs.alone(delta) else largest_load(
         K_1=springs.contact, delta=delta, s=springs.gap, n_c=EXPONENTS[inside.elements].n
     )  # fmt: skip
@@ -415,26 +482,41 @@ def _elastic(case: RollingCase, inside: Inside[float], springs: Springs, F_m: Ne
     )
 
 
+# --- the least load: of what turns and of the weight, since no other load is there for sure
+
+
+def least_load(case: RollingCase, n: Any, nu: Any) -> Any:
+    """What it has to carry at least at n, 1/s, in oil of ν, m²/s, as it is in the bearing."""
+    if case.row.minimum_load is not None:
+        return case.row.minimum_load
+    size = case.size
+    return minimum_load(size.type, size.series, case.mean_diameter, n, nu, case.reference, case.ratings.dynamic)
+
+
+def _carries(
+    case: RollingCase, F: Newton, stands: StandingLoads, done: State, n_rows: Any, n: RevPerSecond
+) -> tuple[tuple[Newton, Newton], ...]:
+    loads = friction_mean_of(done.F_1, stands.weight + 0.0 * done.F_1)
+    both = np.broadcast_arrays(*np.atleast_1d(loads, least_load(case, n_rows, done.heat.viscosity)))
+    return tuple(zip(*(x.tolist() for x in both)))
+
+
 def _least_speed(
-    case: RollingCase, F: Newton, stands: StandingLoads, n: RevPerSecond, T_oil: Celsius
+    case: RollingCase, F: Newton, stands: StandingLoads, found: Sweep, n: RevPerSecond
 ) -> RevPerSecond | None:
     """The lowest speed from which the load is large enough; None: not at the fastest."""
-    speeds = np.linspace(SLOWEST, FASTEST, SPEEDS) * n
-    loads, least = least_loads(case, F * (speeds / n) ** 2, stands.weight, speeds, T_oil)
-    found = float(minimum_load_speed(speeds, loads, least))
-    return found if math.isfinite(found) else None
+    speeds, T_b = found.speeds, found.T_b[found.sweep]
+    loads = friction_mean_of(F * (speeds / n) ** 2, stands.weight + 0.0 * speeds)
+    least = least_load(case, speeds, case.nu(T_b) if len(T_b) else 0.0)
+    slow = float(minimum_load_speed(speeds, loads, least + 0.0 * loads))
+    return slow if math.isfinite(slow) else None
 
 
 def least_loads(case: RollingCase, F_1: Any, weight: Newton, n: Any, T_oil: Any) -> tuple[Any, Any]:
     """The mean load of what turns and the weight, and what it has to be at least."""
     F_f = friction_mean_of(F_1, weight + 0.0 * F_1)
-    if case.row.minimum_load is not None:
-        return F_f, case.row.minimum_load + 0.0 * F_f
     nu = case.warm(F_f, n, T_oil).viscosity if case.size.type == "ball" else 0.0
-    least = minimum_load(
-        case.size.type, case.size.series, case.mean_diameter, n, nu, case.reference, case.ratings.dynamic
-    )
-    return F_f, least + 0.0 * F_f
+    return F_f, least_load(case, n, nu) + 0.0 * F_f
 
 
 def largest_speed(case: RollingCase) -> RevPerSecond:

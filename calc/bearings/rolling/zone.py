@@ -62,6 +62,18 @@ def standing_integral(eps: Number, elements: Elements) -> Number:
     return single_or_many(np.asarray(zone_of(elements).races(eps)[1]))
 
 
+@formula(
+    "ε_1",
+    "rule of this program: a race is no shorter under the load than one element is from the next",
+    shows="Z·J_r(ε_1) = 1, by table; at most ½",
+)
+def narrowest(Z: Number, elements: Elements) -> Number:
+    """The zone below which one element carries all: elements one after the other then load the races no less far."""
+    zone = zone_of(elements)
+    rising = zone.ln_eps <= np.log(0.5)
+    return single_or_many(np.asarray(np.exp(np.interp(-np.log(Z), zone.J_r[rising], zone.ln_eps[rising]))))
+
+
 class Zone(NamedTuple):
     """The integrals by ln ε: ln J_r and its slope, ln J_w of both races."""
 

@@ -489,7 +489,7 @@ class FurtherDrain(OilDrain):
 
 
 @inputs
-class Support:
+class ShaftSupport:
     """The casting that carries the shaft: its wall beside the rear seat, and stresses found elsewhere (finite
     elements)."""
 
@@ -554,7 +554,7 @@ class Support:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.wall_at_seat is not None and self.wall is None:
-            yield dotted(Support.wall_at_seat), Text("needs wall_mm: the wall that is left at this seat")
+            yield dotted(ShaftSupport.wall_at_seat), Text("needs wall_mm: the wall that is left at this seat")
 
 
 @inputs

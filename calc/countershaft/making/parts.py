@@ -30,7 +30,7 @@ from ..sizing.sectors import LEFT_OVER, ShaftTask
 from ..sums import SystemShaft
 from . import bolts, drain, scatter
 from . import unbalance as balance
-from .inputs import Support
+from .inputs import ShaftSupport
 from .unbalance import HolesResult, ToleranceResult
 
 if TYPE_CHECKING:
@@ -290,7 +290,7 @@ SUPPORT_WALL = CheckRule(
     unit="mm",
     source=Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat"),
     advice=Text("A smaller seat, or a larger casting."),
-    moved_by=(dotted(SHAFT, ShaftInputs.support, Support.wall), dotted(EACH_ROW, BearingRow.diameter)),
+    moved_by=(dotted(SHAFT, ShaftInputs.support, ShaftSupport.wall), dotted(EACH_ROW, BearingRow.diameter)),
 )
 SUPPORT_BOLT_STRESS = CheckRule(
     "countershaft.support.bolt_stress",
@@ -302,7 +302,7 @@ SUPPORT_BOLT_STRESS = CheckRule(
     advice=Text("More metal under the bolt heads."),
     role="physics",
     demand=True,
-    moved_by=(dotted(SHAFT, ShaftInputs.support, Support.bolt_stress),),
+    moved_by=(dotted(SHAFT, ShaftInputs.support, ShaftSupport.bolt_stress),),
 )
 SUPPORT_LOAD_STRESS = CheckRule(
     "countershaft.support.load_stress",
@@ -318,11 +318,11 @@ SUPPORT_LOAD_STRESS = CheckRule(
     ),
     role="physics",
     demand=True,
-    moved_by=(dotted(SHAFT, ShaftInputs.support, Support.load_stress),),
+    moved_by=(dotted(SHAFT, ShaftInputs.support, ShaftSupport.load_stress),),
 )
 
 
-def support_checks(support: Support, material: Material) -> Iterator[Check]:
+def support_checks(support: ShaftSupport, material: Material) -> Iterator[Check]:
     """The casting's wall, and its stresses as they were found elsewhere."""
     if support.wall is not None:
         yield SUPPORT_WALL(support.wall, support.least_wall)
@@ -342,7 +342,7 @@ def support_checks(support: Support, material: Material) -> Iterator[Check]:
     if unknown is not None and material.tensile_strength is not None:
         strength, unknown = material.tensile_strength, None
     source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
-    key = dotted(SHAFT, ShaftInputs.support, Support.load_stress_limit)
+    key = dotted(SHAFT, ShaftInputs.support, ShaftSupport.load_stress_limit)
     missing = Missing((key,), (source,), support.load_stress, "none")
     if unknown is not None:
         missing = Missing((key, *unknown.keys), (source, *unknown.taken), unknown.best, "none")

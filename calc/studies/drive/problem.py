@@ -26,7 +26,7 @@ from ...bearings.plain.selection.variants import SUPPLIES, placed
 from ...bearings.result import BearingsResult
 from ...countershaft.checks import FILLET_ROOM, GEAR_SEAT, JOURNAL_SLOPE, RIGID
 from ...countershaft.inputs import THREADED, ShaftInputs
-from ...countershaft.making.inputs import Support
+from ...countershaft.making.inputs import ShaftSupport
 from ...countershaft.making.parts import SUPPORT_WALL
 from ...countershaft.making.scatter import SCATTER_RESIDUAL
 from ...countershaft.making.unbalance import HOLES_RANGE
@@ -728,7 +728,7 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
         )
     support = shaft.support
     if support is not None and support.wall is not None and support.wall_at_seat is None:
-        start[design.own_key(ShaftInputs.support, Support.wall_at_seat)] = round(seat * 1e3, 6)
+        start[design.own_key(ShaftInputs.support, ShaftSupport.wall_at_seat)] = round(seat * 1e3, 6)
         notes.append(
             Text(
                 "The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.",

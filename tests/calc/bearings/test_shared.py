@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-
 from calc.bearings.as_supports import at_corners, on_films, shared, support_checks, turned_over
+
 from calc.bearings.plain.corners import corner_points
 from calc.bearings.plain.loads import _checks as standing_checks
 from calc.bearings.plain.loads import _standing as standing_part

@@ -14,7 +14,7 @@ from calc.countershaft.inputs import EccentricMass, Holes
 from calc.countershaft.insertion import rooms
 from calc.countershaft.making import bolts, drain, parts, scatter
 from calc.countershaft.making import unbalance as balance
-from calc.countershaft.making.inputs import Bolts, Clamp, FurtherDrain, OilDrain, Support
+from calc.countershaft.making.inputs import Bolts, Clamp, FurtherDrain, OilDrain, ShaftSupport
 from calc.countershaft.outline import NoOutline, Piece
 from calc.countershaft.result import CountershaftResult, SupportResult
 from calc.countershaft.sizing.sectors import task
@@ -77,13 +77,13 @@ def envelope(room, clearance=0.2 * mm, **outline):
 
 
 def gear_seat(room):
-    gear = GEAR._replace(tip_diameter=59 * mm - 2 * room)
+    gear = GEAR._replace(tip_diameter=ASKED.countershaft.openings[0] - 2 * room)
     return step("gear_seat", gear=gear)
 
 
 def envelope_length(room):
     """The front journal is nearer: 0.17 − 24/2 = 158 mm, the rear one 0.18 − 26/2 = 167 mm."""
-    shaft = {"mode": "size", "half_length": 0.158 - room, "bearings": bearing_rows((-0.17, 0.18))}
+    shaft = {"mode": "size", "half_length": 0.158 - room, "bearings": bearing_rows((-0.17, 0.18), ((59 * mm, 24 * mm), (65 * mm, 26 * mm)))}
     return step("envelope_length", shaft)
 
 
@@ -161,7 +161,7 @@ def bolt(id, **values):
 
 
 def casting(id, material=STEEL, **values):
-    return only(parts.support_checks(Support(material="", **values), material), f"support.{id}")
+    return only(parts.support_checks(ShaftSupport(material="", **values), material), f"support.{id}")
 
 
 def hose(id, own=None, name=None, **values):

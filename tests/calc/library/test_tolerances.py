@@ -104,6 +104,19 @@ def test_a_tight_hole_grips_a_shaft_as_a_tight_shaft_is_gripped(letter, grade, d
     assert hole[1] - hole[0] == pytest.approx(plain[1])
 
 
+@pytest.mark.parametrize("low, high", [*pairwise((3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500))])
+def test_tight_shafts_follow_the_laws_that_they_were_rounded_from(low, high):
+    """ISO 286-1, annex: k is 0.6·∛D, m IT7 − IT6, n 5·D^0.34, p IT7 and 0 to 5 µm; D the geometric mean of the range
+    in mm.  r lies above p."""
+    D = math.sqrt(low * high)
+    k, m, n, p = (deviations(ToleranceField(letter, 6), high / 1e3)[0] * 1e6 for letter in "kmnp")
+    first, last = (deviations(ToleranceField("r", 6), x / 1e3)[0] * 1e6 for x in (low + 1e-3, high))
+    IT6, IT7 = tolerance(6, high / 1e3) * 1e6, tolerance(7, high / 1e3) * 1e6
+    assert k == pytest.approx(0.6 * D ** (1 / 3), abs=0.6) and m == pytest.approx(IT7 - IT6)
+    assert n == pytest.approx(5 * D**0.34, abs=0.9) and -1e-6 <= p - IT7 <= 5 + 1e-6
+    assert p < first <= last
+
+
 @pytest.mark.parametrize("word, of", [("K9", "hole for a ring"), ("P8", "hole for a ring"), ("j7", "shaft in a ring")])
 def test_tight_fields_that_iso_286_does_not_have(word, of):
     assert problem(word, of) == f"must be {ALLOWED[of]}"

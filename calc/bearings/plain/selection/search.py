@@ -178,7 +178,10 @@ class BearingsFound:
     were judged with; 0: the others.  `own`: the number of the row with the design's own oil, supply and surfaces; 0:
     there is none.  `elsewhere`: by row number, what then is open and was not before: limits of other steps, cautions
     of the bearings.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`:
-    results of whole designs by row number, with their shaft in view."""
+    results of whole designs by row number, with their shaft in view.
+
+    `named`: what `rows` are called where others stand among them, of which `behind` is the last; 0: there are none,
+    and each is called by its number."""
 
     case: SelectionCase
     aim: str
@@ -197,6 +200,15 @@ class BearingsFound:
     crossing: tuple[Check, ...]
     placed: bool
     solved: dict[int, Solution]
+    named: tuple[int, ...] = ()
+    behind: int = 0
+
+    def no(self, number: int) -> int:
+        """What a row is called."""
+        if not self.behind:
+            return number
+        rows = len(self.rows)
+        return self.named[number - 1] if number <= rows else self.behind + number - rows
 
     @property
     def all(self) -> tuple[CandidateRow, ...]:

@@ -12,7 +12,7 @@ import numpy as np
 from ....countershaft.inputs import LAID_IN, ShaftInputs
 from ....countershaft.outline import CROSSING
 from ....countershaft.result import CountershaftResult
-from ....countershaft.rows import BearingRow
+from ....countershaft.rows import BearingRow, called
 from ....library import tolerances as fits
 from ....library.catalogue import Oil
 from ....library.journal_rules import LENGTH_RATIO, specific_load
@@ -162,11 +162,16 @@ def own_tasks(case: SelectionCase) -> dict[str, BearingTask]:
 
 
 def only_two(case: SelectionCase) -> None:
-    """Raises NoSolution where the bearings share their load, so that none can be chosen for itself."""
+    """Raises NoSolution where the bearings share their load, so that none can be chosen for itself, or one has no
+    film."""
     if len(case.rows) != 2:
         three = Text("the shaft has {n}, which share its load", n=len(case.rows))
         advice = Text("choose them: `contralbero choose FILE bearings`")
         raise NoSolution(Text("only the bearings of a shaft that has two are searched here"), three, advice)
+    if other := next((row for row in case.rows if not row.fed()), None):
+        without = Text("the {place} bearing runs on none", place=called(other.name))
+        advice = Text("`contralbero choose FILE bearings` ranks all kinds")
+        raise NoSolution(Text("only bearings on a film of oil are searched here"), without, advice)
 
 
 def tasks_of(

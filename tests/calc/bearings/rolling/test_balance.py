@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from calc.bearings.rolling import balance as b
 from calc.bearings.rolling.torque import friction_of
+from calc.library.catalogue import Oil, ViscosityRow
+from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
 from calc.sheet.value import link_of, linked, trace
 from tests.calc.bearings.rolling.typical import BEARINGS, OIL, given
@@ -136,6 +138,22 @@ def test_the_temperature_knows_what_it_follows_from():
     assert found.loss == balance("NU205", 1700.0).loss
 
 
+def test_oils_by_rows_and_of_one_viscosity():
+    rows = tuple(ViscosityRow(temperature=T, viscosity=mu) for T, mu in ((40.0, 0.08), (100.0, 0.012), (140.0, 0.005)))
+    friction, hA = BEARINGS["NU205"].friction(), conductance("NU205")
+    for said in (dict(viscosities=rows), dict(viscosity=0.01)):
+        oil = Lubricant(Oil(name="own", rho15=860.0, base="mineral", **said))
+        T_oil = np.array([60.0, 120.0])
+        many = b.heat_balance(friction, 1700.0, RATED, T_oil, hA, oil.nu)
+        with trace():
+            traced = b.heat_balance(friction, 1700.0, RATED, linked(T_oil, "bearings.oil"), hA, oil.nu)
+        assert traced.loss == pytest.approx(many.loss, rel=1e-12) and link_of(traced.temperature) is not None
+        for k in (0, 1):
+            alone = b.heat_balance(friction, 1700.0, RATED, T_oil[k].item(), hA, oil.nu)
+            assert many.temperature[k] == pytest.approx(alone.temperature, abs=1e-9)
+            assert alone.loss == pytest.approx(alone.torque * 2 * math.pi * RATED, rel=1e-9)
+
+
 # --- speeds
 
 
@@ -202,6 +220,10 @@ def test_the_lowest_speed_from_which_the_load_is_enough():
     speeds = b.minimum_load_speed(n, F, np.full(n.shape, 400.0))
     assert speeds[:2] == pytest.approx([20.0, 10.0], abs=1e-6) and np.isnan(speeds[2]) and speeds[3] == 0.0
     assert b.minimum_load_speed(n, F[0], np.full(n.shape, 400.0)) == pytest.approx(20.0, abs=1e-6)
+    coarse, few = np.array([0.0, 10.0, 20.0, 30.0]), np.array([0.0, 100.0, 500.0, 5000.0])
+    assert b.minimum_load_speed(coarse, few, np.full(4, 400.0)) == pytest.approx(17.5)  # −300 N, 100 N
+    few[3] = 399.0
+    assert np.isnan(b.minimum_load_speed(coarse, few, np.full(4, 400.0)))
     dips = np.where((n > 25) & (n < 30), 0.0, F[1])  # once more too small: from there on
     assert 29.9 < b.minimum_load_speed(n, dips, np.full(n.shape, 400.0)) <= 30.0
 

@@ -210,18 +210,28 @@ def test_a_cage_has_no_seat():
 
 # --- tables
 
-# CN, C3, C4 as in the specification, C5 as makers print it: (elements, bore in mm, class, least, most)
-FREE = [
-    ("ball", 15, "CN", 3, 18), ("ball", 17, "C3", 11, 25), ("ball", 20, "C3", 13, 28), ("ball", 25, "CN", 5, 20),
-    ("ball", 25, "C4", 23, 41), ("ball", 30, "C5", 30, 53), ("ball", 40, "C3", 15, 33), ("ball", 45, "C4", 30, 51),
-    ("ball", 60, "C5", 55, 90), ("roller", 20, "CN", 20, 45), ("roller", 25, "C3", 35, 60), ("roller", 30, "C5", 70, 95),
-    ("roller", 35, "C4", 60, 85), ("roller", 50, "C3", 50, 80), ("roller", 65, "C4", 80, 110),
-]  # fmt: skip
+# As makers print ISO 5753 (tables of radial internal clearance on their public pages), a second time: by the largest bore
+# in mm least and most of CN, C3, C4 and C5 in µm.
+FREE = {
+    "ball": {
+        18: (3, 18, 11, 25, 18, 33, 25, 45), 24: (5, 20, 13, 28, 20, 36, 28, 48), 30: (5, 20, 13, 28, 23, 41, 30, 53),
+        40: (6, 20, 15, 33, 28, 46, 40, 64), 50: (6, 23, 18, 36, 30, 51, 45, 73), 65: (8, 28, 23, 43, 38, 61, 55, 90),
+    },
+    "roller": {
+        24: (20, 45, 35, 60, 50, 75, 65, 90), 30: (20, 45, 35, 60, 50, 75, 70, 95),
+        40: (25, 50, 45, 70, 60, 85, 80, 105), 50: (30, 60, 50, 80, 70, 100, 95, 125),
+        65: (40, 70, 60, 90, 80, 110, 110, 140),
+    },
+}  # fmt: skip
 
 
-@pytest.mark.parametrize("elements, d, word, low, high", FREE)
-def test_clearances_before_mounting(elements, d, word, low, high):
-    assert c.free_clearance(elements, word, d / 1e3) == pytest.approx((low / 1e6, high / 1e6))
+@pytest.mark.parametrize("elements, d", [(elements, d) for elements, rows in FREE.items() for d in rows])
+def test_clearances_before_mounting(elements, d):
+    """At the upper end of a range, and where it begins."""
+    ends = [10, *FREE[elements]]
+    for bore in (d / 1e3, ends[ends.index(d) - 1] / 1e3 + 1e-6):
+        spans = [c.free_clearance(elements, word, bore) for word in c.CLASSES]
+        assert [um(x) for span in spans for x in span] == pytest.approx(FREE[elements][d])
 
 
 @pytest.mark.parametrize("elements", ["ball", "roller"])

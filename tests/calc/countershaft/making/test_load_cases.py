@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from calc.countershaft.making import parts
-from calc.countershaft.making.inputs import Support
+from calc.countershaft.making.inputs import ShaftSupport
 from calc.countershaft.making.unbalance import permitted
 from calc.design.toml_file import design
 from tests.calc.countershaft.shafts import (
@@ -165,7 +165,7 @@ def test_what_the_holes_may_take_is_what_is_beyond_the_couple_of_the_engine():
     ],
 )
 def test_the_wall_beside_the_largest_seat(support, journals, wall):
-    shaft = parts.ShaftInputs(name="shaft", material="", support=Support(material="", **support))
+    shaft = parts.ShaftInputs(name="shaft", material="", support=ShaftSupport(material="", **support))
     assert parts._with_wall(shaft, journals).support.wall == pytest.approx(wall)
     bare = replace(shaft, support=None)
     assert parts._with_wall(bare, journals) is bare

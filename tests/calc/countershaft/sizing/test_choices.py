@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.countershaft.making.inputs import Alternative, Cost, Support
+from calc.countershaft.making.inputs import Alternative, Cost, ShaftSupport
 from calc.countershaft.sizing import formulas as f
 from calc.countershaft.sizing.choices import (
     Envelope,
@@ -55,7 +55,7 @@ def case(gamma):
     """Inputs of the shaft, the imbalance and the crank's speed of the source's final design; materials as here."""
     made = design(gamma)
     e = engine.values(made.engine)
-    support = Support(material="EN AC-43100", wall=5.5e-3)
+    support = ShaftSupport(material="EN AC-43100", wall=5.5e-3)
     shaft = replace(
         made.countershaft,
         material="steel",
