@@ -449,7 +449,7 @@ def test_the_rules_hold_that_the_file_states(name):
     if "couple" in SHAFT[name]:
         assert found.holes.hole_overdesign >= shaft.overdesign
     assert max(found.slopes.values()) <= 0.25e-3
-    assert shaft.half_length < (span - made.rows[-1].length) / 2
+    assert shaft.half_length < (span - made.rows[-1].on_shaft[1]) / 2
     assert train.wheels["shaft"].tip_diameter > made.rows[0].on_shaft[0], "it is laid in with its wheel"
 
 
