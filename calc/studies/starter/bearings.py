@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which bearings a shaft begins with: plain ones, and rolling ones where none are found that keep every limit, or all
-together lose more than a hundredth of the rated power, and rolling ones less; or of the kinds with which the engine is
-built."""
+"""Which bearings a shaft begins with: plain ones; rolling ones where no plain ones are found that keep every limit, or
+where these together lose more than a hundredth of the rated power, and rolling ones less with nothing to be said of
+them; or those of the kinds with which the engine is built."""
 
 from collections.abc import Callable, Sequence
 
@@ -29,7 +29,7 @@ GIVE = Text("other bearings, a thicker core, a slower shaft")
 
 
 @record
-class Carried:
+class OnBearings:
     """A design with its bearings: its document, and the tables of its shafts and of what all bearings share.
 
     `plain`: of plain bearings of one shaft what `journals.bearings` gives; `open`: how many cautions are."""
@@ -56,7 +56,7 @@ class NoBearings(NoSolution):
 Shafts = Callable[[tuple[str, ...]], Unborne]  # those for bearings of these kinds
 
 
-def carried(shafts: Shafts, kinds: tuple[str, ...] = ()) -> Carried:
+def carried(shafts: Shafts, kinds: tuple[str, ...] = ()) -> OnBearings:
     """A design with bearings.
 
     `shafts`: gives it with the shafts that are as thick as such bearings ask; `kinds`: those with which the engine is
@@ -87,27 +87,30 @@ def carried(shafts: Shafts, kinds: tuple[str, ...] = ()) -> Carried:
         if plain is None:
             raise NoBearings(BEARINGS, SEMICOLON.join((why, none.tried or none.what)), GIVE) from None
         return plain
+    # what is too hot at 150 °C, or lives too short with its clearance, takes no place of what is well on films
     return rolled if plain is None or (rolled.open == 0 and _loses_less(rolled, plain, on_films.results)) else plain
 
 
-def on_plain(made: Unborne) -> Carried:
+def on_plain(made: Unborne) -> OnBearings:
     """Raises NoSolution."""
     if _is_one_at_minus_one(made.results.design):
         found = journals.bearings(made.document, made.results)
         rows, shared = parted(found)
-        return Carried(journals.with_bearings(made.document, found), completed(made.shafts, rows) + shared, found)
+        return OnBearings(journals.with_bearings(made.document, found), completed(made.shafts, rows) + shared, found)
     document = several.bearings(made.document, made.results)
-    return Carried(document, several.completed(made.shafts, document), [])
+    return OnBearings(document, several.completed(made.shafts, document), [])
 
 
-def on_rolling(made: Unborne, kinds: tuple[str, ...], plain: Sequence[Section] = ()) -> Carried:
+def on_rolling(made: Unborne, kinds: tuple[str, ...], plain: Sequence[Section] = ()) -> OnBearings:
     """Raises NoSolution."""
     document, results = rolling.with_duty(made.document, made.results.design), made.results
     if document is not made.document:
         results = solve(design(document), results, compared=False)
     open_, found = rolling.best(document, results, kinds, plain)
     rows, shared = parted(found)
-    return Carried(journals.with_bearings(document, found), completed(made.shafts, rows) + shared, list(plain), open_)
+    return OnBearings(
+        journals.with_bearings(document, found), completed(made.shafts, rows) + shared, list(plain), open_
+    )
 
 
 def _is_one_at_minus_one(made: Design) -> bool:
@@ -161,18 +164,18 @@ def share_said(results: Results) -> Text:
     return Text("{said} {why} {less}", said=said, why=why, less=less)
 
 
-def _lose_much(plain: Carried, before: Results) -> bool:
+def _lose_much(plain: OnBearings, before: Results) -> bool:
     """Whether plain bearings lose more than a hundredth of the rated power."""
     of_all = lost(_solved(plain, before))
     return of_all is not None and of_all.power > SHARE * of_all.rated
 
 
-def _loses_less(one: Carried, other: Carried, before: Results) -> bool:
+def _loses_less(one: OnBearings, other: OnBearings, before: Results) -> bool:
     powers = [lost(_solved(each, before)) for each in (one, other)]
     return all(powers) and powers[0].power < powers[1].power  # type: ignore[union-attr]
 
 
-def _solved(bearings: Carried, before: Results) -> Results:
+def _solved(bearings: OnBearings, before: Results) -> Results:
     return solve(design(bearings.document), before, compared=False)
 
 

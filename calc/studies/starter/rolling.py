@@ -93,7 +93,7 @@ def best(
     shared = _shared(made, of_plain if any(seat.kinds == (PLAIN,) for seat in seats) else [])
     known = {check.id for check in results.outcomes["countershaft"].checks if check.open}
     rows = {seat: as_begun(seat) for seat in seats if seat.kinds != (PLAIN,)}
-    failed: set[tuple[Seat, str]] = set()
+    failed: set[tuple[SeatPlace, str]] = set()
     found: tuple[int, list[Section]] | None = None
     open_, expected = list[Check](), 0
     for n in range(PASSES):
@@ -122,7 +122,7 @@ def best(
 
 
 @record
-class Seat:
+class SeatPlace:
     """One place of a shaft, by both names, and the kinds of bearing that are looked at there, one after the other."""
 
     shaft: str
@@ -132,7 +132,7 @@ class Seat:
     locates: bool
 
 
-def _seats(made: Design, kinds: tuple[str, ...]) -> list[Seat]:
+def _seats(made: Design, kinds: tuple[str, ...]) -> list[SeatPlace]:
     """Those of all shafts that are no twins, front to rear."""
     seats = []
     for name, view in made.views.items():
@@ -140,17 +140,19 @@ def _seats(made: Design, kinds: tuple[str, ...]) -> list[Seat]:
         for n, row in enumerate(view.rows):
             some = (kinds[n],) if kinds[n] != ROLLING else ELSEWHERE if located else AT_GEAR
             locates = not located and some[0] in AT_GEAR
-            seats.append(Seat(name, row.name, some, n == 0, locates))
+            seats.append(SeatPlace(name, row.name, some, n == 0, locates))
             located = located or locates
     return seats
 
 
-def as_begun(seat: Seat) -> BearingRow:
+def as_begun(seat: SeatPlace) -> BearingRow:
     """A small one, while the loads are found."""
     return BearingRow(name=seat.place, kind="rolling", size=BEGUN[seat.kinds[0]])
 
 
-def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, str]]) -> tuple[int, BearingRow]:
+def _chosen(
+    seat: SeatPlace, solved: Results, together: int, failed: set[tuple[SeatPlace, str]]
+) -> tuple[int, BearingRow]:
     """The one of least loss of which nothing is to be said; else of those that pass the one of which least is, and how
     much.  Raises NoSolution where none passes.
 
@@ -184,7 +186,7 @@ def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, 
     return found
 
 
-def _bores(made: Design, seat: Seat) -> tuple[Metre, Metre]:
+def _bores(made: Design, seat: SeatPlace) -> tuple[Metre, Metre]:
     """Least and largest: the core is the shoulder of a ring; where a wheel sits before the bearing, as thick as the
     core, the ring has to pass there."""
     own = made.views[seat.shaft].own
@@ -216,13 +218,13 @@ def _open(solved: Results) -> list[Check]:
     return [check for outcome in outcomes for check in outcome.checks if check.open and check.kind in OPEN]
 
 
-def _to_change(open_: list[Check], rows: Mapping[Seat, BearingRow], solved: Results) -> set[Seat]:
+def _to_change(open_: list[Check], rows: Mapping[SeatPlace, BearingRow], solved: Results) -> set[SeatPlace]:
     """Of which bearings something is to be said: of those that it names, else of the one that lives shortest."""
     named = {seat for seat in rows for check in open_ if {seat.place, seat.shaft} <= {*check.id.split("."), NAME}}
     return named or {min(rows, key=lambda seat: _life(seat, solved))}
 
 
-def _life(seat: Seat, solved: Results) -> Second:
+def _life(seat: SeatPlace, solved: Results) -> Second:
     """Of one whose life is not known endless."""
     result = solved.views[seat.shaft].result(BearingsResult)
     survival = result.bearings[seat.place].survival() if result is not None else None
@@ -252,7 +254,7 @@ def _shared(made: Design, of_plain: list[Section]) -> list[Section]:
     return [(header, rows | life)]
 
 
-def _rows(seats: list[Seat], rows: Mapping[Seat, BearingRow], plain: list[Section]) -> list[Section]:
+def _rows(seats: list[SeatPlace], rows: Mapping[SeatPlace, BearingRow], plain: list[Section]) -> list[Section]:
     """Of all places, front to rear."""
     beside = iter(plain) if plain else repeat((BEARING_ROW, {}))
     return [
