@@ -337,7 +337,11 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
         )
     else:
         f = part.absent("friction", design.friction, (g, *late))
-    f = friction.with_rated_power(f, h.rated_power(design))
+    f = friction.with_rated_power(
+        f,
+        h.rated_power(design),
+        partial(h.on_rolling_instead, design, {name: shaft.result for name, shaft in c.items()}),
+    )
 
     with trace() as lines:
         parts = h.parts_of_power(design, g.result, f)

@@ -13,7 +13,7 @@ from ..bearings.plain.selection.variants import SelectionCase
 from ..bearings.plain.speeds import highest_speed, of_journals
 from ..bearings.result import BearingsResult
 from ..bearings.rolling.kind import on_the_way
-from ..bearings.rolling.search import Place
+from ..bearings.rolling.search import Place, candidates, usual_sizes
 from ..bearings.solve import BearingMaterials
 from ..bearings.support import Solids, StandingLoads, Task
 from ..countershaft.checks import InPlace, swept
@@ -50,7 +50,7 @@ from ..mounting.wrenches import ShaftOnEngine
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import item
 from ..sheet.step import Outcome
-from ..sheet.text import Text
+from ..sheet.text import EMPTY, Text
 from ..sheet.units import Watt
 from ..sheet.value import about, based_on, recorded, trace
 from .model import STEPS, Design
@@ -637,10 +637,15 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
     shaft than its core, the bore of the wheel beside the first, and what its ring passes on the way there, and no more
     than the envelope; of a shaft that is given as sections just that of its section there.  The one
     nearest to the gear locates the shaft, else the first.  Raises NoSolution where the loads are not known."""
+    view = results.views[name]
+    return _rolling_places(design, view.result(CountershaftResult), view.outcomes["countershaft"].reason, name)
+
+
+def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text, name: str) -> dict[str, Place]:
+    """The same under a shaft that is solved; `why`: it is not."""
     view = design.views[name]
     own, inputs, shaft = view.own, design.bearings, view.countershaft
     assert own is not None and inputs is not None
-    solved = results.views[name].result(CountershaftResult)
     ratio = shaft.speed_ratio if shaft is not None else None
     speed, engine = inputs.speed, design.engine
     if speed is None:
@@ -663,8 +668,7 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
         if load is None:
             load = solved.loads.get(row.name) if solved is not None else None
         if load is None:
-            reason = results.views[name].outcomes["countershaft"].reason
-            raise NoSolution(Text("the loads of the bearings are not known"), reason, Text("solve the shaft first"))
+            raise NoSolution(Text("the loads of the bearings are not known"), why, Text("solve the shaft first"))
         if slope is None and solved is not None:
             slope = solved.slopes.get(row.name)
         way = on_the_way(outline, row.position, ("gear", "journal")) if outline is not None else None
@@ -684,6 +688,27 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
             locates=row is locating,
         )
     return places
+
+
+def on_rolling_instead(design: Design, solved: Mapping[str, CountershaftResult | None]) -> Watt | None:
+    """What balls and rollers of least loss would lose in the places of all bearings, at rated speed, an estimate; None
+    where in one of them none would do, or no load is known."""
+    if design.bearings is None or design.engine is None:
+        return None
+    found = 0.0
+    for name in design.originals:
+        try:
+            places = _rolling_places(design, solved.get(name), EMPTY, name)
+        except NoSolution:
+            return None
+        for place in places.values():
+            task, inputs = replace(place.task, operation=()), replace(place.inputs, duty=())
+            there = replace(place, task=task, inputs=inputs, bores=(0.0, place.bores[1]))
+            one = next(iter(candidates(there, usual_sizes(there))), None)
+            if one is None or one.fails:
+                return None
+            found += one.loss * (1 + len(twins_of(design, name)))
+    return found
 
 
 def _standing_on(row: BearingRow, shaft: CountershaftResult | None) -> StandingLoads:

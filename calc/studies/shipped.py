@@ -20,7 +20,7 @@ from ..sheet.text import Text
 from ..sheet.value import recorded
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
 
     from ..design.addresses import Table
     from ..engine.inputs import EngineInputs
@@ -129,7 +129,7 @@ def engine_design(
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"], engine=name, keys=", ".join(own))
-    kinds: Sequence[str] = ()
+    kinds: tuple[str, ...] = ()
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
     if own:
         note = Text(
@@ -140,7 +140,7 @@ def engine_design(
     elif balancing == arrangement.get("balancing") and "built" in arrangement:
         there = dict(note=note, built=arrangement["built"], source=arrangement["source"])
         note = Text("{note} Built with: {built} ({source}); here wheels drive it.", **there)
-        kinds = arrangement.get("bearings", ())
+        kinds = tuple(arrangement.get("bearings", ()))
     with recorded(False):
         tables = begun(document, balancing, why, kinds)
         body = f"[engine]\n{_lines(engine | tables.engine)}\n[imbalance]\n{_lines(imbalance)}" + tables.text

@@ -127,6 +127,11 @@ def sizes_for(place: Place) -> Iterator[BearingSize[float]]:
             yield size
 
 
+def usual_sizes(place: Place) -> Iterator[BearingSize[float]]:
+    """Balls and rollers alone, which need no hardened shaft and bear some slope."""
+    return (size for size in sizes_for(place) if size.type in ("ball", "roller"))
+
+
 def candidates(place: Place, sizes: Iterable[BearingSize[float]] | None = None) -> list[Candidate]:
     """Every size in that place, what passes first, then by its loss.  `sizes`: in place of those of the grid."""
     found: list[Candidate] = []

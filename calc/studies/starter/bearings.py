@@ -3,12 +3,12 @@
 together lose more than a hundredth of the rated power, and rolling ones less; or of the kinds with which the engine is
 built."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ...bearings.result import BearingsResult
 from ...bearings.support import Carrying
 from ...design.model import Design
-from ...design.step_inputs import twins_of
+from ...design.step_inputs import on_rolling_instead, twins_of
 from ...design.toml_file import Document, design
 from ...engine.inputs import EngineInputs
 from ...engine.result import EngineResult
@@ -18,75 +18,96 @@ from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Number, Watt
 from ...solve import Results, solve
 from . import journals, rolling, several
-from .rolling import PLAIN
+from .rolling import PLAIN, ROLLING
 from .writing import Section, completed, parted
 
 SHARE: Number = 0.01  # of the rated power
 MEAN_PRESSURE = {4: 10e5, 2: 6e5}  # Pa, of an engine whose power is not given; by its strokes, rule of this program
 BEARINGS = Text("bearings to begin with, plain and rolling")
+BY_RULE = (ROLLING, ROLLING)
 GIVE = Text("other bearings, a thicker core, a slower shaft")
 
 
 @record
 class Carried:
-    """A design with its bearings: its document, and the tables of its shafts and of what all bearings share."""
+    """A design with its bearings: its document, and the tables of its shafts and of what all bearings share.
+
+    `plain`: of plain bearings of one shaft what `journals.bearings` gives; `open`: how many cautions are."""
 
     document: Document
     sections: list[Section]
-    plain: list[Section]  # of plain bearings of one shaft, as `journals.bearings` gives them
+    plain: list[Section]
+    open: int = 0
 
 
-def carried(document: Document, results: Results, own: list[Section], kinds: Sequence[str] = ()) -> Carried:
-    """A design whose shafts have no bearings yet, with such.
+@record
+class Unborne:
+    """A design whose shafts have no bearings yet, and their tables."""
 
-    `own`: the tables of its shafts; `kinds`: those with which the engine is built, front to rear: plain, ball, roller,
-    needle; where none such are found, or left out, by the rule.  Raises NoSolution where neither kind carries them."""
+    document: Document
+    results: Results
+    shafts: list[Section]
+
+
+class NoBearings(NoSolution):
+    """No bearings are found, for shafts that are."""
+
+
+Shafts = Callable[[tuple[str, ...]], Unborne]  # those for bearings of these kinds
+
+
+def carried(shafts: Shafts, kinds: tuple[str, ...] = ()) -> Carried:
+    """A design with bearings.
+
+    `shafts`: gives it with the shafts that are as thick as such bearings ask; `kinds`: those with which the engine is
+    built, front to rear: plain, ball, roller, needle; where none such are found, or left out, by the rule.  Raises
+    NoBearings where neither plain nor rolling ones carry it."""
     if kinds and PLAIN not in kinds:
         try:
-            return on_rolling(document, results, own, kinds)
+            return on_rolling(shafts(kinds), kinds)
         except NoSolution:
             kinds = ()
-    plain, why = None, Text("")
+    on_films, plain, why = shafts(()), None, EMPTY
     try:
-        plain = on_plain(document, results, own)
+        plain = on_plain(on_films)
     except NoSolution as none:
         why = none.tried or none.what
-    lost_so = _lost(plain, results) if plain is not None else None
-    little = lost_so is None or lost_so.power <= SHARE * lost_so.rated
-    if plain is not None and ({*kinds} == {PLAIN} or (little and not kinds)):
+    if plain is not None and {*kinds} == {PLAIN}:
+        return plain
+    if plain is not None and kinds:
+        try:
+            return on_rolling(on_films, kinds, plain.plain)
+        except NoSolution:
+            pass
+    if plain is not None and not _lose_much(plain, on_films.results):
         return plain
     try:
-        rolled = on_rolling(document, results, own, kinds, plain.plain if plain is not None else ())
+        rolled = on_rolling(shafts(BY_RULE), BY_RULE)
     except NoSolution as none:
         if plain is None:
-            raise NoSolution(BEARINGS, SEMICOLON.join((why, none.tried or none.what)), GIVE) from None
+            raise NoBearings(BEARINGS, SEMICOLON.join((why, none.tried or none.what)), GIVE) from None
         return plain
-    less = _lost(rolled, results)
-    if plain is not None and not kinds and lost_so is not None and less is not None and less.power >= lost_so.power:
-        return plain
-    return rolled
+    return rolled if plain is None or (rolled.open == 0 and _loses_less(rolled, plain, on_films.results)) else plain
 
 
-def on_plain(document: Document, results: Results, own: list[Section]) -> Carried:
+def on_plain(made: Unborne) -> Carried:
     """Raises NoSolution."""
-    if _is_one_at_minus_one(results.design):
-        found = journals.bearings(document, results)
+    if _is_one_at_minus_one(made.results.design):
+        found = journals.bearings(made.document, made.results)
         rows, shared = parted(found)
-        return Carried(journals.with_bearings(document, found), completed(own, rows) + shared, found)
-    document = several.bearings(document, results)
-    return Carried(document, several.completed(own, document), [])
+        return Carried(journals.with_bearings(made.document, found), completed(made.shafts, rows) + shared, found)
+    document = several.bearings(made.document, made.results)
+    return Carried(document, several.completed(made.shafts, document), [])
 
 
-def on_rolling(
-    document: Document, results: Results, own: list[Section], kinds: Sequence[str] = (), plain: Sequence[Section] = ()
-) -> Carried:
+def on_rolling(made: Unborne, kinds: tuple[str, ...], plain: Sequence[Section] = ()) -> Carried:
     """Raises NoSolution."""
-    with_duty = rolling.with_duty(document, results.design)
-    if with_duty is not document:
-        results = solve(design(with_duty), results, compared=False)
-    found = rolling.bearings(with_duty, results, kinds, plain)
+    document, results = rolling.with_duty(made.document, made.results.design), made.results
+    if document is not made.document:
+        results = solve(design(document), results, compared=False)
+    open_, found = rolling.best(document, results, kinds, plain)
     rows, shared = parted(found)
-    return Carried(journals.with_bearings(with_duty, found), completed(own, rows) + shared, list(plain))
+    return Carried(journals.with_bearings(document, found), completed(made.shafts, rows) + shared, list(plain), open_)
 
 
 def _is_one_at_minus_one(made: Design) -> bool:
@@ -131,16 +152,28 @@ def share_said(results: Results) -> Text:
     if known.power <= SHARE * known.rated:
         return said
     most = max(_every(results), key=lambda b: b.load)
-    why = Text(
-        "That is more than 1 %, for {load} at {speed}.",
-        load=Amount(most.load, "N", digits=3),
-        speed=Amount(most.speed * 60, "rpm", digits=4),
-    )
-    return Text("{said} {why}", said=said, why=why)
+    amounts = {"load": Amount(most.load, "N", digits=3), "speed": Amount(most.speed * 60, "rpm", digits=4)}
+    why = Text("That is more than 1 %, for {load} at {speed}.", **amounts)
+    would = on_rolling_instead(made, {name: view.shaft for name, view in results.views.items()})
+    if would is None or would >= known.power:
+        return Text("{said} {why}", said=said, why=why)
+    less = Text("Balls and rollers would lose about {P}.", P=Amount(would, "W", digits=2))
+    return Text("{said} {why} {less}", said=said, why=why, less=less)
 
 
-def _lost(bearings: Carried, before: Results) -> Lost | None:
-    return lost(solve(design(bearings.document), before, compared=False))
+def _lose_much(plain: Carried, before: Results) -> bool:
+    """Whether plain bearings lose more than a hundredth of the rated power."""
+    of_all = lost(_solved(plain, before))
+    return of_all is not None and of_all.power > SHARE * of_all.rated
+
+
+def _loses_less(one: Carried, other: Carried, before: Results) -> bool:
+    powers = [lost(_solved(each, before)) for each in (one, other)]
+    return all(powers) and powers[0].power < powers[1].power  # type: ignore[union-attr]
+
+
+def _solved(bearings: Carried, before: Results) -> Results:
+    return solve(design(bearings.document), before, compared=False)
 
 
 def _every(results: Results) -> list[Carrying]:

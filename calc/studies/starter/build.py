@@ -2,8 +2,9 @@
 """Missing steps built by rules: a design with one step more, or with all that the balancing of its engine asks for."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cache
 from itertools import product
 
 from ...countershaft.inputs import ShaftInputs
@@ -163,7 +164,7 @@ class Begun:
     engine: Table
 
 
-def begun(document: Document, balancing: str = "", why: str = "", kinds: Sequence[str] = ()) -> Begun:
+def begun(document: Document, balancing: str = "", why: str = "", kinds: tuple[str, ...] = ()) -> Begun:
     """All tables after engine and imbalance that a design to begin with has, what it does without among them.
 
     `balancing`: the id of one of `options`, left out the one that the engine calls for; `why`: of an engine that has no
@@ -176,19 +177,25 @@ def begun(document: Document, balancing: str = "", why: str = "", kinds: Sequenc
             ("[without]", {step: (why or _none_reason(results, balancing), "") for step in SHAFT_STEPS})
         ]
         return Begun(written([*none, *_accepting(document, LEFT)]), {})
-    if balancing == "shaft":
-        own = shaft.countershaft(document, results, -1)
-    else:
-        own = several.shafts(document, results, _arranged(balancing, results), kinds)
     accepted = [] if balancing in ("shaft", "repeat") else _accepting(document, TAKEN if "pair" in balancing else LEFT)
     missing: Rows = {}
-    without_bearings, before = _with(document, own), document
+    before = document
+
+    def shafts(kinds: tuple[str, ...]) -> bearings.Unborne:
+        if balancing == "shaft":
+            own = shaft.countershaft(before, results, -1)
+        else:
+            own = several.shafts(before, results, _arranged(balancing, results), kinds)
+        made = _with(before, own)
+        return bearings.Unborne(made, _results(made, results), own)
+
     try:
-        found = bearings.carried(without_bearings, _results(without_bearings, results), own, kinds)
+        found = bearings.carried(cache(shafts), kinds)
         document, own = found.document, found.sections
-    except NoSolution as no_bearings:
+    except bearings.NoBearings as no_bearings:
         missing["bearings"] = (NO_BEARINGS, f"stopped by {no_bearings.tried}")
-        document = _without(without_bearings, {"bearings": NO_BEARINGS})
+        without_them = shafts(())
+        document, own = _without(without_them.document, {"bearings": NO_BEARINGS}), without_them.shafts
     train_of: list[Section] = []
     try:
         train_of = train.gears_and_friction(document, _results(document, results))
@@ -297,10 +304,10 @@ def _bearings(document: Document) -> Document:
     if _is_one_at_minus_one(document) and "gears" in document.data:
         alone = _put(document, {"friction": None}).with_value(dotted(Design.gears, GearsInputs.power), 1.0)
     try:
-        found = bearings.carried(alone, _results(alone), []).document
-    except NoSolution:
+        found = bearings.carried(lambda _: bearings.Unborne(alone, _results(alone), [])).document
+    except bearings.NoBearings:
         return _without(document, {"bearings": NO_BEARINGS})
-    train_of: dict[str, object] = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
+    train_of: Table = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
     return _put(found, train_of, (dotted(Design.bearings),))
 
 

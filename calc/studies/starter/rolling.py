@@ -7,6 +7,7 @@ flanges; elsewhere roller bearings, which leave the shaft its length.  Their bor
 is their shoulder."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import repeat
@@ -15,7 +16,7 @@ from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingsResult
 from ...bearings.rolling.bearing import judged
 from ...bearings.rolling.checks import SYSTEM_LIFE
-from ...bearings.rolling.search import Place, as_rolling, candidates, fitted
+from ...bearings.rolling.search import SMALL, Candidate, Place, as_rolling, candidates, fitted
 from ...bearings.rolling.sizes import BearingSize, every_size
 from ...bearings.rolling.solve import case_of
 from ...countershaft.result import CountershaftResult
@@ -30,7 +31,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, keys
 from ...sheet.record import record
 from ...sheet.text import COMMA, Text
-from ...sheet.units import Second
+from ...sheet.units import Metre, Second
 from ...sheet.value import recorded
 from ...solve import Results, solve
 from .journals import OILS, oil_of, with_bearings
@@ -44,17 +45,17 @@ LIFE: Second = 5000 * 3600.0
 SPREAD = 0.9  # of the lives of rollers: so many together live as much shorter
 # share of the rated speed, and of the hours
 DUTY = {"rated": (1.0, 20.0), "middle": (0.7, 60.0), "low": (0.35, 20.0)}
-BALL, ROLLER, NEEDLE, PLAIN = "ball", "roller", "needle", "plain"
+BALL, ROLLER, NEEDLE, PLAIN, ROLLING = "ball", "roller", "needle", "plain", "rolling"
 AT_GEAR, ELSEWHERE = (BALL, ROLLER), (ROLLER,)  # the kinds that are looked at, one after the other
 BEGUN = {BALL: "6002", ROLLER: "NU1002", NEEDLE: "NA4902"}  # what stands there while the loads are found
+BORES = tuple(sorted({size.bore for size in every_size() if size.type == "ball" and size.bore >= 0.02}))  # of cores
 PASSES = 4  # the loads follow the size of the bearings a little
 OPEN = ("limit", "caution")
 OPERATION = dotted(Design.engine, EngineInputs.operation)
 
 
 def duty(made: Design) -> list[Table]:
-    """How the engine runs, as [[engine.operation]] has it: a fifth of the hours at rated speed, a fifth at about a
-    third of it."""
+    """How the engine runs, as [[engine.operation]] has it: a fifth of the hours at rated speed, a fifth at a third."""
     engine = made.engine
     assert engine is not None
     return [
@@ -74,24 +75,19 @@ def with_duty(document: Document, made: Design) -> Document:
     return document.with_value(OPERATION, duty(made))
 
 
-def bearings(
-    document: Document, results: Results, kinds: Sequence[str] = (), plain: Sequence[Section] = ()
-) -> list[Section]:
-    """The tables of rolling bearings for the shafts of a design, and what their rows have then, as `with_bearings`
-    takes them; the document has a duty.
-
-    `kinds`: of each shaft's bearings, front to rear: ball, roller, needle or plain; left out, by the rule above.
-    `plain`: the tables of plain bearings, of which those places keep theirs.  Raises NoSolution."""
-    return best(document, results, kinds, plain)[1]
-
-
 def best(
-    document: Document, results: Results, kinds: Sequence[str] = (), plain: Sequence[Section] = ()
+    document: Document, results: Results, kinds: tuple[str, ...], plain: Sequence[Section] = ()
 ) -> tuple[int, list[Section]]:
-    """The same, and how many cautions are open with them."""
+    """The tables of rolling bearings for the shafts of a design, and what their rows have then, as `with_bearings`
+    takes them, and how many cautions are open with them; the document has a duty.
+
+    `kinds`: of each shaft's bearings, front to rear: ball, roller, needle, plain, or rolling, by the rule above.
+    `plain`: the tables of plain bearings, of which those places keep theirs.  Raises NoSolution."""
     made = results.design
     if made.engine is None or any(view.result(CountershaftResult) is None for view in results.views.values()):
         raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [[shafts]] first"))
+    if any(len(view.rows) > 2 for view in made.views.values()):
+        raise NoSolution(BEARINGS, Text("no ring passes the sectors to an inner bearing"), GIVE)
     seats = _seats(made, kinds)
     plain_rows, of_plain = parted(list(plain))
     shared = _shared(made, of_plain if any(seat.kinds == (PLAIN,) for seat in seats) else [])
@@ -99,7 +95,7 @@ def best(
     rows = {seat: as_begun(seat) for seat in seats if seat.kinds != (PLAIN,)}
     failed: set[tuple[Seat, str]] = set()
     found: tuple[int, list[Section]] | None = None
-    open_: list[Check] = []
+    open_, expected = list[Check](), 0
     for n in range(PASSES):
         sections = [*shared, *_rows(seats, rows, plain_rows)]
         solved = solve(design(with_bearings(document, sections)), results, compared=False)
@@ -109,13 +105,17 @@ def best(
                 return 0, sections
             if not any(check.kind == "limit" for check in open_) and (found is None or len(open_) < found[0]):
                 found = len(open_), sections
+                if len(open_) <= expected:  # what is to be said of each alone
+                    return found
             failed |= {(seat, rows[seat].size or "") for seat in _to_change(open_, rows, solved)}
         try:
-            rows = {seat: _chosen(seat, solved, len(rows), failed) for seat in rows}
+            chosen = {seat: _chosen(seat, solved, len(rows), failed) for seat in rows}
         except NoSolution:
             if found is None:
                 raise
             break
+        rows = {seat: row for seat, (_, row) in chosen.items()}
+        expected = sum(count for count, _ in chosen.values())
     if found is not None:
         return found
     raise NoSolution(BEARINGS, COMMA.join(check.name for check in open_[:2]), GIVE)
@@ -128,19 +128,20 @@ class Seat:
     shaft: str
     place: str
     kinds: tuple[str, ...]
+    first: bool  # of its shaft, beside the wheel
     locates: bool
 
 
-def _seats(made: Design, kinds: Sequence[str]) -> list[Seat]:
+def _seats(made: Design, kinds: tuple[str, ...]) -> list[Seat]:
     """Those of all shafts that are no twins, front to rear."""
     seats = []
     for name, view in made.views.items():
-        first = True
+        located = False
         for n, row in enumerate(view.rows):
-            some = (kinds[n],) if n < len(kinds) else AT_GEAR if first else ELSEWHERE
-            located = first and some[0] in AT_GEAR
-            seats.append(Seat(name, row.name, some, located))
-            first = first and not located
+            some = (kinds[n],) if kinds[n] != ROLLING else ELSEWHERE if located else AT_GEAR
+            locates = not located and some[0] in AT_GEAR
+            seats.append(Seat(name, row.name, some, n == 0, locates))
+            located = located or locates
     return seats
 
 
@@ -149,48 +150,54 @@ def as_begun(seat: Seat) -> BearingRow:
     return BearingRow(name=seat.place, kind="rolling", size=BEGUN[seat.kinds[0]])
 
 
-def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, str]]) -> BearingRow:
-    """The one of least loss of which nothing is to be said; else of those that pass the one of which least is.  Raises
-    NoSolution where none passes.
+def _chosen(seat: Seat, solved: Results, together: int, failed: set[tuple[Seat, str]]) -> tuple[int, BearingRow]:
+    """The one of least loss of which nothing is to be said; else of those that pass the one of which least is, and how
+    much.  Raises NoSolution where none passes.
 
     `together`: so many live as long as is asked; `failed`: what the whole design did not pass with."""
     there = rolling_places(solved.design, solved, seat.shaft)[seat.place]
-    own = solved.design.views[seat.shaft].own
-    core = own.core_radius if own is not None else None
     bare = replace(there.row, kind=PLAIN)  # of which nothing stays that belongs to another size
-    place = replace(there, row=bare, locates=seat.locates, bores=(0.0, math.inf if core is None else 2 * core))
+    place = replace(there, row=bare, locates=seat.locates, bores=_bores(solved.design, seat))
     found: tuple[int, BearingRow] | None = None
-    why: dict[Text, int] = {}
-    passing = []
+    why, passing = Counter[Text](), list[Candidate]()
     for kind in seat.kinds:
         for one in candidates(place, _sizes(place, kind)):
             if one.fails:
-                why[one.fails[0].short or one.fails[0].name] = why.get(one.fails[0].short or one.fails[0].name, 0) + 1
+                why[one.fails[0].short or one.fails[0].name] += 1
             elif (seat, one.size.designation) not in failed:
                 passing.append(one)
     for one in sorted(passing, key=lambda one: bool(one.risks)):
         row = fitted(place, as_rolling(place, one.size.designation), one.temperature)
         if row is None:
-            why[SITS] = why.get(SITS, 0) + 1
+            why[SITS] += 1
             continue
         if found is not None and one.risks:
             break
         open_ = _findings(place, row, together)
         if not open_:
-            return row
+            return 0, row
         if not any(check.kind == "limit" for check in open_) and (found is None or len(open_) < found[0]):
             found = len(open_), row
     if found is None:
-        most = sorted(why, key=lambda text: -why[text])[:2]
-        tried = Text("{place}: {why}", place=called(seat.place), why=COMMA.join(most))
-        raise NoSolution(BEARINGS, tried, GIVE)
-    return found[1]
+        most = COMMA.join(text for text, _ in why.most_common(2))
+        raise NoSolution(BEARINGS, Text("{place}: {why}", place=called(seat.place), why=most), GIVE)
+    return found
+
+
+def _bores(made: Design, seat: Seat) -> tuple[Metre, Metre]:
+    """Least and largest: the core is the shoulder of a ring; where a wheel sits before the bearing, as thick as the
+    core, the ring has to pass there."""
+    own = made.views[seat.shaft].own
+    if own is None or own.core_radius is None:
+        return 0.0, math.inf
+    passed = own.gear_z is not None and seat.first
+    return (2 * own.core_radius if passed else 0.0), 2 * own.core_radius
 
 
 def _sizes(place: Place, kind: str) -> Iterator[BearingSize[float]]:
     for size in every_size():
-        if size.bore <= place.bores[1] and size.type == kind and size.inner_ring:
-            if kind != ROLLER or size.flanged == place.locates:
+        if place.bores[0] <= size.bore + SMALL and size.bore <= place.bores[1] + SMALL and size.type == kind:
+            if size.inner_ring and (kind != ROLLER or size.flanged == place.locates):
                 yield size
 
 

@@ -7,7 +7,7 @@ classes; where shafts have different ones they lie as close by their fits.  A fo
 bearings, one cylinder pitch apart, all else two."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 from ...bearings.inputs import BearingsInputs
@@ -95,7 +95,7 @@ def arrangement(balancing: str, imbalance: ImbalanceResult) -> tuple[Arranged, .
 
 
 def shafts(
-    document: Document, results: Results, arranged: tuple[Arranged, ...], kinds: Sequence[str] = ()
+    document: Document, results: Results, arranged: tuple[Arranged, ...], kinds: tuple[str, ...] = ()
 ) -> list[Section]:
     """The tables of all shafts, each with the thinnest core whose journals hold in plain bearings, or in the rolling
     ones of these `kinds`; where none does with the thickest.  Raises NoSolution where no envelope has room."""
@@ -103,16 +103,17 @@ def shafts(
     return [section for sections in each for section in sections]
 
 
-def _thinnest(document: Document, results: Results, one: Arranged, kinds: Sequence[str]) -> Metre:
-    least = math.sqrt(_load(results, one) / (RATIO * LARGEST))
+def _thinnest(document: Document, results: Results, one: Arranged, kinds: tuple[str, ...]) -> Metre:
+    on_rolling = bool(kinds) and PLAIN not in kinds
+    least = 0.0 if on_rolling else math.sqrt(_load(results, one) / (RATIO * LARGEST))
     found: tuple[int, Metre] | None = None
-    for diameter in (d for d in JOURNALS if d >= least):
+    for diameter in (d for d in (rolling.BORES if on_rolling else JOURNALS) if d >= least):
         try:
             tried = _shaft(results, one, diameter)
         except NoSolution:
             continue
         with_it = Document({**document.data, **table(tried)})
-        worse = _on_rolling(with_it, results, kinds) if kinds and PLAIN not in kinds else _on_plain(with_it, results)
+        worse = _on_rolling(with_it, results, kinds) if on_rolling else _on_plain(with_it, results)
         if found is None or worse < found[0]:
             found = worse, diameter
         if worse == 0:
@@ -127,7 +128,7 @@ def _on_plain(document: Document, results: Results) -> int:
     return _best(document, solve(design(document), results), OILS[:1], first=True)[0]
 
 
-def _on_rolling(document: Document, results: Results, kinds: Sequence[str]) -> int:
+def _on_rolling(document: Document, results: Results, kinds: tuple[str, ...]) -> int:
     """The same of rolling ones, and of the shaft on them."""
     with_duty = rolling.with_duty(document, design(document))
     try:
