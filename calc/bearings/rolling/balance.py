@@ -8,7 +8,7 @@ through carries more off: the temperature is an upper estimate, and a lower one 
 One bearing as numbers, or many of one type, of many loads, speeds and oils, as arrays that broadcast."""
 
 from collections.abc import Callable
-from typing import Annotated, Any, Generic, Literal
+from typing import Annotated, Any, Generic, Literal, cast
 
 import numpy as np
 
@@ -159,7 +159,8 @@ def balanced_temperature(
             here, of_here = T, of_T
             if not np.any(moved > NEAR):
                 break
-    return single_or_many(np.where(none, np.nan, here))
+    found: Any = np.where(none, np.nan, here)
+    return cast("Array", single_or_many(found))
 
 
 def carried_off(

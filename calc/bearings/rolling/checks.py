@@ -453,7 +453,8 @@ def _inside_missing(place: str, r: LoadedBearing) -> Missing | None:
     """What is not given of a bearing whose clearance nobody knows: its inside, else the clearance before mounting."""
     if r.gap is not None:
         return None
-    row, needed = r.case.row, [(BearingRow.clearance_limits, r.case.row.clearance_limits)]
+    row = r.case.row
+    needed: list[tuple[object, object]] = [(BearingRow.clearance_limits, row.clearance_limits)]
     if r.case.inside is None:
         needed = [
             (BearingRow.element_count, row.element_count),
