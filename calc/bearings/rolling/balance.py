@@ -160,7 +160,7 @@ def balanced_temperature(
             if not np.any(moved > NEAR):
                 break
     found: Any = np.where(none, np.nan, here)
-    return cast("Array", single_or_many(found))
+    return cast("Value", single_or_many(found))
 
 
 def carried_off(
