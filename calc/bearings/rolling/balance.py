@@ -8,7 +8,7 @@ through carries more off: the temperature is an upper estimate, and a lower one 
 One bearing as numbers, or many of one type, of many loads, speeds and oils, as arrays that broadcast."""
 
 from collections.abc import Callable
-from typing import Annotated, Any, Generic, Literal, cast
+from typing import Annotated, Any, Generic, Literal
 
 import numpy as np
 
@@ -160,7 +160,7 @@ def balanced_temperature(
             if not np.any(moved > NEAR):
                 break
     found: Any = np.where(none, np.nan, here)
-    return cast("Value", single_or_many(found))
+    return single_or_many(found)
 
 
 def carried_off(
