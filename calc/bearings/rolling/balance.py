@@ -159,8 +159,9 @@ def balanced_temperature(
             here, of_here = T, of_T
             if not np.any(moved > NEAR):
                 break
-    found: Any = np.where(none, np.nan, here)
-    return single_or_many(found)
+    T_b: Any = single_or_many(np.where(none, np.nan, here))
+    found: Value = T_b
+    return found
 
 
 def carried_off(
