@@ -46,6 +46,7 @@ class RollingRow(SupportRow):
         help="Of size = own; bore_mm beside it.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     width: float | None = quantity(
         "Width",
@@ -56,6 +57,7 @@ class RollingRow(SupportRow):
         help="Of size = own.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     element_count: int | None = integer(
         "Number of elements",
@@ -65,6 +67,7 @@ class RollingRow(SupportRow):
         help="Balls, rollers or needles of the bearing. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     element_diameter: float | None = quantity(
         "Diameter of an element",
@@ -75,6 +78,7 @@ class RollingRow(SupportRow):
         help="Of a ball, roller or needle. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     element_length: float | None = quantity(
         "Effective length of a roller",
@@ -85,6 +89,7 @@ class RollingRow(SupportRow):
         help="Of the line on which a roller carries. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     pitch_diameter: float | None = quantity(
         "Pitch diameter",
@@ -95,6 +100,7 @@ class RollingRow(SupportRow):
         help="Of the elements' centres. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     contact_angle: float = quantity(
         "Contact angle",
@@ -105,6 +111,7 @@ class RollingRow(SupportRow):
         help="Of balls. Angular contact bearings carry thrust by themselves: they are not modelled.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     groove_inner: float = quantity(
         "Groove of the inner ring over D_w",
@@ -114,6 +121,7 @@ class RollingRow(SupportRow):
         help="Radius of the groove over the diameter of a ball.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     groove_outer: float = quantity(
         "Groove of the outer ring over D_w",
@@ -123,6 +131,7 @@ class RollingRow(SupportRow):
         help="Radius of the groove over the diameter of a ball.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     dynamic_rating: float | None = quantity(
         "Dynamic load rating",
@@ -133,6 +142,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: ISO 281 with the typical inside, an estimate.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     static_rating: float | None = quantity(
         "Static load rating",
@@ -143,6 +153,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: ISO 76 with the typical inside, an estimate.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     fatigue_limit: float | None = quantity(
         "Fatigue load limit",
@@ -153,6 +164,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: by C_0, ISO 281.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     split_cage: bool = flag(
         "Split cage",
@@ -185,6 +197,7 @@ class RollingRow(SupportRow):
         symbol="F_2",
         help="Of a bearing that stands alone: what does not turn, weight and gear force. A shaft knows it.",
         where=(KIND, "rolling"),
+        repair="asked",
     )
     axial_load: float | None = quantity(
         "Axial load",
@@ -194,6 +207,7 @@ class RollingRow(SupportRow):
         symbol="F_a",
         help="On the bearing that locates. Left out: the thrust of the shaft's gear.",
         where=(KIND, "rolling"),
+        repair="asked",
     )
     clearance_class: str = choice(
         "Clearance class",
@@ -279,6 +293,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: by n·d_m of the type.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     minimum_load: float | None = quantity(
         "Minimum load",
@@ -289,6 +304,7 @@ class RollingRow(SupportRow):
         help="Below which the elements slip. Left out: by the type's rule.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     palmgren_f0: float | None = quantity(
         "Factor f0 of the two-part formula",
@@ -298,6 +314,7 @@ class RollingRow(SupportRow):
         help="Given: the friction is that of the two-part formula.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     palmgren_f1: float | None = quantity(
         "Factor f1 of the two-part formula",
@@ -307,6 +324,7 @@ class RollingRow(SupportRow):
         help="Given: the friction is that of the two-part formula.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     heat: float | None = quantity(
         "Heat carried off",
@@ -317,6 +335,7 @@ class RollingRow(SupportRow):
         help="Of the seat and the oil, over the oil's temperature. Left out: by the seat's surface, ISO 15312.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     temperature_limit: float | None = quantity(
         "Temperature limit",
@@ -327,6 +346,7 @@ class RollingRow(SupportRow):
         help="Up to which rings and cage may be used. Left out: that of the cage.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
 
     @cached_property
