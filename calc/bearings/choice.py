@@ -35,7 +35,7 @@ from .plain.selection.writing import with_row
 from .result import BearingsResult
 from .rolling.bearing import RollingBearing
 from .rolling.geometry import STEEL
-from .rolling.search import Candidate, Place, Seated, candidates, seated
+from .rolling.search import Candidate, Place, Seated, candidates, nearest_rows, seated
 from .rolling.solve import rows_of
 
 VERIFIED = 4  # rows with rolling bearings that are solved as whole designs before they are shown
@@ -439,11 +439,26 @@ def changes(case: SelectionCase, row: ChoiceRow) -> Changes:
     """The keys that put a row into the design: what its bearings say, and of those of another kind nothing any more."""
     written = _differences("bearings", case.bearings, row.inputs)
     for before, side in zip(case.rows, row.sides):
-        here = f"{case.place}.{before.name}"
-        written |= _differences(here, before, side.row)
-        if before.clearance_limits is not None and side.row.clearance_limits is None:
-            written.setdefault(f"{here}.{dotted(BearingRow.clearance)}", None)  # under which they may stand
+        written |= row_changes(case, before, side.row)
     return written
+
+
+def row_changes(case: SelectionCase, before: BearingRow, after: BearingRow) -> Changes:
+    """The same of one bearing."""
+    here = f"{case.place}.{before.name}"
+    written = _differences(here, before, after)
+    if before.clearance_limits is not None and after.clearance_limits is None:
+        written.setdefault(f"{here}.{dotted(BearingRow.clearance)}", None)  # under which they may stand
+    return written
+
+
+def nearest_changes(case: SelectionCase, place: Place) -> Iterator[Changes]:
+    """How the rolling bearing of a place could sit, and other sizes with how they sit, the nearest first."""
+    there = case.seen(case.results).result(BearingsResult)
+    now = there.bearings.get(place.row.name) if there is not None else None
+    if isinstance(now, RollingBearing):
+        for row in nearest_rows(place, now.running_temperature):
+            yield row_changes(case, place.row, row)
 
 
 def _differences(place: str, before: object, after: object) -> Changes:

@@ -241,14 +241,15 @@ class RollingRow(SupportRow):
         change=("looser on the shaft", "tighter on the shaft", "another fit on the shaft"),
     )
     outer_ring_held: str = choice(
-        "Outer ring held by",
+        "Hold of the outer ring",
         "fit",
-        "pin",
         "insert",
+        "pin",
         "adhesive",
         "clamped",
         default="fit",
-        help="fit: by its interference alone, which is judged. insert: a sleeve of iron or steel cast in.",
+        help="fit: by its interference alone, which is judged. insert: a sleeve of iron or steel cast in, and judged; "
+        "what a pin, an adhesive or a clamp carries is not.",
         where=(KIND, "rolling"),
         fold=FITS,
     )
