@@ -403,10 +403,7 @@ def _together(
 
 def threads(case: SelectionCase, sides: Sequence[Side]) -> bool:
     """Whether the sectors pass a seat of these, where they have to."""
-    shaft = case.shaft
-    if shaft is None or shaft.room_asked is None or shaft.assembly == "cartridge" or shaft.outer_radius is None:
-        return True
-    return max(side.seat for side in sides) >= 2 * (shaft.outer_radius + shaft.room_asked)
+    return case.shaft is None or max(side.seat for side in sides) >= case.shaft.seat_asked
 
 
 # --- a row in the whole design
@@ -488,6 +485,10 @@ def plain_case(case: SelectionCase, places: Mapping[str, Place]) -> SelectionCas
     if all(row.kind == "plain" for row in case.rows):
         return case
     rows = tuple(as_plain(places[row.name]) if row.kind != "plain" else row for row in case.rows)
+    widest = case.shaft.seat_asked if case.shaft is not None else 0.0
+    if widest > max(row.opening() for row in rows):
+        through = max(range(len(rows)), key=lambda i: case.rows[i].opening())  # the sectors go on through the same one
+        rows = tuple(begun(row, widest) if i == through else row for i, row in enumerate(rows))
     proposed: dict[str, Any] = {
         name: value for name, value in SUPPLY_PROPOSED.items() if getattr(case.bearings, name) is None
     }
@@ -507,20 +508,13 @@ def as_plain(place: Place) -> BearingRow:
     """The row of a place with a plain bearing to begin with: as thick as the shaft is there, or its core."""
     row = place.row
     there = row.on_shaft
-    d = max(there[0] if there is not None else 0.0, place.bores[0])
+    kept = ("name", "position", "load", "offset", "slope", "carrier_bore", "carrier", "housing_material")
+    said: dict[str, Any] = {name: getattr(row, name) for name in kept}
+    begins = BearingRow(diameter=1.0, length=1.0, journal_roughness=LAPPED, housing_roughness=BORED, **said)
+    return begun(begins, max(there[0] if there is not None else 0.0, place.bores[0]))
+
+
+def begun(row: BearingRow, d: Metre) -> BearingRow:
+    """A plain bearing of some diameter, its length and clearance in proportion."""
     d = math.ceil(d * 1e3 - 1e-6) / 1e3
-    return BearingRow(
-        name=row.name,
-        position=row.position,
-        load=row.load,
-        offset=row.offset,
-        slope=row.slope,
-        carrier_bore=row.carrier_bore,
-        carrier=row.carrier,
-        housing_material=row.housing_material,
-        diameter=d,
-        length=round(LENGTH * d, 4),
-        clearance=round(PSI * d, 6),
-        journal_roughness=LAPPED,
-        housing_roughness=BORED,
-    )
+    return replace(row, diameter=d, length=round(LENGTH * d, 4), clearance=round(PSI * d, 6))
