@@ -9,7 +9,7 @@ import pytest
 
 from calc.bearings.plain.as_support import at_corners
 from calc.bearings.plain.corners import corner_points
-from calc.bearings.plain.loads import _standing as standing_part
+from calc.bearings.plain.loads import standing as standing_part
 from calc.bearings.plain.loads import standing_checks
 from calc.bearings.plain.routes.states import resized
 from calc.bearings.plain.routes.thermal_balance import settled
