@@ -159,7 +159,8 @@ def balanced_temperature(
             here, of_here = T, of_T
             if not np.any(moved > NEAR):
                 break
-    return single_or_many(np.where(none, np.nan, here))
+    T_b: Any = single_or_many(np.where(none, np.nan, here))
+    return T_b
 
 
 def carried_off(

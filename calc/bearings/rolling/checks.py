@@ -404,7 +404,7 @@ def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
 
 def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What is asked of one bearing."""
-    case, row, inputs, size = r.case, r.row, r.case.inputs, r.case.size
+    case, row, inputs, size = r.case, r.case.row, r.case.inputs, r.case.size
     asked = life_asked(inputs, r.task.life)
     if r.life is not None:
         yield on_bearing(LIFE if inputs.life is not None else LIFE_ASSUMED, place, r.life, asked)
@@ -443,7 +443,8 @@ def _inside_missing(place: str, r: LoadedBearing) -> Missing | None:
     """What is not given of a bearing whose clearance nobody knows: its inside, else the clearance before mounting."""
     if r.gap is not None:
         return None
-    row, needed = r.case.row, [(BearingRow.clearance_limits, r.case.row.clearance_limits)]
+    row = r.case.row
+    needed: list[tuple[object, object]] = [(BearingRow.clearance_limits, row.clearance_limits)]
     if r.case.inside is None:
         needed = [
             (BearingRow.element_count, row.element_count),
@@ -465,7 +466,7 @@ def _clearance_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     if r.grip_hot is not None and r.load >= r.standing_load:
         with untraced():
             scale = max(float(r.case.mounting.grip(ROOM, "middle")), MICRON)
-        rule = GRIP_HOT if r.row.outer_ring_held == "fit" else GRIP_HOT_HELD
+        rule = GRIP_HOT if r.case.row.outer_ring_held == "fit" else GRIP_HOT_HELD
         yield on_bearing(rule, place, r.grip_hot, 0.0, scale=scale)
 
 
@@ -496,7 +497,7 @@ def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
 
 def _raceway_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What the shaft, and of a cage the housing, have to be as raceways."""
-    row, inside = r.row, r.case.inside
+    row, inside = r.case.row, r.case.inside
     yield on_bearing(RACEWAY_HARDNESS, place, row.raceway_hardness, HARDNESS)
     if inside is not None:
         with untraced():
