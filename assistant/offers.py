@@ -5,16 +5,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
+from calc.bearings import choice as kinds
+from calc.bearings import choice_tables as kind_tables
+from calc.bearings.choice import plain_case
 from calc.bearings.plain.selection import search as bearing_search
 from calc.bearings.plain.selection import tables as bearing_tables
 from calc.bearings.plain.selection import together
-from calc.bearings.plain.selection.search import Settled
+from calc.bearings.plain.selection.search import BearingsFound, Settled
 from calc.bearings.plain.selection.variants import SUPPLY, SelectionCase
 from calc.bearings.plain.selection.writing import bearing_changes
 from calc.countershaft.sizing import choices as sizing
 from calc.countershaft.sums import SystemShaft
 from calc.design.model import Design
-from calc.design.step_inputs import bearings_case, given_beside, shaft_axes, sized_alike
+from calc.design.step_inputs import bearings_case, given_beside, rolling_places, shaft_axes, sized_alike
 from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.gears.selection import idler
@@ -129,22 +132,84 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
     fit the shaft and keep every rule at the worst corner."""
     assert design.bearings is not None
     case = bearings_case(design, solve, shaft=name)
-    if len(case.rows) > 2:
-        return _sharing(case, aim, progress)
-    selection = bearing_search.search(case, aim, progress)
+    return _plain(_search_plain(case, aim, progress)) if aim == "film" else _kinds(design, case, aim, progress)
+
+
+def _search_plain(case: SelectionCase, aim: str, progress: Progress | None) -> kinds.PlainFound:
+    """Of more than two bearings, which share their load, sizes and clearances alone."""
+    if len(case.rows) == 2:
+        return bearing_search.search(case, aim, progress)
+    return together.search(case, aim, progress)
+
+
+def _plain(found: kinds.PlainFound) -> Offer:
+    """Plain ones alone, by the numbers that they have among themselves."""
+    return _of_two(found) if isinstance(found, BearingsFound) else _sharing(found)
+
+
+def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | None) -> Offer:
+    """Plain and rolling bearings in one table; what is told of the plain ones alone beside it."""
+    places = rolling_places(design, case.results, case.name)
+    selection: kinds.PlainFound | None = None
+    why = EMPTY
+    try:
+        begun = plain_case(case, places)
+        selection = _search_plain(begun, aim, part(progress, 0.0, 0.7))
+        selection = selection if begun is case else replace(selection, now=None)
+    except NoSolution as none:
+        why = none.text
+    choice = kinds.choice(case, places, selection, why, aim, part(progress, 0.7, 1.0))
+    plain = None if choice.plain is None else _plain(choice.plain)
+    own = choice.plain is not None and choice.plain.case is case  # its rows are changes of the design itself
+
+    def taken(number: int) -> Changes:
+        n = choice.row(number).plain
+        if n and plain is not None and own:
+            return plain.keys(n)
+        row = choice.row(number)
+        if number not in choice.verified:
+            settled = kinds.confirmed(case, row)
+            if settled.why:
+                raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
+        return kinds.changes(case, row)
+
+    def said(number: int) -> Text:
+        n = choice.row(number).plain
+        return plain.said(n) if n and plain is not None and own else kind_tables.written(choice, number)
+
+    def beside(top: int) -> tuple[Table, ...]:
+        fits = kind_tables.fits_table(choice, top)
+        of_plain = (plain.table(top), *plain.beside(top)) if plain is not None else ()
+        return (*((fits,) if fits else ()), *(replace(t, id="plain") if t.id == "bearings" else t for t in of_plain))
+
+    return Offer(
+        count=choice.count,
+        table=lambda top: kind_tables.choices_table(choice, top),
+        keys=taken,
+        said=said,
+        hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
+        beside=beside,
+        summary=(*kind_tables.summary(choice), *(plain.summary if plain is not None and own else ())),
+        notes=(*kind_tables.notes(choice), *(plain.notes if plain is not None else ())),
+        hidden=lambda top: kind_tables.hidden(choice, top),
+    )
+
+
+def _of_two(selection: BearingsFound) -> Offer:
+    case = selection.case
 
     def taken(number: int) -> Changes:
         """Rows that were not solved as whole designs are so now."""
         row = selection.all[number - 1]
         if number not in selection.verified:
-            _confirm(bearing_search.confirmed(case, row, selection.slopes[0]), number)
+            _confirm(bearing_search.confirmed(case, row, selection.slopes[0]), selection.no(number))
         return bearing_changes(row, case)
 
     def written(number: int) -> Text:
         row = selection.all[number - 1]
         words = Text(
             "now has the bearings of row {row} ({change}; {oil}, {supply}): {power}",
-            row=number,
+            row=selection.no(number),
             oil=row.variant.oil,
             change=bearing_tables.changed(row) or Text("lengths and clearances as they were"),
             supply=SUPPLY[row.variant.supply],
@@ -173,20 +238,19 @@ def _bearings(design: Design, file: str, progress: Progress | None = None, name:
     )
 
 
-def _sharing(case: SelectionCase, aim: str, progress: Progress | None) -> Offer:
-    """The same of more than two bearings, which share their load: sizes and clearances alone."""
-    selection = together.search(case, aim, progress)
+def _sharing(selection: together.SharedFound) -> Offer:
+    case = selection.case
 
     def taken(number: int) -> Changes:
         row = selection.rows[number - 1].row
-        _confirm(together.confirmed(case, row, selection.slopes, selection.asked), number)
+        _confirm(together.confirmed(case, row, selection.slopes, selection.asked), selection.no(number))
         return bearing_changes(row, case)
 
     def written(number: int) -> Text:
         chosen = selection.rows[number - 1]
         return Text(
             "now has the bearings of row {row} ({change}): {power}",
-            row=number,
+            row=selection.no(number),
             change=bearing_tables.changed(chosen.row) or Text("lengths and clearances as they were"),
             power=Amount(chosen.power, "W"),
         )

@@ -56,7 +56,9 @@ def main() -> None:
     def grid() -> None:
         for size in groups:
             ratings = computed(inside_of(size), size.usual.rating)
-            friction = friction_of(size.type, size.series, size.bore, size.outside, size.width, static_rating=ratings.static)
+            friction = friction_of(
+                size.type, size.series, size.bore, size.outside, size.width, static_rating=ratings.static
+            )
             conductance = heat_conductance(A=heat_surface(B=size.width, d=size.bore, D=size.outside))
             heat_balance(friction, 1700.0, speeds, 110.0, conductance, lubricant.nu, outside="nan")
 

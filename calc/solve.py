@@ -11,24 +11,29 @@ swaps each pair."""
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from functools import cache, partial
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from .bearings import solve as bearings
+from .bearings.kinds import KINDS
+from .bearings.lives import lives_of_all
 from .bearings.result import BearingsOfShafts, BearingsResult
 from .bearings.standing import of_twin as bearings_of_twin
 from .bearings.standing import told as bearings_told
 from .bearings.standing import with_standing as bearings_with_standing
+from .bearings.support import Kind
 from .countershaft import left_over, shafts
 from .countershaft import solve as countershaft
 from .countershaft.checks import shafts_clear
 from .countershaft.making.parts import with_bolts
 from .countershaft.result import CountershaftResult
+from .countershaft.rows import BearingRow
 from .countershaft.solve import with_films, with_oil
 from .countershaft.sums import SystemResult
 from .countershaft.supports import with_standing
 from .countershaft.twins import Resolved
 from .design import step_inputs as h
 from .design.model import IN_SENTENCES, STEPS, TITLES, Design
+from .design.plain_and_rolling import with_comparison
 from .design.predicted import Predicted, with_measured
 from .design.unusual import doubts, with_doubts
 from .engine import solve as engine
@@ -91,6 +96,10 @@ class Results:
     @property
     def shaft(self) -> CountershaftResult | None:
         return self.result(CountershaftResult)
+
+    def kind_of(self, row: BearingRow) -> Kind[Any]:
+        """What kind of bearing a row is."""
+        return KINDS[row.kind]
 
     @property
     def left(self) -> SystemResult | None:
@@ -208,8 +217,9 @@ def solve(
         solved = Solved(part.outcomes, part.of_shafts)
     outcomes = solved.steps
     results = Results(design, outcomes, solved.of_shafts, part.kept, recording.get())
+    bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
+    outcomes |= with_comparison(design, outcomes, lambda: bare, solve)
     if design.measured:
-        bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
         outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
     return results
 
@@ -327,7 +337,11 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
         )
     else:
         f = part.absent("friction", design.friction, (g, *late))
-    f = friction.with_rated_power(f, h.rated_power(design))
+    f = friction.with_rated_power(
+        f,
+        h.rated_power(design),
+        partial(h.on_rolling_instead, design, {name: shaft.result for name, shaft in c.items()}),
+    )
 
     with trace() as lines:
         parts = h.parts_of_power(design, g.result, f)
@@ -442,7 +456,7 @@ def _told(
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     mine_b = {name: mine["bearings"] for name, mine in of_shafts.items() if "bearings" in mine}
     others_b = {name: twin for name, twin in twins_b.items() if name not in mine_b}
-    carried = no_bearings or _joined(design, mine_b, others_b)
+    carried = no_bearings or _joined(design, mine_b, others_b, b)
     accepted = design.accepted
     if accepted:
         of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
@@ -461,14 +475,22 @@ def _of_twin(design: Design, twin: Resolved, found: Outcome[BearingsResult]) -> 
 
 
 def _joined(
-    design: Design, bearings: dict[str, Outcome[object]], twins: dict[str, Outcome[BearingsResult]]
+    design: Design,
+    bearings: dict[str, Outcome[object]],
+    twins: dict[str, Outcome[BearingsResult]],
+    every_shaft: dict[str, Outcome[BearingsResult]],
 ) -> Outcome[object]:
     """The bearings of the one shaft, or of all of them by their names; `twins` that are not as their originals."""
     named = len(design.shafts) > 1
     solved = {name: each.result for name, each in bearings.items() if isinstance(each.result, BearingsResult)}
     told = {name: bearings_told(each.solution) for name, each in twins.items()}
-    every = BearingsOfShafts(shafts={**solved, **told}) if named and len(solved) == len(bearings) else None
-    return joined("bearings", {**bearings, **twins}, every, named=named)
+    every, all_lives = None, tuple[Check, ...]()
+    if named and len(solved) == len(bearings):
+        there = [each.result for each in every_shaft.values() if each.result is not None]
+        life, all_lives = lives_of_all(there)
+        every = BearingsOfShafts(shafts={**solved, **told}, system_life=life)
+    outcome = joined("bearings", {**bearings, **twins}, every, named=named)
+    return replace(outcome, checks=(*outcome.checks, *all_lives)) if all_lives else outcome
 
 
 def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcome[R]]:

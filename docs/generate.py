@@ -188,6 +188,136 @@ def pair() -> str:
     )
 
 
+PLAIN_OR_ROLLING = """# Plain or rolling?
+
+A balance shaft runs on films of oil or on balls, rollers, needles. `contralbero check FILE --step bearings` puts both side by side for any shaft: what each loses
+hot and cold, weighs, lasts, needs of seat and oil, and which of its checks are open. This page works the shaft of the R753IE4 through. Made by `python docs/generate.py`.
+
+## What each is good at
+
+| | plain | rolling |
+|---|---|---|
+| friction | grows with the journal's diameter, and in cold oil by much | a tenth of it, less in cold oil |
+| oil | under pressure, through a gallery | a splash that reaches it; no pressure oil |
+| life | as long as the film holds | counted in hours: load, cleanliness, viscosity |
+| small load | any | an element that carries too little slips: see `minimum_load` |
+| seat | the journal and a bush | larger, and in aluminium a sleeve of iron or steel |
+| noise | none of its own | hums at `pass_frequency` |
+| assembly | journals so large that the shaft passes them, or divided seats | a ring on its end, or a cage in two halves |
+
+The load of a balance shaft **turns with it**: it stands on the inner ring and sweeps the outer one. So the outer ring needs the tight fit and the inner one may be
+loose, the other way round than for most machines.
+
+## The friction of one shaft
+
+Solution gamma of the R753IE4 is threaded through its seats, and its journals are Ø59.5 and Ø81 mm. What both lose, and what two NU205 would lose in their
+place, in W:
+
+| oil | bearings | {heads} |
+|---|---|{rule}|
+{rows}
+
+Of the ratio most belongs to the journals' size, not to their kind: the best plain pair of a shaft that is **not** threaded through has {plain_sizes} mm and loses {plain_loss:.0f} W
+at rated speed in hot oil, where two {ball_sizes} lose {ball_loss:.0f} W.
+
+## The same shaft on ball bearings
+
+    contralbero check designs/r753ie4_rolling.toml --step bearings
+
+It is `r753ie4_sized.toml` with other bearings: {size} at both ends, of which that beside the gear locates it, the rear one in a flange through which the shaft comes in.
+
+| | on films | on balls |
+|---|---|---|
+| bearings, at rated speed, W | {film_loss:.0f} | {roll_loss:.1f} |
+| all losses of the train, W | {film_total:.0f} | {roll_total:.0f} |
+| shaft, kg | {film_mass:.2f} | {roll_mass:.2f} |
+| pressure oil, L/min | {film_oil:.2f} | 0 |
+| life of both bearings, h | by film | {life:.0f} |
+
+What the program says of it, for each kind that passes:
+
+{table}
+
+{risks}
+
+## What decides
+
+- **Grip**: aluminium grows away from the ring. In a bare seat no fit holds hot (`grip_hot`): `outer_ring_held = "insert"`, or a pin, an adhesive, a clamp.
+- **Clearance at the start**: in the cold, tight housing the shaft warms first (`clearance_start`). Larger classes up to C5, a looser shaft.
+- **Idle**: the load falls with the square of the speed. Rollers and needles then carry too little to roll (`minimum_load`), balls rarely.
+- **Slope**: needles stand 0.29 mrad, rollers 1.16, balls 2.9.
+- **Heat**: polyamide cages end at 120 °C, where some oils begin: `cage = "steel"`.
+
+`contralbero choose FILE bearings` ranks both kinds. Ratings are those of the standards with a typical inside, an estimate: a catalogue's (`dynamic_rating_kN` …) rule
+where they are given.
+"""
+
+
+def plain_or_rolling() -> str:
+    import numpy as np
+
+    from assistant.results_text import table_lines
+    from calc.bearings import comparison as c
+    from calc.bearings.result import BearingsResult
+    from calc.bearings.rolling.search import as_rolling
+    from calc.design.step_inputs import rolling_places
+    from calc.design.toml_file import load_design
+    from calc.sheet.text import EMPTY
+    from calc.solve import solve
+    from calc.studies.shipped import DESIGNS
+
+    gamma, sized, rolling = (load_design(DESIGNS / f"r753ie4_{name}.toml") for name in ("gamma", "sized", "rolling"))
+    done = solve(gamma)
+    places = rolling_places(gamma, done, "shaft")
+    carried = done.result(BearingsResult)
+    assert carried is not None
+    rated = next(iter(places.values())).task.speed
+    case = c.ComparisonCase(places, carried.bearings, (), rated, False, c.Costs())
+    rollers = {name: c.carried(place, as_rolling(place, "NU205"), place.inputs)[0] for name, place in places.items()}
+    sets = {"plain": carried.bearings, "2 × NU205": rollers}
+
+    def three(P: float) -> str:
+        return f"{P:.0f}" if P >= 100 else f"{P:.3g}"
+
+    speeds, rows = (900.0, 1500.0, 2200.0, 2600.0), []
+    for T in (20.0, 80.0, 120.0):
+        for name, bearings in sets.items():
+            watts = c.BearingSet(EMPTY, bearings, ()).loss(case, np.array(speeds) / 60, T)
+            rows.append(f"| {T:.0f} °C | {name} | {' | '.join(map(three, watts.tolist()))} |")
+    a, b = solve(sized), solve(rolling)
+    of_film, of_balls = ({id: v.shown for id, v in one.values().items()} for one in (a, b))
+    tables = {table.id: table for table in b.outcomes["bearings"].tables}
+    offered = {str(row[0]): row for row in tables["plain_and_rolling"].rows}
+    best, ball = offered["plain, the least loss"], offered["ball"]
+
+    def both(values: dict[str, float], what: str) -> float:
+        return values[f"bearings.front.{what}"] + values[f"bearings.rear.{what}"]
+
+    def printed(name: str) -> str:
+        return "\n".join(f"    {line}".rstrip() for line in table_lines(tables[name]))
+
+    return PLAIN_OR_ROLLING.format(
+        heads=" | ".join(f"{n:.0f} rpm" for n in speeds),
+        rule="|".join("---" for _ in speeds),
+        rows="\n".join(rows),
+        plain_sizes=str(best[1]).replace("⌀", "Ø"),
+        plain_loss=best[2],
+        ball_sizes=ball[1],
+        ball_loss=ball[2],
+        size="6207",
+        film_loss=both(of_film, "friction_power"),
+        roll_loss=both(of_balls, "friction_power"),
+        film_total=of_film["friction.total_loss"],
+        roll_total=of_balls["friction.total_loss"],
+        film_mass=of_film["countershaft.mass"],
+        roll_mass=of_balls["countershaft.mass"],
+        film_oil=both(of_film, "oil_flow"),
+        life=of_balls["bearings.system_life"],
+        table=printed("plain_and_rolling"),
+        risks=printed("plain_and_rolling_costs"),
+    )
+
+
 def everything() -> dict[str, str]:
     validation = (
         "# Values of others beside ours\n\nWhat `contralbero validate` prints; made by `python docs/generate.py`.\n\n"
@@ -197,6 +327,7 @@ def everything() -> dict[str, str]:
         + "".join(f"    {line}\n" if line else "\n" for line in spoken("validate").splitlines()),
         "checks.md": checks(),
         "pair.md": pair(),
+        "plain_or_rolling.md": plain_or_rolling(),
         "errata.md": spoken("errata", "--markdown"),
         "contralbero.schema.json": spoken("schema"),
     }

@@ -83,23 +83,32 @@ def test_the_optimum_is_listed_beside_the_present_and_holds_once_written(copy, l
     assert [row[labels.index("max |ζ_A|")] for row in again["rows"]] == pytest.approx([largest[3]] * 2, abs=1e-6)
 
 
-@pytest.mark.slow
-def test_a_pair_alone_and_its_contradicting_shift(copy):
-    """Both shifts are given without a distance: holding it takes the mate's away."""
+@pytest.fixture
+def full_teeth(copy):
+    """The pair of the thesis before its teeth were made thinner: below the usual limit of the start of contact."""
     path = copy("timing_pair")
+    kept = [line for line in path.read_text(encoding="utf-8").splitlines() if "span_allowance_um" not in line]
+    path.write_text("\n".join(kept) + "\n", encoding="utf-8")
+    return path
+
+
+@pytest.mark.slow
+def test_a_pair_alone_and_its_contradicting_shift(full_teeth):
+    """Both shifts are given without a distance: holding it takes the mate's away."""
+    path = full_teeth
     done = run("choose", path, "gears")
     assert done.returncode == 0 and "distance held" in done.stdout and "No worse than it" in done.stdout
-    assert max(map(len, done.stdout.splitlines())) <= 118
+    assert max(map(len, done.stdout.splitlines())) <= 120  # a table is as wide as the names of its wheels
     assert run("choose", path, "gears", "--apply", 2).returncode == 0
     text = path.read_text(encoding="utf-8")
     assert text.count("profile_shift =") == 1 and "centre_distance_mm = 132.6703" in text
 
 
 @pytest.mark.slow
-def test_the_best_of_a_pair_below_the_usual_limits_is_the_first_row_and_is_written(copy):
+def test_the_best_of_a_pair_below_the_usual_limits_is_the_first_row_and_is_written(full_teeth):
     """It keeps the limits of the design itself; with the usual ones nothing but 3.353 is left where the distance is
     free."""
-    path = copy("timing_pair")
+    path = full_teeth
     listed = json.loads(run("choose", path, "gears", "--json").stdout)
     labels = [c["label"] for c in listed["columns"]]
     rows = [dict(zip(labels, row)) for row in listed["rows"]]

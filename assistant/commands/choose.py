@@ -19,7 +19,7 @@ from assistant.offers import offer as offer_for
 from assistant.results_text import LINE, check_line, print_findings, print_summary, sign, table_json, table_lines
 from assistant.session.editing import locked_text
 from assistant.session.guide import CHOICES
-from assistant.session.saving import asked_for, saved_text, write_asked
+from assistant.session.saving import NeedsUpgrade, asked_for, saved_text, write_asked
 from calc.design.disk import edit_file
 from calc.design.limits import DESIGN_BYTES
 from calc.design.model import TITLES, Design
@@ -100,7 +100,7 @@ def _write(path: Path, document: Document, changes: list[str], step: str, words:
     is worse than before."""
     before = document.raw.decode("utf-8")
     changed_document, changed_design = changed(document, changes)
-    text = saved_text(document.raw, changed_document.data)
+    text = _saved(document.raw, changed_document, path)
     write_asked(path, text, expected=document.raw)
     print(f"{path} {words}; as it was before: {path}.bak")
     if shut := locked_text(document, changes):
@@ -119,6 +119,14 @@ def _write(path: Path, document: Document, changes: list[str], step: str, words:
                 if c.verdict == "fail" or (c.verdict in URGENT and c.verdict != known.get(c.id)):
                     print(f"  {check_line(c, c.verdict)}")
     print_findings(results, step)
+
+
+def _saved(raw: bytes, document: Document, path: Path) -> str:
+    """The file as it would be written.  Raises BadInput where its schema has no words for what changed."""
+    try:
+        return saved_text(raw, document.data)
+    except NeedsUpgrade as needed:
+        raise BadInput(str(path), [InputError(0, "schema", "", needed.text)]) from None
 
 
 def _comments(text: str) -> list[str]:
@@ -146,7 +154,7 @@ def edit(path: Path, changes: Sequence[str]) -> None:
     def edited(raw: bytes) -> bytes:
         nonlocal made
         document, made = changed(parse(raw, str(path)), changes)
-        return saved_text(raw, document.data).encode("utf-8")
+        return _saved(raw, document, path).encode("utf-8")
 
     with asked_for(path):
         edit_file(path, DESIGN_BYTES, edited)

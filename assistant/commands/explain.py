@@ -146,11 +146,11 @@ def on_films(results: Results, value: Published) -> Iterator[str]:
     values, shaft = results.values(), _above(_above(value.id))
     for share in results.values_of(OnShaftResult.share):
         if _above(bearing := _above(share.id)) == shaft:
-            eps, c = (values[dotted(bearing, key)] for key in (PlainResult.eccentricity, PlainResult.clearance_hot))
-            said = (
-                f"{short(share.shown)} of its load on pins, ε {short(eps.shown)}, clearance {short(c.shown)} {c.unit}"
-            )
-            yield f"{bearing.rpartition('.')[2]}: {said}"
+            said = [f"{short(share.shown)} of its load on pins"]
+            for words, key in (("ε", PlainResult.eccentricity), ("clearance", PlainResult.clearance_hot)):
+                if (there := values.get(dotted(bearing, key))) is not None:  # of those on a film
+                    said.append(f"{words} {short(there.shown)} {there.unit}".rstrip())
+            yield f"{bearing.rpartition('.')[2]}: {', '.join(said)}"
 
 
 def _above(id: str) -> str:

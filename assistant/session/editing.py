@@ -16,6 +16,7 @@ from calc.design.addresses import (
     address,
     changed,
     every,
+    of_kind,
     parse_assignment,
     quantity_of,
     rows_of_twin,
@@ -228,7 +229,9 @@ class Editing:
         data = self._state.data
         if content != old or type(content) is bool:
             there = with_bearings(data, where) if self.value(where[:-1]) is None else data
-            data = without_silent(changed(there, where, content), where)
+            data = without_silent(of_kind(there, changed(there, where, content), where), where)
+            if where[-1] == dotted(BearingRow.kind):  # of a bearing other fields stand there now
+                texts = {k: v for k, v in texts.items() if k[:-1] != where[:-1]}
         self._step(EditState(followed(self._valid, without_empty(data, where), where), texts), where)
         return self.reason(where)
 

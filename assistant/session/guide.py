@@ -18,7 +18,7 @@ from calc.sheet.quantity import Published, Quantity, dotted, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
-from .places import SHAFTS, Place, content_at, described, owner, with_bearings
+from .places import SHAFTS, Place, content_at, described, owner, row_of_original, with_bearings
 
 MORE = Text("More")
 STROKE = "stroke_mm"  # twice the crank radius, which the design file has
@@ -63,7 +63,7 @@ def idle(place: Place, data: Table) -> bool:
         return False
     table = content_at(with_bearings(data, place), place[:-1])
     if isinstance(table, dict) and owner(place) is BearingRow:  # of which rules what it says itself
-        table = as_table(data.get(BEARINGS)) | table
+        table = as_table(data.get(BEARINGS)) | row_of_original(data, place[:-1]) | table
     return isinstance(table, dict) and not where.holds(table) and content_at(data, place) in (None, [])
 
 

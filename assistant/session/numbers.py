@@ -136,6 +136,9 @@ class NotUnderstood(ValueError):
         super().__init__(reason)
 
 
+YES_NO = dict(zip(("no", "yes"), FLAGS))
+
+
 def value(text: str, about: Quantity) -> Any:
     """The value that the text stands for, as the design file has it; None where the field is left empty and may be."""
     text = text.strip()
@@ -149,9 +152,10 @@ def value(text: str, about: Quantity) -> Any:
         case "text" | "choice":
             return text
         case "flag":
-            if text.lower() not in FLAGS:
+            word = YES_NO.get(text.lower(), text.lower())
+            if word not in FLAGS:
                 raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
-            return text.lower() == FLAGS[1]
+            return word == FLAGS[1]
         case "date":
             return day(text, about)
         case "number":
@@ -370,6 +374,8 @@ def written(content: Any, about: Quantity) -> str:
     """A value of the design file as it stands in its field."""
     if content is None:
         return ""
+    if about.kind == "flag" and isinstance(content, bool):
+        return FLAGS[content]
     if about.kind == "open":
         return _as_in_file(content)
     if isinstance(content, list):

@@ -162,6 +162,17 @@ def with_bearings(data: Table, where: Place) -> Table:
     return data if len(rows) == len(there) else changed(data, where[:3], rows)
 
 
+def row_of_original(data: Table, row: Place) -> Table:
+    """Of the row of a twin that of its original, whose kind it is of; empty of any other."""
+    shaft, name = as_table(content_at(data, row[:2])), as_table(content_at(with_bearings(data, row), row)).get(NAME)
+    if not is_twin(shaft):
+        return {}
+    shafts = [as_table(there) for there in as_list(content_at(data, SHAFTS))]
+    bearings = [as_list(one.get(str(BEARINGS[0]))) for one in shafts if one.get(NAME) == original_of(shaft)]
+    rows = [as_table(there) for of_original in bearings for there in of_original]
+    return next((there for there in rows if there.get(NAME) == name), {})
+
+
 def without_silent(data: Table, where: Place) -> Table:
     """The tables once a twin says nothing of any bearing: without a row for each."""
     if where[:1] != SHAFTS or where[2:3] != BEARINGS or where[-1] == NAME or not is_twin(content_at(data, where[:2])):

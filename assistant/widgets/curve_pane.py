@@ -106,7 +106,7 @@ class Legend:
         series = self.sight.series
         if len(series) > 1 or (series and series[0].label):
             for n, line in enumerate(series):
-                yield Content.styled(f"{self._mark(n)} {line.label}", self.app.signs.look(n).colour)
+                yield Content.styled(f"{self._mark(n)} {line.label}", self.app.signs.look(n, self.sight.series).colour)
         yield from self._chains()
         yield from self._limits()
 
@@ -122,7 +122,7 @@ class Legend:
         )
 
     def _mark(self, n: int) -> str:
-        look = self.app.signs.look(n)
+        look = self.app.signs.look(n, self.sight.series)
         return look.bar_mark if self.sight.curve.bars else look.line_mark
 
     def _chains(self) -> Iterator[Content]:
@@ -153,7 +153,9 @@ class Legend:
             name = f"{self._mark(read.number)} {read.label}".rstrip()
             chosen = read.number == self.reading.chosen
             text = self.app.say(COMMA.join((read.brief if brief else read.value, *read.distances[:distances])))
-            yield Content.assemble((name, signs.look(read.number).colour), " ", (text, "bold" if chosen else ""))
+            yield Content.assemble(
+                (name, signs.look(read.number, self.sight.series).colour), " ", (text, "bold" if chosen else "")
+            )
 
 
 def _cut(axes: str, width: int) -> str:

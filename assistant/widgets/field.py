@@ -23,7 +23,7 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.beginnings import sample
-from ..session.guide import DOCUMENT, NOTE
+from ..session.guide import DOCUMENT, NOTE, idle
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
 from .entry import Choice, Entry
@@ -34,9 +34,10 @@ LABEL, LABEL_NARROW = 22, 30  # cells, as in the style sheet
 LABEL_CELLS = 19
 CELL = 9  # cells of the box of an input that stands beside others
 WORDS_BOX = 20  # cells of a box for words
-BOX = {"number": 9, "integer": 9, "flag": 9, "series": 16, "integers": 16}
+BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
+NOTHING = "–"  # in a field that says nothing in this design
 AUTO = "(auto)"  # the program chooses; the same in every language, as in the texts that name it
 NARROW = 60  # a form that has at least this many cells is the only pane
 
@@ -112,16 +113,19 @@ class Field(Widget):
     def _made(self) -> Entry | Choice:
         text, optional = self.text, self.about.optional
         if self.words:
-            choose = self.app.say(Text("choose"))
-            default = self.app.say(choice_word(self.default)) if self.about.choices else self.default
             return Choice(
-                self.words,
-                text,
-                optional=optional,
-                prompt=self._prompt() if self._else() else f"{default} {AUTO}".lstrip() if optional else choose,
-                named=not self.about.choices,
+                self.words, text, optional=optional, prompt=self._chosen_by_program(), named=not self.about.choices
             )
         return Entry(text, self._prompt(), numeric=self.about.kind not in ("text", "names", "open"))
+
+    def _chosen_by_program(self) -> str:
+        """What stands where no word is chosen."""
+        if self._else():
+            return self._prompt()
+        if not self.about.optional:
+            return self.app.say(Text("choose"))
+        default = self.app.say(choice_word(self.default)) if self.about.choices else self.default
+        return default if default and self.cell else f"{default} {AUTO}".lstrip()
 
     def _else(self) -> Text | None:
         """What holds where nothing stands here and it is said elsewhere: what all bearings share, or that of the
@@ -195,6 +199,13 @@ class Field(Widget):
     # --- what is shown
     def show(self, reason: Text) -> None:
         """Draw anew, with the reason why the text is not accepted."""
+        if (silent := self.cell and idle(self.place, self.session.data)) != self.box.disabled:
+            self.box.disabled = silent  # others of its row say something
+            if isinstance(self.box, Entry):
+                self.box.placeholder = NOTHING if silent else self._prompt()
+            else:
+                self.box.prompt = NOTHING if silent else self._chosen_by_program()
+                self.box.refresh()
         changed = reason != self.reason
         self.reason = reason
         if not self.box.has_focus:

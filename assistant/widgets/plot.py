@@ -155,7 +155,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             if curve.bars:
                 self.bars.append(Bars(x[whole], y[whole], n, len(sight.series), signs.look(n)))
             elif whole.any():
-                self._line(x[whole], y[whole], signs.look(n), series=True)
+                self._line(x[whole], y[whole], signs.look(n, sight.series), series=True)
         for _, limit in finite_limits(curve):
             self._line(np.array([x_low, x_high]), np.array([limit, limit]), signs.limit())
         self._vectors(sight, signs)
@@ -261,7 +261,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
     def _render_cursor(self, canvas: Canvas, reading: "Reading", style: str) -> None:
         """A line behind the curves where they are functions of x, and a mark on each of them."""
         assert self._shown is not None
-        room, signs = self._scale_rectangle, self._shown[1]
+        room, (sight, signs) = self._scale_rectangle, self._shown
         if self.bars:
             return
         if reading.x is not None:
@@ -273,7 +273,8 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             if math.isfinite(read.x) and math.isfinite(read.y):
                 cell = self.get_pixel_from_coordinate(read.x, read.y)
                 if room.contains(*cell):
-                    canvas.set_pixel(*cell, signs.point(read.number == reading.chosen), signs.look(read.number).colour)
+                    look = signs.look(read.number, sight.series)
+                    canvas.set_pixel(*cell, signs.point(read.number == reading.chosen), look.colour)
 
     def _render_line_plot(self, dataset: LinePlot) -> None:
         if not isinstance(dataset, PlottedLine) or not dataset.series:

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Signs, words and colours of the states.  Sign and word carry the meaning; the colour only helps."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from calc.locale import Language, language
 from calc.sheet.check import SIGNS
+from calc.sheet.step import Series, line_of
 from calc.sheet.text import Text
 
 WORDS = {
@@ -118,10 +120,13 @@ class Signs:
             return "bold" if state in BOLD else "not dim"
         return f"bold {colour}" if state in BOLD else colour
 
-    def look(self, n: int) -> Look:
-        """Of the n-th line, or set of bars, of a curve.  Without colours, grey and pattern change together."""
+    def look(self, n: int, among: Sequence[Series] = ()) -> Look:
+        """Of the n-th line, or set of bars, of a curve; `among`: of these, some of which may be dashed.  Without
+        colours, grey and pattern change together."""
         lines = LINES_GREY if not self.colour else LINES_DARK if self.dark else LINES_LIGHT
         pattern = n // len(lines) if self.colour else n
+        if any(series.dashed for series in among) and n < len(among):
+            n, pattern = line_of(among, n), int(among[n].dashed)
         return Look(
             lines[n % len(lines)], pattern % len(LINE_MARKS), PLAIN_MARKS[n % len(PLAIN_MARKS)] if self.ascii else ""
         )

@@ -26,13 +26,13 @@ class BearingsInputs(RollingInputs, PlainInputs):
 
     def asked_of(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
         """What a bearing that these inputs judge still lacks, by the keys of its row."""
-        if row.kind == "plain":
+        if row.fed():
             yield from row.idle()
             yield from self.asked_of_plain(row)
 
     def asked_by(self, rows: Iterable[BearingRow]) -> Iterable[tuple[str, Text]]:
-        """What bearings of these kinds ask of these inputs, by their own keys: plain ones how the oil comes."""
-        if all(row.kind == "rolling" for row in rows):
+        """What these bearings ask of these inputs, by their own keys: of those that are fed, how the oil comes."""
+        if not any(row.fed() for row in rows):
             return
         for key, there in (
             (BearingsInputs.supply_pressure, self.supply_pressure),

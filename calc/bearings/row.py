@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a row of [[shafts.bearings]] says of a bearing of any kind."""
 
+from collections.abc import Iterable
 from typing import Any
 
 from ..library import journal_rules as rules
@@ -34,6 +35,7 @@ class SupportRow:
         "rolling",
         default="plain",
         help="plain: a journal in its seat, on a film of oil. rolling: balls, rollers or needles.",
+        decides=6,
     )
     load: float | None = quantity(
         "Load",
@@ -127,3 +129,36 @@ class SupportRow:
         default=None,
         fold=OF_ITS_OWN,
     )
+
+    # what its kind says of it
+
+    def place(self) -> tuple[float, float] | None:
+        """The diameter that it takes of the shaft, and its width along it, m; None where they are not known."""
+        return None
+
+    def opening(self) -> float:
+        """Of a place that is known the diameter, m, that its seat leaves to what comes in through it; infinite: nothing
+        has to."""
+        place = self.place()
+        assert place is not None
+        return place[0]
+
+    def least_opening(self) -> float:
+        """The same by the limits of its parts."""
+        return self.opening()
+
+    def size_keys(self) -> tuple[str, ...]:
+        """The keys that say its size."""
+        return ()
+
+    def size_words(self) -> Text:
+        """Its size in words, where it is known."""
+        return Text("")
+
+    def fed(self) -> bool:
+        """Whether it runs on a film of oil that is brought to it, as [bearings] says of supply and seat."""
+        return False
+
+    def kind_problems(self) -> Iterable[tuple[str, Text]]:
+        """What is wrong with it by itself, by the keys of its row."""
+        return ()

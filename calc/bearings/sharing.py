@@ -97,7 +97,7 @@ def on_shaft(
     bearings = found.bearings
     if zone and films is not None:
         with about(Text("bores out of line")):
-            loads = elements(stands.alignment(zone))
+            loads = elements(based_on(stands.alignment(zone), zone, films.carried.load))
         bearings = {place: _out_of_line(place, r, R_c) for (place, r), R_c in zip(bearings.items(), loads)}
     return replace(found, stands=stands, bearings=bearings)
 

@@ -36,7 +36,7 @@ from ..sheet.quantity import dotted
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Newton, Number, Radian
 from .kinds import KINDS
-from .plain.bearing import FILM_EDGE_TILTED
+from .plain.bearing import FILM_EDGE_TILTED, PlainBearing
 from .result import BearingsResult
 from .support import Carrying
 
@@ -92,7 +92,9 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
     planes = sorted(set(engine.crank.z.tolist())) if engine is not None else []
     level = (LINE + FOOT) * longest
     marks: list[Mark] = [Polyline(CONTEXT, ((z, level), (z, level + FOOT * longest))) for z in planes]
-    notes = [Text("in the films × {factor}", factor=Amount(factor)), Text("dashed: half a turn later")]
+    films = all(isinstance(r, PlainBearing) for b in shafts.values() for r in b.bearings.values())
+    where = Text("in the films") if films else Text("in the bearings")
+    notes = [Text("{where} × {factor}", where=where, factor=Amount(factor)), Text("dashed: half a turn later")]
     notes += [Text("ticks: cylinders")] if planes else []
     in_view = design.own_name if len(design.originals) == 1 else ""
     y = 0.0
@@ -113,7 +115,7 @@ def _from_the_side(design: "Design", results: "Results") -> Sketch | None:
             half = Text("{name}: cone {cone}", name=Name(name), cone=cone)
             notes.append(half if several else Text("cone {cone}", cone=cone))
         y -= level + 2 * FOOT * longest - min(at_y for mark in drawn for _, at_y in reach(mark))
-    return Sketch(tuple(marks), tuple(notes), title=Text("in the films"), of_all=len(shafts))
+    return Sketch(tuple(marks), tuple(notes), title=where, of_all=len(shafts))
 
 
 def _places(result: BearingsResult) -> dict[str, complex]:

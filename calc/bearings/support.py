@@ -12,18 +12,32 @@ from ..countershaft.bending.carried import AnyLaw, Carried
 from ..countershaft.bending.condensed import Condensed
 from ..countershaft.outline import Outline
 from ..countershaft.rows import BearingRow
+from ..draw.annotations import Say, SheetTable
 from ..draw.drawing import Sketch
 from ..engine.inputs import BenchPoint, Operation
 from ..library.catalogue import Material
 from ..library.journal_rules import named_at
 from ..library.lubricant import Lubricant, OilState
+from ..library.tolerances import ToleranceField
 from ..sheet.arrays import Array, BoolArray, Value
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import result, value
 from ..sheet.record import record
 from ..sheet.step import Curve, Erratum, Table
 from ..sheet.text import Text
-from ..sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second, Watt
+from ..sheet.units import (
+    Celsius,
+    CubicMetrePerSecond,
+    Kilogram,
+    Metre,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Radian,
+    RevPerSecond,
+    Second,
+    Watt,
+)
 from .inputs import BearingsInputs
 
 if TYPE_CHECKING:
@@ -155,6 +169,7 @@ class Carrying(ABC):
 
     load: Newton
     friction_power: Watt
+    oil_flow: CubicMetrePerSecond  # under pressure
     on_shaft: OnShaftResult | None
     slope: Radian | None  # of the journal; None: not known, and taken
 
@@ -223,6 +238,14 @@ class Carrying(ABC):
         """Its life, and the exponent by which it adds to those of others; None of a kind that does not fatigue."""
         return None
 
+    def seat_size(self) -> Metre:
+        """Diameter of the housing's bore in which it sits."""
+        return self.row.on_shaft[0] if self.row.on_shaft is not None else 0.0
+
+    def mass(self) -> Kilogram:
+        """Of what is put between shaft and housing."""
+        return 0.0
+
     @abstractmethod
     def spring(self) -> NewtonPerMetre:
         """Its stiffness at rated speed, for the critical speed."""
@@ -258,6 +281,16 @@ class Solids:
     housing: Material
     backing: Material
     shaft_bore: Metre = 0.0
+
+
+@record
+class TurnedJournal:
+    """How the place of a bearing on its shaft is turned: limits of its diameter, m, where these are given, else its
+    field; its roughness Ra, m.  None: not said."""
+
+    limits: tuple[Metre, Metre] | None = None
+    field: ToleranceField | None = None
+    texture: Metre | None = None
 
 
 R = TypeVar("R", bound=Carrying)
@@ -306,6 +339,14 @@ class Kind(ABC, Generic[R]):
     def sections(self, results: Mapping[str, R], checks: dict[str, Check]) -> list[list[Sketch]]:
         """Further pictures, those of one view together."""
         return []
+
+    def turned(self, row: BearingRow, inputs: BearingsInputs) -> TurnedJournal:
+        """The place of one on the drawing of its shaft."""
+        return TurnedJournal()
+
+    def on_drawing(self, results: Mapping[str, R], inputs: BearingsInputs, say: Say) -> Iterator[SheetTable]:
+        """What stands beside the views there: of seats, and of bearings that are bought."""
+        return iter(())
 
     def notes(
         self, inputs: BearingsInputs, solved: "CountershaftResult | None", results: Mapping[str, R]

@@ -2,6 +2,7 @@
 """The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their
 subjects, those of its outline where it is put together."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
@@ -22,7 +23,7 @@ from .inputs import ShaftInputs
 from .insertion import way_in
 from .outline import Journals, Outline, outer_face
 from .result import CountershaftResult, SupportResult
-from .rows import EACH_ROW, SHAFT, BearingRow, called
+from .rows import EACH_ROW, SHAFT, BearingRow, called, row_key
 from .sizing.sectors import LEFT_OVER, ShaftTask
 from .supports import Gear
 
@@ -358,9 +359,11 @@ def _envelope_checks(
         scale = R if R is not None else max(d for d, _ in journals) / 2
         yield ENVELOPE(round(room, 9), clearance, scale=scale, remedies=smaller, name=name, moved_by=moved_by)
     if clearance is not None and gear is not None and shaft.passes_seats:
-        front = dotted(SHAFT, ShaftInputs.bearings, shaft.bearings[0].name, BearingRow.diameter)
-        keys = front, dotted("gears", GearsInputs.normal_module)
-        yield GEAR_SEAT(round((journals[0][0] - gear.tip_diameter) / 2, 9), 0.0, scale=1e-3, moved_by=keys)
+        row = shaft.bearings[0]
+        keys = row_key(row.name, row.size_keys()[0]), dotted("gears", GearsInputs.normal_module)
+        gap = (row.opening() - gear.tip_diameter) / 2
+        if math.isfinite(gap):
+            yield GEAR_SEAT(round(gap, 9), 0.0, scale=1e-3, moved_by=keys)
     if shaft.mode == "size" and shaft.half_length is not None:
         face, length = outer_face(seats, journals)
         shorter = _no_longer(ShaftInputs.half_length, face)

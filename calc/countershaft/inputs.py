@@ -551,6 +551,12 @@ class ShaftInputs:
         return sizes if len(sizes) == len(self.bearings) else ()
 
     @property
+    def openings(self) -> tuple[float, ...]:
+        """The diameters that its seats leave to what comes in through them, front to rear, infinite where nothing has
+        to; empty where one of them is not known."""
+        return tuple(row.opening() for row in self.bearings) if self.journals else ()
+
+    @property
     def of_sectors(self) -> str:
         """The material of its sectors."""
         return self.sector_material or self.material
@@ -562,13 +568,14 @@ class ShaftInputs:
 
     @property
     def seat(self) -> float | None:
-        """The diameter of what the sectors have to pass on the way in: of the largest journal, or of a carrier; None
+        """The diameter of what the sectors have to pass on the way in: of the largest seat, or of a carrier; None
         where nothing has to be passed, or it is not known."""
         if self.assembly in LAID_IN:
             return None
         if self.assembly == "cartridge":
             return max((row.carrier_bore[0] for row in self.bearings if row.carrier_bore is not None), default=None)
-        return max((d for d, _ in self.journals), default=None)
+        largest = max(self.openings, default=math.inf)
+        return largest if math.isfinite(largest) else None
 
     @property
     def room_asked(self) -> float | None:
@@ -599,10 +606,15 @@ class ShaftInputs:
             yield dotted(ShaftInputs.shell_gap), Text('needed with covered = "shell"')
         if self.covered != "shell" and self.shell_gap is not None:
             yield dotted(ShaftInputs.shell_gap), Text('leave it out, or say covered = "shell"')
+        for i, row in enumerate(self.bearings):
+            yield from ((dotted(ShaftInputs.bearings, i, key), why) for key, why in row.of_others())
         yield from self._seats()
         if self.mode == "bearings":
             return
         for i, row in enumerate(self.bearings):
+            if row.standing_load is not None:
+                known = Text("leave it out: the shaft knows what stands on its bearings")
+                yield dotted(ShaftInputs.bearings, i, BearingRow.standing_load), known
             if row.position is None:
                 needs = Text("is missing; needs {allowed}", allowed=described(BearingRow.position).allowed())
                 yield dotted(ShaftInputs.bearings, i, BearingRow.position), needs

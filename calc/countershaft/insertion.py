@@ -11,7 +11,6 @@ from ..sheet.value import about, based_on, untraced
 from . import formulas as f
 from .inputs import ShaftInputs
 from .outline import Journals, Outline
-from .rows import BearingRow
 
 SAME: Metre = 0.5e-3  # smaller at most: a journal slides through a seat of its own size, as it runs in one
 
@@ -98,17 +97,6 @@ def _openings(shaft: ShaftInputs, journals: Journals) -> list[Opening]:
     if shaft.room_asked is None:
         return []
     return [
-        Opening(z, row.carrier_bore[0]) if row.carrier_bore is not None else Opening(z, least_bore(row, d), d)
+        Opening(z, row.carrier_bore[0]) if row.carrier_bore is not None else Opening(z, row.least_opening(), d)
         for z, row, (d, _) in zip(shaft.bearing_positions, shaft.bearings, journals)
     ]
-
-
-def least_bore(row: BearingRow, journal: Metre) -> Metre:
-    """Of a seat, by the limits of its parts; else the journal's own diameter."""
-    if row.finished is not None:
-        return row.finished[0]
-    if row.bore is None:
-        return journal
-    if not row.ringed:
-        return row.bore[0]
-    return row.bore[0] - 2 * row.wall[-1] if row.wall is not None else journal

@@ -471,7 +471,7 @@ def given(shaft: ShaftInputs, heavier: Number = 1.0) -> Outline:
 def _bore(shaft: ShaftInputs) -> Metre:
     """The radius of its bore."""
     if not shaft.bore_diameter:
-        return 0.0
+        return based_on(0.0, shaft.bore_diameter)
     with about(Text("bore of the shaft")):
         return radius(d=shaft.bore_diameter)
 

@@ -2,7 +2,7 @@
 """One bearing of a shaft: a row of [[shafts.bearings]], front to rear.  What a row needs is asked by the whole design:
 all of it where [bearings] judges the bearing, else its name, its place and its size alone."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from ..bearings.plain.row import PlainRow
@@ -31,14 +31,19 @@ def sign(row: str) -> str:
     return {"front": "f", "middle": "m", "rear": "r"}.get(row, row)
 
 
+ROWS: dict[str, type[SupportRow]] = {"plain": PlainRow, "rolling": RollingRow}  # by the word of its kind
+
+
 @inputs
 class BearingRow(RollingRow, PlainRow, SupportRow):
     """One bearing in its place, of any kind."""
 
     @staticmethod
     def as_read(row: dict[str, object]) -> dict[str, object]:
-        """A list under the key of the clearance is that before mounting."""
-        one, limits = dotted(PlainRow.clearance), dotted(RollingRow.clearance_limits)
+        """A list under the key of the clearance is that before mounting; a size may be a number, 6205."""
+        one, limits, size = map(dotted, (PlainRow.clearance, RollingRow.clearance_limits, RollingRow.size))
+        if type(row.get(size)) is int:
+            row = {**row, size: str(row[size])}
         if not isinstance(row.get(one), list) or limits in row:
             return row
         return {limits if key == one else key: content for key, content in row.items()}
@@ -51,6 +56,8 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
             own = dict.fromkeys(CLEARANCES | LIMITS) | own
         elif not {"journal", "finished"}.isdisjoint(own):
             own = dict.fromkeys(CLEARANCES) | own
+        if "clearance_class" in own:
+            own = {"clearance_limits": None} | own
         if not PRESSES.isdisjoint(own):
             own = dict.fromkeys(PRESSES) | own
         return replace(self, **own)
@@ -63,7 +70,7 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
     @property
     def on_shaft(self) -> tuple[Metre, Metre] | None:
         """The diameter that it takes of the shaft, and its width along it; None where they are not known."""
-        return self.rolling_place if self.kind == "rolling" else self.plain_place
+        return self.place()
 
     @property
     def sized(self) -> bool:
@@ -73,16 +80,42 @@ class BearingRow(RollingRow, PlainRow, SupportRow):
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.name.isascii() and self.name.isdigit():
             yield dotted(BearingRow.name), Text("must not be figures alone, by which elements are counted")
-        yield from self.of_others()
-        yield from self.rolling_problems() if self.kind == "rolling" else self.plain_problems()
+        yield from self.kind_problems()
 
     def of_others(self) -> Iterable[tuple[str, Text]]:
-        """What it says that only bearings of other kinds have."""
+        """What it says that only bearings of other kinds have; the row of a twin is of the kind of its original."""
         for key, entry in keys(BearingRow).items():
             kinds = _kinds(entry.about.where)
             if self.kind and kinds and self.kind not in kinds:
                 if getattr(self, entry.attribute) != entry.field.default:
                     yield key, Text('belongs to kind = "{kind}"', kind='" or "'.join(kinds))
+
+    # what its kind answers
+
+    @property
+    def _row(self) -> type[SupportRow]:
+        return ROWS.get(self.kind, SupportRow)  # of a word that is none nothing is known
+
+    def place(self) -> tuple[Metre, Metre] | None:
+        return self._row.place(self)
+
+    def opening(self) -> Metre:
+        return self._row.opening(self)
+
+    def least_opening(self) -> Metre:
+        return self._row.least_opening(self)
+
+    def size_keys(self) -> tuple[str, ...]:
+        return self._row.size_keys(self)
+
+    def size_words(self) -> Text:
+        return self._row.size_words(self)
+
+    def fed(self) -> bool:
+        return self._row.fed(self)
+
+    def kind_problems(self) -> Iterable[tuple[str, Text]]:
+        return self._row.kind_problems(self)
 
 
 def _kinds(where: Where | None) -> tuple[str, ...]:
@@ -94,6 +127,18 @@ def _kinds(where: Where | None) -> tuple[str, ...]:
     return ()
 
 
+def of_new_kind(before: Mapping[str, object], row: Mapping[str, object]) -> dict[str, object]:
+    """A row as a file has it, whose kind is another than before: without what only bearings of the former kind have,
+    and without what a seat of each kind asks in its own way."""
+    kind = row.get(KIND.key, KIND.field.default)
+    if kind == before.get(KIND.key, KIND.field.default):
+        return dict(row)
+    here, known = dict(BearingRow.as_read(dict(row))), keys(BearingRow)
+    others = {key for key in here if key in known and kind not in (_kinds(known[key].about.where) or (kind,))}
+    return {key: content for key, content in here.items() if key not in others | OF_EACH}
+
+
+OF_EACH = set(map(dotted, (BearingRow.bore, BearingRow.seat_fit)))  # of its seat, by which each kind means its own
 PRESSES = {"interference", "crush"}  # what may say how a bush is pressed
 CLEARANCES, LIMITS = {"clearance", "clearance_factor"}, {"journal", "bore", "finished"}  # what may say a clearance
 

@@ -223,6 +223,7 @@ def _with_outline(
     shaft, steel, omega = step.shaft, step.material, step.omega
     points = (*shaft.extras, *(masses if outline.plain else ()))  # what the outline itself does not hold
     m_S, z_S = s.weighed(outline, steel.density, points)
+    z_S = based_on(z_S, z_S, outline.bore)
     J_S = s.turning_inertia(outline, steel.density, points)
     result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
     if not outline.derived:

@@ -5,9 +5,10 @@ value is put there."""
 import re
 import tomllib
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from ..countershaft.inputs import OWN, TWIN, ShaftInputs
-from ..countershaft.rows import IN_WORDS, OF_ORIGINAL, BearingRow, titled
+from ..countershaft.rows import IN_WORDS, OF_ORIGINAL, BearingRow, of_new_kind, titled
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
 from ..sheet.errors import BadInput, InputError
@@ -235,6 +236,21 @@ def _changed(here: object, where: tuple[str | int, ...], value: object) -> objec
     else:
         table.pop(str(first), None)  # None: left out, the program chooses
     return table
+
+
+def of_kind(before: Table, data: Table, where: tuple[str | int, ...]) -> Table:
+    """The tables once a key is changed; where a bearing is of another kind now, without what only the former kind
+    has."""
+    if where[2:3] != (dotted(ShaftInputs.bearings),) or where[4:] != (dotted(BearingRow.kind),):
+        return data
+    row = where[:-1]
+    return changed(data, row, of_new_kind(_row_at(before, row), _row_at(data, row)))
+
+
+def _row_at(here: Any, where: tuple[str | int, ...]) -> Table:
+    for part in where:
+        here = here[part]
+    return as_table(here)
 
 
 def parse_assignment(text: str) -> tuple[str, object]:

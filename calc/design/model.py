@@ -463,10 +463,10 @@ class Design:
                 yield dotted(key, BearingRow.offset), line
         if self.bearings is None:
             for key, row in rows:
-                plain = row.kind == "plain"
-                if row.sized != rows[0][1].sized or (plain and (row.diameter is None) != (row.length is None)):
+                given = [getattr(row, keys(BearingRow)[own].attribute) is not None for own in row.size_keys()]
+                if row.sized != rows[0][1].sized or (any(given) and not all(given)):
                     alike = Text("give diameter and length of all bearings, or of none")
-                    yield dotted(key, BearingRow.diameter if plain else BearingRow.size), alike
+                    yield dotted(key, row.size_keys()[0]), alike
                     break
             for key, row in rows:
                 for entry in keys(BearingRow).values():
@@ -475,7 +475,7 @@ class Design:
             return
         for key, row in rows:
             yield from _within(key, self.bearings.asked_of(row))
-            if row.kind == "plain":
+            if row.fed():
                 yield from self._seat(self.bearings, key, row)
         yield from self._locating(rows)
         if len(rows) > 2 and self.bearings.load_speed_ratio != 1:
@@ -654,9 +654,7 @@ class Design:
             yield dotted(GearsInputs.power), needed
 
 
-PLACES_OF_ROWS = tuple(
-    dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.kind, BearingRow.offset)
-)
+PLACES_OF_ROWS = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.offset))
 SHARED_OF_ROWS = OF_ROWS  # what a row may say for its bearing alone, where else that of all of them holds
 
 
@@ -679,9 +677,10 @@ def _of_seat(bearings: BearingsInputs, row: BearingRow) -> Problems:
 
 def _of_row(bearings: BearingsInputs, row: BearingRow) -> Problems:
     """What is wrong with one bearing, by itself and by what all share."""
+    yield from row.of_others()
     yield from row.problems()
     yield from bearings.asked_of(row)
-    if row.kind == "plain":
+    if row.fed():
         yield from _of_seat(bearings, row)
 
 

@@ -12,7 +12,10 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.plain.selection.variants import SelectionCase
 from ..bearings.plain.speeds import highest_speed, of_journals
 from ..bearings.result import BearingsResult
+from ..bearings.rolling.kind import on_the_way
+from ..bearings.rolling.search import Place, candidates, usual_sizes
 from ..bearings.solve import BearingMaterials
+from ..bearings.support import Solids, StandingLoads, Task
 from ..countershaft.checks import InPlace, swept
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.making.bolts import on_bearings
@@ -47,7 +50,7 @@ from ..mounting.wrenches import ShaftOnEngine
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import item
 from ..sheet.step import Outcome
-from ..sheet.text import Text
+from ..sheet.text import EMPTY, Text
 from ..sheet.units import Watt
 from ..sheet.value import about, based_on, recorded, trace
 from .model import STEPS, Design
@@ -514,12 +517,12 @@ def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftRes
     shafts = {}
     for shaft in design.resolved:
         inputs, result = shaft.inputs, solved[shaft.name].result if shaft.name in solved else None
-        turns, sizes = inputs.mode != "bearings", inputs.journals
+        turns, seats = inputs.mode != "bearings", inputs.openings
         end = gear_end(inputs, result) if turns else None
         shafts[shaft.name] = ShaftInTrain(
             axis=axis_of(inputs) if turns else None,
             eccentric=eccentric(inputs, end) if turns else None,
-            journals=(sizes[0][0], sizes[-1][0]) if sizes and inputs.passes_seats else None,
+            journals=(seats[0], seats[-1]) if seats and inputs.passes_seats else None,
             gear_end=end,
             couple=result.couple if result is not None else None,
         )
@@ -625,3 +628,95 @@ def _gear_bore(design: Design, name: str) -> float | None:
     """Of the wheel on a shaft, where it has one."""
     wheels = design.gears.wheels if design.gears is not None else ()
     return next((wheel.bore_diameter for wheel in wheels if wheel.shaft == name), None)
+
+
+def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
+    """The places of a shaft's bearings, front to rear, as rolling ones are sought for them; of a shaft that is no twin.
+
+    `results`: of the design, with an outline of the shaft where it has one.  A rolling bearing takes no less of the
+    shaft than its core, the bore of the wheel beside the first, and what its ring passes on the way there, and no more
+    than the envelope; of a shaft that is given as sections just that of its section there.  The one
+    nearest to the gear locates the shaft, else the first.  Raises NoSolution where the loads are not known."""
+    view = results.views[name]
+    return _rolling_places(design, view.result(CountershaftResult), view.outcomes["countershaft"].reason, name)
+
+
+def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text, name: str) -> dict[str, Place]:
+    """The same under a shaft that is solved; `why`: it is not."""
+    view = design.views[name]
+    own, inputs, shaft = view.own, design.bearings, view.countershaft
+    assert own is not None and inputs is not None
+    ratio = shaft.speed_ratio if shaft is not None else None
+    speed, engine = inputs.speed, design.engine
+    if speed is None:
+        assert engine is not None  # asked of the design
+        speed, _ = of_journals(engine, ratio)
+    operation = engine.operation if engine is not None else ()
+    task = Task(speed, ratio, operation=operation, life=gears_life(design))
+    solids = bearing_materials(design, inputs, own)
+    lubricant = Lubricant(solids.oil, inputs.viscosity_law)
+    least, most, first = 0.0, float("inf"), own.bearings[0]
+    if shaft is not None:
+        least = max(2 * (shaft.core_radius or 0.0), shaft.bore_diameter)
+        most = 2 * shaft.outer_radius if shaft.outer_radius is not None else most
+    end = gear_end(own, solved) if shaft is not None else None
+    outline = solved.outline if solved is not None else None
+    locating = own.bearings[-1] if end == "rear" else first
+    places = {}
+    for row, housing, backing in zip(own.bearings, solids.housings, solids.backings):
+        load, slope = row.load, row.slope
+        if load is None:
+            load = solved.loads.get(row.name) if solved is not None else None
+        if load is None:
+            raise NoSolution(Text("the loads of the bearings are not known"), why, Text("solve the shaft first"))
+        if slope is None and solved is not None:
+            slope = solved.slopes.get(row.name)
+        way = on_the_way(outline, row.position, ("gear", "journal")) if outline is not None else None
+        bores = max(least, (_gear_bore(design, own.name) or 0.0) if row is first else 0.0, way or 0.0), most
+        here = [x for x in (shaft.sections if shaft is not None else ()) if x.from_ <= row.position <= x.to]
+        if here:  # the given shape has it
+            bores = 2 * here[0].outer_radius, 2 * here[0].outer_radius
+        places[row.name] = Place(
+            row=row,
+            inputs=inputs.of(row),
+            solids=Solids(lubricant, solids.journal, housing, backing, solids.shaft_bore),
+            load=load,
+            stands=_standing_on(row, solved),
+            slope=slope,
+            task=task,
+            bores=bores,
+            locates=row is locating,
+        )
+    return places
+
+
+def on_rolling_instead(design: Design, solved: Mapping[str, CountershaftResult | None]) -> Watt | None:
+    """What balls and rollers of least loss would lose in the places of all bearings, at rated speed, an estimate; None
+    where in one of them none would do, or no load is known."""
+    if design.bearings is None or design.engine is None:
+        return None
+    found = 0.0
+    for name in design.originals:
+        try:
+            places = _rolling_places(design, solved.get(name), EMPTY, name)
+        except NoSolution:
+            return None
+        for place in places.values():
+            task, inputs = replace(place.task, operation=()), replace(place.inputs, duty=())
+            there = replace(place, task=task, inputs=inputs, bores=(0.0, place.bores[1]))
+            one = next(iter(candidates(there, usual_sizes(there))), None)
+            if one is None or one.fails:
+                return None
+            found += one.loss * (1 + len(twins_of(design, name)))
+    return found
+
+
+def _standing_on(row: BearingRow, shaft: CountershaftResult | None) -> StandingLoads:
+    if row.standing_load is not None:
+        return StandingLoads(row.standing_load, row.standing_load, row.axial_load or 0.0)
+    stands = shaft.standing if shaft is not None else None
+    if stands is None:
+        return StandingLoads(0.0, 0.0, 0.0)
+    all_of_it, weight = stands.stationary.get(row.name, 0.0), stands.weights.get(row.name, 0.0)
+    axial = row.axial_load if row.axial_load is not None else stands.gear_force_axial
+    return StandingLoads(all_of_it, weight, axial or 0.0)

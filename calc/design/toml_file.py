@@ -35,6 +35,7 @@ from .addresses import (
     changed,
     every,
     join,
+    of_kind,
     unjudged,
     value_at,
     with_row,
@@ -135,7 +136,7 @@ class Document:
                 value_at(self.data, key, whole=True)
             )  # schema 1 says elsewhere what it is and where it stands
             value = {own: row[own] for own in ROW_OWN if own in row} | value
-        data = changed(there, where, value)
+        data = of_kind(there, changed(there, where, value), where)
         if key == dotted(Design.bearings) and value is None:
             data = unjudged(data)
         former = self.former and self.former.without(".".join(map(str, where)))

@@ -531,7 +531,7 @@ def _bearings(design: Design) -> Iterator[Check]:
     bearings, shaft = design.bearings, design.countershaft
     assert bearings is not None
     for bearing in design.rows:
-        if bearing.plain_place is None:
+        if bearing.diameter is None or bearing.length is None:
             continue
         yield from _journal(bearing.name, bearing, shaft.core_radius if shaft is not None else None)
     p, mu = bearings.supply_pressure, bearings.viscosity

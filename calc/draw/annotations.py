@@ -32,6 +32,9 @@ from .lettering import arrow, room, shortened, strokes, width
 
 LETTER, TITLE = 2.5, 3.5  # heights of capitals, ISO 3098
 SPACING = 2.0  # of a hatch
+COLUMNS = (68.0, 44.0)  # of a table: what, and how much
+Rows = list[tuple[str, ...]]
+SheetTable = tuple[str, Rows, tuple[float, ...]]  # head, rows, widths of the columns
 _MM = 1e-3
 
 

@@ -8,18 +8,17 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
+from ..library.tolerances import ISO, deviations
 from ..sheet.quantity import published
 from ..sheet.record import record
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import UNITS, KilogramMetre, Metre
-from .annotations import ALIKE, Say, alone, degrees, deviated, millimetres, number
+from .annotations import ALIKE, Rows, Say, alone, degrees, deviated, millimetres, number
 from .shaft_outline import drawn
 
 if TYPE_CHECKING:
     from ..countershaft.outline import Piece
     from ..countershaft.result import CountershaftResult
-    from ..countershaft.rows import BearingRow
     from ..friction.inputs import FrictionInputs
     from ..gears.inputs import GearsInputs
     from ..gears.result import TrainResult, WheelResult
@@ -91,24 +90,13 @@ def _cylinder(results: "Results", piece: "Piece", support: Metre | None) -> tupl
     if bearings is None or shaft is None or support is None:
         return size, None
     bearing = next(row for row in shaft.bearings if row.position == support)
-    if (limits := journal_limits(results, bearing)) is not None:
-        size = deviated(size, *(limit - 2 * piece.outer_radius for limit in limits))
-    elif (fit := bearings.of(bearing).journal_fit) != ASSUMED_FIT:
-        field = parse(fit, "shaft")
+    journal = results.kind_of(bearing).turned(bearing, bearings)
+    if journal.limits is not None:
+        size = deviated(size, *(limit - 2 * piece.outer_radius for limit in journal.limits))
+    elif (field := journal.field) is not None:
         named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
         size = deviated(named, *deviations(field, 2 * piece.outer_radius))
-    return size, _roughness(bearing.journal_roughness)
-
-
-def journal_limits(results: "Results", row: "BearingRow") -> tuple[Metre, Metre] | None:
-    """Least and most of a journal, of all its classes where there are some; None where its fit says it."""
-    bearings = results.design.bearings
-    if bearings is None:
-        return None
-    if row.seat == "shells" and bearings.select is not None:
-        classes = bearings.select.journals
-        return classes[0][0], classes[-1][1]
-    return None if row.journal is None else (row.journal[0], row.journal[-1])
+    return size, None if journal.texture is None else _roughness(journal.texture)
 
 
 def _roughness(Ra: Metre) -> Text:
@@ -118,11 +106,11 @@ def _roughness(Ra: Metre) -> Text:
 def missing(results: "Results") -> Iterator[Text]:
     """What a drawing needs and this design does not give; nothing is put in its place."""
     bearings, shaft = results.design.bearings, results.design.countershaft
-    seats = [bearings.of(row) for row in results.design.rows] if bearings is not None else []
-    fitted = [seat for row, seat in zip(results.design.rows, seats) if journal_limits(results, row) is None]
-    if not seats or any(seat.journal_fit == ASSUMED_FIT for seat in fitted):
+    rows = results.design.rows if bearings is not None else ()
+    journals = [results.kind_of(row).turned(row, bearings) for row in rows if bearings is not None]
+    if not journals or any(journal.limits is None and journal.field is None for journal in journals):
         yield Text("fits of the journals")
-    if bearings is None:
+    if not journals or any(journal.texture is None for journal in journals):
         yield Text("roughness of the journals")
     yield Text("heat treatment")
     yield Text("general and geometrical tolerances")
@@ -132,14 +120,13 @@ def missing(results: "Results") -> Iterator[Text]:
         yield Text("fillets")
     if shaft is not None and shaft.holes is not None:
         yield Text("places of the calibration holes")
-    if any(seat.supply == "shaft" for seat in seats):
+    if bearings is not None and any(row.fed() and bearings.of(row).supply == "shaft" for row in rows):
         yield Text("oil ways in the shaft")
 
 
 # --- the tables and notes
 
 PART_DRAWING = Text("Part drawing")
-Rows = list[tuple[str, ...]]
 HANDS = {"left": Text("left"), "right": Text("right")}
 SIZE = 3  # decimals of a tooth's sizes
 

@@ -6,18 +6,18 @@ End view and section look from front to rear, where a crank that turns as engine
 import math
 from collections.abc import Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from ..sheet.text import COMMA, Amount, Text
+from ..sheet.quantity import dotted
+from ..sheet.text import COMMA, Text
 from ..sheet.units import Metre, Radian
 from . import annotations, sheet_data
-from .annotations import TITLE, Leaf, Say, degrees, millimetres, number, rounded
+from .annotations import COLUMNS, TITLE, Leaf, Say, SheetTable, degrees, millimetres, number, rounded
 from .drawing import CENTRE, EDGE, VISIBLE, Point
-from .seat_data import class_tables, seat_rows
 from .shaft_outline import FLAT, upwards
 from .sheet_data import PART_DRAWING, TurnedPiece
 from .side_view import OVER, SideView
-from .workshop_sheet import COLUMNS, DrawnPart, WorkshopSheet, composed, tables
+from .workshop_sheet import DrawnPart, WorkshopSheet, composed, tables
 
 if TYPE_CHECKING:
     from ..countershaft.outline import Piece
@@ -170,8 +170,7 @@ def shaft_sheet(
     beside = [
         (say(Text("Balancing")), sheet_data.balance_rows(results, solved, say), COLUMNS),
         (masses, sheet_data.mass_rows(results, solved, say), MASS_COLUMNS),
-        (say(Text("Seats of the journals, at {T} °C", T=_reference(results))), seat_rows(results, say), COLUMNS),
-        *class_tables(results, say),
+        *_of_bearings(results, say),
     ]
     if (wheel := sheet_data.shaft_wheel(results)) is not None:
         beside.insert(0, _gear_table(results, wheel, say))
@@ -186,13 +185,19 @@ def shaft_sheet(
     )
 
 
-def _reference(results: "Results") -> Amount:
-    """The temperature that clearances and limits are given at."""
-    bearings = results.design.bearings
-    return Amount(20.0 if bearings is None else bearings.clearance_reference_temperature, form="g")
+def _of_bearings(results: "Results", say: Say) -> Iterator[SheetTable]:
+    """What each kind says of those of its bearings that are solved."""
+    outcome, inputs = results.outcomes.get(dotted("bearings")), results.design.bearings
+    known: Mapping[str, Any] = getattr(outcome.result, "bearings", {}) if outcome is not None else {}
+    if inputs is None:
+        return
+    solved = [row for row in results.design.rows if row.name in known]
+    for one in {row.kind: row for row in solved}.values():
+        alike = {row.name: known[row.name] for row in solved if row.kind == one.kind}
+        yield from results.kind_of(one).on_drawing(alike, inputs, say)
 
 
-def _gear_table(results: "Results", wheel: "WheelResult", say: Say) -> tuple[str, sheet_data.Rows, tuple[float, ...]]:
+def _gear_table(results: "Results", wheel: "WheelResult", say: Say) -> SheetTable:
     return say(Text("Gear data: {name}", name=wheel.name)), sheet_data.gear_rows(results, wheel, say), COLUMNS
 
 

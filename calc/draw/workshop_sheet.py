@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 from ..sheet.record import record
 from ..sheet.text import Text
-from .annotations import LETTER, TITLE, Leaf, Say
+from .annotations import COLUMNS, LETTER, TITLE, Leaf, Say, SheetTable
 from .drawing import EDGE, FRAME, TABLE, VISIBLE, Ink
 from .lettering import shortened, width, wrapped
-from .sheet_data import Rows
 
 if TYPE_CHECKING:
     from ..design.other_tables import DocumentControl
@@ -131,7 +130,6 @@ def first_angle(leaf: Leaf, x: float, y: float) -> None:
 # The views in the largest scale of ISO 5455 that the paper has room for, tables and notes beside them.
 
 SCALES = ((2, 1), (1, 1), (1, 2), (1, 5), (1, 10), (1, 20))
-COLUMNS = (68.0, 44.0)  # of a table: what, and how much
 TABLE_LEFT = RIGHT - sum(COLUMNS)
 MARGIN, BELOW = 4.0, 4.0
 UNDER_MARK = 12.0  # below the frame's centring mark
@@ -186,7 +184,7 @@ def composed(
     return WorkshopSheet(title=part.title, scale=over / under, marks=tuple(sheet.marks))
 
 
-def tables(parts: Iterable[tuple[str, Rows, tuple[float, ...]]]) -> Leaf:
+def tables(parts: Iterable[SheetTable]) -> Leaf:
     """Tables one below the other: head, rows, widths of the columns; those without rows are left out.  What has no
     room above the title block stands in a further column to the left."""
     leaf, x, y = Leaf(), 0.0, 0.0

@@ -9,7 +9,7 @@ from ..bearings.inputs import BearingsInputs
 from ..countershaft.inputs import ShaftInputs
 from ..countershaft.outline import Outline
 from ..countershaft.result import CountershaftResult
-from ..countershaft.rows import SHAFT
+from ..countershaft.rows import EACH_ROW, SHAFT, BearingRow
 from ..gears.inputs import GearsInputs
 from ..gears.rating.checks import LINE_LOAD, MICROPITTING_FILM
 from ..library import oils
@@ -113,6 +113,24 @@ MASS_BRACKET = CheckRule(
         dotted("friction", FrictionInputs.mass_loss),
     ),
 )
+BEARING_SHARE = CheckRule(
+    "friction.train.bearing_share",
+    "advice",
+    "What carries the shafts burns more fuel than is usual.",
+    Text("Losses of the bearings over the engine's rated power"),
+    "<=",
+    "%",
+    OWN,
+    Text("Smaller journals, thinner oil, or rolling bearings: `choose FILE bearings` ranks both kinds."),
+    value_id=dotted("friction", FrictionResult.bearing_share),
+    moved_by=(
+        dotted("bearings", BearingsInputs.oil),
+        dotted(EACH_ROW, BearingRow.kind),
+        dotted(EACH_ROW, BearingRow.diameter),
+        dotted(EACH_ROW, BearingRow.length),
+    ),
+)
+MUCH = 0.01  # of the rated power
 OIL_LEVEL = CheckRule(
     "countershaft.oil_level",
     "caution",

@@ -39,6 +39,11 @@ def engine_share(P: Watt, P_e: Watt) -> Number:
     return P / P_e
 
 
+@formula("P_B/P_e", "definition: losses of the bearings of all shafts over the engine's rated power")
+def bearing_share(P_B: Watt, P_e: Watt) -> Number:
+    return P_B / P_e
+
+
 @result
 class MeshResult:
     """One mesh: what is judged, and beside it the source's model and the published ones, all at the same power."""
@@ -145,6 +150,9 @@ class FrictionResult:
     other_loss: Watt = value("Other losses", "W", "ΣP_X")
     total_loss: Watt = value("Sum of the losses", "W", "P", short=True, page_one=1, headline=1)
     engine_share: Number | None = value("Losses over the engine's rated power", "%", "P/P_e", default=None, short=True)
+    bearing_share: Number | None = value(
+        "Losses of the bearings of all shafts over the engine's rated power", "%", "P_B/P_e", default=None
+    )
     crank_power: Watt = value("Power at the first driver", "W", "P_1")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1", short=True, page_one=2, headline=2)
     delivered_power: Watt | None = value("Power that the last wheel delivers", "W")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The friction step: the meshes of the train, the losses of all that turns, the closed power balance."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..library.lubricant import Lubricant
 from ..sheet.deferred import Later
 from ..sheet.step import Curve, Further, Outcome, Table, finite
-from ..sheet.text import Name, Text, listed
+from ..sheet.text import Amount, Name, Text, listed
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt
 from ..sheet.value import about, based_on, trace, untraced
 from . import checks, curves
@@ -25,7 +25,7 @@ from .mesh.film import oil_at
 from .mesh.geometry import Link, MeshGeometry, Sprocket, StageGeometry, WheelGeometry
 from .mesh.loss import MeshLoss, case, losses, solve_mesh
 from .power_balance import Ends, Forces, TrainDrive, balance, drive, end_of
-from .result import FrictionResult, engine_share, torque
+from .result import FrictionResult, bearing_share, engine_share, torque
 from .studies import maps, scenarios, sensitivity
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
@@ -152,13 +152,37 @@ def closed(d: TrainDrive, power: Watt | None = None) -> Outcome[FrictionResult]:
         return checks.outcome(d, result, lines)
 
 
-def with_rated_power(outcome: Outcome[FrictionResult], P_e: Watt | None) -> Outcome[FrictionResult]:
-    """The same outcome with its losses as a share of the engine's rated power, where that is given."""
-    if outcome.result is None or P_e is None:
+def with_rated_power(
+    outcome: Outcome[FrictionResult], P_e: Watt | None, rolling: Callable[[], Watt | None]
+) -> Outcome[FrictionResult]:
+    """The same outcome with its losses as a share of the engine's rated power, where that is given.
+
+    `rolling`: what rolling bearings would lose in the places of all."""
+    if (result := outcome.result) is None or P_e is None:
         return outcome
     with trace() as lines, about(Text("train")):
-        share = engine_share(P=outcome.result.total_loss, P_e=P_e)
-    return replace(outcome, result=replace(outcome.result, engine_share=share), lines=(*outcome.lines, *lines))
+        of_bearings = None
+        if result.bearing_loss is not None:
+            of_bearings = bearing_share(P_B=result.bearing_loss, P_e=P_e)
+        result = replace(result, engine_share=engine_share(P=result.total_loss, P_e=P_e), bearing_share=of_bearings)
+    outcome = replace(outcome, result=result, lines=(*outcome.lines, *lines))
+    if of_bearings is None:
+        return outcome
+    judged = (*outcome.checks, checks.BEARING_SHARE(of_bearings, checks.MUCH))
+    said = Later(lambda: _instead(result, rolling) if of_bearings > checks.MUCH else ())
+    return replace(outcome, checks=judged, notes=outcome.notes + said)
+
+
+def _instead(result: FrictionResult, rolling: Callable[[], Watt | None]) -> Iterator[Text]:
+    with untraced():
+        would = rolling()
+    if would is not None and result.bearing_loss is not None and would < result.bearing_loss:
+        yield Text(
+            "The bearings of the shafts lose {P}; balls and rollers in their places would lose about {rolling} (an "
+            "estimate: `choose FILE bearings`).",
+            P=Amount(result.bearing_loss, "W", digits=3),
+            rolling=Amount(would, "W", digits=2),
+        )
 
 
 def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: Mapping[str, OnShaft]) -> Further:

@@ -128,6 +128,11 @@ def _above_um(letter: str, diameter: Metre) -> float:
     return _row("fine_above_um" if fine else "above_um", letter)[_range(ends, diameter)]
 
 
+def ends_of_ranges() -> list[float]:
+    """The upper end [mm] of each range within which every field has the same deviations."""
+    return _row("fine", "up_to_mm")
+
+
 def clearance_limits(journal: ToleranceField, seat: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:
     """Least and greatest change of the clearance by both fields: least hole less largest shaft, and the other way
     round.

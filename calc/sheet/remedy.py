@@ -121,7 +121,9 @@ def assignment(key: str, value: object) -> str:
         return f"{key}="
     if isinstance(value, (list, tuple)):
         return f"{key}=[{', '.join(assignment('', element)[1:] for element in value)}]"
-    return f"{key}={json.dumps(value, ensure_ascii=False)}" if isinstance(value, str) else f"{key}={value!r}"
+    if isinstance(value, (str, bool)):
+        return f"{key}={json.dumps(value, ensure_ascii=False)}"
+    return f"{key}={value!r}"
 
 
 def assignments(changes: Mapping[str, object]) -> list[str]:

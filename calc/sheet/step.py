@@ -3,7 +3,7 @@
 
 import cmath
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Generic, Literal, TypeVar, cast
@@ -49,12 +49,20 @@ def axis_label(label: str, unit: str) -> Text:
 @record
 class Series:
     """One line of a curve, in shown units.  `variant`: the one of the curve's variants that it belongs to; empty: all
-    of them."""
+    of them.  `dashed`: it is told from whole lines by that, and those that are have in turn the same colours."""
 
     label: Text
     x: Array  # (points,)
     y: Array  # (points,)
     variant: Text = EMPTY
+    dashed: bool = False
+
+
+def line_of(series: Sequence[Series], n: int) -> int:
+    """Which of the colours the n-th of them has: the whole ones have theirs in turn, and so have the dashed ones."""
+    if n >= len(series):
+        return n
+    return sum(other.dashed == series[n].dashed for other in series[:n])
 
 
 @record

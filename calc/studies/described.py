@@ -5,7 +5,7 @@ and what acts on it that nobody counts."""
 from collections.abc import Callable, Iterator
 from math import degrees
 
-from ..countershaft.rows import BearingRow, called
+from ..countershaft.rows import called
 from ..design.model import TITLES, Design
 from ..engine.formulas import stroke
 from ..sheet.quantity import dotted
@@ -79,7 +79,7 @@ def _shaft(view: Design) -> Text:
 
 
 def _rows(view: Design) -> Text:
-    return COMMA.join(Text("{row} {size}", row=called(row.name), size=_size(row)) for row in view.rows)
+    return COMMA.join(Text("{row} {size}", row=called(row.name), size=row.size_words()) for row in view.rows)
 
 
 def _load_case(design: Design) -> Iterator[Text]:
@@ -90,13 +90,13 @@ def _load_case(design: Design) -> Iterator[Text]:
     if design.gears is not None and design.gears.power is not None:
         yield Text("power {power}", power=Amount(design.gears.power / 1e3, "kW"))
     if (bearings := design.bearings) is not None:
-        supply = Amount(bearings.supply_temperature, "°C"), Amount(bearings.supply_pressure / 1e5, "bar")
-        yield Text("oil supplied at {temperature} and {pressure}", temperature=supply[0], pressure=supply[1])
+        T, p = Amount(bearings.supply_temperature, "°C"), bearings.supply_pressure
+        if p is None:
+            yield Text("oil at {temperature}", temperature=T)
+        else:
+            pressure = Amount(p / 1e5, "bar")
+            yield Text("oil supplied at {temperature} and {pressure}", temperature=T, pressure=pressure)
         yield Text("cold at {lowest}", lowest=Amount(bearings.lowest_temperature, "°C"))
-
-
-def _size(bearing: BearingRow) -> Text:
-    return Text("⌀{diameter} × {length}", diameter=Amount(bearing.diameter * 1e3), length=_mm(bearing.length))
 
 
 def _mm(length: float) -> Amount:

@@ -133,7 +133,8 @@ def _titles(keys: Iterable[str]) -> Text:
 # --- what the rules behind `new` leave out, and why
 # Known by their words, which stand in the design file as a person's would.
 
-NO_PLAIN = (
+NO_BEARINGS = "no bearings were found that keep every limit, neither plain nor rolling ones"
+NO_PLAIN = (  # as versions wrote it that knew plain ones alone
     "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their "
     "tolerances"
 )
@@ -141,7 +142,7 @@ NO_TRAIN = "no train of usual wheels was found that keeps every limit"
 NONE = "no shaft: what shakes is left to the mounts"
 NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
 CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
-OF_PROGRAM = (NO_PLAIN, NO_TRAIN, NONE, NOTHING, CRANK_ALONE)
+OF_PROGRAM = (NO_BEARINGS, NO_PLAIN, NO_TRAIN, NONE, NOTHING, CRANK_ALONE)
 
 
 @cache

@@ -59,9 +59,10 @@ class _Row(TypedDict, total=False):
 
 class Arrangement(TypedDict, total=False):
     """The shafts with which an engine is built: the balancing that they are and how they are carried and driven, or
-    `without`, why it has none."""
+    `without`, why it has none.  `bearings`: the kind of each, front to rear."""
 
     balancing: str
+    bearings: list[str]
     built: str
     without: str
     source: str
@@ -114,8 +115,8 @@ def engine_design(
     usual = {dotted(ImbalanceInputs.crank_balance_fraction): 0.5, dotted(ImbalanceInputs.kinematics): "exact"}
     document = document.with_value(dotted(Design.imbalance), usual | row.get("imbalance", {}))
     from ..solve import solve
+    from .starter.bearings import share_said
     from .starter.build import begun, built, mounting  # numpy, which a list of the engines does not need
-    from .starter.journals import share_said
     from .starter.writing import written
 
     why = "" if balancing else arrangement.get("without", "")
@@ -128,6 +129,7 @@ def engine_design(
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"], engine=name, keys=", ".join(own))
+    kinds: tuple[str, ...] = ()
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
     if own:
         note = Text(
@@ -137,12 +139,14 @@ def engine_design(
         )
     elif balancing == arrangement.get("balancing") and "built" in arrangement:
         there = dict(note=note, built=arrangement["built"], source=arrangement["source"])
-        note = Text("{note} Built with: {built} ({source}); bearings here are plain, wheels a train.", **there)
+        note = Text("{note} Built with: {built} ({source}); here wheels drive it.", **there)
+        kinds = tuple(arrangement.get("bearings", ()))
     with recorded(False):
-        tables = body + begun(document, balancing, why)
-        text = _text(title, note, tables)
+        tables = begun(document, balancing, why, kinds)
+        body = f"[engine]\n{_lines(engine | tables.engine)}\n[imbalance]\n{_lines(imbalance)}" + tables.text
+        text = _text(title, note, body)
         share = share_said(solve(design(parse(text.encode("utf-8"), name)), compared=False))
-        text = _text(title, Text("{note} {share}", note=note, share=share), tables) if share else text
+        text = _text(title, Text("{note} {share}", note=note, share=share), body) if share else text
         if mounts:
             document = parse(text.encode("utf-8"), name)
             text += written(mounting(document, solve(design(document))))

@@ -72,11 +72,14 @@ class _Given:
     number: bool = False  # or several; any other text stands as the file has it
     default: bool = False
     left_out: bool = False
+    nothing: bool = False  # and says nothing there, by a choice of the same table
 
 
 def _given(key: Key, data: dict[str, Any]) -> _Given:
     if (value := data.get(key.key)) is not None:
         return _Given(_written(key.about, value), not isinstance(value, str))
+    if key.about.where is not None and not key.about.where.holds(data):
+        return _Given(left_out=True, nothing=True)
     default = key.field.default
     if default is None or default is MISSING or default == ():
         return _Given(left_out=True)
@@ -138,7 +141,8 @@ class _Tables:
                 continue
             given = _given(key, data)
             if given.left_out:
-                self.left_out.append(_left_out(key, self.say))
+                if not given.nothing:
+                    self.left_out.append(_left_out(key, self.say))
                 continue
             rows.append(
                 (
@@ -211,7 +215,9 @@ class _Tables:
             if key.key == "name" or key.about.kind in ("table", "tables"):
                 continue
             if all(g.left_out for g in given):
-                if key not in SHARED_OF_ROWS:  # which is said of what all bearings share
+                if (
+                    not all(g.nothing for g in given) and key not in SHARED_OF_ROWS
+                ):  # which is said of what all bearings share
                     self.left_out.append(_left_out(key, self.say))
             else:
                 shown.append((key, given))

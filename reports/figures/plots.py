@@ -19,7 +19,7 @@ from matplotlib.transforms import IdentityTransform
 
 from calc.locale import Language
 from calc.sheet.number import DUST, short
-from calc.sheet.step import Curve, Series
+from calc.sheet.step import Curve, Series, line_of
 
 from ..typesetting.boxes import BLACK, Box, Colour
 from ..typesetting.fonts import clean
@@ -40,6 +40,7 @@ LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
 )
 # Bars differ by their grey as well as by their colour; from the fifth on they are hatched.
 BARS: tuple[Colour, ...] = ((0.0, 0.28, 0.46), (0.945, 0.69, 0.2), (0.0, 0.58, 0.42), (0.80, 0.92, 0.985))
+DASHES = (4.5, 1.8)  # of series that are dashed
 BROAD, THIN = 2.1, 0.8  # of the thickness of a line, for loci that may run over each other
 LIMITS: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
     ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8),
@@ -79,7 +80,9 @@ def series_style(curve: Curve, i: int) -> tuple[Colour, tuple[float, ...], float
     sides of them."""
     if curve.band and i >= len(curve.series) - 2:
         return EDGE_STYLE
-    colour, dashes, thick = line_style(i)
+    colour, dashes, thick = line_style(line_of(curve.series, i))
+    if any(series.dashed for series in curve.series):
+        dashes = DASHES if curve.series[i].dashed else ()
     like = [n for n, s in enumerate(curve.series) if s.variant == curve.series[i].variant]
     if curve.equal and len(like) > 1:
         thick *= BROAD if i == like[0] else THIN

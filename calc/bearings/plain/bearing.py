@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A plain bearing under its load: what its shaft, the power balance and a report ask of a bearing of any kind."""
 
+import math
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
@@ -14,8 +15,8 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, group, result
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond
-from ...sheet.value import about, untraced
+from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond
+from ...sheet.value import about, based_on, untraced
 from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, on_bearing
 from . import formulas as f
 from .as_support import runs_centred
@@ -123,7 +124,8 @@ class PlainBearing(PlainResult, Carrying):
     def out_of_line(self, R_c: Newton) -> Metre | None:
         duty, seat = replace(self.duty, load=f.load_peak(F=self.load, R_0=R_c)), self.seat
         with untraced(), suppress(NoSolution):  # its check fails
-            return balanced(own_warm, replace(seat, centred=seat.centred and runs_centred(seat, duty)), duty).film
+            film = balanced(own_warm, replace(seat, centred=seat.centred and runs_centred(seat, duty)), duty).film
+            return based_on(film, R_c, self.film)
         return None
 
     def tilt_checks(self, place: str) -> Iterator[Check]:
@@ -139,6 +141,17 @@ class PlainBearing(PlainResult, Carrying):
             with untraced():
                 edge = f.film_at_edge_of_another(h_x=lies.film_alignment, h_0=self.film, h_edge=self.film_edge)
         yield on_bearing(ALIGNMENT, place, edge, self.kreisle_film)
+
+    def seat_size(self) -> Metre:
+        rings = self.seat.rings
+        return self.row.diameter + (2 * rings.wall if rings is not None else 0.0)
+
+    def mass(self) -> Kilogram:
+        rings = self.seat.rings
+        if rings is None:
+            return 0.0
+        outside, inside = self.seat_size(), self.row.diameter
+        return math.pi / 4 * (outside**2 - inside**2) * self.row.length * rings.backing.density
 
     def spring(self) -> NewtonPerMetre:
         return film_stiffness(K_xx=self.dynamics.stiffness_xx, K_yy=self.dynamics.stiffness_yy)

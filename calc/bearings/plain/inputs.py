@@ -16,7 +16,7 @@ from ...sheet.text import Amount, Text
 from ...sheet.units import Radian
 from ..row import ASKED_ELSEWHERE
 from .materials import DEFAULT_APPLICATION, bush_problem
-from .row import LEAST_METAL, more_metal, near
+from .row import LEAST_METAL, PlainRow, more_metal, near
 from .seats.classes import Select
 
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
@@ -340,7 +340,7 @@ class PlainInputs:
         """The widest, along the bearing, of what may bring the oil; 0: nothing has a width."""
         return max(width or 0.0 for _, width in self._widths)
 
-    def _placed(self, row: BearingRow) -> bool:
+    def _placed(self, row: PlainRow) -> bool:
         """Whether the fits of a bearing say where their fields lie, so that a clearance follows from them."""
         pairs = ((row.journal_fit or self.journal_fit, "shaft"), (row.seat_fit or self.seat_fit, "hole"))
         return all(fits.problem(fit, of) is None and fits.parse(fit).letter is not None for fit, of in pairs)
@@ -363,7 +363,7 @@ class PlainInputs:
                 )
                 yield key, why
 
-    def asked_of_plain(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
+    def asked_of_plain(self, row: PlainRow) -> Iterable[tuple[str, Text]]:
         """What a plain bearing that these inputs judge still lacks, by the keys of its row."""
         for key, there in (
             (BearingRow.diameter, row.diameter),
@@ -387,7 +387,7 @@ class PlainInputs:
                 Text("give clearance_um or clearance_factor, or journal_mm and bore_mm, or {letters}", letters=letters),
             )
 
-    def _by_classes(self, row: BearingRow) -> Iterable[tuple[str, Text]]:
+    def _by_classes(self, row: PlainRow) -> Iterable[tuple[str, Text]]:
         """Shells whose clearance the classes make."""
         assert self.select is not None
         made = Text("leave it out: the classes of [bearings.select] make the clearance")

@@ -7,6 +7,7 @@ from typing import Any
 from ...countershaft.bending.condensed import Condensed
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, called
+from ...draw.annotations import Say, SheetTable
 from ...draw.drawing import Sketch
 from ...sheet.arrays import Array
 from ...sheet.check import Check
@@ -15,13 +16,14 @@ from ...sheet.text import Text
 from ...sheet.units import Newton
 from ...sheet.value import about
 from ..inputs import BearingsInputs
-from ..support import Kind, OperatingPoint, ShaftInView, Shared, Solids, Support, Task
+from ..support import Kind, OperatingPoint, ShaftInView, Shared, Solids, Support, Task, TurnedJournal
 from .as_support import at_corners
 from .bearing import PlainBearing
 from .corners import corners_table
 from .curves import charts, curves
 from .makers import maker_checks, makers_table, own_journal
 from .notes import errata, notes
+from .on_drawing import on_drawing, turned
 from .result import AT_ALL
 from .routes.side_by_side import routes_table
 from .routes.states import BearingCase
@@ -94,6 +96,12 @@ class Plain(Kind[PlainBearing]):
 
     def sections(self, results: Mapping[str, PlainBearing], checks: dict[str, Check]) -> list[list[Sketch]]:
         return [*seat_sketches(results, checks)]
+
+    def turned(self, row: BearingRow, inputs: BearingsInputs) -> TurnedJournal:
+        return turned(row, inputs)
+
+    def on_drawing(self, results: Mapping[str, PlainBearing], inputs: BearingsInputs, say: Say) -> Iterator[SheetTable]:
+        return on_drawing(results, inputs, say)
 
     def notes(
         self, inputs: BearingsInputs, solved: CountershaftResult | None, results: Mapping[str, PlainBearing]

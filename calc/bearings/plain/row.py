@@ -387,10 +387,28 @@ class PlainRow(SupportRow):
         where=(KIND, "plain"),
     )
 
-    @property
-    def plain_place(self) -> tuple[float, float] | None:
-        """Diameter and length of the journal, m; None where they are not known."""
+    def place(self) -> tuple[float, float] | None:
         return None if self.diameter is None or self.length is None else (self.diameter, self.length)
+
+    def least_opening(self) -> float:
+        if self.finished is not None:
+            return self.finished[0]
+        if self.bore is None:
+            return self.diameter
+        if not self.ringed:
+            return self.bore[0]
+        return self.bore[0] - 2 * self.wall[-1] if self.wall is not None else self.diameter
+
+    def size_keys(self) -> tuple[str, ...]:
+        return dotted(PlainRow.diameter), dotted(PlainRow.length)
+
+    def size_words(self) -> Text:
+        return Text(
+            "⌀{diameter} × {length}", diameter=Amount(self.diameter * 1e3), length=Amount(self.length * 1e3, "mm")
+        )
+
+    def fed(self) -> bool:
+        return True
 
     @property
     def limited(self) -> bool:
@@ -407,7 +425,7 @@ class PlainRow(SupportRow):
         """Whether something is pressed into the housing."""
         return self.seat != "direct"
 
-    def plain_problems(self) -> Iterable[tuple[str, Text]]:
+    def kind_problems(self) -> Iterable[tuple[str, Text]]:
         if self.bore is not None and len(self.bore) != 2:
             yield dotted(PlainRow.bore), Text("must be a list of numbers, least and most")
             return

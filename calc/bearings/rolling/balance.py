@@ -160,7 +160,8 @@ def balanced_temperature(
             if not np.any(moved > NEAR):
                 break
     T_b: Any = single_or_many(np.where(none, np.nan, here))
-    return T_b
+    found: Value = T_b
+    return found
 
 
 def carried_off(

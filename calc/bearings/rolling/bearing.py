@@ -15,7 +15,7 @@ from ...sheet.check import Check
 from ...sheet.quantity import result
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
+from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
 from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Task
 from .checks import rolling_checks
@@ -101,10 +101,6 @@ class RollingBearing(LoadedBearing, Carrying):
     """One rolling bearing under its load, as its shaft and a report ask it."""
 
     @property
-    def row(self) -> BearingRow:
-        return self.case.row
-
-    @property
     def speed(self) -> RevPerSecond:
         return self.task.speed
 
@@ -152,6 +148,12 @@ class RollingBearing(LoadedBearing, Carrying):
 
     def survival(self) -> tuple[Second, Number] | None:
         return None if self.life is None else (self.life, SPREADS[self.case.size.elements])
+
+    def seat_size(self) -> Metre:
+        return self.seat_diameter
+
+    def mass(self) -> Kilogram:
+        return self.bearing_mass
 
     def spring(self) -> NewtonPerMetre:
         return UNKNOWN if self.stiffness is None else self.stiffness

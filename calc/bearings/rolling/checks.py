@@ -8,17 +8,19 @@ from ...countershaft.rows import ROW, SHAFT, BearingRow, row_key
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Metre, Number, Second
+from ...sheet.units import Celsius, Metre, Number, RevPerSecond, Second
 from ...sheet.value import untraced
+from ..formulas import load_at_speed
 from ..inputs import BearingsInputs
 from ..plain.inputs import SLOPE_TAKEN
+from ..plain.speeds import SLOWEST
 from ..result import BearingsResult
-from ..support import on_bearing
+from ..support import Task, on_bearing
 from .clearance import ROOM
 from .geometry import gamma_of
 from .raceway import HARDNESS, ROUGHNESS, case_depth_needed, largest_slope
 from .result import RollingResult
-from .solve import LoadedBearing, largest_speed
+from .solve import LoadedBearing, largest_speed, least_loads
 
 RULE = Text("rule of this program")
 SIZE, SHAFT_FIT, SEAT_FIT = (dotted(ROW, key) for key in (BearingRow.size, BearingRow.shaft_fit, BearingRow.seat_fit))
@@ -213,6 +215,7 @@ SLOPE_NEAR = CheckRule(
     demand=True,
     cause=SLOPE_MOST.id,
     moved_by=(CORE, SIZE, SLOPE),
+    short=Text("slope over half"),
 )
 MINIMUM_LOAD = CheckRule(
     "bearings.B.minimum_load",
@@ -396,6 +399,13 @@ LOCATING = CheckRule(
 )
 
 
+def slowest_speed(inputs: BearingsInputs, task: Task) -> RevPerSecond:
+    """The slowest at which the shaft runs: of the range that is given, of the bench run, else as it is assumed."""
+    if inputs.speed_range is not None:
+        return inputs.speed_range[0]
+    return min([point.speed for point in task.bench], default=SLOWEST * task.speed)
+
+
 def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
     if inputs.life is not None:
         return inputs.life
@@ -486,6 +496,12 @@ def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     shares = [1.0] if r.rows is None else r.rows.share.tolist()
     often = [row for row, share in zip(r.carries, shares) if share > RARE]
     rare = [row for row, share in zip(r.carries, shares) if share <= RARE]
+    if r.rows is None:  # nobody says how often it turns slowly
+        n, case = slowest_speed(r.case.inputs, r.task), r.case
+        with untraced():
+            turning = load_at_speed(F=r.load, n=n, n_0=r.task.speed)
+            load, least = least_loads(case, turning, r.stands.weight, n, case.inputs.supply_temperature)
+        rare = [(float(load), float(least))]
     for rule, rows in ((MINIMUM_LOAD, often), (MINIMUM_LOAD_RARE, rare)):
         if rows:
             load, needed = min(rows, key=lambda row: row[0] / row[1])

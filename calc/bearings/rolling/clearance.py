@@ -17,7 +17,7 @@ import numpy as np
 
 from ...library.catalogue import Material, shipped_materials
 from ...library.table_file import TableRow, house_table
-from ...library.tolerances import ToleranceField, deviations, parse
+from ...library.tolerances import ToleranceField, deviations, ends_of_ranges, parse
 from ...sheet.arrays import Value
 from ...sheet.formula import formula
 from ...sheet.functions import largest
@@ -139,32 +139,7 @@ def _stepped(ends: Sequence[float], numbers: Sequence[float], d: Value) -> Value
 @cache
 def _by_range(field: ToleranceField) -> tuple[list[float], list[float], list[float]]:
     """Ends of the ranges [mm] and both deviations in them [m]."""
-    ends = [
-        3.0,
-        6,
-        10,
-        18,
-        24,
-        30,
-        40,
-        50,
-        65,
-        80,
-        100,
-        120,
-        140,
-        160,
-        180,
-        200,
-        225,
-        250,
-        280,
-        315,
-        355,
-        400,
-        450,
-        500,
-    ]
+    ends = ends_of_ranges()
     low, high = zip(*(deviations(field, end / 1e3) for end in ends))
     return ends, list(low), list(high)
 
@@ -196,6 +171,13 @@ def free_clearance(elements: str, clearance_class: str, d: Value) -> Span[Value]
     return None if isinstance(d, float) and np.isnan(found[0]) else found
 
 
+def usual_fits(type: str, inner_ring: bool) -> tuple[str, str]:
+    """Of shaft and seat, where nothing is said: the hole around a cage is its raceway."""
+    usual, rings = _table()["default"], inner_ring and type in ("ball", "roller", "needle")
+    seat: str = _table()["bore_without_ring"]["cage"] if type == "cage" else usual["seat"]
+    return usual["shaft" if rings else "raceway"], seat
+
+
 # --- how one bearing sits, or many of a type
 
 
@@ -209,6 +191,19 @@ class Fits(Generic[Value]):
     free: Span[Value] | None
     on_shaft: Span[Value] | None
     in_seat: Span[Value] | None
+
+
+def fields_of(
+    type: str, inner_ring: bool, shaft_fit: str | None, seat_fit: str | None
+) -> tuple[ToleranceField, ToleranceField]:
+    """The fields of its place on the shaft and of its seat, as given, else the usual ones.  Raises ValueError where a
+    word is no tolerance class."""
+    usual, rings = _table()["default"], inner_ring and type in ("ball", "roller", "needle")
+    seat = _table()["bore_without_ring"][type] if type == "cage" else usual["seat"]
+    return (
+        parse(shaft_fit or usual["shaft" if rings else "raceway"], "shaft in a ring"),
+        parse(seat_fit or seat, "hole for a ring"),
+    )
 
 
 def fits_of(
@@ -228,10 +223,9 @@ def fits_of(
     taken as a ring's.  Raises ValueError where a word is no tolerance class."""
     usual = _table()["default"]
     rings = inner_ring and type in ("ball", "roller", "needle")
-    shaft = limits(parse(shaft_fit or usual["shaft" if rings else "raceway"], "shaft in a ring"), d)
-    in_seat = None
+    on_shaft, seat = fields_of(type, inner_ring, shaft_fit, seat_fit)
+    shaft, hole, in_seat = limits(on_shaft, d), limits(seat, D), None
     if type != "cage":
-        hole = limits(parse(seat_fit or usual["seat"], "hole for a ring"), D)
         outside = ring_limits("outside", D)
         in_seat = outside[0] - hole[1], outside[1] - hole[0]
     if rings:
@@ -239,11 +233,9 @@ def fits_of(
         elements = "ball" if type == "ball" else "roller"
         free = clearance or free_clearance(elements, clearance_class or usual["clearance_class"], d)
         return Fits(free, (shaft[0] - bore[1], shaft[1] - bore[0]), in_seat)
-    word = _table()["bore_without_ring"][type]
-    if type == "cage":
-        raceway = limits(parse(seat_fit or word, "hole for a ring"), D)
-    else:
-        raceway = limits(parse(word, "hole for a ring"), d)
+    raceway = hole
+    if type != "cage":
+        raceway = limits(parse(_table()["bore_without_ring"][type], "hole for a ring"), d)
     return Fits(clearance or (raceway[0] - shaft[1], raceway[1] - shaft[0]), None, in_seat)
 
 

@@ -5,19 +5,43 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from ...countershaft.rows import titled
-from ...sheet.text import Amount, Text
+from ...sheet.text import COMMA, Amount, Name, Text
+from .clearance import usual_fits
 
 if TYPE_CHECKING:
+    from ...countershaft.outline import Outline
     from ..inputs import BearingsInputs
     from .bearing import RollingBearing
 
+SAME = 1e-6  # m
 
-def notes(inputs: "BearingsInputs", results: "Mapping[str, RollingBearing]") -> Iterator[Text]:
+
+def notes(
+    inputs: "BearingsInputs", outline: "Outline | None", results: "Mapping[str, RollingBearing]"
+) -> Iterator[Text]:
     yield Text(
         "The load turns with the shaft: it stands on the inner ring and sweeps the outer one. So the outer ring needs "
         "the tight fit, and the inner one may be loose."
     )
     for place, r in results.items():
+        yield facts(place, r)
+        d = r.case.size.bore
+        pieces = outline.pieces if outline is not None else ()
+        there = max((2 * p.outer_radius for p in pieces if p.start <= r.row.position <= p.end), default=d)
+        if there < d - SAME:
+            yield Text(
+                "{place} bearing: the section of the shaft there, {there}, is thinner than what sits on it, {d}: give "
+                "it that diameter.",
+                place=titled(place),
+                there=Amount(there * 1e3, "mm"),
+                d=Amount(d * 1e3, "mm"),
+            )
+        if r.row.outer_ring_held == "clamped":
+            yield Text(
+                "{place} bearing: it is taken to sit in a flange that is mounted after the shaft, and is not designed "
+                "here.",
+                place=titled(place),
+            )
         if r.load < r.standing_load:
             yield Text("{place} bearing: more stands than turns: V is 1.", place=titled(place))
         if r.clearance_running is None:
@@ -57,3 +81,19 @@ def notes(inputs: "BearingsInputs", results: "Mapping[str, RollingBearing]") -> 
             "without numbers."
         )
     yield Text("The growth of shaft and rings in their own turning is below 0.3 µm and left out.")
+
+
+def facts(place: str, r: "RollingBearing") -> Text:
+    """A rolling bearing in one line: what it is, how it sits, how long it lasts and what it loses."""
+    size, (shaft_fit, seat_fit) = r.case.size, usual_fits(r.case.size.type, r.case.size.inner_ring)
+    parts: list[Text] = [Text("{size}", size=Name(size.designation))]
+    if size.inner_ring and r.row.clearance_limits is None:
+        parts.append(Text("{word}", word=Name(r.row.clearance_class)))
+    sits = Text("shaft {shaft}, seat {seat}", shaft=r.row.shaft_fit or shaft_fit, seat=r.row.seat_fit or seat_fit)
+    parts.append(sits)
+    if r.life is not None:
+        parts.append(Text("{life}", life=Amount(r.life / 3600, "h", digits=3)))
+    parts.append(Text("{loss}", loss=Amount(r.friction_power, "W", digits=3)))
+    if r.row.dynamic_rating is None:
+        parts.append(Text("ratings estimated by a typical inside"))
+    return Text("{place} bearing: {facts}.", place=titled(place), facts=COMMA.join(parts))

@@ -52,7 +52,9 @@ class RollingResult:
         "Life with the zone that the clearance leaves, a lower bound", "h", "L_nmrh", default=None
     )
     friction_power: Watt = value("Friction power", "W", "P_f", short=True, taken_by=("friction",))
-    duty_loss: Watt = value("Mean friction power of the duty", "W", "P_fm", short=True)
+    duty_loss: Watt = value(
+        "Mean friction power of the duty", "W", "P_fm", short=True, page_one=3, worst="largest", each=True
+    )
     running_temperature: Celsius = value(
         "Temperature of the bearing", "°C", "T_b", short=True, page_one=2, worst="largest"
     )

@@ -3,10 +3,12 @@
 
 from collections.abc import Iterable
 from functools import cached_property
+from math import inf
 from typing import TYPE_CHECKING
 
 from ...sheet.quantity import choice, described, dotted, flag, inputs, integer, keys, quantity, series, text
 from ...sheet.text import Amount, Text
+from ...sheet.value import based_on
 from ..row import SupportRow
 
 if TYPE_CHECKING:
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
 
 KIND = SupportRow.kind
 OWN = "own"
+OWN_BORE = (5e-3, 0.2)  # m
 INSIDE, RATINGS, FITS, RACEWAY = Text("Inside"), Text("Ratings"), Text("Rings and fits"), Text("Raceway on the shaft")
 AXIAL = Text("a ball bearing (60, 62, 63) or NJ carries thrust")
 
@@ -361,13 +364,37 @@ class RollingRow(SupportRow):
             groove_outer=self.groove_outer,
         )
 
-    @property
-    def rolling_place(self) -> tuple[float, float] | None:
-        """Bore, or the raceway on the shaft, and width, m; None where they are not known."""
-        size = self.outline
-        return None if size is None else (size.bore, size.width)
+    def place(self) -> tuple[float, float] | None:
+        """Bore, or the raceway on the shaft, and width."""
+        if (size := self.outline) is None:
+            return None
+        if size.own:
+            assert self.bore is not None and self.width is not None
+            return self.bore[0], self.width
+        return based_on(size.bore, self.size), based_on(size.width, self.size)
 
-    def rolling_problems(self) -> Iterable[tuple[str, Text]]:
+    def opening(self) -> float:
+        """That of its seat without the bearing; one that is clamped sits in a flange, mounted after the shaft."""
+        assert self.outline is not None
+        if self.outer_ring_held == "clamped":
+            return inf
+        return based_on(self.outline.outside, self.outside_diameter if self.outline.own else self.size)
+
+    def size_keys(self) -> tuple[str, ...]:
+        return (dotted(RollingRow.size),)
+
+    def size_words(self) -> Text:
+        size = self.outline
+        assert size is not None
+        if not size.own:
+            return Text("{size}", size=size.designation)
+        sizes = {
+            name: Amount(x * 1e3, unit)
+            for name, x, unit in (("d", size.bore, ""), ("D", size.outside, ""), ("B", size.width, "mm"))
+        }
+        return Text("{d}/{D} × {B}", **sizes)
+
+    def kind_problems(self) -> Iterable[tuple[str, Text]]:
         from ...library import tolerances
         from .sizes import UnknownSize, size_of
 
@@ -404,8 +431,8 @@ class RollingRow(SupportRow):
         if self.split_cage and size.type != "cage":
             yield dotted(RollingRow.split_cage), Text("belongs to a needle cage, K…")
         for key, fit, of in (
-            (RollingRow.shaft_fit, self.shaft_fit, "shaft"),
-            (RollingRow.seat_fit, self.seat_fit, "hole"),
+            (RollingRow.shaft_fit, self.shaft_fit, "shaft in a ring"),
+            (RollingRow.seat_fit, self.seat_fit, "hole for a ring"),
         ):
             if fit is not None and (wrong_fit := tolerances.problem(fit, of)) is not None:
                 yield dotted(key), wrong_fit
@@ -421,8 +448,8 @@ class RollingRow(SupportRow):
         ):
             if there is None:
                 yield dotted(key), Text('needed with size = "own"; needs {allowed}', allowed=described(key).allowed())
-        if self.bore is not None and len(self.bore) != 1:
-            yield dotted(RollingRow.bore), Text("must be one number: the bore of the bearing")
+        if self.bore is not None and (len(self.bore) != 1 or not OWN_BORE[0] <= self.bore[0] <= OWN_BORE[1]):
+            yield dotted(RollingRow.bore), Text("must be one number from 5 to 200 mm: the bore of the bearing")
         inside = [self.element_count, self.element_diameter, self.pitch_diameter]
         if self.elements == "roller":
             inside.append(self.element_length)

@@ -312,6 +312,10 @@ class LoadedBearing(RollingResult):
     slope: Radian | None
     carries: tuple[tuple[Newton, Newton], ...]  # in each row of the duty, else at rated speed: the load, and the least
 
+    @property
+    def row(self) -> BearingRow:
+        return self.case.row
+
 
 @record
 class Sweep:

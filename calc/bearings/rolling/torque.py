@@ -52,10 +52,12 @@ def constants(section: str) -> TableRow:
 
 
 def of_series(rows: TableRow, series: Series) -> Any:
-    """The numbers of one series as they stand; of many series in the last axis an array of each."""
+    """The numbers of one series as they stand; of many series an array of each, of their shape."""
     if isinstance(series, str):
         return rows[series]
-    return np.array([rows[name] for name in series]).T
+    words = np.asarray(series)
+    rows_of_all = np.array([rows[name] for name in words.ravel()])
+    return np.moveaxis(rows_of_all, 0, -1).reshape(*rows_of_all.shape[1:], *words.shape)
 
 
 @formula("d_m", "geometry: mean diameter of a bearing", unit="mm")

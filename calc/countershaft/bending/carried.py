@@ -153,7 +153,7 @@ def carried(
         x=based_on(x, load),
         load=load,
         theta=f.tilted(theta_0=shaft.theta_0, Theta=shaft.Theta, x=x),
-        stiffness=f.mean_stiffness(k_t=tangents[0], k_s=tangents[1]),
+        stiffness=based_on(f.mean_stiffness(k_t=tangents[0], k_s=tangents[1]), load),
         steps=now.step,
     )
 

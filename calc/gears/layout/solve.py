@@ -4,6 +4,7 @@
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import chain
+from math import isfinite
 from typing import NamedTuple, TypedDict
 
 from ...sheet.check import Check
@@ -28,9 +29,10 @@ class ShaftInTrain(NamedTuple):
     """A counter-shaft and the wheel of a train on it; what is None is not known.
 
     `axis`: from the crank, up + i·side; its wheel stands there.  `eccentric`: direction of the shaft's eccentric mass
-    nearest to that wheel with cylinder 1 at TDC, from up in the sense of crank rotation.  `journals`: diameters of its
-    front and rear journal; `gear_end`: "front" or "rear", the one that the wheel has to pass; None: the smaller one is
-    judged.  `couple`: what the shaft balances."""
+    nearest to that wheel with cylinder 1 at TDC, from up in the sense of crank rotation.  `journals`: the
+    diameters that the seats of its front and rear journal leave to what comes in, infinite where nothing has to;
+    `gear_end`: "front" or "rear", the one that the wheel has to pass; None: the smaller one is judged.  `couple`: what
+    the shaft balances."""
 
     axis: complex | None = None
     eccentric: Radian | None = None
@@ -203,5 +205,6 @@ def _shaft(
         upper = wheel.tip_diameter_tolerance[0] if wheel.tip_diameter_tolerance else 0.0
         front, rear = shaft.journals
         d_J = front if shaft.inserted_end == "front" else rear
-        values["insertion_gap"] = f.insertion_gap(d_J=d_J, d_a=train.wheels[name].tip_diameter, E_da=upper)
+        if isfinite(d_J):
+            values["insertion_gap"] = f.insertion_gap(d_J=d_J, d_a=train.wheels[name].tip_diameter, E_da=upper)
     return ShaftLayout(**values)

@@ -29,8 +29,8 @@ from ...sheet.units import Kilogram
 from ...sheet.value import recorded, untraced
 from ...solve import Results, solve
 from .combinations import DriveRows, Sizes, class_front, combinations
-from .films import Beside, Films, Stands, films, least_length, lengths
-from .problem import Problem
+from .films import Beside, Films, StandingTask, Stands, films, least_length, lengths, without_film
+from .problem import Problem, across, along, passed
 from .shafts import ShaftSurroundings, with_turning
 from .solved_drive import Sized, journals_power, other_wheels, whole, written
 
@@ -161,7 +161,8 @@ def drive_of(design: Design, results: Results, filleted: bool = True) -> ShaftSu
     assert shaft is not None and solved is not None
     gear = shaft_gear(design, results.result(TrainResult), shaft.name)
     first, last = shaft.bearings
-    clearance = max(first.diameter, last.diameter) / 2 - (shaft.outer_radius or 0.0)
+    seat = max(passed(first), passed(last))
+    clearance = seat / 2 - (shaft.outer_radius or 0.0)
     drive = ShaftSurroundings(
         design.materials[shaft.material],
         float(solved.couple),
@@ -177,15 +178,15 @@ def drive_of(design: Design, results: Results, filleted: bool = True) -> ShaftSu
     )
     if not solved.slopes:
         return drive
-    sizes = (first.diameter, last.diameter), (first.length, last.length)
+    sizes = (across(first), across(last)), (along(first), along(last))
     slopes = solved.slopes[first.name], solved.slopes[last.name]
-    return with_turning(drive, shaft.core_radius or 0.0, *sizes, slopes)
+    return with_turning(drive, shaft.core_radius or 0.0, *sizes, slopes, seat)
 
 
 def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSurroundings) -> Sizes:
     assert design.bearings is not None
     bearings, keys = design.bearings, problem.keys
-    tasks = own_tasks(bearings_case(design, solve, results))
+    tasks = own_tasks(bearings_case(design, solve, results)) if keys.on_films else {}
     variant = Variant(
         bearings.oil,
         bearings.supply,
@@ -193,18 +194,22 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
     )
     seats = np.array(problem.sizes[keys.of_bearing(problem.seat, BearingRow.diameter)] or (0.0,)) * 1e-3
     core = np.array(problem.sizes[keys.core] or (0.0,)) * 1e-3
-    R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
+    rolling = {row.name: row for row in design.rows if not row.fed()}
+    widest = passed(rolling[problem.seat]) if problem.seat in rolling else float(seats.max())
+    R, r_0 = widest / 2 - drive.clearance, float(core.min())
     longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(keys.places)}
     by_place = {
-        place: _over_diameters(
+        place: _as_they_are(problem, rolling[place], results)
+        if place in rolling
+        else _over_diameters(
             problem, place, tasks[place], variant, longest[place], _beside(problem, place, design, results)
         )
-        for place in tasks
+        for place in keys.places
     }
     gear = shaft_gear(design, results.result(TrainResult), problem.shaft.name)
     if gear is not None and problem.binds(GEAR_SEAT.id):  # it goes through the first seat
         first, _ = keys.places
-        by_place[first] = [films for films in by_place[first] if films.task.diameter > gear.tip_diameter + TINY]
+        by_place[first] = [films for films in by_place[first] if films.opening > gear.tip_diameter + TINY]
     limit = next(c.limit for c in results.checks() if c.rule is JOURNAL_SLOPE)
     assert isinstance(limit, float)
     surfaces = tuple(_surface(surface, design) for surface in problem.surfaces)
@@ -229,6 +234,19 @@ def _surface(pair: tuple[float, float] | None, design: Design) -> dict[str, tupl
     if pair is not None:
         return {row.name: (pair[0] * UM, pair[1] * UM) for row in design.rows}
     return {row.name: (row.journal_roughness, row.housing_roughness) for row in design.rows}
+
+
+def _as_they_are(problem: Problem, row: BearingRow, results: Results) -> list[Films]:
+    """The one size of a bearing that stays as it is, with what it rubs."""
+    solved = results.result(BearingsResult)
+    if solved is None:
+        raise NoSolution(Text("the bearings"), results.outcomes["bearings"].reason)
+    r = solved.bearings[row.name]
+    power = r.friction_power
+    if problem.cycle:
+        ratio, share = (np.array(column) for column in zip(*problem.cycle))
+        power = float(np.sum(share * r.answer_at(ratio, r.supply_temperature + 0.0 * ratio, None).under(0.0)))
+    return [without_film(StandingTask(row.name, across(row), passed(row)), along(row), power)]
 
 
 def _over_diameters(

@@ -176,9 +176,9 @@ def _with_seat(
 ) -> DriveRows | None:
     """The front of power and mass with one largest journal."""
     n_s, n_b = sizes.order
-    d = big.task.diameter
+    d, seat = big.task.diameter, big.opening
     lengths = {n_s: small.length, n_b: big.length}
-    shaft = shafts(drive, sizes.core, (lengths[0], lengths[1]), d)
+    shaft = shafts(drive, sizes.core, (lengths[0], lengths[1]), seat)
     bent = journal_slopes(drive, n_b, d, big.length)
     mass = shaft.mass + along(n_b, journal_mass(drive, d, big.length))
     unit = sizes.limit / STEPS
@@ -198,7 +198,7 @@ def _with_seat(
     parts: list[tuple[Array, Array, Array, IndexArray]] = []
     for P, D in zip(small.power, small.diameter):
         power, diameter = P[i_s[index], k_s[index]] + P_big[index], D[i_s[index], k_s[index]]
-        there_is = np.isfinite(power) & (diameter <= d + 1e-9)
+        there_is = np.isfinite(power) & (diameter <= seat + 1e-9)
         if there_is.any():
             at = index[there_is]
             diameter = diameter[there_is]

@@ -23,7 +23,7 @@ from ...sheet.value import recorded
 from ...solve import Results, solve
 from .combinations import no_rows
 from .front import front, representatives
-from .problem import Problem
+from .problem import Problem, across, along
 from .search import FrontFound, FrontTable
 from .solved_drive import Sized, Whole, whole
 
@@ -148,19 +148,26 @@ class Space:
         seen = problem.seen(self.before).result(BearingsResult)
         rows = {row.name: row for row in problem.base.rows}
         seats = sizes[keys.of_bearing(problem.seat, BearingRow.diameter)] or ()
-        seat, small = (rows[place].diameter * 1e3 for place in (problem.seat, problem.small))
-        below = tuple(d for d in sizes[keys.of_bearing(problem.small, BearingRow.diameter)] or () if d <= seat + 1e-9)
+        seat, small = (across(rows[place]) * 1e3 for place in (problem.seat, problem.small))
+        below = self._below(seat)
         core = (problem.shaft.core_radius or 0.0) * 1e3
         point = [0.0, 0.0, _share(sizes[keys.core] or (), core), _share(seats, seat), _share(below, small)]
         for place in keys.places:
-            d, l = rows[place].diameter * 1e3, rows[place].length * 1e3
+            d, l = across(rows[place]) * 1e3, along(rows[place]) * 1e3
             given, (low, high) = sizes[keys.of_bearing(place, BearingRow.length)], self._lengths(d)
-            psi = NARROWEST if seen is None else seen.plain[place].clearance / rows[place].diameter
+            film = seen.plain.get(place) if seen is not None else None
+            psi = NARROWEST if film is None else film.clearance / rows[place].diameter
             point += [
                 _share(given, l) if given else (l - low) / (high - low),
                 (psi - NARROWEST) / (WIDEST - NARROWEST),
             ]
         return np.clip(point, 0.0, 1.0)
+
+    def _below(self, seat: float) -> tuple[float, ...]:
+        """The diameters of the smaller journal, with the largest as it is, mm."""
+        most = self.problem.seats({self.problem.seat: seat})
+        small = self.problem.keys.of_bearing(self.problem.small, BearingRow.diameter)
+        return tuple(d for d in self.problem.sizes[small] or () if d <= most + 1e-9)
 
     def _lengths(self, d: float) -> tuple[float, float]:
         """The shortest and the longest journal of a diameter, mm."""
@@ -172,10 +179,14 @@ class Space:
         diameter."""
         problem, sizes, keys = self.problem, self.problem.sizes, self.problem.keys
         seat = _at(sizes[keys.of_bearing(problem.seat, BearingRow.diameter)] or (), x[3])
-        below = tuple(d for d in sizes[keys.of_bearing(problem.small, BearingRow.diameter)] or () if d <= seat + 1e-9)
+        below = self._below(seat)
         diameter = {problem.seat: seat, problem.small: _at(below or (seat,), x[4])}
         length, clearance = {}, {}
         for place, (u, v) in zip(keys.places, ((x[5], x[6]), (x[7], x[8]))):
+            if place in problem.rolling:
+                _, length[place], _ = problem.rolling[place]
+                clearance[place] = 0.0
+                continue
             d, given = diameter[place], sizes[keys.of_bearing(place, BearingRow.length)]
             low, high = self._lengths(d)
             steps = min(round((low + u * (high - low)) / LENGTH_STEP), int(high / LENGTH_STEP + 1e-9))

@@ -2,7 +2,10 @@
 """One journal over diameter, length and clearance: what it rubs, and the slope that its film still bears.
 
 The films and the rules are those of the search for bearings, in its states at the corners of the tolerances.  Only the
-film at the edge knows the slope, and it does so in closed form: h − θ·l/2 ≥ (1 + margin)·h_K."""
+film at the edge knows the slope, and it does so in closed form: h − θ·l/2 ≥ (1 + margin)·h_K.
+
+The load of a journal is that of the shaft the class starts from.  Each shaft bends otherwise, and what its own mass
+adds to the load is another: up to 0.1 % of the load, and 0.03 % of the power."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -154,13 +157,22 @@ ALWAYS = (TEMPERATURE, SPECIFIC_LOAD, MATERIAL_LOAD)
 
 
 @record
+class StandingTask:
+    """A bearing that stays as it is and runs on no film: what it takes of the shaft, and what passes its seat."""
+
+    place: str
+    diameter: Metre
+    opening: Metre
+
+
+@record
 class Films:
     """One journal at one diameter; arrays: clearances down, lengths across.
 
     `power` as given; `once`: thinnest film of all corners; `twice`: that at twice the load, as given; `kept`: every
     rule that knows neither slope nor margin."""
 
-    task: BearingTask
+    task: "BearingTask | StandingTask"
     length: Array  # (n,)
     clearance: Array  # (m,)
     power: Array
@@ -170,6 +182,11 @@ class Films:
     double: Metre  # what the film must keep at twice the load
     turn: Array | None = None  # thinnest film over a turn with what stands still; None: it binds nothing
     speeds: Array | None = None  # the same over the speeds, which margins are not counted of
+
+    @property
+    def opening(self) -> Metre:
+        """What passes its seat."""
+        return self.task.opening if isinstance(self.task, StandingTask) else self.task.diameter
 
     def bears(self, h_K: Metre, margin: Number, limit: Radian) -> Array:
         """The slope that each candidate bears with a margin on all its films and on the slope itself; −∞ where it bears
@@ -184,8 +201,16 @@ class Films:
         return bearing
 
 
-def asked_film(task: BearingTask, surfaces: tuple[Metre, Metre]) -> Metre:
+def without_film(task: StandingTask, length: Metre, power: Watt) -> Films:
+    """Of a bearing that stays as it is: one size that bears every slope which a journal may have."""
+    one, endless = np.ones((1, 1)), np.full((1, 1), np.inf)
+    return Films(task, np.array([length]), np.zeros(1), power * one, endless, endless, one > 0, 0.0)
+
+
+def asked_film(task: BearingTask | StandingTask, surfaces: tuple[Metre, Metre]) -> Metre:
     """The film that keeps the peaks of both surfaces apart, with what the cubic between lengths may be off."""
+    if isinstance(task, StandingTask):
+        return 0.0
     return film_asked(task.seat.inputs, *surfaces) * (1 + KEPT)
 
 
@@ -215,6 +240,7 @@ def films(
 def _mean_power(films: Films, variant: Variant, cycle: Cycle) -> Array:
     """Over the cycle, with the oil as it is supplied at the rated speed; not a number where a speed has no film."""
     task, mean = films.task, np.zeros(films.power.shape)
+    assert isinstance(task, BearingTask)
     for ratio, share in cycle:
         duty = task.duty
         at = at_speeds(

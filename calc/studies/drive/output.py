@@ -93,13 +93,16 @@ def word(choice: object) -> str:
 
 def _size(problem: Problem, s: Any, place: str) -> str:
     end = END if _ends(problem, {problem.keys.of_bearing(place, BearingRow.diameter): s.diameter[place]}) else ""
+    if place in problem.rolling:
+        return next(row.size_words() for row in problem.base.rows if row.name == place)
     return f"{s.diameter[place]:g}{end}×{s.length[place]:g}/{s.clearance[place]:g}"
 
 
 def _surfaces(problem: Problem, pair: tuple[float, float] | None) -> str:
     """Journal and seat; as designed, where both bearings have the same."""
     if pair is None:
-        pairs = {(row.journal_roughness * 1e6, row.housing_roughness * 1e6) for row in problem.base.rows}
+        fed = (row for row in problem.base.rows if row.fed())
+        pairs = {(row.journal_roughness * 1e6, row.housing_roughness * 1e6) for row in fed}
         pair = pairs.pop() if len(pairs) == 1 else None
     return "/".join(f"{x:g}" for x in pair) if pair is not None else "–"
 

@@ -30,7 +30,7 @@ from ...countershaft.making.inputs import ShaftSupport
 from ...countershaft.making.parts import SUPPORT_WALL
 from ...countershaft.making.scatter import SCATTER_RESIDUAL
 from ...countershaft.making.unbalance import HOLES_RANGE
-from ...countershaft.rows import BearingRow
+from ...countershaft.rows import BearingRow, called
 from ...design.addresses import address, every, quantity_of, step_at, value_at
 from ...design.locks import locked
 from ...design.model import Design
@@ -77,6 +77,26 @@ WIDTHS = Text(
 )
 
 
+def across(row: BearingRow) -> Metre:
+    """What a bearing takes of the shaft."""
+    size = row.on_shaft
+    assert size is not None  # asked of the file
+    return size[0]
+
+
+def along(row: BearingRow) -> Metre:
+    """Its width."""
+    size = row.on_shaft
+    assert size is not None
+    return size[1]
+
+
+def passed(row: BearingRow) -> Metre:
+    """The diameter of what the sectors pass, of its seat; of one in a flange that comes later that of the journal."""
+    opening = row.opening()
+    return opening if math.isfinite(opening) else across(row)
+
+
 @record
 class DriveKeys:
     """What a design calls the sizes of its drive: keys of its own shaft and of that shaft's two bearings."""
@@ -87,6 +107,11 @@ class DriveKeys:
     def places(self) -> tuple[str, str]:
         """The names of the bearings, front to rear."""
         return self.design.rows[0].name, self.design.rows[-1].name
+
+    @property
+    def on_films(self) -> tuple[str, ...]:
+        """Those of them that are searched: what rolls stays as it is."""
+        return tuple(row.name for row in (self.design.rows[0], self.design.rows[-1]) if row.fed())
 
     def of_bearing(self, place: str, field: object) -> str:
         return self.design.own_key(ShaftInputs.bearings, place, field)
@@ -106,7 +131,7 @@ class DriveKeys:
     @property
     def sizes(self) -> tuple[str, ...]:
         both = (BearingRow.diameter, BearingRow.length)
-        return (self.core, *(self.of_bearing(place, size) for place in self.places for size in both))
+        return (self.core, *(self.of_bearing(place, size) for place in self.on_films for size in both))
 
     @property
     def tied(self) -> dict[str, Text]:
@@ -115,7 +140,7 @@ class DriveKeys:
         return {
             **({self.outer: largest} if self.design.own is not None and self.design.own.passes_seats else {}),
             self.design.own_key(ShaftInputs.half_length): Text("follows from the longer journal, less two fillets"),
-            **{self.of_bearing(place, BearingRow.clearance): IN_STEPS for place in self.places},
+            **{self.of_bearing(place, BearingRow.clearance): IN_STEPS for place in self.on_films},
         }
 
     @property
@@ -126,7 +151,7 @@ class DriveKeys:
     def within(self) -> dict[str, str]:
         """Keys that a drive is given with another one."""
         others = dict.fromkeys(BOTH_FITS, FITS)
-        for place in self.places:
+        for place in self.on_films:
             for surface in (BearingRow.journal_roughness, BearingRow.housing_roughness):
                 others[self.of_bearing(place, surface)] = SURFACES
             factor, clearance = BearingRow.clearance_factor, BearingRow.clearance
@@ -146,7 +171,12 @@ class Variables:
         self.errors: list[InputError] = []
         self.notes: list[Text] = []
         first, last = self.rows
-        self.small, self.seat = (first, last) if last.diameter >= first.diameter else (last, first)
+        self.small, self.seat = (first, last) if passed(last) >= passed(first) else (last, first)
+        if not self.keys.on_films:
+            self.notes.append(Text("There is no film to vary: the bearings roll, and stay as they are."))
+        for row in self.rows if self.keys.on_films else ():
+            if not row.fed():
+                self.notes.append(Text("The {place} bearing rolls, and stays as it is.", place=called(row.name)))
         tied, slopes = self.keys.tied, self.keys.slopes
         for key in self.vary:
             if key in tied:
@@ -213,14 +243,14 @@ class Variables:
         return tuple(f"{where}." for place in places for where in (place, self._as_written(place)))
 
     def sizes(self) -> dict[str, tuple[float, ...] | None]:
-        d_seat, d_small = self.seat.diameter * 1e3, self.small.diameter * 1e3
+        d_seat, d_small = passed(self.seat) * 1e3, across(self.small) * 1e3
         R = self._outer * 1e3
         core, widest = (self.shaft.core_radius or 0.0) * 1e3 / R, max(self._radii())
         most = min(d_seat + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
         through = self._gear_through_small
         least = through + 2 * ROOM if through is not None else LEAST_SHARE * d_small
         seat_key, small_key = self._diameters()
-        seats = self.values(seat_key, _steps(LEAST_SEAT * d_seat, most))
+        seats = self.values(seat_key, _steps(LEAST_SEAT * d_seat, most)) if self.seat.fed() else (d_seat,)
         seats = tuple(d for d in seats if d <= most + 1e-9)
         sizes: dict[str, tuple[float, ...] | None] = {
             self.keys.core: self.values(
@@ -229,10 +259,15 @@ class Variables:
                     max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * widest
                 ),
             ),
-            seat_key: seats,
-            small_key: self.values(small_key, _steps(least, max(seats, default=0.0))),
+            seat_key: seats if self.seat.fed() else (across(self.seat) * 1e3,),
+            small_key: (d_small,),
         }
+        if self.small.fed():
+            sizes[small_key] = self.values(small_key, _steps(least, max(seats, default=0.0)))
         for row in self.rows:
+            if not row.fed():
+                sizes[self.keys.of_bearing(row.name, BearingRow.length)] = (along(row) * 1e3,)
+                continue
             key = self.keys.of_bearing(row.name, BearingRow.length)
             sizes[key] = self.values(key, ()) if key in self.vary else None
         for key in self.keys.sizes:
@@ -247,7 +282,7 @@ class Variables:
         if not self.shaft.passes_seats and self.shaft.outer_radius is not None:
             return self.shaft.outer_radius
         threaded = THREADED if self.shaft.radial_clearance is None else self.shaft.radial_clearance
-        return self.seat.diameter / 2 - threaded
+        return passed(self.seat) / 2 - threaded
 
     def _radii(self) -> list[float]:
         """The outer radii that are looked at, mm: of a shaft that passes its seats that which follows from them."""
@@ -304,7 +339,7 @@ class Variables:
         by_rule: dict[str, list[Any]] = {
             self.keys.material: [shaft.material, *(m for m in others if m != shaft.material)],
             OIL: [bearings.oil],
-            SUPPLY_KEY: [bearings.supply, *supplies],
+            SUPPLY_KEY: [bearings.supply, *supplies] if self.keys.on_films else [],
             FITS: [fits, *(p.value for p in self.own.price if p.what == "fit" and p.value != fits)],
         }
         if not shaft.passes_seats:
@@ -364,9 +399,11 @@ class Variables:
                 return (None,)
         if not pairs:
             self.notes.append(Text("The surfaces stay: no price says what smoother ones cost."))
-        as_designed = [(row.journal_roughness * 1e6, row.housing_roughness * 1e6) for row in self.rows]
+        as_designed = [(row.journal_roughness * 1e6, row.housing_roughness * 1e6) for row in self.rows if row.fed()]
+        if not as_designed:
+            return (None,)
         surfaces: list[tuple[float, float] | None] = [] if isinstance(given, list) else [None]
-        same = as_designed[0] == as_designed[1]
+        same = as_designed[0] == as_designed[-1]
         for a, b in pairs:
             pair = (float(a), float(b))
             if not (same and None in surfaces and all(abs(x - y) < 1e-9 for x, y in zip(pair, as_designed[0]))):
@@ -474,6 +511,17 @@ class Problem:
     def shaft(self) -> ShaftInputs:
         assert self.base.countershaft is not None
         return self.base.countershaft
+
+    @property
+    def rolling(self) -> dict[str, tuple[float, float, float]]:
+        """Of the bearings that stay as they are: diameter and width on the shaft, and what passes their seats, mm."""
+        ends = (self.base.rows[0], self.base.rows[-1])
+        return {row.name: (across(row) * 1e3, along(row) * 1e3, passed(row) * 1e3) for row in ends if not row.fed()}
+
+    def seats(self, diameter: Mapping[str, float]) -> float:
+        """The largest seat that the sectors pass, mm."""
+        rolling = self.rolling
+        return max(rolling[place][2] if place in rolling else d for place, d in diameter.items())
 
     @property
     def threaded(self) -> float:
@@ -694,11 +742,11 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
     assert shaft is not None and bearings is not None
     notes: list[Text] = []
     start: Changes = {}
-    seat = max(row.diameter for row in design.rows)
+    seat = max(map(passed, design.rows))
     R = seat / 2 - (THREADED if shaft.radial_clearance is None else shaft.radial_clearance)
     if not shaft.passes_seats and shaft.outer_radius is not None:
         R = shaft.outer_radius
-    half = min(abs(row.position) - row.length / 2 for row in design.rows)
+    half = min(abs(row.position) - along(row) / 2 for row in design.rows)
     if shaft.mode != "size" and not shaft.sections:
         start[design.own_key(ShaftInputs.outer_radius)] = round(R * 1e3, 6)
         if shaft.core_radius is None:

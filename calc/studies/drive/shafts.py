@@ -147,10 +147,12 @@ def with_turning(
     d: tuple[Metre, Metre],
     l: tuple[Metre, Metre],
     turning: tuple[Radian, Radian],
+    seat: Metre,
 ) -> ShaftSurroundings:
-    """The same with what its mass adds to slopes, from one shaft of it that was bent whole as it turns."""
+    """The same with what its mass adds to slopes, from one shaft of it that was bent whole as it turns.  `seat`: the
+    largest, through which the sectors go."""
     lengths = np.array([l[0]]), np.array([l[1]])
-    still = shafts(drive, np.array([core]), lengths, max(d))
+    still = shafts(drive, np.array([core]), lengths, seat)
     mass = float(still.mass[0, 0, 0] + sum(journal_mass(drive, d[n], lengths[n])[0] for n in (0, 1)))
     bent = [journal_slopes(drive, n, d[n], lengths[n]) for n in (0, 1)]
     added = list(drive.added)

@@ -71,9 +71,9 @@ def changes(problem: Problem, sized: Sized) -> Changes:
     changed[keys.core] = digits(sized.core)
     half = min(abs(row.position) * 1e3 - sized.length[row.name] / 2 for row in base.rows) - 2 * problem.fillet
     if problem.shaft.passes_seats:
-        changed[keys.outer] = digits(max(sized.diameter.values()) / 2 - problem.threaded)
+        changed[keys.outer] = digits(problem.seats(sized.diameter) / 2 - problem.threaded)
     changed[base.own_key(ShaftInputs.half_length)] = digits(half)
-    for place in keys.places:
+    for place in keys.on_films:
         here: dict[object, float | None] = {
             BearingRow.diameter: digits(sized.diameter[place]),
             BearingRow.length: digits(sized.length[place]),
@@ -141,7 +141,7 @@ def measured(
     objectives = {
         "power": watts,
         "mass": mass(problem.seen(results)),
-        "seat": max(sized.diameter.values()),
+        "seat": problem.seats(sized.diameter),
         "margin": problem.margin(checks),
     }
     cost = problem.price(sized.choices, sized.surface)

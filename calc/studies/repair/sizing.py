@@ -84,7 +84,7 @@ def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Pr
         key = view.own_key(ShaftInputs.bearings, row.name, BearingRow.length)
         mine = f"{state.design.ids_of('bearings', view.own_name)}.{row.name}"
         group = tuple(c for c in failing if c.id.rpartition(".")[0] == mine)
-        if not group:
+        if not group or not row.fed():
             continue
         here = part(progress, n / len(rows), (n + 1) / len(rows))
         trials = Trials(state, "bearings", group, Budget(TRIES), here, named(state.document, key), near=ROUND)

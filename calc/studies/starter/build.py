@@ -4,6 +4,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cache
 from itertools import product
 
 from ...countershaft.inputs import ShaftInputs
@@ -21,14 +22,15 @@ from ...mounting.inputs import Mount, MountingInputs, Point
 from ...mounting.result import MountingResult
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.quantity import dotted, keys
+from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
 from ...sheet.value import recorded
 from ...solve import Results, solve
-from ..ready import CRANK_ALONE, NO_PLAIN, NO_TRAIN, NONE, NOTHING
+from ..ready import CRANK_ALONE, NO_BEARINGS, NO_TRAIN, NONE, NOTHING
 from . import balancing as which
-from . import journals, several, shaft, train
-from .writing import Rows, Section, completed, head, mm, parted, table, up, written
+from . import bearings, several, shaft, train
+from .writing import Rows, Section, head, mm, table, up, written
 
 # --- the engine on four mounts at its corners
 # Mass and size by rule of thumb, to be weighed and measured; stiffness for its six modes to lie between the road's
@@ -154,45 +156,55 @@ def hindrance(document: Document, step: str) -> Text:
     return EMPTY
 
 
-def begun(document: Document, balancing: str = "", why: str = "") -> str:
-    """The text of all tables after engine and imbalance that a design to begin with has, what it does without among
-    them.
+@record
+class Begun:
+    """The text of all tables after engine and imbalance, and what [engine] has more."""
+
+    text: str
+    engine: Table
+
+
+def begun(document: Document, balancing: str = "", why: str = "", kinds: tuple[str, ...] = ()) -> Begun:
+    """All tables after engine and imbalance that a design to begin with has, what it does without among them.
 
     `balancing`: the id of one of `options`, left out the one that the engine calls for; `why`: of an engine that has no
-    shaft, the reason.  Raises NoSolution where the engine has nothing that it takes."""
+    shaft, the reason; `kinds`: of the bearings with which it is built, as `bearings.carried` takes them.  Raises
+    NoSolution where the engine has nothing that it takes."""
     results = _results(document)
     balancing = _option(results, balancing or which.called_for(results)).id
     if why or balancing in ("none", "half"):
         none: list[Section] = [
             ("[without]", {step: (why or _none_reason(results, balancing), "") for step in SHAFT_STEPS})
         ]
-        return written([*none, *_accepting(document, LEFT)])
-    if balancing == "shaft":
-        own = shaft.countershaft(document, results, -1)
-    else:
-        own = several.shafts(document, results, _arranged(balancing, results))
-    text: list[list[Section]] = []
+        return Begun(written([*none, *_accepting(document, LEFT)]), {})
     accepted = [] if balancing in ("shaft", "repeat") else _accepting(document, TAKEN if "pair" in balancing else LEFT)
     missing: Rows = {}
-    document = _with(document, own)
-    results = _results(document, results)
-    try:
+    before = document
+
+    def shafts(kinds: tuple[str, ...]) -> bearings.Unborne:
         if balancing == "shaft":
-            rows, shared = parted(carried := journals.bearings(document, results))
-            document, own = journals.with_bearings(document, carried), completed(own, rows)
-            text.append(shared)
+            own = shaft.countershaft(before, results, -1)
         else:
-            document = several.bearings(document, results)
-            own = several.completed(own, document)
-    except NoSolution:
-        missing["bearings"] = (NO_PLAIN, "")
-        document = _without(document, {"bearings": NO_PLAIN})
+            own = several.shafts(before, results, _arranged(balancing, results), kinds)
+        made = _with(before, own)
+        return bearings.Unborne(made, _results(made, results), own)
+
     try:
-        text.append(train.gears_and_friction(document, _results(document, results)))
+        found = bearings.carried(cache(shafts), kinds)
+        document, own = found.document, found.sections
+    except bearings.NoBearings as no_bearings:
+        missing["bearings"] = (NO_BEARINGS, f"stopped by {no_bearings.tried}")
+        without_them = shafts(())
+        document, own = _without(without_them.document, {"bearings": NO_BEARINGS}), without_them.shafts
+    train_of: list[Section] = []
+    try:
+        train_of = train.gears_and_friction(document, _results(document, results))
     except NoSolution as no_train:
         missing |= {"gears": (NO_TRAIN, f"stopped by {no_train.tried}"), "friction": (NO_TRAIN, "")}
     without = [("[without]", missing)] if missing else []
-    return "".join(written(sections) for sections in (accepted, without, own, *text))
+    text = "".join(written(sections) for sections in (accepted, without, own, train_of))
+    engine, known = (as_table(each.data[dotted(Design.engine)]) for each in (document, before))
+    return Begun(text, {key: value for key, value in engine.items() if key not in known})
 
 
 def own_shaft(data: Table) -> Table:
@@ -286,23 +298,17 @@ def _holds(document: Document) -> bool:
 
 
 def _bearings(document: Document) -> Document:
-    """Plain bearings, or the word that rolling ones carry the shaft."""
-    if not _is_one_at_minus_one(document):
-        alone = _put(document, {"friction": None, "gears": None})
-        try:
-            found = several.bearings(alone, _results(alone))
-        except NoSolution:
-            return _without(document, {"bearings": NO_PLAIN})
-        return _put(found, {step: document.data[step] for step in ("gears", "friction") if step in document.data})
+    """With bearings by the rule behind `new`, or the word that there are none."""
     # which asks for the oil of the bearings, as the wheels ask for their loss
-    alone = document.with_value("friction", None)
-    if "gears" in document.data:
-        alone = alone.with_value(dotted(Design.gears, GearsInputs.power), 1.0)
+    alone = _put(document, {"gears": None, "friction": None})
+    if _is_one_at_minus_one(document) and "gears" in document.data:
+        alone = _put(document, {"friction": None}).with_value(dotted(Design.gears, GearsInputs.power), 1.0)
     try:
-        sections = journals.bearings(alone, _results(alone))
-    except NoSolution:
-        return _without(document, {"bearings": NO_PLAIN})
-    return _put(journals.with_bearings(document, sections), {}, (dotted(Design.bearings),))
+        found = bearings.carried(lambda _: bearings.Unborne(alone, _results(alone), [])).document
+    except bearings.NoBearings:
+        return _without(document, {"bearings": NO_BEARINGS})
+    train_of: Table = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
+    return _put(found, train_of, (dotted(Design.bearings),))
 
 
 def _is_one_at_minus_one(document: Document) -> bool:

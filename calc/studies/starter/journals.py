@@ -16,20 +16,18 @@ from ...bearings.plain.selection.ranking import CandidateRow, Fields, best, by_p
 from ...bearings.plain.selection.search import settle, slopes_of
 from ...bearings.plain.selection.variants import STANDARD, SelectionCase, Variant, tasks
 from ...bearings.plain.selection.writing import bearing_changes
-from ...bearings.result import BearingsResult
+from ...bearings.row import SupportRow
 from ...countershaft.inputs import LAID_IN, ShaftInputs
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow
-from ...design.addresses import own_shafts
+from ...design.addresses import as_list, as_table, own_shafts
 from ...design.model import Design
 from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document, design
-from ...engine.inputs import EngineInputs
-from ...engine.result import EngineResult
 from ...library.lubricant import Lubricant
 from ...sheet.errors import NoSolution
-from ...sheet.quantity import dotted
-from ...sheet.text import SEMICOLON, Amount, Text
+from ...sheet.quantity import dotted, keys
+from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Number
 from ...solve import Results, solve
 from .train import HOUSING, passing_seat, tip
@@ -219,14 +217,21 @@ def _fields(case: SelectionCase, variant: Variant) -> Fields:
 
 
 def with_bearings(document: Document, sections: list[Section]) -> Document:
-    """The document with the table of the bearings, and with what its shaft's rows have then."""
+    """The document with the table of the bearings, and with what the rows of its shafts that are no twins have then:
+    one section a row, front to rear, shaft by shaft."""
     rows, others = parted(sections)
-    (bearings_of,) = [dotted(Design.shafts, n) for n in own_shafts(document.data)]
     document = replace(document, data={**document.data, **table(others)})
-    for n, (_, row) in enumerate(rows):
-        for field, (value, _) in row.items():
-            if dotted(field) != dotted(BearingRow.name):
-                document = document.with_value(dotted(bearings_of, ShaftInputs.bearings, n, field), value)
+    places = [
+        (dotted(Design.shafts, n, ShaftInputs.bearings, i), as_table(before))
+        for n, shaft in own_shafts(document.data).items()
+        for i, before in enumerate(as_list(shaft.get(dotted(ShaftInputs.bearings))))
+    ]
+    for (place, before), (_, row) in zip(places, rows):
+        said = {dotted(field): value for field, (value, _) in row.items() if dotted(field) != dotted(BearingRow.name)}
+        if dotted(BearingRow.kind) in said:  # of another kind than the one before, of which nothing stays
+            said = {key: None for key in before if key not in keys(SupportRow)} | said
+        for key, value in said.items():
+            document = document.with_value(dotted(place, key), value)
     return document
 
 
@@ -281,39 +286,3 @@ def _threaded(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Se
         (BEARING_ROW, {BearingRow.name: ("front", "")} | in_front | alike),
         (BEARING_ROW, {BearingRow.name: ("rear", "")} | behind | alike),
     ]
-
-
-# --- one per cent
-
-SHARE: Number = 0.01  # of the rated power
-MEAN_PRESSURE = {4: 10e5, 2: 6e5}  # Pa, of an engine whose power is not given; by its strokes, rule of this program
-
-
-def share_said(results: Results) -> Text:
-    """What the bearings of all shafts lose, of the rated power; above 1 % why, and what would lose less."""
-    made, engine = results.design, results.result(EngineResult)
-    found = [solved.result(BearingsResult) for solved in results.views.values()]
-    every = [b for one in found if one is not None for b in one.bearings.values()]
-    if made.engine is None or engine is None or not every:
-        return Text("")
-    P, rated = sum(b.friction_power for b in every), made.engine.rated_power
-    of = Text("of the rated power")
-    if rated is None:
-        rated = _estimated_power(made.engine, engine.displacement)
-        p = Amount(MEAN_PRESSURE[made.engine.strokes] / 1e5, "bar")
-        of = Text("of {power} (mean pressure {p}, assumed)", power=Amount(rated / 1e3, "kW", digits=3), p=p)
-    lost = {"P": Amount(P, "W", digits=3), "share": Amount(100 * P / rated, digits=2)}
-    said = Text("All bearings of the shafts lose {P}, {share} % {of}.", of=of, **lost)
-    if P <= SHARE * rated:
-        return said
-    most = max(every, key=lambda b: b.load)
-    why = Text(
-        "That is more than 1 %, for {load} at {speed}: rolling bearings would lose less.",
-        load=Amount(most.load, "N", digits=3),
-        speed=Amount(most.speed * 60, "rpm", digits=4),
-    )
-    return Text("{said} {why}", said=said, why=why)
-
-
-def _estimated_power(engine: EngineInputs, displacement: float) -> float:
-    return MEAN_PRESSURE[engine.strokes] * displacement * engine.rated_speed / (engine.strokes / 2)

@@ -30,7 +30,9 @@ from ...sheet.text import Text
 from ...sheet.units import Kilogram, Metre, Newton, Watt
 from ...sheet.value import untraced
 from ...solve import Results, solve
+from . import rolling
 from .journals import BEARINGS, OILS, PRESSURE, PSI, RATIO, estimated_length, oil_of, select, shared, shell, wall_of
+from .rolling import PLAIN
 from .shaft import FILLET, NAME, OVERDESIGN, SHAFT, STEEL, UTILISATION, StarterTask, task
 from .writing import BEARING_ROW, Rows, Section, down, head, mm, table, up
 
@@ -92,23 +94,26 @@ def arrangement(balancing: str, imbalance: ImbalanceResult) -> tuple[Arranged, .
     return (*first, Arranged(names[0], ratio, names[1]))
 
 
-def shafts(document: Document, results: Results, arranged: tuple[Arranged, ...]) -> list[Section]:
-    """The tables of all shafts, each with the thinnest core whose journals hold in plain bearings, or where none does
-    with the thickest.  Raises NoSolution where no envelope has room."""
-    each = [_shaft(results, one, _thinnest(document, results, one)) for one in arranged]
+def shafts(
+    document: Document, results: Results, arranged: tuple[Arranged, ...], kinds: tuple[str, ...] = ()
+) -> list[Section]:
+    """The tables of all shafts, each with the thinnest core whose journals hold in plain bearings, or in the rolling
+    ones of these `kinds`; where none does with the thickest.  Raises NoSolution where no envelope has room."""
+    each = [_shaft(results, one, _thinnest(document, results, one, kinds)) for one in arranged]
     return [section for sections in each for section in sections]
 
 
-def _thinnest(document: Document, results: Results, one: Arranged) -> Metre:
-    least = math.sqrt(_load(results, one) / (RATIO * LARGEST))
+def _thinnest(document: Document, results: Results, one: Arranged, kinds: tuple[str, ...]) -> Metre:
+    on_rolling = bool(kinds) and PLAIN not in kinds
+    least = 0.0 if on_rolling else math.sqrt(_load(results, one) / (RATIO * LARGEST))
     found: tuple[int, Metre] | None = None
-    for diameter in (d for d in JOURNALS if d >= least):
+    for diameter in (d for d in (rolling.BORES if on_rolling else JOURNALS) if d >= least):
         try:
             tried = _shaft(results, one, diameter)
         except NoSolution:
             continue
         with_it = Document({**document.data, **table(tried)})
-        worse, _, _ = _best(with_it, solve(design(with_it), results), OILS[:1], first=True)
+        worse = _on_rolling(with_it, results, kinds) if on_rolling else _on_plain(with_it, results)
         if found is None or worse < found[0]:
             found = worse, diameter
         if worse == 0:
@@ -116,6 +121,20 @@ def _thinnest(document: Document, results: Results, one: Arranged) -> Metre:
     if found is None:
         raise NoSolution(SHAFT, Text("journals up to 60 mm, outer radii up to 100 mm"), Text("give [[shafts]]"))
     return found[1]
+
+
+def _on_plain(document: Document, results: Results) -> int:
+    """How much is to be said of the first plain bearings of which least is."""
+    return _best(document, solve(design(document), results), OILS[:1], first=True)[0]
+
+
+def _on_rolling(document: Document, results: Results, kinds: tuple[str, ...]) -> int:
+    """The same of rolling ones, and of the shaft on them."""
+    with_duty = rolling.with_duty(document, design(document))
+    try:
+        return rolling.best(with_duty, solve(design(with_duty), results), kinds)[0]
+    except NoSolution:
+        return FAILS
 
 
 def bearings(document: Document, results: Results) -> Document:

@@ -73,9 +73,12 @@ def parted(sections: list[Section]) -> tuple[list[Section], list[Section]]:
 
 
 def completed(sections: list[Section], rows: list[Section]) -> list[Section]:
-    """The sections of a shaft, with what `rows` say more of its bearings."""
-    own, others = parted(sections)
-    return [*others, *((header, _by_key(some) | _by_key(more)) for (header, some), (_, more) in zip(own, rows))]
+    """The sections of shafts, with what `rows` say more of their bearings, one after the other."""
+    more = iter(rows)
+    return [
+        (header, _by_key(some) | _by_key(next(more)[1])) if header == BEARING_ROW else (header, some)
+        for header, some in sections
+    ]
 
 
 def _by_key(rows: Rows) -> Rows:

@@ -22,6 +22,7 @@ from ...sheet.record import record
 from ...sheet.text import Text
 
 Value = float | str
+FLAGS = {"true": True, "false": False}
 MOST_ROWS = 1_000_000
 MOST_LISTED = 100_000  # designs of a file
 FORM = Text("must be KEY=LOW:HIGH:NUMBER or KEY=VALUE,VALUE,…, like engine.rated_speed_rpm=1000:3000:21")
@@ -55,7 +56,7 @@ def varied(document: Document, texts: Sequence[str], *, drawn: bool = False) -> 
             if whole and not (low.is_integer() and high.is_integer()):
                 raise ValueError("must go from a whole number to another here")
             return Varied(key, ends=(low, high), whole=whole)
-        return Varied(key, _values(spec, whole, about.kind in ("text", "choice")))
+        return Varied(key, _values(spec, about))
 
     return _read(document, "--vary", texts, RANGE if drawn else FORM, one)
 
@@ -104,8 +105,7 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
         row: list[Value | None] = []
         for column, about, cell in zip(inputs, kinds, line):
             try:
-                whole, words = about.kind in ("integer", "integers"), about.kind in ("text", "choice", "date")
-                row.append(_values(cell.strip(), whole, words)[0] if cell.strip() else None)
+                row.append(_values(cell.strip(), about)[0] if cell.strip() else None)
             except ValueError as wrong:
                 errors.append(InputError(n, column.key, cell, Text("{wrong}", wrong=str(wrong))))
         rows.append(tuple(row))
@@ -191,9 +191,14 @@ def _ends(spec: str, form: Text) -> tuple[float, float]:
     return low, high
 
 
-def _values(spec: str, whole: bool, words: bool) -> tuple[Value, ...]:
+def _values(spec: str, about: Quantity) -> tuple[Value, ...]:
     """`1000:3000:21` or `1000,1500,2000`."""
+    words = about.kind in ("text", "choice", "date", "flag")
     parts = [part.strip() for part in spec.split("," if "," in spec or words else ":")]
+    if about.kind == "flag":
+        if not set(parts) <= set(FLAGS):
+            raise ValueError("must be true or false, or both: true,false")
+        return tuple(FLAGS[part] for part in parts)
     if words:
         return tuple(parts)
     try:
@@ -210,7 +215,7 @@ def _values(spec: str, whole: bool, words: bool) -> tuple[Value, ...]:
         if numbers[2] == 1 and numbers[0] != numbers[1]:
             raise ValueError("one value can not reach from LOW to HIGH; ask for 2 or more, or give the value alone")
         numbers = np.linspace(numbers[0], numbers[1], int(numbers[2])).tolist()
-    if whole:
+    if about.kind in ("integer", "integers"):
         if not all(n.is_integer() for n in numbers):
             raise ValueError(f"must be whole numbers here; these are {', '.join(f'{n:g}' for n in numbers[:6])}")
         return tuple(int(n) for n in numbers)

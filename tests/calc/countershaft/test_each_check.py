@@ -77,13 +77,17 @@ def envelope(room, clearance=0.2 * mm, **outline):
 
 
 def gear_seat(room):
-    gear = GEAR._replace(tip_diameter=59 * mm - 2 * room)
+    gear = GEAR._replace(tip_diameter=ASKED.countershaft.openings[0] - 2 * room)
     return step("gear_seat", gear=gear)
 
 
 def envelope_length(room):
     """The front journal is nearer: 0.17 − 24/2 = 158 mm, the rear one 0.18 − 26/2 = 167 mm."""
-    shaft = {"mode": "size", "half_length": 0.158 - room, "bearings": bearing_rows((-0.17, 0.18))}
+    shaft = {
+        "mode": "size",
+        "half_length": 0.158 - room,
+        "bearings": bearing_rows((-0.17, 0.18), ((59 * mm, 24 * mm), (65 * mm, 26 * mm))),
+    }
     return step("envelope_length", shaft)
 
 

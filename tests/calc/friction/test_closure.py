@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The power balance of the train: it closes, up and down, and refuses what has no meaning."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -45,6 +46,22 @@ def test_the_losses_as_a_share_of_what_the_engine_gives(gamma_results):
     assert TRAIN.result.engine_share is None
     own = design(read(GAMMA).with_value("gears.speed_rpm", 5200))  # at which the engine's power is not known
     assert solve(own).outcomes["friction"].result.engine_share is None
+
+
+def test_what_the_bearings_lose_of_the_rated_power_is_judged_and_what_rolling_ones_would(gamma_results):
+    """220 W of both journals at 2600 rpm and 120 °C are 0.44 % of 50 kW and more than 1 % of 20 kW; two NU205 lose 18 W
+    there, by an oracle of its own."""
+    P = gamma_results.outcomes["friction"].result.bearing_loss
+    for rated, verdict in ((50.0, "pass"), (20.0, "note")):
+        document = read(GAMMA).with_value("engine.rated_power_kW", rated)
+        outcome = solve(design(document), gamma_results).outcomes["friction"]
+        assert outcome.result.bearing_share == pytest.approx(P / rated / 1e3)
+        assert {c.id: c.verdict for c in outcome.checks}["friction.train.bearing_share"] == verdict
+        said = [str(note) for note in outcome.notes if "balls and rollers in their places" in str(note)]
+        assert len(said) == (verdict == "note")
+    would = float(re.search(r"would lose about ([\d.]+) W", said[0]).group(1))
+    assert 10 < would < 60
+    assert TRAIN.result.bearing_share is None and "friction.train.bearing_share" not in {c.id for c in TRAIN.checks}
 
 
 def test_every_mesh_passes_on_what_the_next_takes_in():

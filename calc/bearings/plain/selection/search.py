@@ -178,7 +178,10 @@ class BearingsFound:
     were judged with; 0: the others.  `own`: the number of the row with the design's own oil, supply and surfaces; 0:
     there is none.  `elsewhere`: by row number, what then is open and was not before: limits of other steps, cautions
     of the bearings.  `crossing`: what overlaps now.  `placed`: whether the fits of the design have a place.  `solved`:
-    results of whole designs by row number, with their shaft in view."""
+    results of whole designs by row number, with their shaft in view.
+
+    `named`: what `rows` are called where others stand among them, of which `behind` is the last; 0: there are none,
+    and each is called by its number."""
 
     case: SelectionCase
     aim: str
@@ -197,6 +200,15 @@ class BearingsFound:
     crossing: tuple[Check, ...]
     placed: bool
     solved: dict[int, Solution]
+    named: tuple[int, ...] = ()
+    behind: int = 0
+
+    def no(self, number: int) -> int:
+        """What a row is called."""
+        if not self.behind:
+            return number
+        rows = len(self.rows)
+        return self.named[number - 1] if number <= rows else self.behind + number - rows
 
     @property
     def all(self) -> tuple[CandidateRow, ...]:
@@ -260,6 +272,16 @@ def search(case: SelectionCase, aim: str = "loss", progress: Progress | None = N
         placed(case.bearings) is not None,
         {n: case.seen(one.results) for n, one in enumerate(settled, 1) if one.results is not None},
     )
+
+
+def best_as_supplied(case: SelectionCase) -> CandidateRow | None:
+    """The least friction with the oil and the supply of the design, in the room on its shaft; not solved as a whole.
+
+    None: nothing keeps all rules.  Raises NoSolution where the search knows no bearings like these."""
+    bearings, (variant, *_), slopes = _possible(tasks(case)), variants(case), slopes_of(case)
+    ((_, every),) = _all_fields(case, [variant], bearings, slopes, ORDERS["loss"], None)
+    picked = best(with_surfaces(in_room(every)), slopes, ORDERS["loss"])
+    return None if picked is None else CandidateRow("offered", variant, picked)
 
 
 def _ways(case: SelectionCase, offered: list[Variant], bearings: Tasks) -> list[tuple[str, list[Variant], Tasks]]:

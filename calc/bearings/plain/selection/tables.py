@@ -4,7 +4,7 @@
 Each neighbour of a row has the rule that refuses it, or what it costs."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from ....countershaft.rows import called
@@ -110,7 +110,8 @@ def choices_table(choices: BearingsFound, top: int) -> Table:
     """The design as it is, then the first `top` rows; where none fits, those that are too long."""
     if choices.aim == "film" and choices.pareto:
         return pareto_table(choices)
-    return _rows_table("bearings", titles(choices)[0], choices, (choices.rows or choices.beyond)[:top], 1, now=True)
+    rows = [row for n, row in enumerate(choices.rows, 1) if choices.no(n) <= top] or list(choices.beyond[:top])
+    return _rows_table("bearings", titles(choices)[0], choices, tuple(rows), 1, now=True)
 
 
 def beyond_table(choices: BearingsFound, top: int) -> Table | None:
@@ -125,10 +126,11 @@ def _rows_table(
     id: str, title: Text, choices: BearingsFound, rows: tuple[CandidateRow, ...], first: int, *, now: bool
 ) -> Table:
     shown: list[tuple[str, CandidateRow]] = [(Text("now"), choices.now)] if now and choices.now is not None else []
-    shown += [(str(number), row) for number, row in enumerate(rows, first)]
+    numbers = [first + n for n in range(len(rows))]
+    press = [_press_hot(choices, number) for number in (*(0 for _ in shown), *numbers)]
+    shown += [(str(choices.no(number)), row) for number, row in zip(numbers, rows)]
     of = [row for _, row in shown]
     extra = _extra(of)
-    press = [_press_hot(choices, number) for number, _ in shown]
     columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(of)]
     columns += [(POWER, "W"), (Name("h/h_K"), ""), (OUTLET, "°C")]
     if any(press):
@@ -140,9 +142,9 @@ def _rows_table(
     return Table(id, title, tuple(columns), cells, EXPLAIN if now else EMPTY)
 
 
-def _press_hot(choices: BearingsFound, number: str) -> float | None:
+def _press_hot(choices: BearingsFound, number: int) -> float | None:
     """The least pressure of what is pressed in where the film is hottest, in MPa, of a row that was solved whole."""
-    results = choices.case.seen(choices.case.results) if not number.isdigit() else choices.solved.get(int(number))
+    results = choices.solved.get(number) if number else choices.case.seen(choices.case.results)
     found = None if results is None else results.result(BearingsResult)
     seats = [] if found is None else [b.seat_ for b in found.plain.values() if b.seat_ is not None]
     return min((seat.press_hot / 1e6 for seat in seats), default=None)
@@ -295,7 +297,7 @@ def neighbours_table(choices: BearingsFound) -> Table:
     """For the first rows: what lies one step outside, and why it is not offered."""
     shown = (choices.rows or choices.beyond)[:EXPLAINED]
     rows = [
-        (str(number), neighbour.place, neighbour.change, *_outcome(choices, row, neighbour))
+        (str(choices.no(number)), neighbour.place, neighbour.change, *_outcome(choices, row, neighbour))
         for number, row in enumerate(shown, 1)
         for neighbour in neighbours(row, choices.variants, choices.slopes_of_row(number))
     ]
@@ -331,7 +333,7 @@ def _outcome(choices: BearingsFound, row: CandidateRow, neighbour: Neighbour) ->
     wanted = (neighbour.oil, row.variant.supply)
     of_oil = (n for n, other in enumerate(choices.rows, 1) if (other.variant.oil, other.variant.supply) == wanted)
     if n := next(of_oil, 0):
-        words = Text("{words} (row {n})", words=words, n=n)
+        words = Text("{words} (row {n})", words=words, n=choices.no(n))
     bound = outside(neighbour)
     return (Text("end of the search") if bound else "", words, bound, "")
 
@@ -351,7 +353,9 @@ def pareto_table(choices: BearingsFound) -> Table:
     rows = []
     for number, row in enumerate(choices.pareto, len(choices.rows) + len(choices.beyond) + 1):
         last = (_too_long(row) if extra == TOO_LONG else _asks(row),) if extra else ()
-        rows.append((*_first_cells(str(number), row), rounded(row.power, 4), rounded(row.film * 1e6, 3), *last))
+        rows.append(
+            (*_first_cells(str(choices.no(number)), row), rounded(row.power, 4), rounded(row.film * 1e6, 3), *last)
+        )
     note = Text("h_edge: the thinner of both. Between two rows lies no candidate with less power for its film.")
     title = Text("Pareto set: power against film")
     if not choices.rows:
@@ -384,15 +388,17 @@ def summary(choices: BearingsFound) -> tuple[Text, ...]:
         power = Text("{power}", power=Amount(first.power, "W", digits=3))
         if now is not None:
             power = Text("{power} in place of {now}", power=power, now=Amount(now.power, "W", digits=3))
-        words.append(Text("Row 1: {change}; {power}.", change=COMMA.join(filter(None, change)), power=power))
+        words.append(
+            Text("Row {n}: {change}; {power}.", n=choices.no(1), change=COMMA.join(filter(None, change)), power=power)
+        )
         if choices.kind == "given":
             words.append(_at_corners(choices, first))
     elif choices.kind == "given":
-        words.append(Text("Row 1 is the design as it is: it keeps every rule as given."))
+        words.append(Text("Row {n} is the design as it is: it keeps every rule as given.", n=choices.no(1)))
     else:
-        words.append(Text("Row 1 is the design as it is: it keeps every rule of the search."))
+        words.append(Text("Row {n} is the design as it is: it keeps every rule of the search.", n=choices.no(1)))
     if choices.own > 1:
-        n = choices.own
+        n = choices.no(choices.own)
         words.append(Text("With the design's own oil, supply and surfaces: row {n}.", n=n))
     elif not choices.own:
         dropped = SEMICOLON.join(choices.dropped) or Text("smoother surfaces are needed")
@@ -418,7 +424,7 @@ def _makers(choices: BearingsFound) -> Text:
     d = Amount(round((printed[i].journal.diameter or 0.0) * 1e3, 1), "mm")
     return Text(
         "Nearest to what makers print for this assembly stands row {n}: {engine}, {d}.",
-        n=n,
+        n=choices.no(n),
         engine=printed[i].sheet.name,
         d=d,
     )
@@ -440,7 +446,7 @@ def _missed(choices: BearingsFound) -> Text:
         "not with Ra down to "
         "{Ra}, nor with fits two grades closer.",
         room=listed(rooms),
-        number=number,
+        number=choices.no(number),
         miss=listed(Text("{x} ({place})", x=mm(x), place=called(place)) for place, x in long),
         Ra=Ra,
     )
@@ -464,9 +470,11 @@ def notes(choices: BearingsFound) -> tuple[Text, ...]:
 
 def _kept(choices: BearingsFound) -> Iterator[Text]:
     n, last, end = len(choices.rows), len(choices.rows) + len(choices.beyond), len(choices.all)
-    rows = Text("Every row keeps")
+    rows = Text("Every plain row keeps") if choices.behind else Text("Every row keeps")
     if choices.kind == "given":
-        rows = Text("Rows {a} to {b} keep", a=n + 1, b=last) if choices.beyond else Text("To keep would be")
+        rows = Text("To keep would be")
+        if choices.beyond:
+            rows = Text("Rows {a} to {b} keep", a=choices.no(n + 1), b=choices.no(last))
     yield Text(
         "{rows}, at the worst corner of the tolerances: the film at the edge, {reserve} below the limit of the oil "
         "that leaves, and a twentieth of the clearance at the lowest temperature; as given, the film at the edge "
@@ -478,9 +486,8 @@ def _kept(choices: BearingsFound) -> Iterator[Text]:
         most=Amount(RATIO[1]),
     )
     if choices.kind == "given":
-        rows = Text("Rows 1 to {n}", n=n)
-        if choices.pareto:
-            rows = Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end)
+        numbers = [*range(1, n + 1), *range(last + 1, end + 1)]
+        rows = Text("Rows {runs}", runs=_runs(choices.no(number) for number in numbers))
         yield Text(
             "{rows} keep all that as given, and at the corners of the tolerances, which are only assumed, some "
             "clearance when cold; the "
@@ -553,11 +560,11 @@ def _searched(choices: BearingsFound) -> Iterator[Text]:
             "alone (IT7 for f7)."
         )
     if choices.verified:
-        said = rows_of(list(choices.verified))
+        said = rows_of([choices.no(number) for number in choices.verified])
         yield Text("Solved as whole designs: {rows}; the others are when they are taken.", rows=said)
     for id in dict.fromkeys(c.id for checks in choices.elsewhere.values() for c in checks):
         there = {number: c for number, checks in choices.elsewhere.items() for c in checks if c.id == id}
-        numbers, first = COMMA.join(map(str, there)), next(iter(there.values()))
+        numbers, first = COMMA.join(str(choices.no(number)) for number in there), next(iter(there.values()))
         yield Text("Then open, with row {rows}: {id} ({limit}).", rows=numbers, id=id, limit=against(first))
     if choices.dropped:
         yield Text("Dropped once the whole design was solved: {rows}.", rows=SEMICOLON.join(choices.dropped))
@@ -565,14 +572,17 @@ def _searched(choices: BearingsFound) -> Iterator[Text]:
 
 def rows_of(numbers: list[int]) -> Text:
     """`rows 1 to 4 and 7`."""
+    return plural("row {rows}", "rows {rows}", n=len(numbers), rows=_runs(numbers))
+
+
+def _runs(numbers: Iterable[int]) -> Text:
     runs: list[list[int]] = []
-    for n in numbers:
+    for n in sorted(numbers):
         if runs and n == runs[-1][1] + 1:
             runs[-1][1] = n
         else:
             runs.append([n, n])
-    parts = [Text("{a} to {b}", a=a, b=b) if a < b else str(a) for a, b in runs]
-    return plural("row {rows}", "rows {rows}", n=len(numbers), rows=listed(parts))
+    return listed(Text("{a} to {b}", a=a, b=b) if a < b else str(a) for a, b in runs)
 
 
 def _refused(choices: BearingsFound) -> Iterator[Text]:

@@ -89,7 +89,8 @@ class SharedRow:
 class SharedFound:
     """What there is to choose.  `corners`: whether the rows keep the rules at the corners of the tolerances, or as
     given.  `stays`: why no other diameter is looked at; empty: others are.  `left_out`: rules that are not asked, as
-    the design does not keep them.  `refused`: what has no row, and why."""
+    the design does not keep them.  `refused`: what has no row, and why.  `named`: what the rows are called where others
+    stand among them; empty: by their numbers."""
 
     case: SelectionCase
     now: SharedRow | None
@@ -100,6 +101,11 @@ class SharedFound:
     corners: bool
     stays: Text
     refused: tuple[Text, ...]
+    named: tuple[int, ...] = ()
+
+    def no(self, number: int) -> int:
+        """What a row is called."""
+        return self.named[number - 1] if self.named else number
 
 
 @record
@@ -457,7 +463,7 @@ def choices_table(found: SharedFound, top: int) -> Table:
     if not found.corners:
         title = Text("No row keeps every rule of the search at every corner: these keep them as given")
     shown = [(Text("now"), found.now)] if found.now is not None else []
-    shown += [(Text("{n}", n=n), row) for n, row in enumerate(found.rows[:top], 1)]
+    shown += [(Text("{n}", n=found.no(n)), row) for n, row in enumerate(found.rows, 1) if found.no(n) <= top]
     sizes = [(Text("{letter} d×l×g", letter=letter_of(row.name)), "mm, mm, µm") for row in found.case.rows]
     columns = ((tables.NUMBER, ""), (Text("changed"), ""), *sizes, (tables.POWER, "W"), (tables.EDGE, "µm"))
     columns += ((Text("margin"), "%"), (Text("by"), ""))
@@ -487,8 +493,8 @@ def summary(found: SharedFound) -> tuple[Text, ...]:
     """What the first row changes."""
     row = found.rows[0].row
     if not (change := tables.changed(row)):
-        return (Text("Row 1 is the design as it is: it keeps the rules of the search."),)
-    return (Text("Row 1: {which}: {change}.", which=found.rows[0].which, change=change),)
+        return (Text("Row {n} is the design as it is: it keeps the rules of the search.", n=found.no(1)),)
+    return (Text("Row {n}: {which}: {change}.", n=found.no(1), which=found.rows[0].which, change=change),)
 
 
 def notes(found: SharedFound) -> tuple[Text, ...]:

@@ -12,7 +12,7 @@ import numpy as np
 from ....countershaft.inputs import LAID_IN, ShaftInputs
 from ....countershaft.outline import CROSSING
 from ....countershaft.result import CountershaftResult
-from ....countershaft.rows import BearingRow
+from ....countershaft.rows import BearingRow, called
 from ....library import tolerances as fits
 from ....library.catalogue import Oil
 from ....library.journal_rules import LENGTH_RATIO, specific_load
@@ -121,6 +121,10 @@ def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
     """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be
     known."""
     only_two(case)
+    if other := next((row for row in case.rows if not row.fed()), None):
+        without = Text("the {place} bearing runs on none", place=called(other.name))
+        advice = Text("`contralbero choose FILE bearings` ranks all kinds")
+        raise NoSolution(Text("only bearings on a film of oil are searched here"), without, advice)
     if any(case.bearings.of(row).supply == "axial_groove" for row in case.rows):
         what = Text("the search for bearings does not know films between axial grooves")
         raise NoSolution(what, EMPTY, Text("search with a hole, then set the grooves"))
@@ -155,10 +159,10 @@ def at_diameter(case: SelectionCase, own: BearingTask, d: Metre) -> BearingTask:
 
 
 def own_tasks(case: SelectionCase) -> dict[str, BearingTask]:
-    """Each bearing at the design's own diameter.  Raises NoSolution where what it carries can not be known."""
+    """Each plain bearing at the design's own diameter.  Raises NoSolution where what it carries can not be known."""
     only_two(case)
     solved = solved_or_probed(case, case.rows)
-    return {row.name: _task(case, row, solved) for row in case.rows}
+    return {row.name: _task(case, row, solved) for row in case.rows if row.fed()}
 
 
 def only_two(case: SelectionCase) -> None:
@@ -203,7 +207,7 @@ def tied(case: SelectionCase, row: BearingRow) -> Text:
     if R is None:
         return Text("the shaft's outline is not known")
     d = row.diameter
-    if R <= d / 2 + 1e-9 and d >= max(other.diameter for other in case.rows):
+    if R <= d / 2 + 1e-9 and d >= max(other.opening() for other in case.rows):
         return Text("the sectors are threaded in through its seat")
     if row is case.rows[0] and case.gear_tip is not None and case.gear_tip < d:
         return Text("the gear goes through its seat")
@@ -234,6 +238,8 @@ def solved_or_probed(case: SelectionCase, rows: tuple[BearingRow, ...]) -> Solut
 
 
 def _probe(ratio: float, psi: float, b: BearingRow) -> BearingRow:
+    if not b.fed():
+        return b
     return replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
 
 
@@ -295,7 +301,7 @@ def drawn(case: SelectionCase) -> Solution:
 
 @lru_cache(maxsize=1)
 def _with_short_journals(case: SelectionCase) -> Solution:
-    short = tuple(replace(row, length=SHORT * row.diameter) for row in case.rows)
+    short = tuple(replace(row, length=SHORT * row.diameter) if row.fed() else row for row in case.rows)
     shortened = case.solve(case.bearings, short, last=True)
     return case.results if crossings(case.seen(shortened)) else shortened
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from calc.bearings.rolling import clearance as c
 from calc.library.catalogue import shipped_materials
+from calc.library.tolerances import deviations, parse
 from tests.calc.bearings.rolling.typical import BEARINGS, given
 
 ALUMINIUM = shipped_materials()["EN AC-43100"]
@@ -300,6 +301,15 @@ def test_many_bearings_are_the_single_ones():
                         assert several is None or np.isnan(several[k])
                     else:
                         assert several[k] == pytest.approx(number, abs=1e-15)
+
+
+@drawn(
+    st.sampled_from([("k6", "shaft in a ring"), ("r6", "shaft in a ring"), ("N7", "hole for a ring"), ("C9", "hole")]),
+    st.floats(0.0011, 0.5),
+)
+def test_limits_of_many_are_those_of_one(said, d):
+    low, high = c.limits(parse(*said), np.array([d, 0.025]))
+    assert (low[0], high[0]) == deviations(parse(*said), d) == c.limits(parse(*said), d)
 
 
 @drawn(

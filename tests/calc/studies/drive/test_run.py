@@ -244,7 +244,9 @@ def test_over_a_duty_cycle_the_power_is_a_mean(sized):
 
 @pytest.mark.slow
 def test_where_nothing_passes_each_line_holds_when_it_is_solved(sized):
-    """The seat of the source's casting: what the spec of this search found, to within its grid."""
+    """The seat of the source's casting.  The spec of this search found 82.6 mm, with twice the load at the corners, 20 µm
+    left when cold and clearances of usual factors; what is asked now leaves 82.5 mm, in sixty-fourths of 6 mm, and so
+    little less couple that its holes still do."""
     problem, _ = asked(
         sized, {"most": {"seat_mm": 82.0}, "vary": {"bearings.supply": ["hole"], "shafts.shaft.material": ["20CrNi4"]}}
     )
@@ -253,11 +255,11 @@ def test_where_nothing_passes_each_line_holds_when_it_is_solved(sized):
     why = refusal(found)
     lines = {line.key: (str(line.change), line.broken) for line in why.lines}
     assert (
-        lines["shafts.shaft.bearings.rear.diameter_mm"][0].startswith("82 → 82.6")
+        lines["shafts.shaft.bearings.rear.diameter_mm"][0].startswith("82 → 82.5")
         and lines["shafts.shaft.bearings.rear.diameter_mm"][1] == ()
     )
     assert lines["shafts.shaft.bearings.*.position_mm"][0].startswith("[-167.5, 167.5] → [-169.")
-    assert lines["shafts.shaft.overdesign_percent"][1] == ("countershaft.holes.range",)
+    assert lines["shafts.shaft.overdesign_percent"] == ("1.9 → 0.2 %", ())
     assert {"bearings.oil"} <= set(lines) and "bearings.fits" not in lines
     assert 0.05 < why.miss < 0.2
 

@@ -1,55 +1,63 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the drawing of a shaft says of the seats that its journals run in: limits of journal, bore and walls, the press,
-and which shell goes with which pair of classes.  Nothing of a seat of which nothing more is known than its fit."""
+"""What the drawing of a shaft says of journals and of the seats that they run in: limits of journal, bore and walls,
+the press, and which shell goes with which pair of classes.  Nothing of a seat of which nothing more is known than its
+fit."""
 
 import math
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator, Mapping
 
-from ..library.tolerances import parse
-from ..sheet.quantity import dotted
-from ..sheet.text import COMMA, EMPTY, Amount, Text
-from ..sheet.units import UNITS, Metre
-from .annotations import LETTER, Say, number
-from .lettering import width
-from .sheet_data import Rows
-
-if TYPE_CHECKING:
-    from ..bearings.plain.result import PlainResult
-    from ..bearings.plain.seats.stack import SeatStack
-    from ..countershaft.rows import BearingRow
-    from ..solve import Results
+from ...countershaft.rows import BearingRow
+from ...draw.annotations import COLUMNS, LETTER, Rows, Say, SheetTable, number
+from ...draw.lettering import width
+from ...library.tolerances import ASSUMED_FIT, parse
+from ...sheet.text import COMMA, EMPTY, Amount, Text
+from ...sheet.units import UNITS, Metre
+from ..inputs import BearingsInputs
+from ..support import TurnedJournal
+from .bearing import PlainBearing
+from .seats.stack import SeatStack
 
 SIZE = 3  # decimals
 WIDE, BORES = 112.0, 36.0  # of the table of classes, and of its bore classes
 
 
-def _judged(results: "Results") -> "Iterator[tuple[BearingRow, PlainResult]]":
-    """The bearings of whose seat something is known, front to rear."""
-    outcome = results.outcomes.get(dotted("bearings"))
-    known = getattr(outcome.result, "bearings", {}) if outcome is not None else {}
-    for row in results.design.rows:
-        r = known.get(row.name)
-        if r is not None and (r.seat.stack is not None or r.seat_ is not None):
-            yield row, r
+def turned(row: BearingRow, inputs: BearingsInputs) -> TurnedJournal:
+    fit = inputs.of(row).journal_fit
+    field = None if fit == ASSUMED_FIT else parse(fit, "shaft")
+    return TurnedJournal(_limits(row, inputs), field, row.journal_roughness)
 
 
-def seat_rows(results: "Results", say: Say) -> Rows:
+def _limits(row: BearingRow, inputs: BearingsInputs) -> tuple[Metre, Metre] | None:
+    """Least and most of a journal, of all its classes where there are some; None where its fit says it."""
+    if row.seat == "shells" and inputs.select is not None:
+        classes = inputs.select.journals
+        return classes[0][0], classes[-1][1]
+    return None if row.journal is None else (row.journal[0], row.journal[-1])
+
+
+def on_drawing(results: Mapping[str, PlainBearing], inputs: BearingsInputs, say: Say) -> Iterator[SheetTable]:
+    head = Text("Seats of the journals, at {T} °C", T=Amount(inputs.clearance_reference_temperature, form="g"))
+    known = [r for r in results.values() if r.seat.stack is not None or r.seat_ is not None]
+    yield say(head), _seat_rows(known, say), COLUMNS
+    yield from _class_tables(known, say)
+
+
+def _seat_rows(known: list[PlainBearing], say: Say) -> Rows:
     """Of these bearings what they are made of and how they are pressed; those that are alike in one."""
     rows: Rows = []
-    for names, row, r in _alike(results, lambda row, r: tuple(map(str, _of_seat(row, r)))):
+    for names, row, r in _alike(known, lambda row, r: tuple(map(str, _of_seat(row, r)))):
         for label, words in _of_seat(row, r):
             rows.append((say(_at(label, names)), say(words)))
     return rows
 
 
 def _alike(
-    results: "Results", by: "Callable[[BearingRow, PlainResult], object]"
-) -> "Iterator[tuple[Text, BearingRow, PlainResult]]":
+    known: list[PlainBearing], by: Callable[[BearingRow, PlainBearing], object]
+) -> Iterator[tuple[Text, BearingRow, PlainBearing]]:
     """The first of those bearings that are alike, with the names of all; empty where all are."""
-    groups: dict[object, list[tuple[BearingRow, PlainResult]]] = {}
-    for row, r in _judged(results):
-        groups.setdefault(by(row, r), []).append((row, r))
+    groups: dict[object, list[tuple[BearingRow, PlainBearing]]] = {}
+    for r in known:
+        groups.setdefault(by(r.row, r), []).append((r.row, r))
     for group in groups.values():
         names = COMMA.join(row.in_words for row, _ in group)
         yield EMPTY if len(groups) == 1 < len(group) else names, *group[0]
@@ -59,7 +67,7 @@ def _at(what: Text, names: Text) -> Text:
     return Text("{what}, {place}", what=what, place=names) if names else what
 
 
-def _of_seat(row: "BearingRow", r: "PlainResult") -> "Iterator[tuple[Text, Text]]":
+def _of_seat(row: BearingRow, r: PlainBearing) -> Iterator[tuple[Text, Text]]:
     stack, seat, finished = r.seat.stack, r.seat_, row.finished is not None
     bore = row.bore if stack is None or finished else stack.bore
     walls = row.wall if stack is None or stack.walls is None else stack.walls
@@ -99,10 +107,9 @@ def _across(limits: tuple[Metre, ...]) -> Text:
     return Text("⌀{limits}", limits=_lengths(limits))
 
 
-def class_tables(results: "Results", say: Say) -> list[tuple[str, Rows, tuple[float, ...]]]:
+def _class_tables(known: list[PlainBearing], say: Say) -> Iterator[SheetTable]:
     """Of shells that are picked: rows by class of the bore, columns by class of the journal."""
-    found = []
-    for names, _, r in _alike(results, lambda row, r: str(r.seat.stack and r.seat.stack.pairs)):
+    for names, _, r in _alike(known, lambda row, r: str(r.seat.stack and r.seat.stack.pairs)):
         if (stack := r.seat.stack) is None or stack.pairs is None:
             continue
         bores, journals = _classes(stack)
@@ -112,11 +119,10 @@ def class_tables(results: "Results", say: Say) -> list[tuple[str, Rows, tuple[fl
             cells = (say(stack.shells[stack.pairs[n, journal][1]]) for journal in journals)
             rows.append((say(size), *cells))
         title = say(_at(Text("Shells by bore and journal, colours by this program"), names))
-        found.append((title, rows, (BORES, *[(WIDE - BORES) / len(journals)] * len(journals))))
-    return found
+        yield title, rows, (BORES, *[(WIDE - BORES) / len(journals)] * len(journals))
 
 
-def _classes(stack: "SeatStack") -> tuple[dict[int, Text], dict[int, Text]]:
+def _classes(stack: SeatStack) -> tuple[dict[int, Text], dict[int, Text]]:
     """The limits of the classes of bore and journal, by their numbers."""
     assert stack.pairs is not None
     bores = {bore: _across(limits) for (bore, _), (limits, *_) in stack.pairs.items()}
@@ -128,7 +134,7 @@ def _fits(journals: dict[int, Text]) -> bool:
     return all(width(size, LETTER) + 3.0 <= (WIDE - BORES) / len(journals) for size in journals.values())
 
 
-def _sizes(stack: "SeatStack") -> Iterator[tuple[Text, Text]]:
+def _sizes(stack: SeatStack) -> Iterator[tuple[Text, Text]]:
     """What has only a word, or a number, in the table of classes."""
     for wall, colour in stack.shells.items():
         yield Text("Shells {colour}, wall", colour=colour), _lengths(wall)

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Beside the bearings of a design others of each kind: the table and the figure that are made when somebody looks."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import cache, partial
+from typing import Any
+
+from ..bearings import comparison
+from ..bearings.inputs import BearingsInputs
+from ..bearings.plain.selection.search import best_as_supplied
+from ..bearings.plain.selection.writing import with_row
+from ..bearings.result import BearingsResult
+from ..countershaft.rows import BearingRow
+from ..friction.result import carbon_dioxide, fuel
+from ..sheet.deferred import Later
+from ..sheet.errors import NoSolution
+from ..sheet.step import Further, Outcome
+from ..sheet.units import Number
+from ..sheet.value import recorded
+from .model import Design
+from .step_inputs import bearings_case, rated_power, rolling_places
+
+IDLE: Number = 0.35  # of the rated speed, where nobody gives one
+# journals that a search begins from, and their supply, where there are none; rule of this program
+LARGE, LENGTH, CLEARANCE, SMOOTH = 0.03, 0.6, 0.6, 0.4e-6
+HOLE, PRESSURE = 0.004, 3e5
+
+Steps = Mapping[str, Outcome[object]]
+Solve = Callable[..., Any]
+
+
+def with_comparison(design: Design, steps: Steps, results: Callable[[], Any], solve: Solve) -> dict[str, Outcome[Any]]:
+    """The bearings with what stands beside them, of all shafts that are no twins; none where they are not solved.
+
+    `results`: of the design.  `solve`: that of the program, which stands above this room."""
+    outcome = steps.get("bearings")
+    if outcome is None or outcome.state != "solved":
+        return {}
+    beside = cache(partial(_beside, design, results, solve))
+    return {
+        "bearings": replace(
+            outcome,
+            curves=outcome.curves + Later(lambda: beside().curves),
+            tables=outcome.tables + Later(lambda: beside().tables),
+        )
+    }
+
+
+def _beside(design: Design, results: Callable[[], Any], solve: Solve) -> Further:
+    more, solved = Further(), results()
+    several = len(design.shafts) > 1
+    for name in design.originals:
+        try:
+            with recorded(False):
+                here = comparison.further(_case(design, solved, name), _plain(design, solved, solve, name))
+        except (NoSolution, ArithmeticError, ValueError):
+            continue  # a shaft whose loads are not known
+        tables = tuple(table.of_one("bearings", name) if several else table for table in here.tables)
+        curves = tuple(curve.of_one(name) if several else curve for curve in here.curves)
+        more = Further((*more.curves, *curves), more.tables + tables)
+    return more
+
+
+def _case(design: Design, solved: Any, name: str) -> comparison.ComparisonCase:
+    view = solved.view(name)
+    outcome, friction = view.outcomes["bearings"], design.friction
+    result = outcome.result
+    assert isinstance(result, BearingsResult)
+    places = rolling_places(design, solved, name)
+    task = next(iter(places.values())).task
+    ratio = abs(task.ratio) if task.ratio is not None else 1.0
+    speeds = [row.speed for row in task.operation] + [row.speed for row in _inputs(design).duty]
+    slowest = min(speeds, default=None)
+    if slowest is None and design.mounting is not None:
+        slowest = design.mounting.idle_speed
+    costs = comparison.Costs()
+    if friction is not None and (b_e := friction.specific_fuel_consumption) is not None:
+        e_CO2 = friction.co2_per_fuel
+        costs = comparison.Costs(
+            rated_power(design), lambda P: fuel(b_e=b_e, P=P), lambda m_B: carbon_dioxide(e_CO2=e_CO2, m_B=m_B)
+        )
+    idle = IDLE * task.speed if slowest is None else ratio * slowest
+    return comparison.ComparisonCase(places, result.bearings, outcome.checks, idle, slowest is None, costs)
+
+
+def _inputs(design: Design) -> BearingsInputs:
+    assert design.bearings is not None  # they are solved
+    return design.bearings
+
+
+def _plain(
+    design: Design, solved: Any, solve: Solve, name: str
+) -> Iterator[tuple[BearingsInputs, Mapping[str, BearingRow]]]:
+    """The best journals with the oil and the supply of the design; where it has no journals, with what is usual."""
+    try:
+        if any(row.kind != "plain" for row in design.views[name].rows):
+            design = _with_journals(design, name)
+            solved = solve(design, solved)
+        case = bearings_case(design, solve, solved, name)
+        row = best_as_supplied(case)
+    except NoSolution:
+        return
+    if row is not None:
+        bearings, rows = with_row(case, row)
+        yield bearings, {one.name: one for one in rows}
+
+
+def _with_journals(design: Design, name: str) -> Design:
+    """The shaft on plain bearings, with the journals that a search begins from, and oil under pressure."""
+    own, inputs = design.views[name].own, _inputs(design)
+    assert own is not None
+    rows = []
+    for row in own.bearings:
+        if row.kind != "plain":
+            d = row.on_shaft[0] if row.on_shaft is not None else LARGE
+            surfaces: dict[str, Any] = dict(journal_roughness=SMOOTH, housing_roughness=SMOOTH)
+            as_given: dict[str, Any] = dict(name=row.name, position=row.position, load=row.load, slope=row.slope)
+            row = BearingRow(**as_given, diameter=d, length=LENGTH * d, clearance_factor=CLEARANCE, **surfaces)
+        rows.append(row)
+    supply: dict[str, Any] = {}
+    if inputs.supply is None:
+        supply = dict(supply="hole", hole_diameter=HOLE)
+    if inputs.supply_pressure is None:
+        supply["supply_pressure"] = PRESSURE
+    return replace(design, bearings=replace(inputs, **supply)).with_shaft(replace(own, bearings=tuple(rows)))
