@@ -327,7 +327,8 @@ def _curve(case: ComparisonCase, sets: Compared) -> Curve:
     temperatures = list(dict.fromkeys((case.cold, middle, case.hot)))
     series = []
     for one in shown:
-        word = Text("plain") if one.film else Text("rolling")
+        rolling = all(r.survival() is not None for r in one.bearings.values())
+        word = Text("plain") if one.film else Text("rolling") if rolling else Text("mixed")
         losses = one.loss(case, np.tile(n, len(temperatures)), np.repeat(temperatures, POINTS))
         for T, P in zip(temperatures, np.split(losses, len(temperatures))):
             label = Text("{kind} {sizes}, {T}", kind=word, sizes=_sizes(one), T=Amount(T, "°C"))
