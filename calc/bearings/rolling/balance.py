@@ -8,7 +8,7 @@ through carries more off: the temperature is an upper estimate, and a lower one 
 One bearing as numbers, or many of one type, of many loads, speeds and oils, as arrays that broadcast."""
 
 from collections.abc import Callable
-from typing import Annotated, Any, Generic, Literal, cast
+from typing import Annotated, Any, Generic, Literal
 
 import numpy as np
 
@@ -159,8 +159,9 @@ def balanced_temperature(
             here, of_here = T, of_T
             if not np.any(moved > NEAR):
                 break
-    found: Any = np.where(none, np.nan, here)
-    return cast("Array", single_or_many(found))
+    T_b: Any = single_or_many(np.where(none, np.nan, here))
+    found: Value = T_b
+    return found
 
 
 def carried_off(
