@@ -242,6 +242,10 @@ class Carrying(ABC):
         """Diameter of the housing's bore in which it sits."""
         return self.row.on_shaft[0] if self.row.on_shaft is not None else 0.0
 
+    def pumped(self) -> Watt:
+        """What its oil takes of a pump without losses: its flow from no pressure to that of its supply."""
+        return 0.0
+
     def mass(self) -> Kilogram:
         """Of what is put between shaft and housing."""
         return 0.0
