@@ -86,7 +86,7 @@ UNIT_WORDS: dict[str, dict[str, Any]] = {
     "mPa·s": {"mPa·s": 1e-3, "Pa·s": 1.0, "cP": 1e-3, "P": 0.1},
     "mm²/s": {"mm²/s": 1e-6, "cSt": 1e-6, "St": 1e-4, "m²/s": 1.0},
     "N·rpm/mm": {"N·rpm/mm": 1000 / 60, "N·rpm/cm": 100 / 60},
-    "W": POWER, "kW": POWER,
+    "W": POWER, "kW": POWER, "W/K": {"W/K": 1.0, "kW/K": 1e3},
     "J": {"J": 1.0, "kJ": 1e3, "N·m": 1.0, "Nm": 1.0, "W·h": 3600.0, "Wh": 3600.0, "kWh": 3.6e6},
     "K": {"K": 1.0},
     "°C": CELSIUS,

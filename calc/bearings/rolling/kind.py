@@ -61,3 +61,6 @@ def on_the_way(outline: Outline, z: Metre) -> Metre | None:
     front = [2 * piece.outer_radius for piece in beyond if piece.end <= z]
     rear = [2 * piece.outer_radius for piece in beyond if piece.start >= z]
     return None if not front or not rear else min(max(front), max(rear))
+
+
+KIND = Rolling()
