@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain bearings: film, friction, oil flow, temperature, clearance, what suits them, and a search for better ones."""
+"""Bearings of a shaft, plain and rolling ones: what each carries and loses, how long it lives, and a search for better
+ones."""
 
 from importlib import import_module
 from typing import Any
@@ -8,10 +9,10 @@ from typing import Any
 OFFERED = {
     "Feed": ".plain.film.grooved",
     "Film": ".plain.as_support",
-    "Rolling": ".plain.as_support",
+    "Springs": ".rolling.contact",
     "film_at": ".plain.film.table",
     "relative_clearance": ".plain.formulas",
-    "solve_film": ".solve",
+    "solve_film": ".plain.solve",
     "solve_grooved": ".plain.film.grooved",
     "sommerfeld": ".plain.formulas",
     "specific_load": "..library.journal_rules",

@@ -430,7 +430,7 @@ def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
             ratio = gamma_of(case.inside)
         if ratio > LARGEST_ELEMENTS:
             yield on_bearing(GEOMETRY_OUTSIDE, place, ratio, LARGEST_ELEMENTS)
-    if r.torque > 0 and r.torque_two_part > 0:
+    if r.torque and r.torque_two_part:
         spread = r.torque / r.torque_two_part
         yield on_bearing(FRICTION_SPREAD, place, max(spread, 1 / spread), WITHIN)
     given = (row.dynamic_rating, row.static_rating)

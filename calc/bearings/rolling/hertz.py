@@ -52,7 +52,7 @@ def _axes_by_curvature() -> tuple[Array, Array]:
 @formula(
     "χ",
     Text("{hertz}: ratio of the axes of the ellipse", hertz=HERTZ),
-    shows="χ > 1 with ((χ² + 1)·ℰ − 2·𝒦)/((χ² − 1)·ℰ) = F_ρ, by table",
+    shows="χ > 1 with ((χ² + 1)·ℰ − 2·K_χ)/((χ² − 1)·ℰ) = F_ρ, by table",
 )
 def axis_ratio(t: Number) -> Number:
     """>>> axis_ratio(t=0.0)
@@ -61,7 +61,7 @@ def axis_ratio(t: Number) -> Number:
     return single_or_many(np.exp(np.interp(np.arctanh(np.asarray(t, dtype=float)), *_axes_by_curvature())))
 
 
-@formula("𝒦", "mathematics: complete elliptic integral of the first kind, parameter 1 − 1/χ²", shows="𝒦(1 − 1/χ²)")
+@formula("K_χ", "mathematics: complete elliptic integral of the first kind, parameter 1 − 1/χ²", shows="K_χ(1 − 1/χ²)")
 def elliptic_first(x: Number) -> Number:
     return single_or_many(elliptic(x)[0])
 
@@ -118,7 +118,7 @@ def ellipse_pressure(Q: Newton, x: Number, b: Metre) -> Pascal:
     "δ_1",
     Text("{hertz}: approach of ball and raceway", hertz=HERTZ),
     unit="µm",
-    names={"E_1": "𝒦", "E_2": "ℰ", "Q": "Q_w", "x": "χ", "E_r": "E'", "S": "Σρ"},
+    names={"E_1": "K_χ", "E_2": "ℰ", "Q": "Q_w", "x": "χ", "E_r": "E'", "S": "Σρ"},
 )
 def approach(E_1: Number, S: PerMetre, E_2: Number, Q: Newton, x: Number, E_r: Pascal) -> Metre:
     return E_1 * (9 * S / (2 * E_2) * (Q / (pi * x * E_r)) ** 2) ** (1 / 3)

@@ -12,28 +12,66 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc import countershaft
-from calc.bearings import Film, Rolling, film_at
+from calc.bearings import Film, film_at
 from calc.bearings.plain.film.reynolds import solve_film
 from calc.bearings.plain.film.table import FilmRangeError, film_slopes
 from calc.bearings.plain.formulas import film_at_edge
 from calc.bearings.result import BearingsResult
 from calc.countershaft import Rigid
 from calc.countershaft.bending import formulas as f
+from calc.countershaft.bending.carried import Hold
 from calc.countershaft.outline import Piece
 from calc.countershaft.result import CountershaftResult
 from calc.design.toml_file import design
 from calc.library.catalogue import Material
 from calc.sheet.errors import NoSolution
+from calc.sheet.record import record
+from calc.sheet.text import Amount, Text
 from calc.solve import solve
 from tests.calc.countershaft.bending import cases
 from tests.calc.countershaft.shafts import STEEL
+
+
+@record
+class Power:
+    """A rolling bearing of the other program: F = K·(e − s/2)^n where the journal is farther from the middle than half
+    its play s; K in N/m^n, s (`gap`, diametral) in m."""
+
+    K: float
+    n: float
+    gap: float
+
+    def hold(self, e):
+        pressed = e - self.gap / 2
+        if pressed <= 0.0:
+            return Hold(0.0, 0.0, 0.0)
+        F = self.K * pressed**self.n
+        return Hold(F, self.n * F / pressed, F / e)
+
+    def hold_many(self, e):
+        held = [self.hold(one) for one in e]
+        force, slope, secant = (np.array([getattr(h, name) for h in held]) for name in ("force", "slope", "secant"))
+        return Hold(force, slope, secant, np.zeros(e.shape), np.zeros(e.shape))
+
+    def begin(self, F):
+        return self.gap / 2 + (F / self.K) ** (1 / self.n)
+
+    def farthest(self, e):
+        return math.inf
+
+    def softer(self, share):
+        return replace(self, K=share * self.K)
+
+    def said(self, name, e):
+        return Text("bearing {name}: play {s}", name=name, s=Amount(self.gap * 1e6, "µm"))
+
 
 WITH_BEARINGS = [name for name, case in cases.SHARE.items() if "k_N_um" not in case.get("laws", [{"k_N_um": 0}])[0]]
 
 
 def law(row, case):
     if "K_N_mmn" in row:
-        return Rolling(row["K_N_mmn"] * 1000 ** row["n"], row["n"], row["gap_um"] * 1e-6)
+        return Power(row["K_N_mmn"] * 1000 ** row["n"], row["n"], row["gap_um"] * 1e-6)
     sizes = row["d_mm"] / 1e3, row["l_mm"] / 1e3, row["c_um"] * 1e-6
     return Film(*sizes, row["mu_mPas"] * 1e-3, case["speed_rpm"] / 60, case.get("sense", 1))
 
@@ -173,7 +211,7 @@ def test_a_film_that_the_table_does_not_have_is_refused():
 
 @given(e=st.floats(0, 1e-4), n=st.sampled_from([1.0, 10 / 9, 1.5]), gap=st.floats(0, 6e-5))
 def test_a_rolling_bearing_takes_up_its_play(e, n, gap):
-    law = Rolling(6e5 * 1000**n, n, gap)
+    law = Power(6e5 * 1000**n, n, gap)
     held, h = law.hold(e), 1e-10
     if e <= gap / 2:
         assert held[:3] == (0, 0, 0)
@@ -210,7 +248,7 @@ def any_shaft(draw, rolling=0.4, play=40e-6):
     for _ in z:
         if draw.random() < rolling:
             power = draw.choice((1.5, 10 / 9))
-            laws.append(Rolling(draw.uniform(3e5, 1e6) * 1000**power, power, draw.uniform(0, play)))
+            laws.append(Power(draw.uniform(3e5, 1e6) * 1000**power, power, draw.uniform(0, play)))
         else:
             c = draw.uniform(1.2e-3, 4e-3) * 2 * radius
             laws.append(Film(2 * radius, 2 * l, c, draw.uniform(5e-3, 12e-3), speed, sense))

@@ -9,7 +9,7 @@ import pytest
 
 from calc.bearings.plain.checks import checks, least_film, oil_check
 from calc.bearings.plain.corners import Exact
-from calc.bearings.plain.loads import _checks as standing_checks
+from calc.bearings.plain.loads import standing_checks
 from calc.bearings.plain.materials import application, bearing_materials
 from calc.bearings.plain.routes.routes import own_warm
 from calc.bearings.plain.routes.thermal_balance import balanced

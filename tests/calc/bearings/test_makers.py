@@ -1,8 +1,8 @@
 """A design's journals beside those that makers print: the check, the table, and where both come into a solve."""
 
 import pytest
-from calc.bearings.makers import OwnJournal, maker_check, makers_table
 
+from calc.bearings.plain.makers import OwnJournal, maker_check, makers_table
 from calc.design.toml_file import design, parse
 from calc.solve import solve
 from calc.studies.shipped import DESIGNS

@@ -7,7 +7,8 @@ from itertools import pairwise
 
 import pytest
 
-from calc.bearings.sketch import pressures, sketch
+from calc.bearings.plain.sketch import pressures
+from calc.bearings.sketch import sketch
 from calc.design.toml_file import load
 from calc.draw.drawing import CONTEXT, HIDDEN, OUTLINE, Arc, Polyline
 from calc.solve import solve

@@ -6,7 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from calc.bearings.solve import _load, _slope, operating_point, solve_film
+from calc.bearings.plain.solve import operating_point, solve_film
+from calc.bearings.solve import _load, _slope
 from calc.design.toml_file import design
 from calc.sheet.errors import BadInput
 from calc.solve import solve

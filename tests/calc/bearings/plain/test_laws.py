@@ -20,7 +20,7 @@ from calc.bearings.plain.film.table import film_at
 from calc.bearings.plain.routes import flow
 from calc.bearings.plain.routes.routes import own_cold, own_warm
 from calc.bearings.plain.routes.states import BearingCase, OperatingPoint
-from calc.bearings.solve import solve_film
+from calc.bearings.plain.solve import solve_film
 from calc.countershaft.rows import BearingRow
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant

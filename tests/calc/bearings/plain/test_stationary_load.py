@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import pytest
 
-from calc.bearings.plain.loads import with_standing
 from calc.bearings.plain.routes.routes import own_warm
 from calc.bearings.plain.routes.thermal_balance import balanced
+from calc.bearings.standing import with_standing
 from calc.countershaft.supports import Standing
 
 
