@@ -83,7 +83,11 @@ def gear_seat(room):
 
 def envelope_length(room):
     """The front journal is nearer: 0.17 − 24/2 = 158 mm, the rear one 0.18 − 26/2 = 167 mm."""
-    shaft = {"mode": "size", "half_length": 0.158 - room, "bearings": bearing_rows((-0.17, 0.18), ((59 * mm, 24 * mm), (65 * mm, 26 * mm)))}
+    shaft = {
+        "mode": "size",
+        "half_length": 0.158 - room,
+        "bearings": bearing_rows((-0.17, 0.18), ((59 * mm, 24 * mm), (65 * mm, 26 * mm))),
+    }
     return step("envelope_length", shaft)
 
 
