@@ -414,7 +414,7 @@ def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
 
 def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What is asked of one bearing."""
-    case, row, inputs, size = r.case, r.row, r.case.inputs, r.case.size
+    case, row, inputs, size = r.case, r.case.row, r.case.inputs, r.case.size
     asked = life_asked(inputs, r.task.life)
     if r.life is not None:
         yield on_bearing(LIFE if inputs.life is not None else LIFE_ASSUMED, place, r.life, asked)
@@ -440,7 +440,7 @@ def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
             ratio = gamma_of(case.inside)
         if ratio > LARGEST_ELEMENTS:
             yield on_bearing(GEOMETRY_OUTSIDE, place, ratio, LARGEST_ELEMENTS)
-    if r.torque > 0 and r.torque_two_part > 0:
+    if r.torque and r.torque_two_part:
         spread = r.torque / r.torque_two_part
         yield on_bearing(FRICTION_SPREAD, place, max(spread, 1 / spread), WITHIN)
     given = (row.dynamic_rating, row.static_rating)
@@ -476,7 +476,7 @@ def _clearance_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     if r.grip_hot is not None and r.load >= r.standing_load:
         with untraced():
             scale = max(float(r.case.mounting.grip(ROOM, "middle")), MICRON)
-        rule = GRIP_HOT if r.row.outer_ring_held == "fit" else GRIP_HOT_HELD
+        rule = GRIP_HOT if r.case.row.outer_ring_held == "fit" else GRIP_HOT_HELD
         yield on_bearing(rule, place, r.grip_hot, 0.0, scale=scale)
 
 
@@ -513,7 +513,7 @@ def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
 
 def _raceway_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What the shaft, and of a cage the housing, have to be as raceways."""
-    row, inside = r.row, r.case.inside
+    row, inside = r.case.row, r.case.inside
     yield on_bearing(RACEWAY_HARDNESS, place, row.raceway_hardness, HARDNESS)
     if inside is not None:
         with untraced():
