@@ -18,7 +18,7 @@ from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
 from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Task
-from .checks import rolling_checks
+from .checks import of_one, rolling_checks
 from .contact import Springs
 from .load import friction_mean_of
 from .raceway import largest_slope
@@ -175,11 +175,10 @@ class RollingBearing(LoadedBearing, Carrying):
         with about(Text("{place} bearing", place=called(place))):
             again: Any = judged(self.case, self.load, stands, self.slope, self.task)
         again = again.lying(self.on_shaft)
-        mine = {check.id for check in self.checks()}
-        at = next((i for i, check in enumerate(checks) if check.id in mine), len(checks))
-        others = [check for check in checks if check.id not in mine]
-        at -= sum(check.id in mine for check in checks[:at])
-        return again, [*others[:at], *again.checks(), *others[at:]]
+        mine = [of_one(check, place) for check in checks]
+        at = mine.index(True) if True in mine else len(checks)
+        others = [check for check, own in zip(checks[at:], mine[at:]) if not own]
+        return again, [*checks[:at], *again.checks(), *others]
 
     def beside_original(self) -> RollingResult:
         return self

@@ -406,6 +406,10 @@ def slowest_speed(inputs: BearingsInputs, task: Task) -> RevPerSecond:
     return min([point.speed for point in task.bench], default=SLOWEST * task.speed)
 
 
+# what `rolling_checks` asks of one bearing
+OF_ONE = {rule.id for rule in [*globals().values()] if isinstance(rule, CheckRule) and ".B." in rule.id} - {ASSEMBLY.id}
+
+
 def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
     if inputs.life is not None:
         return inputs.life
@@ -447,6 +451,11 @@ def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     yield on_bearing(RATING_ESTIMATE, place, float(given.count(None)), 0.0, scale=1.0)
     if r.reference_speed is not None:
         yield on_bearing(REFERENCE_SPEED, place, r.task.speed, r.reference_speed)
+
+
+def of_one(check: Check, place: str) -> bool:
+    """Whether it is one of these on that bearing."""
+    return check.rule.id in OF_ONE and check.id == check.rule.of(place)
 
 
 def _inside_missing(place: str, r: LoadedBearing) -> Missing | None:
