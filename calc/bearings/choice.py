@@ -346,7 +346,8 @@ def _rolling_sides(at: Place, wanted: int) -> tuple[list[Side], list[tuple[str, 
         best, loose = seated(at, of_type, 1)
         found += best
         if not best:
-            stopped.append((type, _why_not(at, of_type[0], bool(loose))))
+            near = min(of_type, key=lambda one: (len(one.fails), -(one.life or 0.0)))
+            stopped.append((type, _why_not(at, near, bool(loose))))
     more, _ = seated(at, every, wanted)
     others = [one for one in more if all(one.row.size != other.row.size for other in found)]
     found += others[: max(wanted - len(found), 0)]
