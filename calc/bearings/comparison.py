@@ -336,7 +336,7 @@ def _curve(case: ComparisonCase, sets: Compared) -> Curve:
             label = Text("{kind} {sizes}, {T}", kind=word, sizes=_sizes(one), T=Amount(T, "°C"))
             series.append(Series(label, n * 60, np.log10(np.where(P > 0, P, np.nan)), dashed=not one.film))
     return Curve(
-        "plain_and_rolling",
+        "plain_and_rolling_loss",
         Text("Loss of plain and of rolling bearings over speed and oil temperature"),
         axis_label("speed of the shaft", "rpm"),
         Text("lg P_f, W"),

@@ -143,7 +143,7 @@ def test_nobody_pays_who_does_not_look(monkeypatch):
 
 
 def test_the_figure_draws_films_whole_and_rolling_dashed(alone):
-    (curve,) = [c for c in alone.outcomes["bearings"].curves if c.id == "plain_and_rolling"]
+    (curve,) = [c for c in alone.outcomes["bearings"].curves if c.id == "plain_and_rolling_loss"]
     assert [s.dashed for s in curve.series] == [False] * 3 + [True] * 3
     assert all(str(s.label).startswith("rolling" if s.dashed else "plain") for s in curve.series)
     for cold, warm in ((0, 1), (1, 2), (3, 4), (4, 5)):
