@@ -168,7 +168,7 @@ def row_of_original(data: Table, row: Place) -> Table:
     if not is_twin(shaft):
         return {}
     shafts = [as_table(there) for there in as_list(content_at(data, SHAFTS))]
-    bearings = [as_list(one.get(*BEARINGS)) for one in shafts if one.get(NAME) == original_of(shaft)]
+    bearings = [as_list(one.get(str(BEARINGS[0]))) for one in shafts if one.get(NAME) == original_of(shaft)]
     rows = [as_table(there) for of_original in bearings for there in of_original]
     return next((there for there in rows if there.get(NAME) == name), {})
 
