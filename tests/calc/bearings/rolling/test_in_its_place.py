@@ -97,15 +97,12 @@ def test_what_comes_in_passes_the_opening_of_the_seat():
     assert front == pytest.approx(0.026 - 0.0405) and rear == pytest.approx(0.0) and free is None
 
 
-def test_the_wheel_passes_the_seat_of_a_rolling_bearing():
-    values = {name: solve(design(document)).values() for name, document in (("plain", PLAIN), ("ball", mixed()))}
-    apart = values["plain"]["gears.insertion_gap"].shown - values["ball"]["gears.insertion_gap"].shown
-    assert apart == pytest.approx(59.5 - 52)
-
-
-def test_the_drawing_has_fits_seats_and_the_bearings_to_buy():
+def test_the_wheel_passes_the_seat_and_the_drawing_has_fits_seats_and_what_is_bought():
     cage = {"kind": "rolling", "size": "K30x35x20", "split_cage": True, "case_depth_mm": 0.8}
     results = solve(design(mixed(BALL | {"clearance_class": "C4"}, cage)))
+    values = results.values()
+    tip = values["gears.shaft.tip_diameter_max"].shown
+    assert values["gears.insertion_gap"].shown == pytest.approx(52.0 - tip)  # through the seat without its bearing
     words = [mark.text for mark in letters(shaft_sheet(results))]
     beside = dict(pairwise(words))
     assert "⌀25 js6 ±0.0065" in words and "⌀30 h5 (0/−0.009)" in words and "Ra 0.2" in words
