@@ -17,7 +17,7 @@ from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
-from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Task
+from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Task, by_row
 from .checks import of_one, rolling_checks
 from .contact import Springs
 from .load import friction_mean_of
@@ -100,6 +100,8 @@ class RollingAnswer:
 class RollingBearing(LoadedBearing, Carrying):
     """One rolling bearing under its load, as its shaft and a report ask it."""
 
+    anew = True
+
     @property
     def speed(self) -> RevPerSecond:
         return self.task.speed
@@ -178,7 +180,7 @@ class RollingBearing(LoadedBearing, Carrying):
         mine = [of_one(check, place) for check in checks]
         at = mine.index(True) if True in mine else len(checks)
         others = [check for check, own in zip(checks[at:], mine[at:]) if not own]
-        return again, [*checks[:at], *again.checks(), *others]
+        return again, [*checks[:at], *by_row(row, [*again.checks()]), *others]
 
     def beside_original(self) -> RollingResult:
         return self
