@@ -391,7 +391,7 @@ def _together(
         for sides in product(*options)
         if any(side.type != "plain" for side in sides) and threads(case, sides)
     ]
-    every.sort(key=lambda row: (*order(row, aim), row.loss))
+    every.sort(key=lambda row: (*order(row, aim), row.mass, row.loss))
     first = {row.types: row for row in reversed(every)}
     chosen = [row for row in every if first[row.types] is row][:MOST]
     for row in unbeaten(every):
@@ -399,7 +399,7 @@ def _together(
             break
         if row not in chosen:
             chosen.append(row)
-    yield from sorted(chosen, key=lambda row: (*order(row, aim), row.loss))
+    yield from sorted(chosen, key=lambda row: (*order(row, aim), row.mass, row.loss))
 
 
 def threads(case: SelectionCase, sides: Sequence[Side]) -> bool:
