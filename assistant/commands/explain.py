@@ -148,8 +148,8 @@ def on_films(results: Results, value: Published) -> Iterator[str]:
         if _above(bearing := _above(share.id)) == shaft:
             said = [f"{short(share.shown)} of its load on pins"]
             for words, key in (("ε", PlainResult.eccentricity), ("clearance", PlainResult.clearance_hot)):
-                if (value := values.get(dotted(bearing, key))) is not None:  # of those on a film
-                    said.append(f"{words} {short(value.shown)} {value.unit}".rstrip())
+                if (known := values.get(dotted(bearing, key))) is not None:  # of those on a film
+                    said.append(f"{words} {short(known.shown)} {known.unit}".rstrip())
             yield f"{bearing.rpartition('.')[2]}: {', '.join(said)}"
 
 
