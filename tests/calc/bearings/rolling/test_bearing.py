@@ -292,6 +292,10 @@ def test_a_twin_has_the_bearings_of_its_original():
     assert not any(id.startswith("bearings.image.") for id in same)
     assert other["bearings.image.front.life"].shown == pytest.approx(same["bearings.shaft.front.life"].shown, rel=1e-9)
     assert other["bearings.image.front.grip_hot"].shown > same["bearings.shaft.front.grip_hot"].shown
+    lives = [same[f"bearings.shaft.{place}.life"].shown for place in ("front", "rear")]
+    every = same["bearings.system_life"].shown
+    ball_and_roller = zip(lives, (10 / 9, 9 / 8))
+    assert 2 * sum((every / life) ** e for life, e in ball_and_roller) == pytest.approx(1.0)  # of both shafts
 
 
 def test_an_insert_is_a_seat_of_steel():
