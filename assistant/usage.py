@@ -142,7 +142,7 @@ def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     steps = (
         "engine: firing orders; countershaft: the lightest shafts in the envelope; bearings: the least friction of "
-        "those that pass at every corner; "
+        "plain and rolling ones that pass; "
         "gears: profile shifts and tip cuts by which the flanks slide least"
     )
     it.add_argument("step", metavar="STEP", help=steps)
@@ -153,7 +153,7 @@ def choose(it: argparse.ArgumentParser) -> None:
         "--for",
         dest="aim",
         choices=("loss", "size", "film"),
-        help="bearings: least friction (the default), smallest first, or ever more film for more friction",
+        help="bearings: least friction (the default), smallest first, or plain ones of ever more film",
     )
     it.add_argument("--json", action="store_true", help="print one JSON object")
     it.add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")

@@ -456,7 +456,9 @@ def _told(
     whole = shafts.whole(own, twins, ratios, sums, named=len(design.shafts) > 1) if c else sums
     mine_b = {name: mine["bearings"] for name, mine in of_shafts.items() if "bearings" in mine}
     others_b = {name: twin for name, twin in twins_b.items() if name not in mine_b}
-    carried = no_bearings or _joined(design, mine_b, others_b, b)
+    of_originals = {shaft.name: b[shaft.of] for shaft in h.turning(design) if shaft.of in b}
+    every_b = of_originals | b  # of a twin with nothing of its own those of its original
+    carried = no_bearings or _joined(design, mine_b, others_b, every_b)
     accepted = design.accepted
     if accepted:
         of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}

@@ -165,3 +165,32 @@ def test_a_step_that_is_none_is_guessed(copy):
 def test_a_design_without_bearings_is_told(copy):
     done = run("choose", copy("timing_pair"), "bearings")
     assert done.returncode == 2 and "bearings: needed" in done.stderr
+
+
+@pytest.mark.slow
+def test_rolling_bearings_are_written_and_plain_ones_again(copy):
+    """The first row of the shipped design has none that is plain; it passes where it is written.  Of the design that
+    then has none, plain ones are offered still, fed as it says."""
+    path = copy("r753ie4_gamma")
+    refused = run("choose", path, "bearings", "--apply", 1)
+    assert refused.returncode == 2 and "contralbero upgrade FILE" in refused.stderr  # schema 1 has no words for it
+    assert run("upgrade", path).returncode == 0
+    rows, _ = found(path)
+    assert rows[1]["no."] == "1" and not {"×"} & {*rows[1]["F"], *rows[1]["R"]}
+    done = run("choose", path, "bearings", "--apply", 1)
+    assert done.returncode == 0 and "A comment went with its key: # the text prints 0.6" in done.stdout
+    written = path.read_text(encoding="utf-8")
+    assert written.count('kind = "rolling"') == 2 and written.count("locates = true") == 1
+    assert "clearance_factor" not in written and "# 4.6 (in chapter 6)" in written
+    shown = json.loads(run("check", path, "--json").stdout)
+    bearings = [check for check in shown["checks"] if check["id"].startswith("bearings.")]
+    assert [check["id"] for check in bearings if check["kind"] == "limit" and check["verdict"] == "fail"] == []
+    loss = sum(shown["values"][f"bearings.{place}.friction_power"]["value"] for place in ("front", "rear"))
+    assert loss == pytest.approx(rows[1]["P_f"], rel=0.02)
+    plain = plain_rows(path)
+    done = run("choose", path, "bearings", "--apply", plain[0])
+    assert done.returncode == 0, done.stderr
+    again = path.read_text(encoding="utf-8")
+    assert "rolling" not in again and again.count("diameter_mm = ") >= 2 and "outer_ring_held" not in again
+    checks = json.loads(run("check", path, "--json").stdout)["checks"]
+    assert [c["id"] for c in checks if c["verdict"] == "fail" and c["id"].startswith("bearings.")] == []

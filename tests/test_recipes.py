@@ -3,6 +3,7 @@
 run then, are read there."""
 
 import json
+import math
 import os
 import re
 import shlex
@@ -86,15 +87,17 @@ Performed = Callable[..., Recipe]
 
 @pytest.fixture
 def recipe(tmp_path: Path) -> Performed:
-    """Reads a section of the page; `step`: that which `<step>` stands for."""
+    """Reads a section of the page; `step`, `kind`: that which `<step>` and KIND stand for."""
     copy = tmp_path / "copy"
 
-    def read(title: str, step: str = "") -> Recipe:
+    def read(title: str, step: str = "", kind: str = "") -> Recipe:
         shutil.copytree(ROOT, copy, ignore=LEFT_OUT)
         page = (copy / "CONTRIBUTING.md").read_text(encoding="utf-8")
         head = HEAD.match(page.partition(f"\n### {title}\n")[2])
         assert head is not None, f"CONTRIBUTING.md has no recipe for {title}, or not its files and commands"
-        files, commands = (CODE.findall(head[part].replace("<step>", step)) for part in ("files", "commands"))
+        files, commands = (
+            CODE.findall(head[part].replace("<step>", step).replace("KIND", kind)) for part in ("files", "commands")
+        )
         return Recipe(files, commands, copy)
 
     return read
@@ -114,7 +117,7 @@ def test_what_a_recipe_names_is_there(title: str, line: str) -> None:
     assert head is not None
     commands = [word for command in CODE.findall(head["commands"]) for word in command.split()]
     for path in (*CODE.findall(head["files"]), *(word for word in commands if word.startswith(("tests/", "docs/")))):
-        wanted = ROOT / path.replace("<step>", "bearings")
+        wanted = ROOT / path.replace("<step>", "bearings/plain").replace("KIND", "rolling")
         assert (wanted.parent if wanted.name == "NAME.py" else wanted).exists(), (title, path)
 
 
@@ -142,8 +145,40 @@ def test_an_oil(recipe: Performed) -> None:
 
 
 @pytest.mark.slow
+def test_a_kind_of_bearing(recipe: Performed) -> None:
+    """A third one, a dry bush in front of a plain bearing: in the file, the balance of power, report and drawing."""
+    third = recipe("a kind of bearing", kind="dry")
+    assert len(third.files) <= 6
+    third.insert("bearings/row.py", '        default="plain",\n        help="plain:', '        "dry",\n')
+    third.insert("names.py", '"polyamide": Text(', '"dry": Text("dry"), ')
+    third.insert("rows.py", "from ..bearings.plain.row import", "from ..bearings.dry.row import DryRow\n")
+    third.insert("rows.py", '"rolling": RollingRow}', '"dry": DryRow, ')
+    third.insert("rows.py", "RollingRow, PlainRow, SupportRow):", "DryRow, ")
+    third.file("dry/__init__.py").parent.mkdir()
+    third.file("dry/__init__.py").write_text("# SPDX-License-Identifier: Apache-2.0\n", encoding="utf-8")
+    for name in ("row", "kind"):
+        third.file(f"dry/{name}.py").write_bytes((ROOT / "tests" / "third_kind" / f"{name}.txt").read_bytes())
+    design, row = "dry.toml", "shafts.shaft.bearings.front"
+    (third.copy / design).write_bytes((third.copy / GAMMA).read_bytes())
+    third.program("upgrade", design)
+    third.program("set", design, *(f"{row}.{key}" for key in ("kind=dry", "bush_bore_mm=40", "bush_length_mm=20")))
+    values = json.loads(third.program("check", design, "--json"))["values"]
+    turns, power = (values[f"bearings.front.{key}"]["value"] for key in ("load", "friction_power"))
+    stands, in_balance = (
+        values[f"friction.journals.front.{key}"]["value"] for key in ("standing_load", "friction_power")
+    )
+    assert power == pytest.approx(0.1 * (turns + stands) * math.pi * 0.040 * 2600 / 60, rel=1e-6)
+    assert in_balance == pytest.approx(power, rel=1e-6) and values["friction.total_loss"]["value"] > power
+    assert "Coulomb" in third.program("explain", design, "bearings.front.friction_power")
+    third.program("report", design, "-o", "dry.pdf", "--depth", "summary")
+    third.program("export", design, "--dxf", "-o", "dry.dxf")
+    assert (third.copy / "dry.pdf").exists() and (third.copy / "dry.dxf").exists()
+    third.run()
+
+
+@pytest.mark.slow
 def test_a_check(recipe: Performed) -> None:
-    check = recipe("a check", "bearings")
+    check = recipe("a check", "bearings/plain")
     check.insert(
         "checks.py",
         "FILM_DOUBLE_LOAD = CheckRule(",

@@ -230,7 +230,7 @@ def taken_over(step: str, data: Table, values: Mapping[str, Published]) -> Itera
 CHOICES = {
     "engine": Text("firing orders, the one that leaves least first"),
     "countershaft": Text("shafts in the envelope, the lightest first"),
-    "bearings": Text("plain bearings that pass at every corner, the nearest and the least power first"),
+    "bearings": Text("plain and rolling bearings that pass, the least power first"),
     "gears": Text("profile shifts and tip cuts, the least specific sliding first; teeth of an idler between walls"),
     "mounting": Text("mounts that decouple the modes between the road's frequency and idle, the purest first"),
 }

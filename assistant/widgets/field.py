@@ -14,6 +14,7 @@ from textual.widgets import Input
 
 from calc.bearings.inputs import OF_ROWS
 from calc.countershaft.rows import BearingRow
+from calc.design.addresses import as_table
 from calc.design.names import choice_word
 from calc.design.upgrade import is_twin
 from calc.locale import Language
@@ -23,7 +24,7 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.beginnings import sample
-from ..session.guide import DOCUMENT, NOTE, idle
+from ..session.guide import DOCUMENT, NAME, NOTE, idle
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
 from .entry import Choice, Entry
@@ -213,7 +214,8 @@ class Field(Widget):
         if changed:
             self.set_class(bool(reason), "-invalid")
             if isinstance(self.box, Entry):  # what is missing is not chosen by the program
-                self.box.placeholder = "" if "is missing" in reason else self._prompt()
+                needed = "is missing" in reason or reason.startswith("needed")
+                self.box.placeholder = "" if needed else self._prompt()
             self.refresh(layout=True)
         self.redraw()
 
@@ -449,7 +451,8 @@ class Cells(Widget):
             field.row = cell
             field.show(reason := reasons.get(field.place, EMPTY))
             if reason:
-                errors.append((".".join(map(str, field.place[-2:])), reason))
+                of = as_table(field.session.value(field.place[:-1])).get(key_at(NAME), field.place[-2])
+                errors.append((f"{of}.{field.place[-1]}", reason))
         if errors != self._errors:
             self._errors = errors
             self.refresh(layout=True)

@@ -22,7 +22,7 @@ from ..sheet.quantity import Quantity, dotted, given, keys
 from ..sheet.record import record
 from ..sheet.remedy import Changes, digits
 from ..sheet.text import EMPTY, Name, Text
-from ..sheet.units import Kilogram, Metre, Number, Second, Watt
+from ..sheet.units import UNITS, Kilogram, Metre, Number, Second, Watt
 from ..sheet.value import untraced
 from .inputs import BearingsInputs
 from .plain.bearing import PlainBearing
@@ -98,7 +98,7 @@ class ChoiceRow:
 
 
 @record
-class Choice:
+class KindsFound:
     """What there is to choose.  `plain`: what the plain search found, None where it found nothing, and `why_plain`.
 
     `rows`: in order, numbered from 1; `now`: the design, None where it has no answer.  `verified`: numbers of the rows
@@ -158,7 +158,7 @@ def choice(
     why_plain: Text,
     aim: str = "loss",
     progress: Progress | None = None,
-) -> Choice:
+) -> KindsFound:
     """Rows of both kinds.  `places`: the bearings as rolling ones are sought for them; `plain`: what the search for
     plain ones found, with the design or with plain bearings in place of its rolling ones.
 
@@ -200,7 +200,7 @@ def choice(
         why = dropped[0] if dropped else next((text for some in stopped.values() for _, text in some), EMPTY)
         raise NoSolution(Text("no bearings of any kind pass"), why_plain or why, why if why_plain else EMPTY)
     number = {id(row): n for n, row in enumerate(rows, 1)}
-    return Choice(
+    return KindsFound(
         case,
         aim,
         _named(plain, tuple(number[id(row)] for row in plain_rows), len(rows)),
@@ -346,7 +346,8 @@ def _rolling_sides(at: Place, wanted: int) -> tuple[list[Side], list[tuple[str, 
         best, loose = seated(at, of_type, 1)
         found += best
         if not best:
-            stopped.append((type, _why_not(at, of_type[0], bool(loose))))
+            near = min(of_type, key=lambda one: (len(one.fails), -(one.life or 0.0)))
+            stopped.append((type, _why_not(at, near, bool(loose))))
     more, _ = seated(at, every, wanted)
     others = [one for one in more if all(one.row.size != other.row.size for other in found)]
     found += others[: max(wanted - len(found), 0)]
@@ -485,7 +486,8 @@ def plain_case(case: SelectionCase, places: Mapping[str, Place]) -> SelectionCas
 
 SUPPLY_PROPOSED: dict[str, object] = {"supply": "hole", "hole_diameter": 4e-3, "supply_pressure": 4e5}
 LENGTH, PSI = 0.5, 1.5e-3  # of the diameter, where the search begins
-LAPPED, BORED = 0.2e-6, 0.4e-6  # m, Ra: a journal ground and lapped, a bore finely bored
+# Ra: a journal ground and lapped, a bore finely bored
+LAPPED, BORED = (UNITS["µm"].inside(Ra) for Ra in (0.2, 0.4))
 
 
 def as_plain(place: Place) -> BearingRow:

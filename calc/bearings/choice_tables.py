@@ -7,7 +7,7 @@ from ..countershaft.rows import called
 from ..sheet.step import Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed
 from ..sheet.units import UNITS
-from .choice import Choice, ChoiceRow, Side, words_of
+from .choice import ChoiceRow, KindsFound, Side, words_of
 from .inputs import BearingsInputs
 from .plain.selection.search import BearingsFound
 from .plain.selection.states import against, letter_of
@@ -33,7 +33,7 @@ TYPES = {
 HOUR = UNITS["h"]
 
 
-def choices_table(choice: Choice, top: int) -> Table:
+def choices_table(choice: KindsFound, top: int) -> Table:
     """The design as it is, then the first `top` rows."""
     shown = [(str(n), row) for n, row in enumerate(choice.rows[:top], 1)]
     if choice.now is not None:
@@ -56,7 +56,7 @@ def choices_table(choice: Choice, top: int) -> Table:
     return Table("kinds", TITLES[choice.aim], tuple(columns), rows, EXPLAIN)
 
 
-def _with(choice: Choice, row: ChoiceRow) -> Text:
+def _with(choice: KindsFound, row: ChoiceRow) -> Text:
     """Oil and supply of plain ones where they are others, and the cautions of rolling ones."""
     words: list[str] = []
     begun = choice.case.bearings if choice.plain is None else choice.plain.case.bearings
@@ -70,7 +70,7 @@ def _with(choice: Choice, row: ChoiceRow) -> Text:
     return COMMA.join(words)
 
 
-def fits_table(choice: Choice, top: int) -> Table | None:
+def fits_table(choice: KindsFound, top: int) -> Table | None:
     """How each rolling bearing of the first rows sits; None where there is none."""
     seen: dict[tuple[str, str], tuple[str | float | None, ...]] = {}
     for row in choice.rows[:top]:
@@ -100,7 +100,7 @@ def _sits(side: Side) -> tuple[Text, ...]:
     )
 
 
-def summary(choice: Choice) -> tuple[Text, ...]:
+def summary(choice: KindsFound) -> tuple[Text, ...]:
     """What the first row is and saves; which kinds have no row, and why."""
     words: list[Text] = []
     first, now = choice.rows[0], choice.now
@@ -121,7 +121,7 @@ def summary(choice: Choice) -> tuple[Text, ...]:
     return tuple(filter(None, words))
 
 
-def _begun(choice: Choice, inputs: BearingsInputs) -> Text:
+def _begun(choice: KindsFound, inputs: BearingsInputs) -> Text:
     """How oil comes to plain bearings of a design that has no such, where the search has proposed it."""
     if inputs.supply == choice.case.bearings.supply and inputs.supply_pressure == choice.case.bearings.supply_pressure:
         return EMPTY
@@ -132,7 +132,7 @@ def _begun(choice: Choice, inputs: BearingsInputs) -> Text:
     )
 
 
-def notes(choice: Choice) -> Iterator[Text]:
+def notes(choice: KindsFound) -> Iterator[Text]:
     if choice.verified:
         yield Text(
             "Rolling bearings of all sizes are judged by life, static safety, speed and slope, and sit by the least "
@@ -148,14 +148,14 @@ def notes(choice: Choice) -> Iterator[Text]:
         yield Text("Then open, with {rows}: {id} ({limit}).", rows=rows_of(list(there)), id=id, limit=limit)
 
 
-def written(choice: Choice, number: int) -> Text:
+def written(choice: KindsFound, number: int) -> Text:
     row = choice.rows[number - 1]
     sides = listed(Text("{place} {size}", place=called(side.row.name), size=side.words) for side in row.sides)
     power = Amount(row.loss, "W")
     return Text("now has the bearings of row {row} ({sides}): {power}", row=number, sides=sides, power=power)
 
 
-def hidden(choice: Choice, top: int) -> Text:
+def hidden(choice: KindsFound, top: int) -> Text:
     """Which rows are not shown, and how to see them."""
     longer = len(choice.plain.beyond) if isinstance(choice.plain, BearingsFound) else 0
     last = len(choice.rows) + longer

@@ -29,6 +29,7 @@ TITLE = Text("Plain and rolling for this shaft")
 ROOM: Celsius = 20.0  # °C: no colder oil is compared
 FASTEST: Number = 1.1  # of the rated speed
 POINTS = 23  # of a curve
+PUMP: Number = 0.5  # efficiency of an oil pump; rule of this program
 RISKS = 3  # of a set that are named
 TYPES = {
     "ball": Text("ball"),
@@ -255,7 +256,7 @@ def _costs(case: ComparisonCase, sets: Compared) -> Table:
     costs, rows = case.costs, []
     km = _metres_per_second(case.rows)
     for one, losses in sets:
-        cells: list[Any] = [one.name]
+        cells: list[Any] = [one.name, _three(sum(r.pumped() for r in one.bearings.values()) / PUMP)]
         if costs.fuel is not None:
             with untraced():
                 m_B, rated = costs.fuel(losses.mean), costs.fuel(losses.at[0])
@@ -266,16 +267,17 @@ def _costs(case: ComparisonCase, sets: Compared) -> Table:
             if km is not None:
                 cells.append(_three(m_CO2 / km * 1e6))
         rows.append((*cells, _risks(one)))
-    columns = [(Text("bearings"), "")]
+    columns = [(Text("bearings"), ""), (Text("oil pump"), "W")]
     if costs.fuel is not None:
         columns += [(Text("fuel"), "g/h"), (Text("CO₂"), "g/h")]
         columns += [(Text("fuel over rated power"), "g/kWh")] if costs.rated_power is not None else []
         columns += [(Text("CO₂ of the road"), "g/km")] if km is not None else []
     title = Text("What plain and rolling cost, and risk")
-    note = EMPTY
+    note = Text("Oil pump: flow × pressure over an efficiency of {eta}, not in the losses.", eta=Amount(PUMP))
     if costs.fuel is not None:
-        note = Text("Fuel and CO₂ of the mean loss over the duty.")
-        note = note if case.rows is not None else Text("Fuel and CO₂ of the loss at rated speed, hot.")
+        of = Text("Fuel and CO₂ of the mean loss over the duty.")
+        of = of if case.rows is not None else Text("Fuel and CO₂ of the loss at rated speed, hot.")
+        note = SPACE.join((of, note))
     columns.append((Text("open checks"), ""))
     return Table("plain_and_rolling_costs", title, tuple(columns), tuple(rows), note, short=case.mixed)
 
@@ -327,13 +329,14 @@ def _curve(case: ComparisonCase, sets: Compared) -> Curve:
     temperatures = list(dict.fromkeys((case.cold, middle, case.hot)))
     series = []
     for one in shown:
-        word = Text("plain") if one.film else Text("rolling")
+        rolling = all(r.survival() is not None for r in one.bearings.values())
+        word = Text("plain") if one.film else Text("rolling") if rolling else Text("mixed")
         losses = one.loss(case, np.tile(n, len(temperatures)), np.repeat(temperatures, POINTS))
         for T, P in zip(temperatures, np.split(losses, len(temperatures))):
             label = Text("{kind} {sizes}, {T}", kind=word, sizes=_sizes(one), T=Amount(T, "°C"))
             series.append(Series(label, n * 60, np.log10(np.where(P > 0, P, np.nan)), dashed=not one.film))
     return Curve(
-        "plain_and_rolling",
+        "plain_and_rolling_loss",
         Text("Loss of plain and of rolling bearings over speed and oil temperature"),
         axis_label("speed of the shaft", "rpm"),
         Text("lg P_f, W"),

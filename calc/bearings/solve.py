@@ -15,26 +15,24 @@ from ..library.catalogue import Material, Oil
 from ..library.lubricant import Lubricant
 from ..sheet.arrays import Array
 from ..sheet.check import Check, CheckRule
-from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import elements
-from ..sheet.quantity import dotted
 from ..sheet.remedy import by_key
-from ..sheet.step import Curve, Further, Outcome
+from ..sheet.step import Outcome
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Metre, Number, Radian, Second
 from ..sheet.value import about, based_on, trace, untraced
-from .inputs import BearingsInputs, ruled_by
+from .inputs import BearingsInputs
 from .kinds import KINDS
 from .lives import life_together
 from .plain.checks import SLOPE, oil_check
-from .plain.curves import in_films
 from .plain.inputs import SLOPE_TAKEN
 from .plain.solve import operating_point
 from .plain.speeds import TURNING, of_journals
 from .result import BearingsResult
 from .sharing import on_films, on_shaft, shared, support_checks, turned_over
-from .support import Carrying, OperatingPoint, ShaftInView, Solids, Support, Task
+from .support import Carrying, OperatingPoint, ShaftInView, Solids, Support, Task, by_row
+from .told import Told, of_kinds
 
 SLOPE_GIVEN = CheckRule(
     "bearings.B.slope_given",
@@ -112,12 +110,15 @@ def solve(
         if turning is not None and films is not None:
             for kind in _kinds(rows):
                 shares |= KINDS[kind].shares(turning, films, supports, duty)
+        spans = dict[str, slice]()
         for support, load in zip(supports, loads):
-            place = support.row.name
+            place, begun = support.row.name, len(lines)
             with about(Text("{place} bearing", place=called(place))):
                 results[place] = support.solved(load, _slope(support.row, shaft), shares.get(place), task)
-                all_checks += _by_row(support.row, [*results[place].checks()])
-        result = BearingsResult(bearings=results, supports=tuple(supports))
+                all_checks += by_row(support.row, [*results[place].checks()])
+            spans[place] = slice(begun, len(lines))
+        told = Told(bearings, shaft, view, spans)
+        result = BearingsResult(bearings=results, supports=tuple(supports), told=told)
         if shaft is not None:
             result = on_shaft(result, shaft, turning, films, sense, zone)
             result = turned_over(result) if how == "mirrors" else result
@@ -125,8 +126,7 @@ def solve(
     all_checks += _slope_checks(shaft, results)
     all_checks += support_checks(result, films, shaft, zone)
     results = result.bearings
-    by_kind = {kind: {place: r for place, r in results.items() if r.row.kind == kind} for kind in _kinds(rows)}
-    for kind, those in by_kind.items():
+    for kind, those in of_kinds(results).items():
         all_checks += KINDS[kind].checks(those, view)
         all_checks += KINDS[kind].renewed(those, result.system_life)
     if (pumping_check := oil_check(bearings, solids.oil)) is not None:
@@ -136,37 +136,13 @@ def solve(
         result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        curves=Later(lambda: _curves(result, by_kind)),
-        tables=Later(lambda: (t for kind, those in by_kind.items() for t in KINDS[kind].tables(those, view))),
-        errata=Later(lambda: (e for kind, those in by_kind.items() for e in KINDS[kind].errata(those))),
-        notes=Later(
-            lambda: dict.fromkeys(
-                n for kind, those in by_kind.items() for n in KINDS[kind].notes(bearings, shaft, those)
-            )
-        ),
-        further=lambda: Further(
-            curves=Later(lambda: (c for kind, those in by_kind.items() for c in KINDS[kind].charts(those)))
-        ),
+        **told.shown(result, results),
     )
 
 
 def _kinds(rows: tuple[BearingRow, ...]) -> list[str]:
     """The kinds that there are, in their order."""
     return [kind for kind in KINDS if any(row.kind == kind for row in rows)]
-
-
-def _by_row(row: BearingRow, found: list[Check]) -> list[Check]:
-    """The checks of one bearing; what its row says of supply and seat itself moves them in place of what all share."""
-    own = {dotted("bearings", entry): row_key(row.name, entry) for entry in ruled_by(row)}
-    return [check.in_place(lambda key: (own.get(key, key),)) for check in found] if own else found
-
-
-def _curves(result: BearingsResult, by_kind: Mapping[str, dict[str, Carrying]]) -> Iterator[Curve]:
-    for kind, those in by_kind.items():
-        yield from KINDS[kind].curves(those)
-    yield from in_films(result)
-    for kind, those in by_kind.items():
-        yield from KINDS[kind].seat_curves(those)
 
 
 def _load(bearing: BearingRow, shaft: CountershaftResult | None) -> float:

@@ -33,11 +33,18 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
             for check in KINDS[kind].renewed({p: r for p, r in every.items() if r.row.kind == kind}, life)
         }
         checks = [*(check for check in checks if check.id not in new), *new.values()]
+    before, told = outcome.result.bearings, outcome.result.told
+    result, told_lines = replace(outcome.result, bearings=every, system_life=life), outcome.lines
+    again = {place: every[place] for place in bearings if before[place].anew}
+    if again and told is not None:
+        outcome = replace(outcome, **told.shown(result, {**before, **again}))
+        dropped = {n for place in again for n in range(*told.spans[place].indices(len(told_lines)))}
+        told_lines = tuple(line for n, line in enumerate(told_lines) if n not in dropped)
     return replace(
         outcome,
-        result=replace(outcome.result, bearings=every, system_life=life),
+        result=result,
         checks=tuple(checks),
-        lines=(*outcome.lines, *lines),
+        lines=(*told_lines, *lines),
         notes=outcome.notes + tuple(notes),
     )
 

@@ -6,12 +6,12 @@ stands in CONTRIBUTING."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeVar
 
 from ..countershaft.bending.carried import AnyLaw, Carried
 from ..countershaft.bending.condensed import Condensed
 from ..countershaft.outline import Outline
-from ..countershaft.rows import BearingRow
+from ..countershaft.rows import BearingRow, row_key
 from ..draw.annotations import Say, SheetTable
 from ..draw.drawing import Sketch
 from ..engine.inputs import BenchPoint, Operation
@@ -21,7 +21,7 @@ from ..library.lubricant import Lubricant, OilState
 from ..library.tolerances import ToleranceField
 from ..sheet.arrays import Array, BoolArray, Value
 from ..sheet.check import Check, CheckRule, Missing
-from ..sheet.quantity import result, value
+from ..sheet.quantity import dotted, result, value
 from ..sheet.record import record
 from ..sheet.step import Curve, Erratum, Table
 from ..sheet.text import Text
@@ -38,7 +38,7 @@ from ..sheet.units import (
     Second,
     Watt,
 )
-from .inputs import BearingsInputs
+from .inputs import BearingsInputs, ruled_by
 
 if TYPE_CHECKING:
     from ..countershaft.result import CountershaftResult
@@ -167,6 +167,7 @@ class Shared:
 class Carrying(ABC):
     """One bearing under its load: what its results tell beside their values."""
 
+    anew: ClassVar[bool] = False  # whether `under` solves all of it again, so that nothing of it is told twice
     load: Newton
     friction_power: Watt
     oil_flow: CubicMetrePerSecond  # under pressure
@@ -241,6 +242,10 @@ class Carrying(ABC):
     def seat_size(self) -> Metre:
         """Diameter of the housing's bore in which it sits."""
         return self.row.on_shaft[0] if self.row.on_shaft is not None else 0.0
+
+    def pumped(self) -> Watt:
+        """What its oil takes of a pump without losses: its flow from no pressure to that of its supply."""
+        return 0.0
 
     def mass(self) -> Kilogram:
         """Of what is put between shaft and housing."""
@@ -374,3 +379,9 @@ def on_bearing(
 ) -> Check:
     """A check on one bearing, under the name of its rule."""
     return rule(value, limit, at=place, name=named_at(rule.name, place), **more)
+
+
+def by_row(row: BearingRow, found: list[Check]) -> list[Check]:
+    """The checks of one bearing; what its row says of supply and seat itself moves them in place of what all share."""
+    own = {dotted("bearings", entry): row_key(row.name, entry) for entry in ruled_by(row)}
+    return [check.in_place(lambda key: (own.get(key, key),)) for check in found] if own else found

@@ -60,7 +60,7 @@ def bearing_loss(P: Watt) -> Watt:
 
 
 class Journals:
-    """The journals at one operating point or at many (`speed` of the shaft and `responses` then hold arrays)."""
+    """The journals at one operating point or at many (`speed` of the shaft and `answers` then hold arrays)."""
 
     def __init__(self, on: OnShaft, answers: dict[str, Answer], speed: Any) -> None:
         self.on, self.answers, self.speed = on, answers, speed
@@ -93,8 +93,9 @@ class Journals:
             R_0: Newton | None = None
             if stands is not None:
                 R_0 = stands.stationary.get(place)
-            P_f = answer.friction_power
-            if R_0 is not None:
+            if R_0 is None:
+                P_f = answer.friction_power
+            else:
                 with about(Text("{place} bearing, over a turn", place=called(place))):
                     P_f = answer.under(R_0)
             journals[place] = JournalResult(standing_load=R_0, friction_power=P_f)

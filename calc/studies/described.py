@@ -37,7 +37,12 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
         yield design.title("countershaft"), shafts
     if (bearings := design.bearings) is not None:
         rows = SEMICOLON.join(_of_shaft(design, name, _rows(view)) for name, view in design.views.items())
-        yield TITLES["bearings"], Text("{sizes}; oil {oil}", sizes=rows, oil=Name(bearings.oil))
+        words = Text("{sizes}; oil {oil}", sizes=rows, oil=Name(bearings.oil))
+        if any(
+            row.size is not None and row.dynamic_rating is None for view in design.views.values() for row in view.rows
+        ):
+            words = Text("{words}; ratings estimated by a typical inside", words=words)
+        yield TITLES["bearings"], words
     if (gears := design.gears) is not None:
         teeth = DASH.join(Text("{name} {teeth}", name=Name(wheel.name), teeth=wheel.teeth) for wheel in gears.wheels)
         yield (

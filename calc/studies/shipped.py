@@ -143,7 +143,8 @@ def engine_design(
         kinds = tuple(arrangement.get("bearings", ()))
     with recorded(False):
         tables = begun(document, balancing, why, kinds)
-        body = f"[engine]\n{_lines(engine | tables.engine)}\n[imbalance]\n{_lines(imbalance)}" + tables.text
+        more = "".join(_assumed_rows(key, rows) for key, rows in tables.engine.items())
+        body = f"[engine]\n{_lines(engine)}{more}\n[imbalance]\n{_lines(imbalance)}" + tables.text
         text = _text(title, note, body)
         share = share_said(solve(design(parse(text.encode("utf-8"), name)), compared=False))
         text = _text(title, Text("{note} {share}", note=note, share=share), body) if share else text
@@ -208,6 +209,17 @@ def _rows() -> dict[str, _Row]:
 def _lines(table: "Table") -> str:
     """Key by key in TOML, each on one line."""
     return "".join(f"{key} = {_inline(value)}\n" for key, value in table.items())
+
+
+def _assumed_rows(key: str, rows: "list[Table]") -> str:
+    """A list of tables, each on one line."""
+    return "".join(
+        (
+            f"{f'{key} = [':<31} # assumed: a usual share of the hours\n",
+            *(f"    {_inline(row)},\n" for row in rows),
+            "]\n",
+        )
+    )
 
 
 def _inline(value: object) -> str:

@@ -34,6 +34,7 @@ ENGINES = {
     "rated_speed_rpm": "5600"}, "second"),
     "v6-60": ("v6 60", {"bore_mm": "90", "piston_mass_g": "500"}, "half"),
     "twin": ("twinair", {"bore_mm": "82", "piston_mass_g": "440", "rated_speed_rpm": "5000"}, "shaft"),
+    "on rollers": ("mt-07", {"piston_mass_g": "310"}, "shaft"),
 }  # fmt: skip
 
 
@@ -111,6 +112,7 @@ async def test_an_own_engine_comes_to_its_closing_page_within_sixty_keys(name, s
         whole = whole_of(session)
         assert whole.ready if balancing in ("shaft", "second") else whole.words.startswith("left out by the program: ")
         assert choice_made(session.document) == balancing
+        assert {row.kind for row in session.design.rows} <= {"rolling" if name == "on rollers" else "plain"}
         given = {key: number for key, number in numbers.items() if key != "stroke"}
         assert {key: session.text(f"engine.{key}") for key in given} == given
         assert "stroke" not in numbers or 2 * session.value("engine.crank_radius_mm") == float(numbers["stroke"])

@@ -90,10 +90,10 @@ def test_a_mirror_image_shows_its_few_fields_and_whose_all_else_is() -> None:
 @pytest.mark.parametrize("side", [1, 2])
 def test_the_bearings_are_placed_in_step_3_and_judged_in_step_4(side: int) -> None:
     data = tables("r753ie4_gamma")
-    for step, asked in (("countershaft", ["name", "position_mm"]), ("bearings", ["diameter_mm", "length_mm"])):
+    for step, asked in (("countershaft", ["name", "position_mm"]), ("bearings", ["kind", "diameter_mm", "length_mm"])):
         found = [row.place[-1] for row in form_of(step, data, side) if row.place[: len(ROWS)] == ROWS]
         keys = [key for key in dict.fromkeys(found) if isinstance(key, str) and key != "bearings"]
-        assert keys[:2] == asked and ("kind" in keys) is False
+        assert keys[: len(asked)] == asked and ("kind" in keys) is (step == "bearings")
     columns = [row for row in form_of("bearings", data, 2) if row.kind == "columns"]
     assert [str(column.about.label) for column in columns[0].inside] == ["Front bearing", "Rear bearing"]
 
@@ -101,7 +101,7 @@ def test_the_bearings_are_placed_in_step_3_and_judged_in_step_4(side: int) -> No
 def test_bearings_that_are_only_screened_have_their_sizes_in_step_3_and_nothing_else() -> None:
     data = tables(SCREENED)
     cells = [row.place[-1] for row in form_of("countershaft", data, 3) if row.place[: len(ROWS)] == ROWS]
-    assert cells == ["bearings", "name", "position_mm", "diameter_mm", "length_mm"]
+    assert cells == ["bearings", "name", "position_mm", "kind", "diameter_mm", "length_mm"]
 
 
 def test_what_stands_in_a_table_all_the_same_can_be_seen_and_taken_out(memory: Memory, tmp_path: Path) -> None:

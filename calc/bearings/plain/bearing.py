@@ -15,7 +15,7 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, group, result
 from ...sheet.text import Amount, Text
-from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond
+from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond, Watt
 from ...sheet.value import about, based_on, untraced
 from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, on_bearing
 from . import formulas as f
@@ -145,6 +145,9 @@ class PlainBearing(PlainResult, Carrying):
     def seat_size(self) -> Metre:
         rings = self.seat.rings
         return self.row.diameter + (2 * rings.wall if rings is not None else 0.0)
+
+    def pumped(self) -> Watt:
+        return self.duty.supply_pressure * self.oil_flow
 
     def mass(self) -> Kilogram:
         rings = self.seat.rings

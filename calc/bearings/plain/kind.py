@@ -110,3 +110,6 @@ class Plain(Kind[PlainBearing]):
 
     def errata(self, results: Mapping[str, PlainBearing]) -> Iterable[Erratum]:
         return (erratum for place, r in results.items() for erratum in errata(place, r))
+
+
+KIND = Plain()

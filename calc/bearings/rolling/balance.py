@@ -268,7 +268,7 @@ def largest_speed_factor(type: str, series: str) -> float:
 # --- the least load, under which elements roll and do not slide
 
 
-@formula("F_min", Text("{skf}: minimum load of a deep-groove ball bearing", skf=SKF))
+@formula("F_min", Text("{skf}: minimum load of a deep-groove ball bearing", skf=SKF), names={"k_r": "k_min"})
 def minimum_load_of_balls(k_r: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d_m: Metre) -> Newton:
     """>>> minimum_load_of_balls(k_r=0.025, nu=12e-6, n=43.33, d_m=38.5e-3)
     36.72...
@@ -276,7 +276,9 @@ def minimum_load_of_balls(k_r: Number, nu: SquareMetrePerSecond, n: RevPerSecond
     return 1000 * k_r * (nu / CENTISTOKE * n / ONE_RPM / 1000) ** (2 / 3) * (d_m / MILLIMETRE / 100) ** 2 * ONE_NEWTON
 
 
-@formula("F_min", Text("{skf}: minimum load of a cylindrical roller bearing", skf=SKF), names={"n_r": "n_θr"})
+@formula(
+    "F_min", Text("{skf}: minimum load of a cylindrical roller bearing", skf=SKF), names={"n_r": "n_θr", "k_r": "k_min"}
+)
 def minimum_load_of_rollers(k_r: Number, n: RevPerSecond, n_r: RevPerSecond, d_m: Metre) -> Newton:
     return 1000 * k_r * (6 + 4 * n / n_r) * (d_m / MILLIMETRE / 100) ** 2 * ONE_NEWTON
 

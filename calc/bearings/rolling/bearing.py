@@ -17,8 +17,8 @@ from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced
-from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Task
-from .checks import rolling_checks
+from ..support import Carrying, OnShaftResult, OperatingPoint, StandingLoads, Task, by_row
+from .checks import of_one, rolling_checks
 from .contact import Springs
 from .load import friction_mean_of
 from .raceway import largest_slope
@@ -100,6 +100,8 @@ class RollingAnswer:
 class RollingBearing(LoadedBearing, Carrying):
     """One rolling bearing under its load, as its shaft and a report ask it."""
 
+    anew = True
+
     @property
     def speed(self) -> RevPerSecond:
         return self.task.speed
@@ -175,11 +177,10 @@ class RollingBearing(LoadedBearing, Carrying):
         with about(Text("{place} bearing", place=called(place))):
             again: Any = judged(self.case, self.load, stands, self.slope, self.task)
         again = again.lying(self.on_shaft)
-        mine = {check.id for check in self.checks()}
-        at = next((i for i, check in enumerate(checks) if check.id in mine), len(checks))
-        others = [check for check in checks if check.id not in mine]
-        at -= sum(check.id in mine for check in checks[:at])
-        return again, [*others[:at], *again.checks(), *others[at:]]
+        mine = [of_one(check, place) for check in checks]
+        at = mine.index(True) if True in mine else len(checks)
+        others = [check for check, own in zip(checks[at:], mine[at:]) if not own]
+        return again, [*checks[:at], *by_row(row, [*again.checks()]), *others]
 
     def beside_original(self) -> RollingResult:
         return self

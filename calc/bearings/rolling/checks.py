@@ -102,7 +102,7 @@ SPEED_FACTOR = CheckRule(
     Text("Speed over the limiting speed"),
     "<=",
     "rpm",
-    Text("catalogues: n·d_m by type, or the limiting speed that is given"),
+    Text("rule of this program: n·d_m by type, from printed limiting speeds, or the limiting speed that is given"),
     Text("Another type, or a smaller size."),
     role="physics",
     demand=True,
@@ -223,7 +223,7 @@ MINIMUM_LOAD = CheckRule(
     "Too little load: the elements slide and smear the raceways.",
     Text("Load over the duty, where it is least against the minimum load"),
     unit="N",
-    source=Text("catalogues: minimum load by type; weight and turning load alone"),
+    source=Text("SKF 2013: minimum load by type; weight and turning load alone"),
     advice=Text("A ball bearing, or a smaller size."),
     moved_by=(SIZE, dotted(ROW, BearingRow.minimum_load)),
     short=Text("minimum load"),
@@ -234,7 +234,7 @@ MINIMUM_LOAD_RARE = CheckRule(
     "The same in a part of the duty that is rare, or at the slowest speed that is not in it.",
     Text("Load at the slowest speeds against the minimum load"),
     unit="N",
-    source=Text("catalogues: minimum load by type; weight and turning load alone"),
+    source=Text("SKF 2013: minimum load by type; weight and turning load alone"),
     advice=Text("A ball bearing, or a smaller size."),
     moved_by=(SIZE, dotted(ROW, BearingRow.minimum_load)),
 )
@@ -406,6 +406,10 @@ def slowest_speed(inputs: BearingsInputs, task: Task) -> RevPerSecond:
     return min([point.speed for point in task.bench], default=SLOWEST * task.speed)
 
 
+# what `rolling_checks` asks of one bearing
+OF_ONE = {rule.id for rule in [*globals().values()] if isinstance(rule, CheckRule) and ".B." in rule.id} - {ASSEMBLY.id}
+
+
 def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
     if inputs.life is not None:
         return inputs.life
@@ -414,7 +418,7 @@ def life_asked(inputs: BearingsInputs, gears: Second | None) -> Second:
 
 def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What is asked of one bearing."""
-    case, row, inputs, size = r.case, r.row, r.case.inputs, r.case.size
+    case, row, inputs, size = r.case, r.case.row, r.case.inputs, r.case.size
     asked = life_asked(inputs, r.task.life)
     if r.life is not None:
         yield on_bearing(LIFE if inputs.life is not None else LIFE_ASSUMED, place, r.life, asked)
@@ -440,13 +444,18 @@ def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
             ratio = gamma_of(case.inside)
         if ratio > LARGEST_ELEMENTS:
             yield on_bearing(GEOMETRY_OUTSIDE, place, ratio, LARGEST_ELEMENTS)
-    if r.torque > 0 and r.torque_two_part > 0:
+    if r.torque and r.torque_two_part:
         spread = r.torque / r.torque_two_part
         yield on_bearing(FRICTION_SPREAD, place, max(spread, 1 / spread), WITHIN)
     given = (row.dynamic_rating, row.static_rating)
     yield on_bearing(RATING_ESTIMATE, place, float(given.count(None)), 0.0, scale=1.0)
     if r.reference_speed is not None:
         yield on_bearing(REFERENCE_SPEED, place, r.task.speed, r.reference_speed)
+
+
+def of_one(check: Check, place: str) -> bool:
+    """Whether it is one of these on that bearing."""
+    return check.rule.id in OF_ONE and check.id == check.rule.of(place)
 
 
 def _inside_missing(place: str, r: LoadedBearing) -> Missing | None:
@@ -476,7 +485,7 @@ def _clearance_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     if r.grip_hot is not None and r.load >= r.standing_load:
         with untraced():
             scale = max(float(r.case.mounting.grip(ROOM, "middle")), MICRON)
-        rule = GRIP_HOT if r.row.outer_ring_held == "fit" else GRIP_HOT_HELD
+        rule = GRIP_HOT if r.case.row.outer_ring_held == "fit" else GRIP_HOT_HELD
         yield on_bearing(rule, place, r.grip_hot, 0.0, scale=scale)
 
 
@@ -513,7 +522,7 @@ def _load_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
 
 def _raceway_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
     """What the shaft, and of a cage the housing, have to be as raceways."""
-    row, inside = r.row, r.case.inside
+    row, inside = r.case.row, r.case.inside
     yield on_bearing(RACEWAY_HARDNESS, place, row.raceway_hardness, HARDNESS)
     if inside is not None:
         with untraced():

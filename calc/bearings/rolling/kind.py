@@ -74,3 +74,6 @@ def on_the_way(outline: Outline, z: Metre, mounted: tuple[str, ...] = ("gear",))
     front = [2 * piece.outer_radius for piece in beyond if piece.end <= z]
     rear = [2 * piece.outer_radius for piece in beyond if piece.start >= z]
     return None if not front or not rear else min(max(front), max(rear))
+
+
+KIND = Rolling()

@@ -69,19 +69,19 @@ class RollingResult:
     static_rating: Newton = value("Static load rating", "kN", "C_0", short=True)
     fatigue_limit: Newton = value("Fatigue load limit", "kN", "C_u")
     dynamic_rating_computed: Newton | None = value(
-        "Dynamic load rating by ISO 281 and the typical inside, an estimate", "kN", "C_r", default=None
+        "Dynamic load rating by ISO 281 and the typical inside, an estimate", "kN", "C_r,ISO", default=None
     )
     static_rating_computed: Newton | None = value(
-        "Static load rating by ISO 76 and the typical inside, an estimate", "kN", "C_0", default=None
+        "Static load rating by ISO 76 and the typical inside, an estimate", "kN", "C_0,ISO", default=None
     )
     viscosity_ratio: Number = value("Viscosity ratio", "", "κ", short=True)
     contamination_factor: Number = value("Contamination factor", "", "e_C")
     life_factor: Number | None = value("Life factor", "", "a_ISO", short=True, default=None)
     static_safety: Number | None = value("Static safety", "", "S_0", short=True, default=None)
     torque: NewtonMetre = value("Torque of friction", "N·mm", "M")
-    torque_two_part: NewtonMetre = value("the same by the two-part formula", "N·mm", "M")
+    torque_two_part: NewtonMetre = value("the same by the two-part formula", "N·mm", "M_2")
     torque_palmgren: NewtonMetre | None = value(
-        "the same by Palmgren's factors of 1957, as for the wheels' bearings", "N·mm", "M", default=None
+        "the same by Palmgren's factors of 1957, as for the wheels' bearings", "N·mm", "M_P", default=None
     )
     speed_factor: Number = value("Speed factor n·d_m, rpm·mm", "", "n·d_m")
     reference_speed: RevPerSecond | None = value("Thermal reference speed", "rpm", "n_θr", default=None)

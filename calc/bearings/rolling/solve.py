@@ -318,7 +318,7 @@ class LoadedBearing(RollingResult):
 
 
 @record
-class Sweep:
+class WarmPoints:
     """What it does at rated speed, in the rows of its duty, and at the speeds of a sweep, one after the other."""
 
     T_b: Array  # °C; not a number where it does not carry off its heat
@@ -327,7 +327,7 @@ class Sweep:
     sweep: slice
 
 
-def sweep_of(case: RollingCase, F: Newton, stands: StandingLoads, rows: Rows | None, task: Task) -> Sweep:
+def warm_points(case: RollingCase, F: Newton, stands: StandingLoads, rows: Rows | None, task: Task) -> WarmPoints:
     """All temperatures at once."""
     n, T_oil = float(task.speed), float(case.inputs.supply_temperature)
     speeds = np.linspace(SLOWEST, FASTEST, SPEEDS) * n
@@ -342,7 +342,7 @@ def sweep_of(case: RollingCase, F: Newton, stands: StandingLoads, rows: Rows | N
         F_f = friction_mean_of(factor * load_at_speed(F=float(F), n=points, n_0=n), float(stands.all) + extra)
         T_b = np.atleast_1d(case.temperatures(F_f, points, oil))
     count = len(more[0])
-    return Sweep(T_b, speeds, slice(1, 1 + count), slice(1 + count, None))
+    return WarmPoints(T_b, speeds, slice(1, 1 + count), slice(1 + count, None))
 
 
 def solve(case: RollingCase, F: Newton, stands: StandingLoads, slope: Radian | None, task: Task) -> dict[str, Any]:
@@ -350,7 +350,7 @@ def solve(case: RollingCase, F: Newton, stands: StandingLoads, slope: Radian | N
     row, inputs, n, place = case.row, case.inputs, task.speed, called(case.row.name)
     rows, T_oil = rows_of(inputs, task), inputs.supply_temperature
     F_a = row.axial_load if row.axial_load is not None else stands.axial if row.locates else 0.0
-    found = sweep_of(case, F, stands, rows, task)
+    found = warm_points(case, F, stands, rows, task)
     with about(Text("{place} bearing, duty", place=place)):
         a_1 = reliability_factor(R=inputs.reliability)
     with about(Text("{place} bearing, at rated speed", place=place)):
@@ -506,7 +506,7 @@ def _carries(
 
 
 def _least_speed(
-    case: RollingCase, F: Newton, stands: StandingLoads, found: Sweep, n: RevPerSecond
+    case: RollingCase, F: Newton, stands: StandingLoads, found: WarmPoints, n: RevPerSecond
 ) -> RevPerSecond | None:
     """The lowest speed from which the load is large enough; None: not at the fastest."""
     speeds, T_b = found.speeds, found.T_b[found.sweep]

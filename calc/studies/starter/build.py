@@ -158,10 +158,10 @@ def hindrance(document: Document, step: str) -> Text:
 
 @record
 class Begun:
-    """The text of all tables after engine and imbalance, and what [engine] has more."""
+    """The text of all tables after engine and imbalance, and the rows that [engine] has more, by their key."""
 
     text: str
-    engine: Table
+    engine: dict[str, list[Table]]
 
 
 def begun(document: Document, balancing: str = "", why: str = "", kinds: tuple[str, ...] = ()) -> Begun:
@@ -204,7 +204,8 @@ def begun(document: Document, balancing: str = "", why: str = "", kinds: tuple[s
     without = [("[without]", missing)] if missing else []
     text = "".join(written(sections) for sections in (accepted, without, own, train_of))
     engine, known = (as_table(each.data[dotted(Design.engine)]) for each in (document, before))
-    return Begun(text, {key: value for key, value in engine.items() if key not in known})
+    more = {key: [as_table(row) for row in as_list(rows)] for key, rows in engine.items() if key not in known}
+    return Begun(text, more)
 
 
 def own_shaft(data: Table) -> Table:

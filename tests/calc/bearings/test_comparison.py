@@ -108,14 +108,17 @@ def test_the_losses_of_the_design_are_those_that_it_publishes(alone):
 def test_fuel_and_co2_follow_the_watts(gamma_results):
     tables = {t.id: t for t in gamma_results.outcomes["bearings"].tables}
     watts = {row[0]: row[2] for row in tables["plain_and_rolling"].rows}
+    flows = {row[0]: row[-1] for row in tables["plain_and_rolling"].rows}
     costs = tables["plain_and_rolling_costs"]
     heads = [str(label) for label, _ in costs.columns]
-    assert heads[1:4] == ["fuel", "CO₂", "fuel over rated power"]
+    assert heads[1:5] == ["oil pump", "fuel", "CO₂", "fuel over rated power"]
     b_e = 220e-3  # g/h of a watt
     for row in costs.rows:
-        assert row[1] == pytest.approx(b_e * watts[row[0]], rel=0.01)
-        assert row[2] / row[1] == pytest.approx(gamma_results.design.friction.co2_per_fuel, rel=0.01)
-        assert row[3] == pytest.approx(row[1] / 50.0, rel=0.01)  # rated 50 kW
+        assert row[2] == pytest.approx(b_e * watts[row[0]], rel=0.01)
+        assert row[3] / row[2] == pytest.approx(gamma_results.design.friction.co2_per_fuel, rel=0.01)
+        assert row[4] == pytest.approx(row[2] / 50.0, rel=0.01)  # rated 50 kW
+        oil = flows[row[0]] / 60e3  # of 4 bar, over an efficiency of a half
+        assert row[1] == pytest.approx(4e5 * oil / 0.5, rel=0.01)
 
 
 def test_co2_of_the_road(alone):
@@ -126,7 +129,7 @@ def test_co2_of_the_road(alone):
     costs = comparison.Costs(None, lambda P: P * 1e-6, lambda m: 3.0 * m)  # kg/s
     case = comparison.ComparisonCase(places, r.bearings, (), 15.0, False, costs)
     (_, table) = comparison.further(case, ()).tables
-    km = next(row[3] for row in table.rows)
+    km = next(row[4] for row in table.rows)
     P = sum(b.duty_loss for b in r.bearings.values())
     assert km == pytest.approx(3.0 * P * 1e-6 / (62.5 / 3.6) * 1e6, rel=5e-3)  # g/km, 30 h at 50 and 10 h at 100 km/h
 
@@ -140,7 +143,7 @@ def test_nobody_pays_who_does_not_look(monkeypatch):
 
 
 def test_the_figure_draws_films_whole_and_rolling_dashed(alone):
-    (curve,) = [c for c in alone.outcomes["bearings"].curves if c.id == "plain_and_rolling"]
+    (curve,) = [c for c in alone.outcomes["bearings"].curves if c.id == "plain_and_rolling_loss"]
     assert [s.dashed for s in curve.series] == [False] * 3 + [True] * 3
     assert all(str(s.label).startswith("rolling" if s.dashed else "plain") for s in curve.series)
     for cold, warm in ((0, 1), (1, 2), (3, 4), (4, 5)):

@@ -9,12 +9,13 @@ import pytest
 
 from calc.bearings.plain.as_support import at_corners
 from calc.bearings.plain.corners import corner_points
-from calc.bearings.plain.loads import _standing as standing_part
+from calc.bearings.plain.loads import standing as standing_part
 from calc.bearings.plain.loads import standing_checks
 from calc.bearings.plain.routes.states import resized
 from calc.bearings.plain.routes.thermal_balance import settled
 from calc.bearings.plain.selection import together
 from calc.bearings.plain.selection.search import nearest_row
+from calc.bearings.plain.solve import PlainSupport
 from calc.bearings.result import BearingsResult
 from calc.bearings.sharing import on_films, shared, support_checks, turned_over
 from calc.bearings.sketch import sketch
@@ -30,6 +31,7 @@ from calc.design.toml_file import design
 from calc.design.unusual import doubts
 from calc.draw.drawing import Area, Polyline
 from calc.friction.result import FrictionResult
+from calc.library.catalogue import shipped_materials
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
 from calc.studies.drive.problem import problem
@@ -39,6 +41,7 @@ from tests.calc.countershaft.bending import cases
 CASES = ("r754-films", "r754-middle-wide", "couple-middle-films")
 FILM = ("film_edge", "film_double_load", "film_trumpler", "film_band", "mckee", "film_edge_corner", "film_overspeed")
 NAMES = ("front", "middle", "rear")
+ALUMINIUM = shipped_materials()["EN AC-43100"]
 
 
 def solved(name, **changes):
@@ -377,7 +380,7 @@ def test_only_two_bearings_are_searched(three):
 
 
 def verdicts(found, films=None):
-    return {c.id: c.verdict for c in support_checks(found, films, None)}
+    return {c.id: c.verdict for c in support_checks(found, films, None, 0.0)}
 
 
 def with_row(found, name, load=None, **on_shaft):
@@ -448,7 +451,12 @@ def _films(results):
     found = results.result(BearingsResult)
     seats = [row.seat for row in found.bearings.values()]
     turning, duty = of_beam(*_beam(results)), found.bearings["front"].duty
-    return on_films(turning, shared(turning, seats, duty, 1), seats, duty)
+    return _on(turning, seats, duty)
+
+
+def _on(turning, seats, duty):
+    supports = [PlainSupport(seat, ALUMINIUM) for seat in seats]
+    return on_films(turning, shared(turning, supports, duty, 1), supports, duty)
 
 
 def test_the_loop_ends_within_its_passes(three):
@@ -510,11 +518,11 @@ def test_a_bearing_that_is_fed_otherwise_than_the_others_is_warmed_by_itself(thr
     seats, duty = [row.seat for row in rows.values()], rows["front"].duty
     grooved = replace(seats[1].inputs, supply="groove", groove_width=2e-3)
     mixed = [seats[0], replace(seats[1], inputs=grooved), seats[2]]
-    films = on_films(turning, shared(turning, mixed, duty, 1), mixed, duty)
+    films = _on(turning, mixed, duty)
     assert [law.lands for law in films.laws] == [1, 2, 1]
     _corners_are_those_of_each_alone(turning, films, mixed, duty)
     again = [replace(seat, inputs=replace(seat.inputs)) for seat in seats]  # as of rows that say what all share
-    assert np.array_equal(shared(turning, again, duty, 1).carried.load, shared(turning, seats, duty, 1).carried.load)
+    assert np.array_equal(_on(turning, again, duty).carried.load, _on(turning, seats, duty).carried.load)
 
 
 def with_image(document, *rows):

@@ -106,7 +106,7 @@ def test_at_the_design_point_many_points_are_the_one(on, gamma_results):
 
 def test_the_turning_load_grows_with_the_square_of_the_speed(on):
     many = journals_at(on, np.array([0.5, 1.0, 2.0]), np.array([100.0, 100.0, 100.0]))
-    for answer in many.responses.values():
+    for answer in many.answers.values():
         assert answer.load / answer.load[1] == pytest.approx([0.25, 1.0, 4.0])
     some = many.only(np.array([True, False, True]))
     assert some.speed == pytest.approx(many.speed[[0, 2]])

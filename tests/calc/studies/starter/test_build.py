@@ -177,7 +177,7 @@ def test_a_pair_is_designed_step_by_step() -> None:
 ARRANGED = {
     "second": ("inline-4", [2]),
     "pair": ("single", [1]),
-    "repeat": ("v2-45", [-1]),
+    "repeat": ("single", [-1]),
     "pair_and_second": ("twin-360", [1, 2]),
 }
 
