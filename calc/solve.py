@@ -482,16 +482,14 @@ def _joined(
     twins: dict[str, Outcome[BearingsResult]],
     every_shaft: dict[str, Outcome[BearingsResult]],
 ) -> Outcome[object]:
-    """The bearings of the one shaft, or of all of them by their names; `twins` that are not as their originals.
-
-    `every_shaft`: also twins, where they are not; all others of them live as long as their originals."""
+    """The bearings of the one shaft, or of all of them by their names; `twins` that are not as their originals."""
     named = len(design.shafts) > 1
     solved = {name: each.result for name, each in bearings.items() if isinstance(each.result, BearingsResult)}
     told = {name: bearings_told(each.solution) for name, each in twins.items()}
     every, all_lives = None, tuple[Check, ...]()
     if named and len(solved) == len(bearings):
-        lived = [every_shaft.get(shaft.name) or every_shaft.get(shaft.of or "") for shaft in design.resolved]
-        life, all_lives = lives_of_all([each.result for each in lived if each is not None and each.result is not None])
+        there = [each.result for each in every_shaft.values() if each.result is not None]
+        life, all_lives = lives_of_all(there)
         every = BearingsOfShafts(shafts={**solved, **told}, system_life=life)
     outcome = joined("bearings", {**bearings, **twins}, every, named=named)
     return replace(outcome, checks=(*outcome.checks, *all_lives)) if all_lives else outcome

@@ -570,16 +570,3 @@ def test_what_is_enough_is_asked_of_all_shafts_by_their_names():
     ended = solve(design(Document(two())), enough=lambda outcome: any(check.id == wanted for check in outcome.checks))
     assert ended.check(wanted).value == known.value
     assert "friction" not in ended.outcomes and ended.check("bearings.right.front.film_edge") is None
-
-
-def test_the_rolling_bearings_of_a_twin_count_in_the_life_of_all():
-    """Four that live alike, two by two: by 2^(−1/e) shorter than two, whether their twin has more standing load or not."""
-    data = dict(read(DESIGNS / "r754ie4_balance_shafts.toml").data)
-    shaft, twin = copy.deepcopy(data["shafts"])
-    ends = [row for row in shaft["bearings"] if row["name"] != "middle"]
-    shaft["bearings"] = [
-        {"name": row["name"], "position_mm": row["position_mm"], "kind": "rolling", "size": "NU1005"} for row in ends
-    ]
-    values = solved(data | {"shafts": [shaft, twin]}).values()
-    one = values["bearings.left.system_life"].shown
-    assert values["bearings.system_life"].shown == pytest.approx(one * 2 ** (-8 / 9), rel=0.01)
