@@ -21,10 +21,9 @@ from calc.bearings.rolling.contact import (
     pressure_of,
     reach,
 )
+from calc.bearings.rolling.contamination import CLASSES, WORDS
 from calc.bearings.rolling.geometry import alike, gamma_of, inside_of, stacked
 from calc.bearings.rolling.life import (
-    CLASSES,
-    WORDS,
     contamination,
     counted_ratio,
     fatigue_share,
@@ -448,7 +447,7 @@ def test_a_trace_of_one_bearing_shows_every_line():
 
 def test_ratings_of_a_catalogue_rule_each_by_itself():
     _, inside, ratings = rated("6205")
-    assert fatigue_limit(inside, 7800.0) == pytest.approx(7800 / 22)
+    assert fatigue_limit(inside.elements, 7800.0, inside.pitch) == pytest.approx(7800 / 22)
     assert replace(ratings, dynamic=14e3).static == ratings.static
 
 
