@@ -41,6 +41,7 @@ Does = Callable[[], Awaitable[object] | object]
 HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
 HIDDEN |= {action.id for action in ACTIONS if action.id.startswith("read")}
 ACTION, FIELD, PLACE, OTHER = 1.0, 0.9, 0.8, 0.7  # what counts more where words find both
+FOLDED = 0.8  # of a field that lies in a fold: what decides is found before it
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,8 @@ def _fields(work: Workbench, add: Add) -> None:
         title = Text("Field: {label}  {key}", label=about.label, key=key)
         in_step = ".".join([step_at(work.session.data, key), *within(key)])  # as schema 1 had it
         does = partial(work.to_field, work.session.place(key))
-        add(title, about.help or about.allowed(), does, in_step, weight=FIELD)
+        weight = FIELD * FOLDED if about.fold and not about.decides else FIELD
+        add(title, about.help or about.allowed(), does, in_step, weight=weight)
 
 
 def _of_design() -> Iterator[tuple[str, Quantity]]:
