@@ -13,6 +13,7 @@ from .plain.selection.search import BearingsFound
 from .plain.selection.states import against, letter_of
 from .plain.selection.tables import NUMBER, rounded, rows_of
 from .plain.selection.variants import SUPPLY
+from .rolling.clearance import usual_fits
 from .rolling.search import SEATED
 
 TITLES = {
@@ -89,11 +90,11 @@ def fits_table(choice: KindsFound, top: int) -> Table | None:
 def _sits(side: Side) -> tuple[Text, ...]:
     row, size = side.row, side.row.outline
     assert size is not None
-    usual = Name("js6" if size.inner_ring else "h5"), Name("N7" if size.type != "cage" else "G6")
+    shaft_fit, seat_fit = usual_fits(size.type, size.inner_ring)
     return (
         Name(row.clearance_class) if size.inner_ring else EMPTY,
-        Name(row.shaft_fit) if row.shaft_fit else usual[0],
-        Name(row.seat_fit) if row.seat_fit else usual[1],
+        Name(row.shaft_fit or shaft_fit),
+        Name(row.seat_fit or seat_fit),
         Name(row.outer_ring_held),
         Text("yes") if row.locates else EMPTY,
         Name(row.cage),

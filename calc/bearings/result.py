@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the bearing step publishes: each bearing as its kind has it."""
 
-from typing import TYPE_CHECKING
-
 from ..countershaft.bending.condensed import OnSupports
 from ..countershaft.rows import IN_WORDS
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.quantity import group, result, value
 from ..sheet.units import Radian, Second
 from .plain.bearing import PlainBearing
-from .support import Carrying, Support
-
-if TYPE_CHECKING:
-    from .told import Told
+from .support import Carrying, Support, Told
 
 
 @result
@@ -27,7 +22,7 @@ class BearingsResult:
     stands: OnSupports | None = None  # what stands on more than two bearings
     line: tuple[Array, ComplexArray] | None = None  # places along the shaft, and the way of its axis in the films
     supports: tuple[Support, ...] = ()  # the bearings before their loads were known
-    told: "Told | None" = None  # what is shown beside them
+    told: Told | None = None  # what is shown beside them
 
     @property
     def plain(self) -> dict[str, PlainBearing]:

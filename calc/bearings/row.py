@@ -6,7 +6,7 @@ from typing import Any
 
 from ..library import journal_rules as rules
 from ..sheet.quantity import choice, inputs, quantity, series, text
-from ..sheet.text import Text
+from ..sheet.text import Amount, Text
 
 ASKED_ELSEWHERE: Any = None  # left out by the file's own rules; where it is needed, the whole design says so
 OF_ITS_OWN = Text("Supply and seat of its own")  # folds of the form
@@ -162,3 +162,12 @@ class SupportRow:
     def kind_problems(self) -> Iterable[tuple[str, Text]]:
         """What is wrong with it by itself, by the keys of its row."""
         return ()
+
+
+LEAST_METAL = 2e-3  # m, in diameter
+
+
+def more_metal(bore: float) -> Text:
+    """What an outside of the housing is told that leaves next to nothing around this bore."""
+    least = Amount((bore + LEAST_METAL) * 1e3, "mm", form="g")
+    return Text("must be above {least}: the bore and 1 mm of metal around it", least=least)

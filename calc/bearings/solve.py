@@ -31,8 +31,8 @@ from .plain.solve import operating_point
 from .plain.speeds import TURNING, of_journals
 from .result import BearingsResult
 from .sharing import on_films, on_shaft, shared, support_checks, turned_over
-from .support import Carrying, OperatingPoint, ShaftInView, Solids, Support, Task, by_row
-from .told import Told, of_kinds
+from .support import Carrying, OperatingPoint, ShaftInView, Solids, Support, Task, Told, by_row
+from .told import of_kinds, shown
 
 SLOPE_GIVEN = CheckRule(
     "bearings.B.slope_given",
@@ -136,7 +136,7 @@ def solve(
         result=result,
         checks=tuple(all_checks),
         lines=tuple(lines),
-        **told.shown(result, results),
+        **shown(told, result, results),
     )
 
 

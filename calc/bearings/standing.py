@@ -11,6 +11,7 @@ from .kinds import KINDS
 from .lives import life_together
 from .result import BearingsResult, TwinBearings
 from .support import StandingLoads
+from .told import shown
 
 ALIKE = 1e-3  # of a standing load: so much more of it makes no other film
 
@@ -37,7 +38,7 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
     result, told_lines = replace(outcome.result, bearings=every, system_life=life), outcome.lines
     again = {place: every[place] for place in bearings if before[place].anew}
     if again and told is not None:
-        outcome = replace(outcome, **told.shown(result, {**before, **again}))
+        outcome = replace(outcome, **shown(told, result, {**before, **again}))
         dropped = {n for place in again for n in range(*told.spans[place].indices(len(told_lines)))}
         told_lines = tuple(line for n, line in enumerate(told_lines) if n not in dropped)
     return replace(

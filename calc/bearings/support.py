@@ -374,6 +374,17 @@ class ShaftInView:
     outline: Outline | None
 
 
+@record
+class Told:
+    """What is shown of the bearings of a shaft is made of, beside themselves.  `spans`: by the bearing, which of the
+    lines are its own."""
+
+    inputs: BearingsInputs
+    solved: "CountershaftResult | None"
+    shaft: ShaftInView
+    spans: dict[str, slice]
+
+
 def on_bearing(
     rule: CheckRule, place: str, value: float | None, limit: float | tuple[float, float], **more: Any
 ) -> Check:

@@ -4,44 +4,32 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from ..countershaft.result import CountershaftResult
 from ..sheet.deferred import Later
-from ..sheet.record import record
 from ..sheet.step import Curve, Further
-from .inputs import BearingsInputs
 from .kinds import KINDS
 from .plain.curves import in_films
 from .result import BearingsResult
-from .support import Carrying, ShaftInView
+from .support import Carrying, Told
 
 Bearings = Mapping[str, Carrying]  # by their places
 
 
-@record
-class Told:
-    """What it is made of beside the bearings themselves.  `spans`: by the bearing, which of the lines are its own."""
-
-    inputs: BearingsInputs
-    solved: CountershaftResult | None
-    shaft: ShaftInView
-    spans: dict[str, slice]
-
-    def shown(self, result: BearingsResult, bearings: Bearings) -> dict[str, Any]:
-        """Curves, tables, notes and what else an outcome has, made when somebody looks."""
-        kinds = of_kinds(bearings)
-        return dict(
-            curves=Later(lambda: _curves(result, kinds)),
-            tables=Later(lambda: (t for kind, those in kinds.items() for t in KINDS[kind].tables(those, self.shaft))),
-            errata=Later(lambda: (e for kind, those in kinds.items() for e in KINDS[kind].errata(those))),
-            notes=Later(
-                lambda: dict.fromkeys(
-                    n for kind, those in kinds.items() for n in KINDS[kind].notes(self.inputs, self.solved, those)
-                )
-            ),
-            further=lambda: Further(
-                curves=Later(lambda: (c for kind, those in kinds.items() for c in KINDS[kind].charts(those)))
-            ),
-        )
+def shown(told: Told, result: BearingsResult, bearings: Bearings) -> dict[str, Any]:
+    """Curves, tables, notes and what else an outcome has, made when somebody looks."""
+    kinds = of_kinds(bearings)
+    return dict(
+        curves=Later(lambda: _curves(result, kinds)),
+        tables=Later(lambda: (t for kind, those in kinds.items() for t in KINDS[kind].tables(those, told.shaft))),
+        errata=Later(lambda: (e for kind, those in kinds.items() for e in KINDS[kind].errata(those))),
+        notes=Later(
+            lambda: dict.fromkeys(
+                n for kind, those in kinds.items() for n in KINDS[kind].notes(told.inputs, told.solved, those)
+            )
+        ),
+        further=lambda: Further(
+            curves=Later(lambda: (c for kind, those in kinds.items() for c in KINDS[kind].charts(those)))
+        ),
+    )
 
 
 def of_kinds(bearings: Bearings) -> dict[str, dict[str, Carrying]]:

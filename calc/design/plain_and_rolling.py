@@ -4,12 +4,9 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import cache, partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ..bearings import comparison
 from ..bearings.inputs import BearingsInputs
-from ..bearings.plain.selection.search import best_as_supplied
-from ..bearings.plain.selection.writing import with_row
 from ..bearings.result import BearingsResult
 from ..countershaft.rows import BearingRow
 from ..friction.result import carbon_dioxide, fuel
@@ -20,6 +17,9 @@ from ..sheet.units import Number
 from ..sheet.value import recorded
 from .model import Design
 from .step_inputs import bearings_case, rated_power, rolling_places
+
+if TYPE_CHECKING:
+    from ..bearings.comparison import ComparisonCase  # loaded when somebody looks
 
 IDLE: Number = 0.35  # of the rated speed, where nobody gives one
 # journals that a search begins from, and their supply, where there are none; rule of this program
@@ -48,6 +48,8 @@ def with_comparison(design: Design, steps: Steps, results: Callable[[], Any], so
 
 
 def _beside(design: Design, results: Callable[[], Any], solve: Solve) -> Further:
+    from ..bearings import comparison
+
     more, solved = Further(), results()
     several = len(design.shafts) > 1
     for name in design.originals:
@@ -62,7 +64,9 @@ def _beside(design: Design, results: Callable[[], Any], solve: Solve) -> Further
     return more
 
 
-def _case(design: Design, solved: Any, name: str) -> comparison.ComparisonCase:
+def _case(design: Design, solved: Any, name: str) -> "ComparisonCase":
+    from ..bearings.comparison import ComparisonCase, Costs
+
     view = solved.view(name)
     outcome, friction = view.outcomes["bearings"], design.friction
     result = outcome.result
@@ -74,15 +78,15 @@ def _case(design: Design, solved: Any, name: str) -> comparison.ComparisonCase:
     slowest = min(speeds, default=None)
     if slowest is None and design.mounting is not None:
         slowest = design.mounting.idle_speed
-    costs = comparison.Costs()
+    costs = Costs()
     if friction is not None and (b_e := friction.specific_fuel_consumption) is not None:
         e_CO2 = friction.co2_per_fuel
-        costs = comparison.Costs(
+        costs = Costs(
             rated_power(design), lambda P: fuel(b_e=b_e, P=P), lambda m_B: carbon_dioxide(e_CO2=e_CO2, m_B=m_B)
         )
     idle = IDLE * task.speed if slowest is None else ratio * slowest
     shaft = view.design.countershaft
-    return comparison.ComparisonCase(
+    return ComparisonCase(
         places,
         result.bearings,
         outcome.checks,
@@ -102,6 +106,9 @@ def _plain(
     design: Design, solved: Any, solve: Solve, name: str
 ) -> Iterator[tuple[BearingsInputs, Mapping[str, BearingRow]]]:
     """The best journals with the oil and the supply of the design; where it has no journals, with what is usual."""
+    from ..bearings.plain.selection.search import best_as_supplied
+    from ..bearings.plain.selection.writing import with_row
+
     try:
         if any(row.kind != "plain" for row in design.views[name].rows):
             design = _with_journals(design, name)

@@ -14,9 +14,9 @@ from ...library.tolerances import ASSUMED_FIT, Assumed
 from ...sheet.quantity import as_in, choice, described, dotted, inputs, quantity, series, table, text
 from ...sheet.text import Amount, Text
 from ...sheet.units import Radian
-from ..row import ASKED_ELSEWHERE
+from ..row import ASKED_ELSEWHERE, LEAST_METAL, more_metal
 from .materials import DEFAULT_APPLICATION, bush_problem
-from .row import LEAST_METAL, PlainRow, more_metal, near
+from .row import PlainRow, near
 from .seats.classes import Select
 
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program

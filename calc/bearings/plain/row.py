@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from ...library import journal_rules as rules
 from ...sheet.quantity import choice, dotted, inputs, keys, quantity, series, text
 from ...sheet.text import Amount, Text
-from ..row import ASKED_ELSEWHERE, OF_ITS_OWN, SEAT, SupportRow
+from ..row import ASKED_ELSEWHERE, LEAST_METAL, OF_ITS_OWN, SEAT, SupportRow, more_metal
 
 # of what brings the oil, over the length, for guide texts
 USUAL_WIDTH = {"low": Amount(rules.SUPPLY_WIDTH[0]), "high": Amount(rules.SUPPLY_WIDTH[1])}
@@ -532,19 +532,12 @@ def _leaves(bore: tuple[float, ...], journal: tuple[float, ...]) -> float:
     return (sum(bore) - sum(journal)) / 2
 
 
-def more_metal(bore: float) -> Text:
-    """What an outside of the housing is told that leaves next to nothing around this bore."""
-    least = Amount((bore + LEAST_METAL) * 1e3, "mm", form="g")
-    return Text("must be above {least}: the bore and 1 mm of metal around it", least=least)
-
-
 def near(diameter: float, limits: Sequence[tuple[float, ...]]) -> bool:
     """Whether a diameter is meant by limits, the first and the last of their classes: within a hundredth of itself.
     One that is no number, of which that is said, is."""
     return not (diameter < limits[0][0] - diameter / 100 or diameter > limits[-1][-1] + diameter / 100)
 
 
-LEAST_METAL = 2e-3  # m, in diameter
 SET = 40e-6  # m: by so much, at most, a seated bore stands wider than housing and walls leave it
 
 # what says nothing but with these seats

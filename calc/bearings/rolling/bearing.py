@@ -24,8 +24,8 @@ from .load import friction_mean_of
 from .raceway import largest_slope
 from .result import RollingResult
 from .solve import LoadedBearing, RollingCase, solve
+from .zone import EXPONENTS
 
-SPREADS = {"ball": 10 / 9, "roller": 9 / 8}  # of the lives, Weibull
 UNKNOWN: NewtonPerMetre = 1e9  # of a bearing whose inside is not known: stiffer than any
 
 
@@ -149,7 +149,7 @@ class RollingBearing(LoadedBearing, Carrying):
         return None
 
     def survival(self) -> tuple[Second, Number] | None:
-        return None if self.life is None else (self.life, SPREADS[self.case.size.elements])
+        return None if self.life is None else (self.life, EXPONENTS[self.case.size.elements].weibull)
 
     def seat_size(self) -> Metre:
         return self.seat_diameter

@@ -198,12 +198,8 @@ def fields_of(
 ) -> tuple[ToleranceField, ToleranceField]:
     """The fields of its place on the shaft and of its seat, as given, else the usual ones.  Raises ValueError where a
     word is no tolerance class."""
-    usual, rings = _table()["default"], inner_ring and type in ("ball", "roller", "needle")
-    seat = _table()["bore_without_ring"][type] if type == "cage" else usual["seat"]
-    return (
-        parse(shaft_fit or usual["shaft" if rings else "raceway"], "shaft in a ring"),
-        parse(seat_fit or seat, "hole for a ring"),
-    )
+    shaft, seat = usual_fits(type, inner_ring)
+    return parse(shaft_fit or shaft, "shaft in a ring"), parse(seat_fit or seat, "hole for a ring")
 
 
 def fits_of(

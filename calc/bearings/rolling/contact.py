@@ -80,11 +80,6 @@ def pressure_of(inside: Inside[Any], Q: Any) -> tuple[Any, Any]:
 # --- all elements
 
 
-def springs_of(inside: Inside[Any], gap: Any) -> "Springs":
-    """The bearing at the clearance `gap`, m, as what holds its shaft."""
-    return Springs(inside.elements, inside.count, contact_constant(inside), gap)
-
-
 @formula(
     "δ_r",
     Text("{law}; the loads of the elements hold F", law=LAW),

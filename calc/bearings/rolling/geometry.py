@@ -82,6 +82,18 @@ def element_length(k_l: Number, B: Metre) -> Metre:
     return k_l * B
 
 
+def diameters_of(size: BearingSize[Any], D_w: Any = None, D_pw: Any = None) -> tuple[Any, Any]:
+    """D_w and D_pw, m, as given, else as is usual; of a bearing of one's own D_w is given."""
+    usual, inner = size.usual, size.bore if size.raceway is None else size.raceway
+    if D_w is None:
+        D_w = element_diameter(k_w=usual.diameter, D=size.outside, d=inner)
+    if D_pw is None and size.raceway is not None:
+        D_pw = pitch_on_raceway(F_w=inner, D_w=D_w)
+    elif D_pw is None:
+        D_pw = pitch_between(k_p=1.0 if usual.pitch is None else usual.pitch, D=size.outside, d=size.bore)
+    return D_w, D_pw
+
+
 def inside_of(
     size: BearingSize[Any],
     *,
@@ -98,17 +110,9 @@ def inside_of(
 
     None of a bearing of one's own that does not say its elements: their number, diameter and, of rollers, length."""
     usual = size.usual
-    inner = size.bore if size.raceway is None else size.raceway
     if size.own and (count is None or diameter is None or (length is None and size.elements == "roller")):
         return None
-    D_w = diameter
-    if D_w is None:
-        D_w = element_diameter(k_w=usual.diameter, D=size.outside, d=inner)
-    D_pw = pitch
-    if D_pw is None and size.raceway is not None:
-        D_pw = pitch_on_raceway(F_w=inner, D_w=D_w)
-    elif D_pw is None:
-        D_pw = pitch_between(k_p=1.0 if usual.pitch is None else usual.pitch, D=size.outside, d=size.bore)
+    D_w, D_pw = diameters_of(size, diameter, pitch)
     Z = count
     if Z is None:
         balls = size.elements == "ball"

@@ -17,6 +17,7 @@ from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Number, RevPerSecond, Second, SquareMetrePerSecond
 from .contact import Springs, displacement, reach
+from .contamination import WORDS
 from .load import Races
 from .ratings import Ratings
 from .sizes import FILE, Elements
@@ -110,10 +111,6 @@ def contamination(cleanliness: str, D_pw: Any, k: Any) -> Any:
         return single_or_many(np.asarray(np.where(np.asarray(D_pw) < LARGE, small, large) + 0.0 * np.asarray(k)))
     a, c = table["filtered"][cleanliness]
     return contamination_filtered(a=a, k=k, D_pw=D_pw, c=c)
-
-
-WORDS = ("high", "normal", "slight", "typical", "severe", "very-severe")
-CLASSES = ("-/13/10", "-/15/12", "-/17/14", "-/19/16")
 
 
 def life_factor(elements: Elements, k: Any, X_u: Any) -> Any:

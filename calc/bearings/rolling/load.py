@@ -49,7 +49,9 @@ def mean_power(xi: Number, p: Number) -> Number:
     square = np.asarray(np.square(xi))
     c, needed_from = _squares(float(p))
     terms = 2 + int(np.searchsorted(needed_from[:-1], np.nanmax(square, initial=0.0)))
-    return single_or_many(np.asarray(square[..., None] ** np.arange(terms) @ c[:terms]))
+    powers = np.empty((*square.shape, terms))
+    powers[...], powers[..., 0] = square[..., None], 1.0
+    return single_or_many(np.asarray(np.multiply.accumulate(powers, axis=-1) @ c[:terms]))
 
 
 @cache

@@ -23,11 +23,6 @@ def case_depth_needed(D_w: Metre) -> Metre:
     return largest(0.078 * D_w, LEAST_CASE)
 
 
-@formula("Eht", "SKF 2013: depth of the case that bears the static load, core of 350 HV", unit="mm")
-def case_depth_advised(D_w: Metre) -> Metre:
-    return 0.1 * D_w
-
-
 def roundness_needed(F_w: Metre) -> Metre:
     """What roundness and parallelism of a raceway on the shaft may be."""
     return tolerance(ROUNDNESS, F_w)

@@ -13,6 +13,7 @@ from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Number, Pascal, Radian
 from .geometry import Inside, gamma_of
 from .hertz import BallContact
+from .sizes import Elements
 
 ISO = Text("ISO 281 and ISO/TR 1281-1, from memory")
 ISO_STATIC = Text("ISO 76")
@@ -22,8 +23,6 @@ ONE_NEWTON: Newton = 1.0
 NEWTON_PER_SQUARE_MILLIMETRE: Pascal = 1e6
 OF_BALLS: Pascal = 4200e6  # what a ball and its groove bear standing
 INNER, OUTER, OUTER_STATIC = 0.52, 0.52, 0.53  # grooves of the standards: radius over D_w
-NEEDED = {"ball": 1.0, "roller": 1.5, "needle": 1.5, "cup": 3.0, "cage": 1.5}  # static safety, by type
-SAFETY_SOURCE = Text("SKF 2013: static safety, read on its pages; 3 for drawn cups")
 
 # --- dynamic
 
@@ -161,7 +160,7 @@ def computed(inside: Inside[Any], b_m: Any, HV: Any = None) -> Ratings:
     if HV is not None:
         f_H = hardness_factor(HV=HV)
         C, C_0 = dynamic_on_shaft(f_H=f_H, C=C), static_on_shaft(f_H=f_H, C_0=C_0)
-    return Ratings(C, C_0, fatigue_limit(inside, C_0), f_0)
+    return Ratings(C, C_0, fatigue_limit(inside.elements, C_0, inside.pitch), f_0)
 
 
 def counted_grooves(inside: Inside[Any]) -> tuple[Any, Any]:
@@ -169,7 +168,7 @@ def counted_grooves(inside: Inside[Any]) -> tuple[Any, Any]:
     return largest(inside.groove_inner, INNER), largest(inside.groove_outer, OUTER)
 
 
-def fatigue_limit(inside: Inside[Any], C_0: Any) -> Any:
+def fatigue_limit(elements: Elements, C_0: Any, D_pw: Any) -> Any:
     """C_u by the static rating that rules, the catalogue's where it is given."""
-    limit = limit_of_balls if inside.elements == "ball" else limit_of_rollers
-    return limit(C_0=C_0, D_pw=inside.pitch)
+    limit = limit_of_balls if elements == "ball" else limit_of_rollers
+    return limit(C_0=C_0, D_pw=D_pw)

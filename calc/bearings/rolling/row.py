@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ...sheet.quantity import choice, described, dotted, flag, inputs, integer, keys, quantity, series, text
 from ...sheet.text import Amount, Text
 from ...sheet.value import based_on
-from ..row import SupportRow
+from ..row import LEAST_METAL, SupportRow, more_metal
 
 if TYPE_CHECKING:
     from .geometry import Inside  # with numpy, which a form does not need
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 KIND = SupportRow.kind
 OWN = "own"
 OWN_BORE = (5e-3, 0.2)  # m
+SMALLEST = 1e-9  # m: less is rounding
 INSIDE, RATINGS, FITS, RACEWAY = Text("Inside"), Text("Ratings"), Text("Rings and fits"), Text("Raceway on the shaft")
 AXIAL = Text("a ball bearing (60, 62, 63) or NJ carries thrust")
 
@@ -443,6 +444,8 @@ class RollingRow(SupportRow):
         if size.outside <= size.bore:
             yield dotted(RollingRow.outside_diameter if own else RollingRow.size), Text("must be larger than the bore")
             return
+        if self.housing_outer is not None and self.housing_outer <= size.outside + LEAST_METAL:
+            yield dotted(RollingRow.housing_outer), more_metal(size.outside)
         yield from self._thrust()
         yield from self._raceway()
         yield from self._elements()
@@ -501,13 +504,27 @@ class RollingRow(SupportRow):
 
     def _elements(self) -> Iterable[tuple[str, Text]]:
         """Whether the elements find room beside each other and between the rings."""
-        from .geometry import overlap
+        from .geometry import diameters_of, overlap
 
-        size = self.outline
+        size, D_w = self.outline, self.element_diameter
         assert size is not None
-        if self.element_diameter is not None and self.element_diameter >= (size.outside - size.bore) / 2:
+        if self.element_length is not None and self.element_length >= size.width:
+            wide = Amount(size.width * 1e3, "mm", form="g")
+            yield dotted(RollingRow.element_length), Text("must be below {wide}, the width of the bearing", wide=wide)
+        if D_w is not None and D_w >= (size.outside - size.bore) / 2:
             least = Amount((size.outside - size.bore) / 2 * 1e3, "mm")
             yield dotted(RollingRow.element_diameter), Text("must be below {least}, the room of the rings", least=least)
+        elif D_w is None and size.own:
+            return
+        elif self.pitch_diameter is not None and not _between(size, *diameters_of(size, D_w, self.pitch_diameter)):
+            ends = {"bore": Amount(size.bore * 1e3, form="g"), "outside": Amount(size.outside * 1e3, "mm", form="g")}
+            why = Text("the elements must lie between {bore} and {outside}: D_pw − D_w and D_pw + D_w", **ends)
+            yield dotted(RollingRow.pitch_diameter), why
         elif (inside := self.inside) is not None and overlap(inside):
             given = RollingRow.element_count if self.element_count is not None else RollingRow.element_diameter
             yield dotted(given), Text("the elements overlap: Z·asin(D_w/D_pw) must stay below π")
+
+
+def _between(size: "BearingSize[float]", D_w: float, D_pw: float) -> bool:
+    """Whether raceways over and under the elements lie between bore and outside."""
+    return D_pw - D_w > size.bore - SMALLEST and D_pw + D_w < size.outside + SMALLEST

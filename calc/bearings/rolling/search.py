@@ -23,6 +23,7 @@ from ...sheet.units import Celsius, Kilogram, Metre, Newton, Number, Radian, Sec
 from ...sheet.value import untraced
 from ..formulas import load_at_speed
 from ..inputs import BearingsInputs
+from ..row import LEAST_METAL
 from ..support import Solids, StandingLoads, Task
 from . import checks as c
 from .balance import (
@@ -266,7 +267,7 @@ def as_rolling(place: Place, size: str) -> BearingRow:
         kept |= {"split_cage"} if there.type == "cage" else set()
         kept |= {"axial_load"} if place.locates else set()
     said = {name: getattr(row, name) for name in kept}
-    if row.housing_outer is not None and row.housing_outer <= there.outside:
+    if row.housing_outer is not None and row.housing_outer <= there.outside + LEAST_METAL:
         del said["housing_outer"]
     return BearingRow(kind="rolling", size=there.designation, locates=place.locates, **said)
 

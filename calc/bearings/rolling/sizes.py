@@ -27,6 +27,7 @@ BALLS = ("60", "62", "63")
 ROLLERS = ("10", "2", "3", "22", "23")  # series of NU and NJ
 OUTLINE = {"10": "60", "2": "62", "3": "63", "22": "22", "23": "23"}  # of rollers: the row that has their outline
 CUP_WIDTHS = range(6, 61)  # mm
+LARGEST: Metre = 0.5  # of a cage: as far as tolerances go
 
 
 class UnknownSize(ValueError):
@@ -86,7 +87,7 @@ def size_of(designation: str) -> BearingSize:
     """The bearing that a designation means; blanks and case do not count.  Raises UnknownSize."""
     word = "".join(designation.split()).upper().replace("×", "X")
     for pattern, made in _KINDS.items():
-        if match := re.fullmatch(pattern, word):
+        if match := re.fullmatch(pattern, word, re.ASCII):
             size: BearingSize = made(*match.groups())
             return size
     raise UnknownSize(_unknown(designation, word))
@@ -152,9 +153,13 @@ def _cup(raceway: str, width: str) -> BearingSize:
 def _cage(inside: str, outside: str, width: str) -> BearingSize:
     name = f"K{inside}x{outside}x{width}"
     F_w, E_w, B = (_mm(float(part)) for part in (inside, outside, width))
-    if not 0 < F_w < E_w or not B > 0:
+    if not 0 < F_w < E_w <= LARGEST or not 0 < B <= LARGEST:
         raise UnknownSize(
-            Text("{name}: of K F_w x E_w x B, E_w is larger than F_w, and none is 0: K25x30x20", name=name)
+            Text(
+                "{name}: of K F_w x E_w x B, E_w is larger than F_w, and none is 0 or above {most} mm: K25x30x20",
+                name=name,
+                most=f"{UNITS['mm'].shown(LARGEST):.0f}",
+            )
         )
     return BearingSize(name, "cage", "K", F_w, E_w, B, _usual("cage"), F_w, False)
 

@@ -143,9 +143,10 @@ def case_of(row: BearingRow, inputs: BearingsInputs, solids: Solids) -> RollingC
             C, C_0 = (known if known is not None else x for known, x in ((C, computed.dynamic), (C_0, computed.static)))
         assert C is not None and C_0 is not None  # asked of the file
         C_u = row.fatigue_limit
-        if C_u is None:
-            limit = r.limit_of_balls if size.elements == "ball" else r.limit_of_rollers
-            C_u = limit(C_0=C_0, D_pw=d_m if inside is None else inside.pitch)
+        if C_u is None and computed is not None and row.static_rating is None:
+            C_u = computed.fatigue
+        elif C_u is None:
+            C_u = r.fatigue_limit(size.elements, C_0, d_m if inside is None else inside.pitch)
         ratings = r.Ratings(C, C_0, C_u, None if computed is None else computed.f_0)
     with about(Text("{place} bearing, friction", place=place)):
         what: dict[str, Any] = dict(

@@ -21,6 +21,7 @@ from ...sheet.functions import exp, largest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, RevPerSecond, SquareMetrePerSecond
+from .geometry import mean_diameter
 
 PALMGREN = Text("Palmgren 1957 (SKF catalogues to 1989, ISO/TR 14179-2)")
 SKF = Text("SKF 2013")
@@ -58,11 +59,6 @@ def of_series(rows: TableRow, series: Series) -> Any:
     words = np.asarray(series)
     rows_of_all = np.array([rows[name] for name in words.ravel()])
     return np.moveaxis(rows_of_all, 0, -1).reshape(*rows_of_all.shape[1:], *words.shape)
-
-
-@formula("d_m", "geometry: mean diameter of a bearing", unit="mm")
-def mean_diameter(d: Metre, D: Metre) -> Metre:
-    return (d + D) / 2
 
 
 # --- Palmgren, and the same two parts with INA's factors

@@ -389,6 +389,12 @@ def test_bad_input_is_told_all_at_once():
         ({"shaft_fit": "H7"}, "shaft_fit", ""),
         ({**own(), "outside_diameter_mm": 20.0}, "outside_diameter_mm", "larger than the bore"),
         ({"width_mm": 14.0}, "width_mm", "own"),
+        ({"size": "HK25٢٠"}, "size", "no bearing"),  # figures of another script
+        ({"size": "K480x520x20"}, "size", "500 mm"),
+        ({"housing_outer_mm": 52.0}, "housing_outer_mm", "54 mm"),
+        ({"pitch_diameter_mm": 0.001}, "pitch_diameter_mm", "between 25 and 52 mm"),
+        ({"pitch_diameter_mm": 50.0}, "pitch_diameter_mm", "between 25 and 52 mm"),
+        ({"element_length_mm": 15.0}, "element_length_mm", "15 mm"),
     ],
 )
 def test_a_row_that_is_refused(row, key, word):

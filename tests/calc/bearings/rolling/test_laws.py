@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.bearings.rolling.contact import largest_load, reach, springs_of
+from calc.bearings.rolling.contact import Springs, contact_constant, largest_load, reach
 from calc.bearings.rolling.geometry import inside_of
 from calc.bearings.rolling.life import contamination, life_by_load, life_factor, life_of_duty, lives, system_life
 from calc.bearings.rolling.load import friction_mean_of, mean_of, races_of, radial_of, ring_factor_of
@@ -25,7 +25,8 @@ quick = settings(max_examples=40, deadline=None)
 
 
 def springs_at(size, s=0.0):
-    return springs_of(inside_of(size), s)
+    inside = inside_of(size)
+    return Springs(inside.elements, inside.count, contact_constant(inside), s)
 
 
 @quick

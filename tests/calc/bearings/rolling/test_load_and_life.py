@@ -2,7 +2,6 @@
 """Ratings, loads and lives where no given value reaches: by hand, by integrals, by the tables of the standards."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -21,10 +20,9 @@ from calc.bearings.rolling.contact import (
     pressure_of,
     reach,
 )
+from calc.bearings.rolling.contamination import CLASSES, WORDS
 from calc.bearings.rolling.geometry import alike, gamma_of, inside_of, stacked
 from calc.bearings.rolling.life import (
-    CLASSES,
-    WORDS,
     contamination,
     counted_ratio,
     fatigue_share,
@@ -446,10 +444,9 @@ def test_a_trace_of_one_bearing_shows_every_line():
     assert {"C_r", "C_0", "V", "F_m", "P", "κ", "a_ISO", "L_10", "δ_r", "J_r"} <= symbols
 
 
-def test_ratings_of_a_catalogue_rule_each_by_itself():
-    _, inside, ratings = rated("6205")
-    assert fatigue_limit(inside, 7800.0) == pytest.approx(7800 / 22)
-    assert replace(ratings, dynamic=14e3).static == ratings.static
+def test_the_fatigue_limit_follows_the_static_rating_that_rules():
+    _, inside, _ = rated("6205")
+    assert fatigue_limit(inside.elements, 7800.0, inside.pitch) == pytest.approx(7800 / 22)
 
 
 def test_system_life_of_many():

@@ -11,7 +11,6 @@ from calc.bearings.rolling import raceway as r
 
 def test_the_case_is_as_deep_as_the_needles_ask_and_never_thinner_than_0_3_mm():
     assert r.case_depth_needed(D_w=2.5e-3) == 0.3e-3 and r.case_depth_needed(D_w=10e-3) == pytest.approx(0.78e-3)
-    assert r.case_depth_advised(D_w=10e-3) == pytest.approx(1e-3)
     assert r.case_depth_needed(D_w=np.array([2.5e-3, 10e-3])) == pytest.approx([0.3e-3, 0.78e-3])
 
 
