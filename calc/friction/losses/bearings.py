@@ -14,7 +14,8 @@ import numpy as np
 from ...bearings.plain import formulas as f
 from ...bearings.plain.film.table import eccentricity_from, film_at
 from ...bearings.rolling import torque as t
-from ...bearings.rolling.torque import mean_diameter, torque_by_palmgren, torque_of_load, torque_of_oil
+from ...bearings.rolling.geometry import mean_diameter
+from ...bearings.rolling.torque import torque_by_palmgren, torque_of_load, torque_of_oil
 from ...library.journal_rules import specific_load
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
