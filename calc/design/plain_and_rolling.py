@@ -71,7 +71,7 @@ def _case(design: Design, solved: Any, name: str) -> "ComparisonCase":
     places = rolling_places(design, solved, name)
     task = next(iter(places.values())).task
     ratio = abs(task.ratio) if task.ratio is not None else 1.0
-    speeds = [row.speed for row in task.operation] + [row.speed for row in _inputs(design).duty]
+    speeds = [row.speed for row in _inputs(design).duty or task.operation]
     slowest = min(speeds, default=None)
     if slowest is None and design.mounting is not None:
         slowest = design.mounting.idle_speed
