@@ -197,7 +197,7 @@ hot and cold, weighs, lasts, needs of seat and oil, and which of its checks are 
 
 | | plain | rolling |
 |---|---|---|
-| friction | grows with the journal's diameter, and in cold oil by much | a tenth of it, less in cold oil |
+| friction | grows with the journal's diameter, and in cold oil by much | about a third of that of a journal as small as can be, a tenth of one made large; less again in cold oil |
 | oil | under pressure, through a gallery | a splash that reaches it; no pressure oil |
 | life | as long as the film holds | counted in hours: load, cleanliness, viscosity |
 | small load | any | an element that carries too little slips: see `minimum_load` |

@@ -250,7 +250,7 @@ def _duty_share(results: Solution, at: Place) -> Number:
     if rows is None or not isinstance(r, PlainBearing):
         return 1.0
     with untraced():
-        powers = r.answer_at(rows.n / at.task.speed, rows.T_oil, None).friction_power
+        powers = r.answer_at(rows.n / at.task.speed, rows.T_oil, None, rows.factor).friction_power
     mean = float(np.sum(rows.share * powers)) / r.friction_power
     return mean if math.isfinite(mean) else 1.0
 

@@ -103,13 +103,14 @@ class BearingSet:
         """Whether none of them fatigues."""
         return all(r.survival() is None for r in self.bearings.values())
 
-    def loss(self, case: ComparisonCase, n: Any, T: Any) -> Any:
-        """Of all of them at n, 1/s, with oil of T, °C; nan where there is no film."""
+    def loss(self, case: ComparisonCase, n: Any, T: Any, factor: Any = 1.0, extra: Any = 0.0) -> Any:
+        """Of all of them at n, 1/s, with oil of T, °C; nan where there is no film.  `factor`: on the load that turns;
+        `extra`: of the load that stands, N."""
         ratio = np.asarray(n, dtype=float) / case.rated
         T = np.broadcast_to(np.asarray(T, dtype=float), ratio.shape)
         with untraced(), np.errstate(all="ignore"):
-            answers = {place: r.answer_at(ratio, T, None) for place, r in self.bearings.items()}
-            return sum(answer.under(case.places[place].stands.all) for place, answer in answers.items())
+            answers = {place: r.answer_at(ratio, T, None, factor) for place, r in self.bearings.items()}
+            return sum(answer.under(case.places[place].stands.all + extra) for place, answer in answers.items())
 
     def losses(self, case: ComparisonCase) -> "SetLosses":
         n, T = np.array([case.rated, case.rated, case.idle, case.idle]), np.array([case.hot, case.cold] * 2)
@@ -117,7 +118,8 @@ class BearingSet:
         if rows is None:
             P = self.loss(case, n, T)
             return SetLosses(tuple(P.tolist()), float(P[0]))
-        P = self.loss(case, np.append(n, rows.n), np.append(T, rows.T_oil))
+        factor, extra = np.append(np.ones(len(n)), rows.factor), np.append(np.zeros(len(n)), rows.extra)
+        P = self.loss(case, np.append(n, rows.n), np.append(T, rows.T_oil), factor, extra)
         return SetLosses(tuple(P[: len(n)].tolist()), float(np.sum(rows.share * P[len(n) :])))
 
 

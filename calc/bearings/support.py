@@ -265,8 +265,9 @@ class Carrying(ABC):
         that turns."""
 
     @abstractmethod
-    def answer_at(self, ratio: Any, T: Any, lubricant: Lubricant | None) -> Answer:
-        """The same at `ratio` times the speed and oil of temperature T, one or arrays; `lubricant`: another oil."""
+    def answer_at(self, ratio: Any, T: Any, lubricant: Lubricant | None, factor: Any = 1.0) -> Answer:
+        """The same at `ratio` times the speed and oil of temperature T, one or arrays; `lubricant`: another oil;
+        `factor`: on the load that turns."""
 
     @abstractmethod
     def under(self, stands: StandingLoads, checks: list[Check], notes: list[Text]) -> tuple[Self, list[Check]]:

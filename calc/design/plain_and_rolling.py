@@ -22,9 +22,6 @@ if TYPE_CHECKING:
     from ..bearings.comparison import ComparisonCase  # loaded when somebody looks
 
 IDLE: Number = 0.35  # of the rated speed, where nobody gives one
-# journals that a search begins from, and their supply, where there are none; rule of this program
-LARGE, LENGTH, CLEARANCE, SMOOTH = 0.03, 0.6, 0.6, 0.4e-6
-HOLE, PRESSURE = 0.004, 3e5
 
 Steps = Mapping[str, Outcome[object]]
 Solve = Callable[..., Any]
@@ -74,7 +71,7 @@ def _case(design: Design, solved: Any, name: str) -> "ComparisonCase":
     places = rolling_places(design, solved, name)
     task = next(iter(places.values())).task
     ratio = abs(task.ratio) if task.ratio is not None else 1.0
-    speeds = [row.speed for row in task.operation] + [row.speed for row in _inputs(design).duty]
+    speeds = [row.speed for row in _inputs(design).duty or task.operation]
     slowest = min(speeds, default=None)
     if slowest is None and design.mounting is not None:
         slowest = design.mounting.idle_speed
@@ -106,37 +103,15 @@ def _plain(
     design: Design, solved: Any, solve: Solve, name: str
 ) -> Iterator[tuple[BearingsInputs, Mapping[str, BearingRow]]]:
     """The best journals with the oil and the supply of the design; where it has no journals, with what is usual."""
+    from ..bearings.choice import plain_case
     from ..bearings.plain.selection.search import best_as_supplied
     from ..bearings.plain.selection.writing import with_row
 
     try:
-        if any(row.kind != "plain" for row in design.views[name].rows):
-            design = _with_journals(design, name)
-            solved = solve(design, solved)
-        case = bearings_case(design, solve, solved, name)
+        case = plain_case(bearings_case(design, solve, solved, name), rolling_places(design, solved, name))
         row = best_as_supplied(case)
     except NoSolution:
         return
     if row is not None:
         bearings, rows = with_row(case, row)
         yield bearings, {one.name: one for one in rows}
-
-
-def _with_journals(design: Design, name: str) -> Design:
-    """The shaft on plain bearings, with the journals that a search begins from, and oil under pressure."""
-    own, inputs = design.views[name].own, _inputs(design)
-    assert own is not None
-    rows = []
-    for row in own.bearings:
-        if row.kind != "plain":
-            d = row.on_shaft[0] if row.on_shaft is not None else LARGE
-            surfaces: dict[str, Any] = dict(journal_roughness=SMOOTH, housing_roughness=SMOOTH)
-            as_given: dict[str, Any] = dict(name=row.name, position=row.position, load=row.load, slope=row.slope)
-            row = BearingRow(**as_given, diameter=d, length=LENGTH * d, clearance_factor=CLEARANCE, **surfaces)
-        rows.append(row)
-    supply: dict[str, Any] = {}
-    if inputs.supply is None:
-        supply = dict(supply="hole", hole_diameter=HOLE)
-    if inputs.supply_pressure is None:
-        supply["supply_pressure"] = PRESSURE
-    return replace(design, bearings=replace(inputs, **supply)).with_shaft(replace(own, bearings=tuple(rows)))

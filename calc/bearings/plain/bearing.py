@@ -168,12 +168,12 @@ class PlainBearing(PlainResult, Carrying):
                 return answered(self.beside, self.duty, self.friction_power)
         return Response(load=self.load, friction_power=self.friction_power, slope=0.0, curvature=0.0)
 
-    def answer_at(self, ratio: Any, T: Any, lubricant: Lubricant | None) -> Response[Any]:
+    def answer_at(self, ratio: Any, T: Any, lubricant: Lubricant | None, factor: Any = 1.0) -> Response[Any]:
         turns = self.seat.inputs.load_speed_ratio == TURNING
         duty: OperatingPoint[Any] = self.duty
         duty = replace(
             duty,
-            load=duty.load * (ratio**2 if turns else ratio**0),
+            load=duty.load * (ratio**2 if turns else ratio**0) * factor,
             speed=duty.speed * ratio,
             effective_speed=duty.effective_speed * ratio,
             supply_temperature=T,

@@ -166,9 +166,9 @@ class RollingBearing(LoadedBearing, Carrying):
     def answer(self, *, turns: bool) -> RollingAnswer:
         return RollingAnswer(self.case, self.load, self.speed, self.supply_temperature)
 
-    def answer_at(self, ratio: Any, T: Any, lubricant: Lubricant | None) -> RollingAnswer:
+    def answer_at(self, ratio: Any, T: Any, lubricant: Lubricant | None, factor: Any = 1.0) -> RollingAnswer:
         case = self.case if lubricant is None else replace(self.case, lubricant=lubricant)
-        return RollingAnswer(case, self.load * ratio**2, self.speed * ratio, T)
+        return RollingAnswer(case, self.load * ratio**2 * factor, self.speed * ratio, T)
 
     def under(self, stands: StandingLoads, checks: list[Check], notes: list[Text]) -> tuple[Self, list[Check]]:
         place, row = self.row.name, self.row

@@ -77,10 +77,11 @@ def notes(
         "The temperature of the bearings is an upper estimate, since oil that flows through carries more off: so life "
         "and viscosity ratio are lower ones. See that oil reaches each bearing: no supply is computed."
     )
-    yield Text(
-        "Two formulas of the friction are in the program: INA's factors for needles, and Palmgren's of 1957 for the "
-        "bearings of wheels, four times as large; they stand side by side as an upper bound."
-    )
+    if any(r.case.size.type in ("needle", "cup", "cage") for r in results.values()):
+        yield Text(
+            "Two formulas of the friction are in the program: INA's factors for needles, and Palmgren's of 1957 for "
+            "the bearings of wheels, four times as large; they stand side by side as an upper bound."
+        )
     if inputs.rolling_lubrication == "bath":
         yield Text(
             "In a bath the larger torque of both formulas is judged: drag in deep oil is a diagram of the catalogue, "
@@ -101,5 +102,10 @@ def facts(place: str, r: "RollingBearing") -> Text:
         parts.append(Text("{life}", life=Amount(r.life / 3600, "h", digits=3)))
     parts.append(Text("{loss}", loss=Amount(r.friction_power, "W", digits=3)))
     if r.row.dynamic_rating is None:
-        parts.append(Text("ratings estimated by a typical inside"))
+        known = size.usual.spread
+        parts.append(
+            Text("ratings estimated by a typical inside (over catalogues: {spread})", spread=Name(known))
+            if known
+            else Text("ratings estimated by what is inside")
+        )
     return Text("{place} bearing: {facts}.", place=titled(place), facts=COMMA.join(parts))

@@ -23,7 +23,7 @@ from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, called
 from ...design.addresses import Table
 from ...design.model import Design
-from ...design.step_inputs import rolling_places
+from ...design.step_inputs import rolling_places, twins_of
 from ...design.toml_file import Document, design
 from ...engine.inputs import EngineInputs, Operation
 from ...sheet.check import Check
@@ -93,6 +93,7 @@ def best(
     shared = _shared(made, of_plain if any(seat.kinds == (PLAIN,) for seat in seats) else [])
     known = {check.id for check in results.outcomes["countershaft"].checks if check.open}
     rows = {seat: as_begun(seat) for seat in seats if seat.kinds != (PLAIN,)}
+    together = sum(1 + len(twins_of(made, seat.shaft)) for seat in rows)
     failed: set[tuple[SeatPlace, str]] = set()
     found: tuple[int, list[Section]] | None = None
     open_, expected = list[Check](), 0
@@ -109,7 +110,7 @@ def best(
                     return found
             failed |= {(seat, rows[seat].size or "") for seat in _to_change(open_, rows, solved)}
         try:
-            chosen = {seat: _chosen(seat, solved, len(rows), failed) for seat in rows}
+            chosen = {seat: _chosen(seat, solved, together, failed) for seat in rows}
         except NoSolution:
             if found is None:
                 raise

@@ -105,6 +105,18 @@ def test_the_losses_of_the_design_are_those_that_it_publishes(alone):
     assert all(row[heads.index("rated, cold")] > row[heads.index("rated, hot")] for row in table.rows)
 
 
+def test_the_losses_of_the_duty_count_what_its_parts_add_to_the_loads():
+    text = ALONE.replace(
+        "speed_rpm = 2600.0\nhours", "speed_rpm = 2600.0\nload_factor = 1.6\nextra_load_N = 300.0\nhours"
+    )
+    results = solve(design(parse(text.encode(), "more.toml")))
+    r = results.result(BearingsResult)
+    assert r is not None
+    (table, _) = [t for t in results.outcomes["bearings"].tables if t.id.startswith("plain_and_rolling")]
+    duty = table.rows[0][[str(label) for label, _ in table.columns].index("duty")]
+    assert duty == pytest.approx(sum(b.duty_loss for b in r.bearings.values()), rel=5e-3)
+
+
 def test_fuel_and_co2_follow_the_watts(gamma_results):
     tables = {t.id: t for t in gamma_results.outcomes["bearings"].tables}
     watts = {row[0]: row[2] for row in tables["plain_and_rolling"].rows}

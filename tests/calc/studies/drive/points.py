@@ -4,8 +4,8 @@
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from calc.bearings.routes.thermal_balance import settled
 
+from calc.bearings.plain.routes.thermal_balance import settled
 from calc.bearings.result import BearingsResult
 from calc.countershaft.result import CountershaftResult
 from calc.sheet.value import untraced
