@@ -73,7 +73,7 @@ def _shaft(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, str]]
     if bearings is not None and "countershaft.sector.front.length" in values:
         lengths = values["countershaft.sector.front.length"], values.get("countershaft.sector.rear.length", 0.0)
         for side, z, bearing in zip(lengths, shaft.bearing_positions, shaft.bearings):
-            if side > (abs(z) - bearing.length / 2) * 1e3 + 1e-6:
+            if side > (abs(z) - bearing.on_shaft[1] / 2) * 1e3 + 1e-6:
                 yield "countershaft", f"a sector of {side} mm reaches into the journal at {z * 1e3} mm"
 
 
@@ -83,6 +83,9 @@ def _bearings(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, st
     for bearing in asked.rows:
         place = bearing.name
         mine = {id.removeprefix(f"bearings.{place}."): x for id, x in values.items() if f"bearings.{place}." in id}
+        if bearing.kind == "rolling":
+            yield from _rolling(asked, place, mine)
+            continue
         for key in ("film", "film_edge", "clearance", "clearance_hot", "clearance_cold", "oil_flow", "friction_power"):
             if mine.get(key, 1.0) <= 0:
                 yield "bearings", f"{place}: {key} is {mine[key]}"
@@ -98,6 +101,22 @@ def _bearings(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, st
             yield "bearings", f"{place}: the oil leaves at {mine['outlet_temperature']} °C, above its limit"
         if mine.get("temperature_rise", 1.0) < 0:
             yield "bearings", f"{place}: friction cools the oil"
+
+
+def _rolling(asked: Design, place: str, mine: dict[str, float]) -> Iterator[tuple[str, str]]:
+    for key in ("friction_power", "static_rating", "stiffness", "bearing_mass", "minimum_load"):
+        if mine.get(key, 1.0) <= 0:
+            yield "bearings", f"{place}: {key} is {mine[key]}"
+    for key in ("clearance_least", "clearance_start"):
+        if mine.get(key, 0.0) < -1e-9:
+            yield "bearings", f"{place}: its elements jam, {key} is {mine[key]} µm"
+    if mine.get("static_safety", 1.0) < 1:
+        yield "bearings", f"{place}: a shock marks its raceways"
+    assert asked.bearings is not None
+    if asked.bearings.life is not None and mine.get("life", math.inf) < asked.bearings.life / 3600 - 1e-6:
+        yield "bearings", f"{place}: it lives {mine['life']} h"
+    if mine.get("running_temperature", math.inf) < asked.bearings.supply_temperature - 1e-9:
+        yield "bearings", f"{place}: friction cools it"
 
 
 def _gears(asked: Design, values: dict[str, float]) -> Iterator[tuple[str, str]]:
