@@ -161,18 +161,21 @@ GUIDES: dict[str, Guide] = {
         ),
     ),
     "bearings": Guide(
-        Text("Do the films carry, at every corner?"),
+        Text("Do the bearings carry, at every corner?"),
         Text("build it by rules: bearings that pass"),
-        Text("Length and clearance of the two bearings, oil and its supply, and on what the journals run."),
         Text(
-            "Length: {length}; clearance: {clearance}; a film that holds warm and at twice the load, and clearance "
-            "left when cold.",
+            "Plain or rolling, each bearing by itself. Of plain ones length and clearance, oil and its supply, and on "
+            "what the journals run; of rolling ones the size, and how their rings sit."
+        ),
+        Text(
+            "Plain: {length}; clearance {clearance}; a film that holds warm, some clearance when cold. Rolling: life "
+            "and clearance that last, an outer ring that keeps its grip.",
             length=USUAL_LENGTH,
             clearance=USUAL_CLEARANCE,
         ),
         Text(
-            "A tighter fit first, then more length, then smoother surfaces; a thicker oil where the engine allows it. "
-            "A table has bearings that pass."
+            "Plain: a tighter fit, more length, smoother surfaces. Rolling: another class or fit, an insert, the next "
+            "size. A table has bearings of both kinds that pass."
         ),
     ),
     "gears": Guide(

@@ -155,6 +155,8 @@ class Entry(Input):
 # --- one of several words, in one row
 # Space, → or a letter opens the list, in which letters find a word; Enter goes on.
 
+AUTO = "(auto)"  # the program chooses; the same in every language, as in the texts that name it
+
 
 class Choice(Widget, can_focus=True):
     """The arrows stay free for going from field to field.  `prompt` stands there while nothing is chosen."""
@@ -231,9 +233,10 @@ class Choice(Widget, can_focus=True):
         from ..screens.dialogs import Choose
 
         words = self.words if not self.value or self.value in self.words else (self.value, *self.words)
-        self.app.push_screen(
-            Choose(words, self.value, self.prompt if self.optional else "", self.region, typed, self.said), self._chosen
-        )
+        none = self.prompt if self.optional else ""
+        if none in map(self.said, words):  # what the program takes by itself, beside the same word as chosen
+            none = f"{none} {AUTO}"
+        self.app.push_screen(Choose(words, self.value, none, self.region, typed, self.said), self._chosen)
 
     async def _chosen(self, word: str | None) -> None:
         """Enter in the list takes the word and goes on."""

@@ -27,7 +27,7 @@ from ..session.beginnings import sample
 from ..session.guide import DOCUMENT, NAME, NOTE, idle
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
-from .entry import Choice, Entry
+from .entry import AUTO, Choice, Entry
 from .rows import RADIUS, FormRow, allowed, meaning
 from .text import fit, pad, wrap
 
@@ -39,7 +39,6 @@ BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
 NOTHING = "–"  # in a field that says nothing in this design
-AUTO = "(auto)"  # the program chooses; the same in every language, as in the texts that name it
 NARROW = 60  # a form that has at least this many cells is the only pane
 
 

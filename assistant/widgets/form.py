@@ -430,7 +430,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 isinstance(child, Taken) and child.items
             ):
                 focusable.append(child)
-        return focusable
+        return [stop for stop in focusable if not stop.disabled]
 
     def here(self) -> Place | None:
         """The place that has the focus."""

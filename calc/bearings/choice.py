@@ -35,7 +35,7 @@ from .plain.selection.writing import with_row
 from .result import BearingsResult
 from .rolling.bearing import RollingBearing
 from .rolling.geometry import STEEL
-from .rolling.search import Candidate, Place, Seated, candidates, seated
+from .rolling.search import Candidate, Place, Seated, candidates, nearest_rows, seated
 from .rolling.solve import rows_of
 
 VERIFIED = 4  # rows with rolling bearings that are solved as whole designs before they are shown
@@ -391,7 +391,7 @@ def _together(
         for sides in product(*options)
         if any(side.type != "plain" for side in sides) and threads(case, sides)
     ]
-    every.sort(key=lambda row: (*order(row, aim), row.loss))
+    every.sort(key=lambda row: (*order(row, aim), row.mass, row.loss))
     first = {row.types: row for row in reversed(every)}
     chosen = [row for row in every if first[row.types] is row][:MOST]
     for row in unbeaten(every):
@@ -399,15 +399,12 @@ def _together(
             break
         if row not in chosen:
             chosen.append(row)
-    yield from sorted(chosen, key=lambda row: (*order(row, aim), row.loss))
+    yield from sorted(chosen, key=lambda row: (*order(row, aim), row.mass, row.loss))
 
 
 def threads(case: SelectionCase, sides: Sequence[Side]) -> bool:
     """Whether the sectors pass a seat of these, where they have to."""
-    shaft = case.shaft
-    if shaft is None or shaft.room_asked is None or shaft.assembly == "cartridge" or shaft.outer_radius is None:
-        return True
-    return max(side.seat for side in sides) >= 2 * (shaft.outer_radius + shaft.room_asked)
+    return case.shaft is None or max(side.seat for side in sides) >= case.shaft.seat_asked
 
 
 # --- a row in the whole design
@@ -440,11 +437,26 @@ def changes(case: SelectionCase, row: ChoiceRow) -> Changes:
     """The keys that put a row into the design: what its bearings say, and of those of another kind nothing any more."""
     written = _differences("bearings", case.bearings, row.inputs)
     for before, side in zip(case.rows, row.sides):
-        here = f"{case.place}.{before.name}"
-        written |= _differences(here, before, side.row)
-        if before.clearance_limits is not None and side.row.clearance_limits is None:
-            written.setdefault(f"{here}.{dotted(BearingRow.clearance)}", None)  # under which they may stand
+        written |= row_changes(case, before, side.row)
     return written
+
+
+def row_changes(case: SelectionCase, before: BearingRow, after: BearingRow) -> Changes:
+    """The same of one bearing."""
+    here = f"{case.place}.{before.name}"
+    written = _differences(here, before, after)
+    if before.clearance_limits is not None and after.clearance_limits is None:
+        written.setdefault(f"{here}.{dotted(BearingRow.clearance)}", None)  # under which they may stand
+    return written
+
+
+def nearest_changes(case: SelectionCase, place: Place) -> Iterator[Changes]:
+    """How the rolling bearing of a place could sit, and other sizes with how they sit, the nearest first."""
+    there = case.seen(case.results).result(BearingsResult)
+    now = there.bearings.get(place.row.name) if there is not None else None
+    if isinstance(now, RollingBearing):
+        for row in nearest_rows(place, now.running_temperature):
+            yield row_changes(case, place.row, row)
 
 
 def _differences(place: str, before: object, after: object) -> Changes:
@@ -474,6 +486,10 @@ def plain_case(case: SelectionCase, places: Mapping[str, Place]) -> SelectionCas
     if all(row.kind == "plain" for row in case.rows):
         return case
     rows = tuple(as_plain(places[row.name]) if row.kind != "plain" else row for row in case.rows)
+    widest = case.shaft.seat_asked if case.shaft is not None else 0.0
+    if widest > max(row.opening() for row in rows):
+        through = max(range(len(rows)), key=lambda i: case.rows[i].opening())  # the sectors go on through the same one
+        rows = tuple(begun(row, widest) if i == through else row for i, row in enumerate(rows))
     proposed: dict[str, Any] = {
         name: value for name, value in SUPPLY_PROPOSED.items() if getattr(case.bearings, name) is None
     }
@@ -494,20 +510,13 @@ def as_plain(place: Place) -> BearingRow:
     """The row of a place with a plain bearing to begin with: as thick as the shaft is there, or its core."""
     row = place.row
     there = row.on_shaft
-    d = max(there[0] if there is not None else 0.0, place.bores[0])
+    kept = ("name", "position", "load", "offset", "slope", "carrier_bore", "carrier", "housing_material")
+    said: dict[str, Any] = {name: getattr(row, name) for name in kept}
+    begins = BearingRow(diameter=1.0, length=1.0, journal_roughness=LAPPED, housing_roughness=BORED, **said)
+    return begun(begins, max(there[0] if there is not None else 0.0, place.bores[0]))
+
+
+def begun(row: BearingRow, d: Metre) -> BearingRow:
+    """A plain bearing of some diameter, its length and clearance in proportion."""
     d = math.ceil(d * 1e3 - 1e-6) / 1e3
-    return BearingRow(
-        name=row.name,
-        position=row.position,
-        load=row.load,
-        offset=row.offset,
-        slope=row.slope,
-        carrier_bore=row.carrier_bore,
-        carrier=row.carrier,
-        housing_material=row.housing_material,
-        diameter=d,
-        length=round(LENGTH * d, 4),
-        clearance=round(PSI * d, 6),
-        journal_roughness=LAPPED,
-        housing_roughness=BORED,
-    )
+    return replace(row, diameter=d, length=round(LENGTH * d, 4), clearance=round(PSI * d, 6))

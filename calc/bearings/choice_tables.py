@@ -136,9 +136,9 @@ def _begun(choice: KindsFound, inputs: BearingsInputs) -> Text:
 def notes(choice: KindsFound) -> Iterator[Text]:
     if choice.verified:
         yield Text(
-            "Rolling bearings of all sizes are judged by life, static safety, speed and slope, and sit by the least "
-            "change of class, fits and how the ring is held that leaves clearance and grip. Solved as whole designs: "
-            "{rows}; the others are when they are taken.",
+            "Rolling bearings of all sizes whose bore is no smaller than the core, and the design's own, are judged by "
+            "life, static safety, speed and slope, and sit by the least change of class, fits and how the ring is "
+            "held that leaves clearance and grip. Solved as whole designs: {rows}; the others are when they are taken.",
             rows=rows_of(list(choice.verified)),
         )
     if choice.dropped:

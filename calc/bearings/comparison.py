@@ -16,7 +16,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Curve, Further, Series, Table, axis_label
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, SPACE, Amount, Name, Text
-from ..sheet.units import Celsius, Number, RevPerSecond, Watt
+from ..sheet.units import Celsius, Metre, Number, RevPerSecond, Watt
 from ..sheet.value import untraced
 from .inputs import BearingsInputs
 from .kinds import KINDS
@@ -61,6 +61,7 @@ class ComparisonCase:
     idle: RevPerSecond
     assumed: bool
     costs: Costs
+    seat_asked: Metre = 0.0  # of the largest seat: the sectors have to pass it
 
     @property
     def mixed(self) -> bool:
@@ -268,7 +269,7 @@ def _costs(case: ComparisonCase, sets: Compared) -> Table:
                 cells.append(_three(rated / costs.rated_power * 3.6e9))
             if km is not None:
                 cells.append(_three(m_CO2 / km * 1e6))
-        rows.append((*cells, _risks(one)))
+        rows.append((*cells, _risks(case, one)))
     columns = [(Text("bearings"), ""), (Text("oil pump"), "W")]
     if costs.fuel is not None:
         columns += [(Text("fuel"), "g/h"), (Text("CO₂"), "g/h")]
@@ -301,10 +302,13 @@ def _size(r: Carrying) -> str:
     return r.row.size or f"⌀{d * 1e3:g}×{length * 1e3:g}"
 
 
-def _risks(one: BearingSet) -> Text:
-    """What does not hold, each rule once, those that fail first."""
+def _risks(case: ComparisonCase, one: BearingSet) -> Text:
+    """What does not hold, each rule once, those that fail first; before them that the shaft does not come in."""
     open_ = [check for verdict in ("fail", "warn", "not_verified") for check in one.checks if check.verdict == verdict]
     rules = list(dict.fromkeys(check.rule.name or check.name for check in open_))
+    if max(r.row.opening() for r in one.bearings.values()) < case.seat_asked:
+        asked = Amount(case.seat_asked * 1e3, "mm", digits=4)
+        rules.insert(0, Text("threaded in, the sectors ask for a seat of {asked}", asked=asked))
     if not rules:
         return Text("none")
     words = SEMICOLON.join(rules[:RISKS])

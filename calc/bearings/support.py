@@ -90,8 +90,8 @@ class OnShaftResult:
     share: Number | None = value("Load over that of rigid supports", "", "P/f_c", default=None)
     displacement: Metre = value("Displacement of the journal", "µm", "e")
     displacement_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", "φ_x", default=None)
-    tilt: Radian = value("Tilt of the journal in its film", "mrad", "θ")
-    tilt_along: Radian = value("of it in the plane of the narrowest film", "mrad", "θ_x")
+    tilt: Radian = value("Tilt of the journal in its bearing", "mrad", "θ")
+    tilt_along: Radian = value("of it in the plane of the narrowest gap", "mrad", "θ_x")
     film_edge_tilted: Metre | None = value(
         "Film at the edge, as the journal tilts in the films", "µm", "h_edge,θ", short=True, default=None
     )

@@ -586,6 +586,13 @@ class ShaftInputs:
             return None
         return self.radial_clearance if self.radial_clearance is not None else 0.0
 
+    @property
+    def seat_asked(self) -> float:
+        """The least diameter of the largest seat, through which the sectors have to pass; 0 where they pass none."""
+        if self.room_asked is None or self.assembly == "cartridge" or self.outer_radius is None:
+            return 0.0
+        return 2 * (self.outer_radius + self.room_asked)
+
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.name in NO_NAMES or (self.name.isascii() and self.name.isdigit()):
             words = Text("must not be figures alone, nor one of {words}", words=", ".join(NO_NAMES))

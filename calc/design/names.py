@@ -92,6 +92,8 @@ def written(value: object, unit: str = "") -> Text | Amount:
         return Text("{row}°", row=row) if unit == "°" else Text("{row} {unit}", row=row, unit=unit) if unit else row
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return Amount(value, unit, digits=DIGITS)
+    if isinstance(value, bool):
+        return Text("yes") if value else Text("no")
     return Name(str(value))
 
 

@@ -82,7 +82,16 @@ def _case(design: Design, solved: Any, name: str) -> "ComparisonCase":
             rated_power(design), lambda P: fuel(b_e=b_e, P=P), lambda m_B: carbon_dioxide(e_CO2=e_CO2, m_B=m_B)
         )
     idle = IDLE * task.speed if slowest is None else ratio * slowest
-    return ComparisonCase(places, result.bearings, outcome.checks, idle, slowest is None, costs)
+    shaft = view.design.countershaft
+    return ComparisonCase(
+        places,
+        result.bearings,
+        outcome.checks,
+        idle,
+        slowest is None,
+        costs,
+        shaft.seat_asked if shaft is not None else 0.0,
+    )
 
 
 def _inputs(design: Design) -> BearingsInputs:

@@ -485,6 +485,10 @@ def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
         first, other = ours.get(line), others.get(line)
         size = math.inf
         if first is not None and other is not None:
+            if line[0] == dotted(Design.bearings) and first.about is not other.about:
+                yield KeyResult(first, None, is_least(first), size)  # a film and a life stand in one line
+                yield KeyResult(None, other, is_least(other), size)
+                continue
             size = relative(first.shown, other.shown, floors[line[0]].get(first.unit, 0.0))
         yield KeyResult(first, other, any(v is not None and is_least(v) for v in (first, other)), size)
 

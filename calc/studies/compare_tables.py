@@ -10,6 +10,7 @@ from ..design.model import STEPS
 from ..design.names import addressed, belongs, in_context
 from ..sheet.check import ORDER, Check
 from ..sheet.number import short
+from ..sheet.quantity import FLAGS
 from ..sheet.step import Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
 from .compare import (
@@ -64,6 +65,8 @@ def _content(content: object, missing: Text, full: bool) -> Text:
         if content and isinstance(content[0], dict) and not full:
             return plural("{n} element", "{n} elements", n=len(content))
         return SEMICOLON.join(_content(item, missing, full) for item in content)
+    if isinstance(content, bool):
+        return Name(FLAGS[content])
     return _number(content, MOST_DIGITS) if isinstance(content, (int, float)) else Name(str(content))
 
 

@@ -345,3 +345,20 @@ async def test_a_lone_digit_that_was_meant_for_a_step_changes_no_number(screen: 
                 assert "Bore stays 94: 3 was not accepted" in told(pilot)
             await strike(pilot, "f2")
             await until(pilot, lambda: work(pilot).number == 1)
+
+
+async def test_enter_passes_over_what_says_nothing_of_a_kind(screen: Screen) -> None:
+    """A bearing that rolls has no diameter of its own: Enter goes on to the other's, and to the size that is asked."""
+    async with screen() as pilot:
+        form = work(pilot).form
+        await go_to(pilot, "shafts.shaft.bearings.front.kind")
+        for keys in (("space",), ("r",), ("enter",)):
+            await strike(pilot, *keys)
+            await settled(pilot)
+        places = [form.field.place if form.field is not None else None]
+        for _ in range(3):
+            await strike(pilot, "enter")
+            await settled(pilot)
+            places.append(form.field.place if form.field is not None else None)
+        place = work(pilot).session.place
+        assert len({*places}) == 4 and place("shafts.shaft.bearings.front.size") in places

@@ -17,9 +17,14 @@ class Duty:
 
     name: str = text("Name", help="idle, cruise, rated or any other word.")
     speed: float = quantity(
-        "Speed", "rpm", up_to=1e5, symbol="n", help="Of the crank; of the shaft where there is no engine."
+        "Speed",
+        "rpm",
+        up_to=1e5,
+        symbol="n",
+        help="Of the crank; of the shaft where there is no engine.",
+        repair="asked",
     )
-    hours: float = quantity("Hours", up_to=1e9, symbol="w", help="In any unit: their shares count.")
+    hours: float = quantity("Hours", up_to=1e9, symbol="w", help="In any unit: their shares count.", repair="asked")
     oil_temperature: float | None = quantity(
         "Oil temperature",
         "°C",
@@ -27,15 +32,32 @@ class Duty:
         within=(-40, 200),
         symbol="T_oil",
         help="Where it reaches the bearings. Left out: supply_temperature_C.",
+        repair="asked",
     )
     extra_load: float = quantity(
-        "Extra load", "N", default=0.0, within=(0, 1e7), symbol="F_x", help="That stands, of unknown direction: added."
+        "Extra load",
+        "N",
+        default=0.0,
+        within=(0, 1e7),
+        symbol="F_x",
+        help="That stands, of unknown direction: added.",
+        repair="asked",
     )
     load_factor: float = quantity(
-        "Load factor", default=1.0, within=(0, 10), symbol="k_F", help="On the load that turns with the shaft."
+        "Load factor",
+        default=1.0,
+        within=(0, 10),
+        symbol="k_F",
+        help="On the load that turns with the shaft.",
+        repair="asked",
     )
     road_speed: float | None = quantity(
-        "Road speed", "km/h", default=None, within=(0, 500), help="For CO₂ per kilometre, where every row has one."
+        "Road speed",
+        "km/h",
+        default=None,
+        within=(0, 500),
+        help="For CO₂ per kilometre, where every row has one.",
+        repair="asked",
     )
 
 
@@ -69,6 +91,7 @@ class RollingInputs:
         source="ISO 281:2007",
         help="Of the life that is asked.",
         fold=ROLLING,
+        repair="asked",
     )
     life: float | None = quantity(
         "Life",
@@ -78,6 +101,7 @@ class RollingInputs:
         symbol="L_h",
         help="Asked of the rolling bearings. Left out: that of the gears, else 5000, assumed.",
         fold=ROLLING,
+        repair="asked",
     )
     shock_factor: float = quantity(
         "Shock factor",
@@ -87,6 +111,7 @@ class RollingInputs:
         source="rule of this program",
         help="On the largest load, against marks in the raceways.",
         fold=ROLLING,
+        repair="asked",
     )
     ring_temperature: float = quantity(
         "Inner ring above outer ring",
@@ -97,6 +122,7 @@ class RollingInputs:
         source="IKO: 5 to 10 normal, 15 to 20 fast",
         help="By how much the inner ring is warmer than the outer.",
         fold=ROLLING,
+        repair="asked",
     )
     duty: tuple[Duty, ...] = tables(
         "Duty",

@@ -42,6 +42,12 @@ def notes(
                 "here.",
                 place=titled(place),
             )
+        if r.row.locates:
+            yield Text(
+                "{place} bearing: it locates the shaft once both rings are held along it: shoulders, a nut or circlips "
+                "are not designed here.",
+                place=titled(place),
+            )
         if r.load < r.standing_load:
             yield Text("{place} bearing: more stands than turns: V is 1.", place=titled(place))
         if r.clearance_running is None:

@@ -47,6 +47,7 @@ class RollingRow(SupportRow):
         help="Of size = own; bore_mm beside it.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     width: float | None = quantity(
         "Width",
@@ -57,6 +58,7 @@ class RollingRow(SupportRow):
         help="Of size = own.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     element_count: int | None = integer(
         "Number of elements",
@@ -66,6 +68,7 @@ class RollingRow(SupportRow):
         help="Balls, rollers or needles of the bearing. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     element_diameter: float | None = quantity(
         "Diameter of an element",
@@ -76,6 +79,7 @@ class RollingRow(SupportRow):
         help="Of a ball, roller or needle. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     element_length: float | None = quantity(
         "Effective length of a roller",
@@ -86,6 +90,7 @@ class RollingRow(SupportRow):
         help="Of the line on which a roller carries. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     pitch_diameter: float | None = quantity(
         "Pitch diameter",
@@ -96,6 +101,7 @@ class RollingRow(SupportRow):
         help="Of the elements' centres. Left out: typical of the type, an estimate.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     contact_angle: float = quantity(
         "Contact angle",
@@ -106,6 +112,7 @@ class RollingRow(SupportRow):
         help="Of balls. Angular contact bearings carry thrust by themselves: they are not modelled.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     groove_inner: float = quantity(
         "Groove of the inner ring over D_w",
@@ -115,6 +122,7 @@ class RollingRow(SupportRow):
         help="Radius of the groove over the diameter of a ball.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     groove_outer: float = quantity(
         "Groove of the outer ring over D_w",
@@ -124,6 +132,7 @@ class RollingRow(SupportRow):
         help="Radius of the groove over the diameter of a ball.",
         where=(KIND, "rolling"),
         fold=INSIDE,
+        repair="asked",
     )
     dynamic_rating: float | None = quantity(
         "Dynamic load rating",
@@ -134,6 +143,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: ISO 281 with the typical inside, an estimate.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     static_rating: float | None = quantity(
         "Static load rating",
@@ -144,6 +154,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: ISO 76 with the typical inside, an estimate.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     fatigue_limit: float | None = quantity(
         "Fatigue load limit",
@@ -154,6 +165,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: by C_0, ISO 281.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     split_cage: bool = flag(
         "Split cage",
@@ -186,6 +198,7 @@ class RollingRow(SupportRow):
         symbol="F_2",
         help="Of a bearing that stands alone: what does not turn, weight and gear force. A shaft knows it.",
         where=(KIND, "rolling"),
+        repair="asked",
     )
     axial_load: float | None = quantity(
         "Axial load",
@@ -195,6 +208,7 @@ class RollingRow(SupportRow):
         symbol="F_a",
         help="On the bearing that locates. Left out: the thrust of the shaft's gear.",
         where=(KIND, "rolling"),
+        repair="asked",
     )
     clearance_class: str = choice(
         "Clearance class",
@@ -228,14 +242,15 @@ class RollingRow(SupportRow):
         change=("looser on the shaft", "tighter on the shaft", "another fit on the shaft"),
     )
     outer_ring_held: str = choice(
-        "Outer ring held by",
+        "Hold of the outer ring",
         "fit",
-        "pin",
         "insert",
+        "pin",
         "adhesive",
         "clamped",
         default="fit",
-        help="fit: by its interference alone, which is judged. insert: a sleeve of iron or steel cast in.",
+        help="fit: by its interference alone, which is judged. insert: a sleeve of iron or steel cast in, and judged; "
+        "what a pin, an adhesive or a clamp carries is not.",
         where=(KIND, "rolling"),
         fold=FITS,
     )
@@ -280,6 +295,7 @@ class RollingRow(SupportRow):
         help="Of the maker's catalogue. Left out: by n·d_m of the type.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     minimum_load: float | None = quantity(
         "Minimum load",
@@ -290,6 +306,7 @@ class RollingRow(SupportRow):
         help="Below which the elements slip. Left out: by the type's rule.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     palmgren_f0: float | None = quantity(
         "Factor f0 of the two-part formula",
@@ -299,6 +316,7 @@ class RollingRow(SupportRow):
         help="Given: the friction is that of the two-part formula.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     palmgren_f1: float | None = quantity(
         "Factor f1 of the two-part formula",
@@ -308,6 +326,7 @@ class RollingRow(SupportRow):
         help="Given: the friction is that of the two-part formula.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     heat: float | None = quantity(
         "Heat carried off",
@@ -318,6 +337,7 @@ class RollingRow(SupportRow):
         help="Of the seat and the oil, over the oil's temperature. Left out: by the seat's surface, ISO 15312.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
     temperature_limit: float | None = quantity(
         "Temperature limit",
@@ -328,6 +348,7 @@ class RollingRow(SupportRow):
         help="Up to which rings and cage may be used. Left out: that of the cage.",
         where=(KIND, "rolling"),
         fold=RATINGS,
+        repair="asked",
     )
 
     @cached_property

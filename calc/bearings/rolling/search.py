@@ -420,3 +420,27 @@ def seated(place: Place, those: Iterable[Candidate], wanted: int) -> tuple[list[
         else:
             found.append(Seated(one, row))
     return found, loose
+
+
+# --- the nearest to a bearing that stands there
+
+TRIED = 4  # other sizes
+
+
+def nearest_rows(place: Place, T_b: Celsius) -> Iterator[BearingRow]:
+    """The rolling bearing of a place as it may sit, then other sizes that pass as they sit, those of its type before
+    the others and of each the nearest in its outline.  `T_b`: its temperature now."""
+    row, own = place.row, place.row.outline
+    if own is None:
+        return
+    if (sits := fitted(place, row, T_b)) is not None and sits != row:
+        yield sits
+    low, high = place.bores
+    there = replace(place, locates=row.locates, bores=(min(low, own.bore), max(high, own.bore)))
+    others = [one for one in candidates(there) if one.size.designation != own.designation]
+
+    def apart(one: Candidate) -> tuple[bool, float]:
+        pairs = ((one.size.bore, own.bore), (one.size.outside, own.outside), (one.size.width, own.width))
+        return one.size.type != own.type, sum(abs(new / old - 1) for new, old in pairs)
+
+    yield from (one.row for one in seated(there, sorted(others, key=apart), TRIED)[0])

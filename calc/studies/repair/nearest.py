@@ -196,6 +196,8 @@ def _without_needless(start: RepairState, state: RepairState) -> RepairState:
     for key in reversed(state.changes) if len(state.changes) > 1 else ():
         if of.get(key) in mended and [*of.values()].count(of[key]) == 1:
             continue  # the one change of an element whose check it mends
+        if state.changes[key] is None and key in of and [*of.values()].count(of[key]) > 1:
+            continue  # what goes with another change of its element: the catalogue's values of a former size
         worse.clear()
         rest = {k: value for k, value in state.changes.items() if k != key}
         try:

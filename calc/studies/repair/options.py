@@ -264,9 +264,11 @@ UNBALANCED = (RESIDUAL, RESIDUAL_FORCE, RESIDUAL_SHARE, RESIDUAL_FORCE_SHARE, HO
 
 
 def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
-    """What is made for some checks: stronger teeth, masses that are set to what the engine asks for."""
+    """What is made for some checks: stronger teeth, masses that are set to what the engine asks for, rolling bearings
+    that sit otherwise or are larger."""
     weak = tuple(c for c in group if c.rule in WEAK)
     sets = list(sizing.stronger(state, sizing.wheels(state, weak))) if weak else []
+    sets += [changes for own in sizing.of_rolling(state, group) for changes in sizing.rolling_ways(state, own)]
     for view in state.design.views.values() if any(c.rule in UNBALANCED for c in group) else ():
         if view.countershaft is not None and view.countershaft.mode == "given":
             try:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import chain
 
+from ...bearings.choice import nearest_changes
 from ...bearings.inputs import BearingsInputs
 from ...bearings.plain.selection.search import nearest_row
 from ...bearings.plain.selection.writing import bearing_changes
@@ -22,7 +23,7 @@ from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
 from ...design.locks import locked
 from ...design.model import Design
 from ...design.names import named
-from ...design.step_inputs import bearings_case, given_beside, sized_alike
+from ...design.step_inputs import bearings_case, given_beside, rolling_places, sized_alike
 from ...engine.result import EngineResult
 from ...gears.inputs import GearsInputs, wheel_key
 from ...gears.rating.classes import DEFAULT, class_names, strength_class
@@ -66,8 +67,13 @@ def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: P
 def bearings_or_longer_journals(
     state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None
 ) -> RepairState:
-    """The nearest bearings that fit, else journals as long as their films ask for.  Raises NoSolution where neither
-    helps."""
+    """Rolling bearings that sit otherwise or are of another size; of plain ones the nearest that fit, else journals as
+    long as their films ask for.  Raises NoSolution where none of it helps."""
+    for own in of_rolling(state, failing):
+        state = first_repaired(state, "bearings", [c.id for c in own], rolling_ways(state, own), progress)
+        failing = tuple(c for c in failing if c not in own)
+    if not failing:
+        return state
     try:
         return nearest_bearings(state, failing, part(progress, 0.0, 0.5))
     except NoSolution as none:
@@ -75,6 +81,42 @@ def bearings_or_longer_journals(
             return longer_journals(state, failing, part(progress, 0.5, 1.0))
         except NoSolution:
             raise none from None
+
+
+def of_rolling(state: RepairState, checks: tuple[Check, ...]) -> list[tuple[Check, ...]]:
+    """Those of each bearing that needs no pressure oil."""
+    groups: dict[str, list[Check]] = {}
+    for check in checks:
+        row = _row_of(state, check)
+        if row is not None and not row.fed():
+            groups.setdefault(check.id.rpartition(".")[0], []).append(check)
+    return [tuple(group) for group in groups.values()]
+
+
+def _row_of(state: RepairState, check: Check) -> BearingRow | None:
+    """The bearing that a check is of; None: of none."""
+    view = state.view(check.id)
+    prefix = f"{state.design.ids_of('bearings', view.own_name)}."
+    place = state.design.of_original(check.id).removeprefix(prefix).partition(".")[0]
+    return next((row for row in view.rows if row.name == place), None)
+
+
+def rolling_ways(state: RepairState, own: tuple[Check, ...]) -> Iterator[Changes]:
+    """How the rolling bearing of these checks could sit, and what other sizes could stand there; its size first, then
+    how it sits."""
+    row, name = _row_of(state, own[0]), state.view(own[0].id).own_name
+    if row is None:
+        return
+    case = bearings_case(state.design, solve, state.results, name)
+    try:
+        place = rolling_places(state.design, state.results, name)[row.name]
+    except NoSolution:
+        return
+    for way in nearest_changes(case, place):
+        yield dict(sorted(way.items(), key=lambda change: not change[0].endswith(SIZE)))
+
+
+SIZE = f".{dotted(BearingRow.size)}"
 
 
 def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:

@@ -2,6 +2,7 @@
 """What a comparison comes to: the way of each key result and verdict, and labels that say what they are of."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -187,3 +188,58 @@ def test_of_what_got_worse_the_worst_comes_first(found: Comparison) -> None:
     moves = [replace(one, before="pass", after=after) for after in ("warn", "fail", "outside")]
     table = moved_table(replace(found, checks=tuple(moves)), NAMES, str)
     assert [str(row[2]).split()[0] for row in table.rows] == ["fail", "warn", "outside"]
+
+
+KINDS = """
+schema = 2
+name = "two bearings"
+
+[[shafts]]
+name = "shaft"
+mode = "bearings"
+
+[[shafts.bearings]]
+name = "front"
+load_N = 1710.0
+{front}
+
+[[shafts.bearings]]
+name = "rear"
+load_N = 1710.0
+diameter_mm = 81.0
+length_mm = 26.5
+clearance_um = 90.0
+journal_roughness_um = 0.6
+housing_roughness_um = 0.6
+
+[bearings]
+oil = "10W-40 Q8 T905"
+supply_temperature_C = 120.0
+supply_pressure_bar = 4.0
+supply = "hole"
+hole_diameter_mm = 4.0
+housing_material = "EN AC-43100"
+journal_material = "20CrNi4"
+speed_rpm = 2600.0
+"""
+PLAIN = """diameter_mm = 59.5
+length_mm = 27.5
+clearance_um = 80.0
+journal_roughness_um = 0.6
+housing_roughness_um = 0.6"""
+
+
+def test_a_film_and_a_life_are_no_more_or_less_of_each_other(tmp_path: Path) -> None:
+    """They stand in one line of the first page, and the line of a bearing of another kind says another thing."""
+    found = []
+    for name, front in (("plain", PLAIN), ("rolling", 'kind = "rolling"\nsize = "6206"\nlocates = true')):
+        (tmp_path / f"{name}.toml").write_text(KINDS.format(front=front), encoding="utf-8")
+        document = read(tmp_path / f"{name}.toml")
+        found.append((document, solve(design(document))))
+    (a, before), (b, after) = found
+    results = compare(a.data, b.data, before, after).results
+    both = [(r.a, r.b) for r in results if r.a is not None and r.b is not None]
+    assert both and all(one.about is other.about for one, other in both)
+    assert {"bearings.front.film_edge", "bearings.front.life", "bearings.rear.film_edge"} <= {
+        r.either.id for r in results
+    }
