@@ -180,7 +180,8 @@ def _kinds(design: Design, case: SelectionCase, aim: str, progress: Progress | N
     def beside(top: int) -> tuple[Table, ...]:
         fits = kind_tables.fits_table(choice, top)
         of_plain = (plain.table(top), *plain.beside(top)) if plain is not None else ()
-        return (*((fits,) if fits else ()), *(replace(t, id="plain") if t.id == "bearings" else t for t in of_plain))
+        named = (replace(t, id="plain") if t.id == "bearings" else t for t in of_plain if t.rows)
+        return (*((fits,) if fits else ()), *named)
 
     return Offer(
         count=choice.count,

@@ -7,8 +7,10 @@ from itertools import pairwise
 
 import pytest
 
+from assistant.offers import offer
+from calc.design.toml_file import design, parse
 from tests.command import run
-from tests.conftest import DESIGNS
+from tests.conftest import DESIGNS, ROOT
 
 
 @pytest.fixture
@@ -194,3 +196,14 @@ def test_rolling_bearings_are_written_and_plain_ones_again(copy):
     assert "rolling" not in again and again.count("diameter_mm = ") >= 2 and "outer_ring_held" not in again
     checks = json.loads(run("check", path, "--json").stdout)["checks"]
     assert [c["id"] for c in checks if c["verdict"] == "fail" and c["id"].startswith("bearings.")] == []
+
+
+def test_plain_rows_behind_those_that_are_shown_have_no_table():
+    """Of a design on rolling bearings the first rows are such; a plain row is called by its number in both tables."""
+    designs = json.loads((ROOT / "tests/reference/rolling.json").read_text(encoding="utf-8"))["designs"]
+    offered = offer("bearings", design(parse(designs["two rollers"].encode(), "two.toml")), "two.toml")
+    assert [table.id for table in offered.beside(3)].count("plain") == 0
+    (plain,) = [table for table in offered.beside(40) if table.id == "plain"]
+    mixed = {str(row[0]): [str(size) for size in row[1:3]] for row in offered.table(40).rows}
+    alone = {str(row[0]): [str(row[3]), str(row[5])] for row in plain.rows}
+    assert alone and {number: mixed[number] for number in alone} == alone

@@ -110,8 +110,10 @@ def choices_table(choices: BearingsFound, top: int) -> Table:
     """The design as it is, then the first `top` rows; where none fits, those that are too long."""
     if choices.aim == "film" and choices.pareto:
         return pareto_table(choices)
-    rows = [row for n, row in enumerate(choices.rows, 1) if choices.no(n) <= top] or list(choices.beyond[:top])
-    return _rows_table("bearings", titles(choices)[0], choices, tuple(rows), 1, now=True)
+    numbers = [n for n in range(1, len(choices.rows) + 1) if choices.no(n) <= top]
+    if not choices.rows:
+        numbers = [n for n, _ in enumerate(choices.beyond[:top], 1)]
+    return _rows_table("bearings", titles(choices)[0], choices, numbers, now=True)
 
 
 def beyond_table(choices: BearingsFound, top: int) -> Table | None:
@@ -119,16 +121,15 @@ def beyond_table(choices: BearingsFound, top: int) -> Table | None:
     shown = choices.beyond[: max(top - len(choices.rows), 0)] if choices.rows else ()
     if not shown:
         return None
-    return _rows_table("too_long", titles(choices)[1], choices, shown, len(choices.rows) + 1, now=False)
+    numbers = [n for n, _ in enumerate(shown, len(choices.rows) + 1)]
+    return _rows_table("too_long", titles(choices)[1], choices, numbers, now=False)
 
 
-def _rows_table(
-    id: str, title: Text, choices: BearingsFound, rows: tuple[CandidateRow, ...], first: int, *, now: bool
-) -> Table:
+def _rows_table(id: str, title: Text, choices: BearingsFound, numbers: Sequence[int], *, now: bool) -> Table:
+    """The rows of these numbers among all."""
     shown: list[tuple[str, CandidateRow]] = [(Text("now"), choices.now)] if now and choices.now is not None else []
-    numbers = [first + n for n in range(len(rows))]
     press = [_press_hot(choices, number) for number in (*(0 for _ in shown), *numbers)]
-    shown += [(str(choices.no(number)), row) for number, row in zip(numbers, rows)]
+    shown += [(str(choices.no(number)), choices.all[number - 1]) for number in numbers]
     of = [row for _, row in shown]
     extra = _extra(of)
     columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(of)]
@@ -157,7 +158,7 @@ def _extra(rows: list[CandidateRow]) -> Text:
 
 def _size_columns(rows: Sequence[CandidateRow]) -> list[tuple[Text, str]]:
     columns: list[tuple[Text, str]] = []
-    for pick in rows[0].picks:
+    for pick in rows[0].picks if rows else ():
         letter = letter_of(pick.task.place)
         columns += [(Text("{letter} d×l", letter=letter), "mm"), (Text("{letter} g", letter=letter), "µm")]
     return columns
