@@ -108,7 +108,7 @@ def summary(choice: KindsFound) -> tuple[Text, ...]:
     power = Text("{power}", power=Amount(first.loss, "W", digits=3))
     if now is not None:
         power = Text("{power} in place of {now}", power=power, now=Amount(now.loss, "W", digits=3))
-    if now is not None and now.sides == first.sides:
+    if now is not None and [side.row for side in now.sides] == [side.row for side in first.sides]:
         words.append(Text("Row 1 is the design as it is: {power}.", power=Amount(first.loss, "W", digits=3)))
     elif not first.plain:
         words.append(Text("Row 1: {row}; {power}.", row=words_of(first), power=power))

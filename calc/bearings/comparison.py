@@ -305,7 +305,8 @@ def _size(r: Carrying) -> str:
 def _risks(case: ComparisonCase, one: BearingSet) -> Text:
     """What does not hold, each rule once, those that fail first; before them that the shaft does not come in."""
     open_ = [check for verdict in ("fail", "warn", "not_verified") for check in one.checks if check.verdict == verdict]
-    rules = list(dict.fromkeys(check.rule.name or check.name for check in open_))
+    names = [(check.rule.name or check.name, check.verdict) for check in open_]
+    rules = list(dict.fromkeys(Text("fails: {name}", name=name) if how == "fail" else name for name, how in names))
     if max(r.row.opening() for r in one.bearings.values()) < case.seat_asked:
         asked = Amount(case.seat_asked * 1e3, "mm", digits=4)
         rules.insert(0, Text("threaded in, the sectors ask for a seat of {asked}", asked=asked))

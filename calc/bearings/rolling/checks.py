@@ -9,7 +9,7 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Number, RevPerSecond, Second
-from ...sheet.value import untraced
+from ...sheet.value import based_on, untraced
 from ..formulas import load_at_speed
 from ..inputs import BearingsInputs
 from ..plain.inputs import SLOPE_TAKEN
@@ -425,7 +425,10 @@ def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
         yield on_bearing(LIFE_REFERENCE, place, r.life_reference, asked, missing=_inside_missing(place, r))
     if r.static_safety is not None:
         yield on_bearing(STATIC_SAFETY, place, r.static_safety, LEAST_SAFETY[size.type])
-    yield on_bearing(SPEED_FACTOR, place, r.task.speed, largest_speed(case))
+    fastest = r.task.speed
+    if r.rows is not None and r.rows.n.max() > fastest:
+        fastest = based_on(float(r.rows.n.max()), r.rows.n)
+    yield on_bearing(SPEED_FACTOR, place, fastest, largest_speed(case))
     hottest = row.temperature_limit if row.temperature_limit is not None else CAGE_LIMIT[row.cage]
     yield on_bearing(RUNNING_TEMPERATURE, place, r.running_temperature, hottest, base=inputs.supply_temperature)
     if r.running_temperature > HOTTEST:

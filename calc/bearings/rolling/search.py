@@ -202,7 +202,7 @@ def _judged(place: Place, group: Sequence[BearingSize[float]]) -> list[Candidate
     limits: dict[CheckRule, Any] = {
         c.LIFE: life >= asked if loaded else np.ones(len(group), dtype=bool),
         c.STATIC_SAFETY: S_0[:, 0] >= c.LEAST_SAFETY[many.type],
-        c.SPEED_FACTOR: task.speed <= fastest[:, 0],
+        c.SPEED_FACTOR: at.n.max() <= fastest[:, 0],
         c.SLOPE_MOST: slope <= slopes[:, 0],
     }
     if many.flanged and place.axial:

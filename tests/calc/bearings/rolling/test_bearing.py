@@ -401,6 +401,15 @@ def test_a_row_that_is_refused(row, key, word):
     assert word in refused(front=row)[key]
 
 
+def test_the_fastest_part_of_the_duty_is_held_against_the_limiting_speed():
+    """NU205 may turn at 600 000/38.5 rpm, whether that is its rated speed or not."""
+    for speed in (15500.0, 15700.0):
+        check = checks(solved(duty=[{"name": "over", "speed_rpm": speed, "hours": 1.0, "load_factor": 0.05}]))[
+            "speed_factor"
+        ]
+        assert check.value == pytest.approx(speed) and (check.verdict == "fail") is (speed > 600e3 / 38.5)
+
+
 def test_a_duty_that_is_refused():
     for row in ({"hours": 0.0}, {"speed_rpm": 0.0}, {"speed_rpm": -5.0}, {"hours": -1.0}):
         (key,) = row
