@@ -11,7 +11,6 @@ from ..sheet.units import Second
 from ..sheet.value import about
 from .kinds import KINDS
 from .result import BearingsResult
-from .rolling.life import system_life
 from .support import Carrying
 
 
@@ -20,6 +19,8 @@ def life_together(bearings: Iterable[Carrying]) -> Second | None:
     known = [one for bearing in bearings if (one := bearing.survival()) is not None]
     if not known:
         return None
+    from .rolling.life import system_life  # with the room of what fatigues, which is there now
+
     with about(Text("all rolling bearings")):
         life: Any = system_life(L=gathered([life for life, _ in known]), e=gathered([spread for _, spread in known]))
     return cast("Second", life)

@@ -12,8 +12,6 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.plain.selection.variants import SelectionCase
 from ..bearings.plain.speeds import highest_speed, of_journals
 from ..bearings.result import BearingsResult
-from ..bearings.rolling.kind import on_the_way
-from ..bearings.rolling.search import Place, candidates, usual_sizes
 from ..bearings.solve import BearingMaterials
 from ..bearings.support import Solids, StandingLoads, Task
 from ..countershaft.checks import InPlace, swept
@@ -56,6 +54,7 @@ from ..sheet.value import about, based_on, recorded, trace
 from .model import STEPS, Design
 
 if TYPE_CHECKING:
+    from ..bearings.rolling.search import Place
     from ..countershaft.making.system_scatter import MadeShaft
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
@@ -630,7 +629,7 @@ def _gear_bore(design: Design, name: str) -> float | None:
     return next((wheel.bore_diameter for wheel in wheels if wheel.shaft == name), None)
 
 
-def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
+def rolling_places(design: Design, results: Any, name: str) -> "dict[str, Place]":
     """The places of a shaft's bearings, front to rear, as rolling ones are sought for them; of a shaft that is no twin.
 
     `results`: of the design, with an outline of the shaft where it has one.  A rolling bearing takes no less of the
@@ -641,8 +640,11 @@ def rolling_places(design: Design, results: Any, name: str) -> dict[str, Place]:
     return _rolling_places(design, view.result(CountershaftResult), view.outcomes["countershaft"].reason, name)
 
 
-def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text, name: str) -> dict[str, Place]:
+def _rolling_places(design: Design, solved: CountershaftResult | None, why: Text, name: str) -> "dict[str, Place]":
     """The same under a shaft that is solved; `why`: it is not."""
+    from ..bearings.rolling.kind import on_the_way  # with the room of these, when they are asked for
+    from ..bearings.rolling.search import Place
+
     view = design.views[name]
     own, inputs, shaft = view.own, design.bearings, view.countershaft
     assert own is not None and inputs is not None
@@ -695,6 +697,8 @@ def on_rolling_instead(design: Design, solved: Mapping[str, CountershaftResult |
     where in one of them none would do, or no load is known."""
     if design.bearings is None or design.engine is None:
         return None
+    from ..bearings.rolling.search import candidates, usual_sizes
+
     found = 0.0
     for name in design.originals:
         try:
