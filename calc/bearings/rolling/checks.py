@@ -113,7 +113,7 @@ RUNNING_TEMPERATURE = CheckRule(
     "bearings.B.running_temperature",
     "caution",
     "The cage softens; the temperature is an upper estimate, since oil that flows through carries more off.",
-    Text("Temperature of the bearing"),
+    Text("Temperature of the bearing, hottest of its duty"),
     "<=",
     "°C",
     Text("ISO 15312's reference state; cage of polyamide 120 °C, of steel 150 °C"),
@@ -430,9 +430,11 @@ def rolling_checks(place: str, r: LoadedBearing) -> Iterator[Check]:
         fastest = based_on(float(r.rows.n.max()), r.rows.n)
     yield on_bearing(SPEED_FACTOR, place, fastest, largest_speed(case))
     hottest = row.temperature_limit if row.temperature_limit is not None else CAGE_LIMIT[row.cage]
-    yield on_bearing(RUNNING_TEMPERATURE, place, r.running_temperature, hottest, base=inputs.supply_temperature)
-    if r.running_temperature > HOTTEST:
-        yield on_bearing(TEMPERATURE_OUTSIDE, place, r.running_temperature, HOTTEST)
+    of_value = RUNNING_TEMPERATURE.value_id.replace(".B.", f".{place}.") if r.hottest == r.running_temperature else ""
+    T_in = inputs.supply_temperature
+    yield on_bearing(RUNNING_TEMPERATURE, place, r.hottest, hottest, base=T_in, value_id=of_value)
+    if r.hottest > HOTTEST:
+        yield on_bearing(TEMPERATURE_OUTSIDE, place, r.hottest, HOTTEST)
     yield from _clearance_checks(place, r)
     yield from _slope_checks(place, r)
     yield from _load_checks(place, r)

@@ -12,7 +12,7 @@ from ...engine.inputs import Operation
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.functions import largest
-from ...sheet.linked_array import elements, gathered
+from ...sheet.linked_array import elements, gathered, item
 from ...sheet.quantity import result
 from ...sheet.record import record
 from ...sheet.text import Text
@@ -313,6 +313,8 @@ class LoadedBearing(RollingResult):
     slope: Radian | None
     carries: tuple[tuple[Newton, Newton], ...]  # in each row of the duty, else at rated speed: the load, and the least
 
+    hottest: Celsius  # of the rated point and the rows of the duty
+
     @property
     def row(self) -> BearingRow:
         return self.case.row
@@ -406,6 +408,7 @@ def solve(case: RollingCase, F: Newton, stands: StandingLoads, slope: Radian | N
         axial=F_a,
         slope=slope,
         carries=carries,
+        hottest=max(T_b, item(done.heat.temperature[done.heat.temperature.argmax()])) if rows is not None else T_b,
         life=life,
         life_basic=basic,
         life_reference=reference,

@@ -93,8 +93,8 @@ TABLE = [
     ("static_safety", CUP, lambda r, x: replace(r, static_safety=x), 3.001, 2.999, 3.0),
     ("speed_factor", NU, lambda r, x: replace(r, task=replace(r.task, speed=x)), 15584 * RPM, 15585 * RPM, 15584.4156),
     ("speed_factor", NU, lambda r, x: row_of(r, limiting_speed=2600 / 60 / x), 0.999, 1.001, None),
-    ("running_temperature", NU, lambda r, x: replace(r, running_temperature=x), 119.9, 120.1, 120.0),
-    ("running_temperature", NU, lambda r, x: row_of(replace(r, running_temperature=x), cage="steel"), 149.9, 150.1,
+    ("running_temperature", NU, lambda r, x: replace(r, hottest=x), 119.9, 120.1, 120.0),
+    ("running_temperature", NU, lambda r, x: row_of(replace(r, hottest=x), cage="steel"), 149.9, 150.1,
      150.0),
     ("clearance_least", NU, at_gap("least"), 0.1 * UM, -0.1 * UM, 0.0),
     ("clearance_start", NU, at_gap("start"), 0.1 * UM, -0.1 * UM, 0.0),
@@ -147,7 +147,7 @@ def test_what_is_no_number_does_not_hold(bearings, name, of_value):
     [
         ("viscosity_ratio_outside", lambda r, x: replace(r, viscosity_ratio=x), 0.101, 0.099),
         ("viscosity_ratio_outside", lambda r, x: replace(r, viscosity_ratio=x), 3.99, 4.01),
-        ("temperature_outside", lambda r, x: replace(r, running_temperature=x), 199.9, 200.1),
+        ("temperature_outside", lambda r, x: replace(r, hottest=x), 199.9, 200.1),
         ("geometry_outside", of_gamma, 0.399, 0.401),
     ],
 )

@@ -31,7 +31,7 @@ def test_tables_and_whole_solutions_agree_on_every_threaded_drive(name):
 def test_classes_of_what_new_begins_become_clearances(tmp_path):
     """As a number, with tolerances about as wide; the way in of a shaft that is laid in is told."""
     path = tmp_path / "own.toml"
-    path.write_text(engine_design("inline-3"), encoding="utf-8")
+    path.write_text(engine_design("twin-180"), encoding="utf-8")
     problem, _ = asked(read(path), {"objectives": ["power", "mass"]})
     assert problem.base.bearings.select is None
     for row in problem.base.rows:
