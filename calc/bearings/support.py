@@ -170,7 +170,7 @@ class Carrying(ABC):
     anew: ClassVar[bool] = False  # whether `under` solves all of it again, so that nothing of it is told twice
     load: Newton
     friction_power: Watt
-    oil_flow: CubicMetrePerSecond  # under pressure
+    oil_flow: CubicMetrePerSecond = 0.0  # under pressure
     on_shaft: OnShaftResult | None
     slope: Radian | None  # of the journal; None: not known, and taken
 
