@@ -39,7 +39,7 @@ async def test_other_colours(session: Session, monkeypatch: pytest.MonkeyPatch, 
         await pilot.press("escape", "4")
         await pilot.pause(0.05)
         text = rows(pilot)
-        assert "5 limits fail" in text and "✗ 4 Bearings" in text and "✗ Film at the edge, front" in text
+        assert "FAIL: 8 failed" in text and "✗ 4 Bearings" in text and "✗ Film at the edge" in text
 
 
 async def test_a_tiny_terminal_says_so(screen: Screen) -> None:
