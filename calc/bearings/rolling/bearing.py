@@ -140,7 +140,8 @@ class RollingBearing(LoadedBearing, Carrying):
         springs = self.case.springs(self.running_clearance)
         if springs is None or self.load <= 0:
             return based_on(0.0, self.load), based_on(0.0, self.load)
-        return based_on(float(springs.displacement(self.load)), self.load), based_on(0.0, self.load)
+        e = float(springs.displacement(self.load))
+        return based_on(e, self.load, self.clearance_running, springs.contact), based_on(0.0, self.load)
 
     def edge_tilted(self, theta: Radian) -> None:
         return None
