@@ -11,6 +11,7 @@ from ...sheet.functions import cos, largest, smallest
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Number, Pascal, Radian
+from ...sheet.value import based_on
 from .geometry import Inside, gamma_of
 from .hertz import BallContact
 from .sizes import Elements
@@ -165,7 +166,8 @@ def computed(inside: Inside[Any], b_m: Any, HV: Any = None) -> Ratings:
 
 def counted_grooves(inside: Inside[Any]) -> tuple[Any, Any]:
     """Radius over D_w of both grooves, as ratings count it: closer ones do not raise them."""
-    return largest(inside.groove_inner, INNER), largest(inside.groove_outer, OUTER)
+    f_i, f_e = inside.groove_inner, inside.groove_outer
+    return based_on(largest(f_i, INNER), f_i), based_on(largest(f_e, OUTER), f_e)
 
 
 def fatigue_limit(elements: Elements, C_0: Any, D_pw: Any) -> Any:
