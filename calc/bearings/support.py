@@ -252,8 +252,8 @@ class Carrying(ABC):
         return 0.0
 
     @abstractmethod
-    def spring(self) -> NewtonPerMetre:
-        """Its stiffness at rated speed, for the critical speed."""
+    def spring(self) -> NewtonPerMetre | None:
+        """Its stiffness at rated speed, for the critical speed; None where nobody knows it."""
 
     @abstractmethod
     def drained(self) -> OilState | None:

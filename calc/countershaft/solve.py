@@ -371,6 +371,8 @@ def with_films(
         springs = []
         for bearing in bearings.bearings.values():
             K_f = bearing.spring()
+            if K_f is None:
+                return outcome
             springs.append(K_f if housing is None else in_series(K_f=K_f, K_H=housing))
         if min(springs) <= 0:  # of a film whose groove lies under its load: it does not hold the journal there
             return outcome

@@ -26,8 +26,6 @@ from .result import RollingResult
 from .solve import LoadedBearing, RollingCase, solve
 from .zone import EXPONENTS
 
-UNKNOWN: NewtonPerMetre = 1e9  # of a bearing whose inside is not known: stiffer than any
-
 
 @record
 class RollingSupport:
@@ -158,8 +156,8 @@ class RollingBearing(LoadedBearing, Carrying):
     def mass(self) -> Kilogram:
         return self.bearing_mass
 
-    def spring(self) -> NewtonPerMetre:
-        return UNKNOWN if self.stiffness is None else self.stiffness
+    def spring(self) -> NewtonPerMetre | None:
+        return self.stiffness
 
     def drained(self) -> None:
         return None
