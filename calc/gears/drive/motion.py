@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the crank moves the train, and the train as bodies on one line, as arrays over many operating points.
+
+Bodies are measured in metres along the transverse line of action: x = r_b·θ, each in its own sense of rotation.  Wheels
+in mesh have equal x whatever their ratio; an idler is one mass.  The motion of the first driver is given: the train
+does not act back on it but through its inertia."""
+
+import math
+from functools import cached_property
+
+import numpy as np
+
+from ...sheet.arrays import Array, ComplexArray
+from ...sheet.record import record
+from ...sheet.units import Radian
+
+FEWEST_NODES, NODES_A_WAVE = 120, 15
+
+
+@record
+class Motion:
+    """Of the first driver along its line of action, at P operating points: x₀'' = Re Σ a_n·e^{inε}, ε = ωt the angle of
+    the crank."""
+
+    orders: Array  # (N,) on the crank: ½, 1, 1½ …, those that are there
+    a: ComplexArray  # (P, N) in m/s²
+    omega: Array  # (P,) of the crank, in rad/s
+    cycle: Radian  # of the engine: 4π, or 2π of a two-stroke
+
+    @cached_property
+    def period(self) -> Radian:
+        """The angle of the crank after which the motion repeats itself."""
+        steps = np.round(self.orders * self.cycle / (2 * math.pi)).astype(int)
+        there = steps[np.any(self.a != 0, axis=0)]
+        return self.cycle / int(np.gcd.reduce(there)) if there.size else self.cycle
+
+    def nodes(self, period: Radian) -> Array:
+        """Angles of the crank over a period, K of them, the end left out."""
+        highest = round(float(self.orders[-1]) * period / (2 * math.pi))
+        count = max(FEWEST_NODES, NODES_A_WAVE * highest)
+        return np.arange(count) * (period / count)
+
+    def over(self, epsilon: Array, integrals: int = 0) -> Array:
+        """x₀'' at angles of the crank (P, K); integrated once, v, or twice, x, over time, each about its own mean."""
+        waves = np.exp(1j * self.orders[:, None] * epsilon)
+        by = (1j * self.orders * self.omega[:, None]) ** integrals
+        of: Array = ((self.a / by) @ waves).real
+        return of
+
+
+@record
+class Bodies:
+    """The train: every mesh, chain or belt with the body that it drives, B of them, those that drive before those that
+    are driven; each reckoned at its own mesh.
+
+    ρ: base radius of the wheel by which a body drives over that of the wheel by which it is driven; behind it x₀'' is
+    ρ times as large, M and D there count ρ² and ρ times."""
+
+    parent: tuple[int, ...]  # index of the body that drives; −1: the first driver
+    rho: Array  # (B,)
+    toothed: tuple[bool, ...]  # False: a chain or belt, which has no backlash, no flanks and no stiffness here
+    mass: Array  # (B,) own J/r_b² in kg
+    drag: Array  # (P, B) own T_d/r_b in N
+    backlash: Array  # (B,) or (P, B) along the line of action in m; where it is not above 0 nothing strikes
+    width: Array  # (B,) in m
+    stiffness: Array  # (B,) c_γα of 100 N/mm and more, in Pa
+    gravity: ComplexArray | None = None  # (P, B): what gravity turns it by, Re{G·e^{i·order·ε}}, in N
+    gravity_order: Array | None = None  # (B,) on the crank
+    sprung: Array | None = None  # (P, B): meshes that a split gear holds closed
