@@ -90,6 +90,11 @@ class RatingLoad:
     of_peak: bool = False  # rated with the peak of mean and dynamic torque, not with K_A times the mean
     assumed: bool = False  # K_A is the usual one: neither it nor the irregularity is known
 
+    @property
+    def reverses(self) -> bool:
+        """Whether the torque changes its sign over the cycle, as far as that is known."""
+        return self.least is not None and self.least < 0
+
 
 @formula(
     "K_A", "ISO 6336-6: usual for a combustion engine that drives a uniform load through a balanced train", shows="1.25"

@@ -10,9 +10,10 @@ from ...library.catalogue import Material
 from ...sheet.deferred import Later
 from ...sheet.formula import formula
 from ...sheet.quantity import Described, Stated
+from ...sheet.record import record
 from ...sheet.step import Outcome, Table, finite
 from ...sheet.text import Text
-from ...sheet.units import NewtonMetre, Number
+from ...sheet.units import Newton, NewtonMetre, Number, Pascal
 from ...sheet.value import about, recorded, trace
 from ..inputs import GearsInputs
 from ..limits import EXTREME
@@ -105,7 +106,7 @@ def _if_uneven(
     """The strengths at the application factor of the worst irregularity; none where it is not assumed."""
     with recorded(False):
         return {
-            key: _strength(context, context.train.meshes[key], UNEVEN, rating, rating.strength.sides)[3]
+            key: loaded(context, context.train.meshes[key], _nominal_of(rating), UNEVEN, rating.strength.sides).strength
             for key, rating in rated.items()
             if load[key].assumed and rating.strength is not None
         }
@@ -114,19 +115,53 @@ def _if_uneven(
 # --- one mesh
 
 
-def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapping[str, NewtonMetre]) -> MeshRating:
-    gears, train, system = context.gears, context.train, context.train.system
+@record
+class Nominal:
+    """What a force makes of a mesh without load factors, as far as these ask for it."""
+
+    F_t: Newton
+    sigma_H0: Pascal
+    Z_eps: Number
+
+
+@record
+class Loaded:
+    """A mesh under a force: its influence factors, K_H, K_F, and what they leave of its strength."""
+
+    influence: Influence
+    K_H: Number
+    K_F: Number
+    strength: MeshStrength
+
+
+def _nominal_of(rating: MeshRating) -> Nominal:
+    return Nominal(rating.tangential_force, rating.contact_stress, rating.contact_ratio_factor)
+
+
+def nominal_stresses(
+    context: RatingContext, mesh: MeshResult, F_t: Newton
+) -> tuple[nominal.Contact, dict[str, nominal.Root]]:
+    """Stresses of a tangential force, K = 1: of the contact, and of the root of each wheel."""
+    train, system = context.train, context.train.system
     driver, driven = wheels = train.wheels[mesh.driver], train.wheels[mesh.driven]
     pair = Text("mesh {pair}", pair=mesh.title)
     with about(pair):
-        F_t = s.tangential_force(load.rated, driver.pitch_diameter)
         contact = nominal.nominal_contact(system, mesh, driver, driven, F_t, context.materials)
-    roots: dict[str, nominal.Root] = {}
+    roots = dict[str, nominal.Root]()
     for wheel in wheels:
         with about(Text("root of {name} in {name2}", name=wheel.name, name2=pair)):
-            roots[wheel.name] = nominal.nominal_root(system, mesh, wheel, F_t, gears.iso_6336_edition)
+            roots[wheel.name] = nominal.nominal_root(system, mesh, wheel, F_t, context.gears.iso_6336_edition)
+    return contact, roots
+
+
+def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapping[str, NewtonMetre]) -> MeshRating:
+    gears, train = context.gears, context.train
+    wheels = train.wheels[mesh.driver], train.wheels[mesh.driven]
+    with about(Text("mesh {pair}", pair=mesh.title)):
+        F_t = s.tangential_force(load.rated, wheels[0].pitch_diameter)
+    contact, roots = nominal_stresses(context, mesh, F_t)
     first = next(iter(mean.values()))
-    sheet = source_sheet.sheet(system, mesh, wheels, first) if gears.source_sheet == "finotti" else None
+    sheet = source_sheet.sheet(train.system, mesh, wheels, first) if gears.source_sheet == "finotti" else None
     rating = MeshRating(
         mean_torque=load.mean,
         dynamic_torque=load.dynamic,
@@ -145,7 +180,7 @@ def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapp
         forms={wheel: root.form for wheel, root in roots.items()},
     )
     rated = F_t and {mesh.driver, mesh.driven} <= context.classes.keys()
-    return _loaded(context, mesh, load, rating, roots) if rated else rating
+    return _with_strength(context, mesh, load, rating, roots) if rated else rating
 
 
 def _stated_form(wheel: str, root: nominal.Root) -> dict[str, Stated]:
@@ -165,14 +200,17 @@ def _labels(wheel: str) -> tuple[Described, ...]:
     )
 
 
-def _loaded(
+def _with_strength(
     context: RatingContext, mesh: MeshResult, load: RatingLoad, rating: MeshRating, roots: Mapping[str, nominal.Root]
 ) -> MeshRating:
     """The same with load factors, strength and screening: of a mesh that carries something, whose wheels have a
     strength class."""
     gears, train, driver, driven = context.gears, context.train, mesh.driver, mesh.driven
-    sides = _side(context, driver, roots[driver], load), _side(context, driven, roots[driven], load)
-    K, K_H, K_F, strength = _strength(context, mesh, load.K_A, rating, sides)
+    sides = (
+        side(context, driver, roots[driver], _cycles(context, driver), load.reverses),
+        side(context, driven, roots[driven], _cycles(context, driven), load.reverses),
+    )
+    under = loaded(context, mesh, _nominal_of(rating), load.K_A, sides)
     screened = None
     if context.oil is not None:
         mates = max(sum(name in (m.driver, m.driven) for m in gears.meshes) for name in (driver, driven))
@@ -185,28 +223,34 @@ def _loaded(
             oil=context.oil,
             materials=context.materials,
             roughness=context.flank_ra,
-            load_factor=K_H,
+            load_factor=under.K_H,
             application_factor=load.K_A,
             accuracy_grade=gears.accuracy_grade,
             mates=mates,
             load_stage=gears.scuffing_load_stage,
             permissible_film=gears.permissible_film,
-            mesh_stiffness=K.mesh_stiffness,
+            mesh_stiffness=under.influence.mesh_stiffness,
             structural_factor=min(context.structural[driver], context.structural[driven]),
         )
     return replace(
-        rating, influence=K, contact_load_factor=K_H, root_load_factor=K_F, strength=strength, screening=screened
+        rating,
+        influence=under.influence,
+        contact_load_factor=under.K_H,
+        root_load_factor=under.K_F,
+        strength=under.strength,
+        screening=screened,
     )
 
 
-def _strength(
+def loaded(
     context: RatingContext,
     mesh: MeshResult,
+    under: Nominal,
     K_A: Number,
-    rating: MeshRating,
     sides: tuple[WheelStrength, WheelStrength],
-) -> tuple[Influence, Number, Number, MeshStrength]:
-    """Influence factors, K_H, K_F and strength of a mesh by its nominal stresses and an application factor."""
+) -> Loaded:
+    """Influence factors and strength of a mesh by its nominal stresses and an application factor, at the speed of the
+    wheels in the context."""
     gears, system = context.gears, context.train.system
     given = next(m for m in gears.meshes if (m.driver, m.driven) == (mesh.driver, mesh.driven))
     K = influence(
@@ -214,20 +258,20 @@ def _strength(
         mesh,
         context.bodies[mesh.driver],
         context.bodies[mesh.driven],
-        F_t=rating.tangential_force,
+        F_t=under.F_t,
         K_A=K_A,
         grade=gears.accuracy_grade,
         f_sh=given.shaft_deflection or 0.0,
         f_ma=given.mesh_misalignment,
         C_a=gears.tip_relief,
-        Z_eps=rating.contact_ratio_factor,
+        Z_eps=under.Z_eps,
     )
     with about(Text("mesh {pair}", pair=mesh.title)):
         K_H = contact_load_factor(K_A, K.dynamic_factor, K.face_load_factor_flank, K.transverse_load_factor_flank)
         K_F = root_load_factor(K_A, K.dynamic_factor, K.face_load_factor_root, K.transverse_load_factor_root)
         eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
     load = MeshLoad(
-        rating.contact_stress,
+        under.sigma_H0,
         K_H,
         K_F,
         mesh.working_pressure_angle,
@@ -241,17 +285,28 @@ def _strength(
         gears.root_rz,
         gears.accuracy_grade,
     )
-    return K, K_H, K_F, mesh_strength(*sides, load)
+    return Loaded(K, K_H, K_F, mesh_strength(*sides, load))
 
 
-def _side(context: RatingContext, name: str, root: nominal.Root, load: RatingLoad) -> WheelStrength:
+def _cycles(context: RatingContext, name: str) -> Number | None:
+    """Load cycles of a wheel at the speed of the rating, once a contact; None: no life is given."""
     gears, wheel = context.gears, context.train.wheels[name]
-    given = next(w for w in gears.wheels if w.name == name)
-    driven, drives = sum(m.driven == name for m in gears.meshes), sum(m.driver == name for m in gears.meshes)
-    cycles, reverses = None, load.least is not None and load.least < 0
-    if gears.life is not None:
-        with about(Text("wheel {name}", name=name)):
-            cycles = load_cycles(n=abs(wheel.speed), L_h=gears.life, c=float(contacts_per_turn(driven, drives)))
+    if gears.life is None:
+        return None
+    with about(Text("wheel {name}", name=name)):
+        return load_cycles(n=abs(wheel.speed), L_h=gears.life, c=float(contacts_per_turn(*_meshes(context, name))))
+
+
+def _meshes(context: RatingContext, name: str) -> tuple[int, int]:
+    """How many meshes drive a wheel, and how many it drives."""
+    meshes = context.gears.meshes
+    return sum(m.driven == name for m in meshes), sum(m.driver == name for m in meshes)
+
+
+def side(context: RatingContext, name: str, root: nominal.Root, cycles: Number | None, reverses: bool) -> WheelStrength:
+    """A wheel under its nominal root stress; `reverses`: its torque changes its sign."""
+    wheel = context.train.wheels[name]
+    given = next(w for w in context.gears.wheels if w.name == name)
     return WheelStrength(
         name,
         context.classes[name],
@@ -262,6 +317,6 @@ def _side(context: RatingContext, name: str, root: nominal.Root, load: RatingLoa
         rim_of(wheel.root_diameter, given.bore_diameter, given.rim_thickness),
         root.form.q_s,
         root.sigma_F0,
-        loading_of(driven, drives, reverses),
+        loading_of(*_meshes(context, name), reverses),
         cycles,
     )

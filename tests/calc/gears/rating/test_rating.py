@@ -11,7 +11,7 @@ from calc.gears.rating import source_sheet as sheet
 from calc.gears.rating import stress as s
 from calc.gears.rating.load import RatingLoad, Surroundings, rating_context
 from calc.gears.rating.mesh_strength import nominal_root
-from calc.gears.rating.solve import _side
+from calc.gears.rating.solve import side
 from calc.library.catalogue import Material, materials
 from tests.calc.gears.trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
 
@@ -145,7 +145,7 @@ def test_a_root_is_reversed_where_the_torque_changes_its_sign(least, loading):
     load = RatingLoad(4.0, 2.0, least, 6.0, 1.0)
     context = rating_context(gears, t, materials(), Surroundings())
     root = nominal_root(t.system, t.meshes["crank_central"], t.wheels["crank"], 100.0, 2006)
-    assert _side(context, "crank", root, load).loading == loading
+    assert side(context, "crank", root, None, load.reverses).loading == loading
 
 
 def test_the_safeties_are_the_first_lines_of_the_first_page():
